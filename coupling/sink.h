@@ -1,0 +1,113 @@
+// Read-only views of a run for whatever watches it: results, live streaming, progress, tests.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupling/ledger/ledger.h"
+#include "coupling/plan.h"
+#include "coupling/state.h"
+
+namespace scree::coupling {
+
+/// The cells of all bodies; constant while `id` does not change (it changes when a stage makes new bodies).
+struct MeshView {
+  std::uint32_t id = 0;
+  std::span<const std::int32_t> offsets, connectivity;  // polygon cells of points (VTK polygons)
+  std::span<const std::int32_t> cell_block, cell_material, cell_method;  // a cell
+  std::span<const double> origin;                       // x, y a point: where the model first had it [m]
+  std::vector<std::string> methods;                     // names that cell_method counts
+};
+
+/// Statistics of the driver since the start.
+struct RunStats {
+  std::int64_t steps = 0, cuts = 0, passes = 0, factorisations = 0;
+  std::int64_t contacts = 0;         // points closed now
+  std::int64_t elements = 0, unknowns = 0, blocks = 0;
+  double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]
+  double element_steps = 0.0;        // explicit element updates made
+};
+
+/// One instant. Points are those of the mesh, in its order.
+struct FrameView {
+  double time = 0.0;  // [s]
+  Tick tick = 0;
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  std::string_view stage_name;
+  Integrator integrator = Integrator::explicit_;
+  double end_time = 0.0;                       // of the whole plan [s]
+  std::span<const double> position, velocity;  // x, y a point [m], [m/s]
+  std::span<const double> stress;              // xx, yy, xy a cell, Cauchy [Pa]
+  const MeshView* mesh = nullptr;
+  const State* state = nullptr;
+  const RunStats* stats = nullptr;
+};
+
+/// Monitors and ledger, more often than frames. Positions in the order of Model::monitors.
+struct HistoryView {
+  double time = 0.0;
+  Tick tick = 0;
+  std::span<const double> position, displacement, velocity;  // x, y a monitor
+  const Ledger* ledger = nullptr;
+  const RunStats* stats = nullptr;
+};
+
+/// Books of one hand-over of one block (coupling.md 1).
+struct TransferRow {
+  double time = 0.0;
+  BlockId block;
+  std::string from, to;
+  BodyTotals before, after;
+  double reservoir_kinetic = 0.0, reservoir_elastic = 0.0, booked = 0.0;  // [J]
+  /// Relative errors: mass, momentum, angular momentum about the block's centre, energy with reservoir and booked.
+  double mass_error = 0.0, momentum_error = 0.0, angular_error = 0.0, energy_error = 0.0;
+};
+
+enum class EventKind { stage_start, stage_end, transfer, step_cut, not_converged, warning };
+struct Event {
+  EventKind kind = EventKind::warning;
+  double time = 0.0;
+  std::string text;          // one line
+  const TransferRow* transfer = nullptr;
+};
+[[nodiscard]] std::string_view name(EventKind kind);
+
+/// What a run ended with.
+struct RunEnd {
+  enum class Status { done, interrupted, not_converged, non_finite } status = Status::done;
+  std::string reason;  // for anything but done: time, block, contact, likely cause
+};
+
+/// A consumer. It may not change the run, and it never makes the run wait or fail unless losing results would.
+class Sink {
+ public:
+  Sink() = default;
+  Sink(const Sink&) = delete;
+  Sink& operator=(const Sink&) = delete;
+  virtual ~Sink() = default;
+  virtual void begin(const Model& model, const Plan& plan) { (void)model, (void)plan; }
+  virtual void topology(const MeshView& mesh) { (void)mesh; }
+  virtual void frame(const FrameView& frame) { (void)frame; }
+  virtual void history(const HistoryView& history) { (void)history; }
+  virtual void event(const Event& event) { (void)event; }
+  /// Called after every committed step: cheap, for progress and rates.
+  virtual void step(double time, const RunStats& stats, const Ledger& ledger) { (void)time, (void)stats, (void)ledger; }
+  virtual void end(const RunEnd& end, const FrameView& last) { (void)end, (void)last; }
+};
+
+/// What may be asked of a run from outside between steps.
+class Control {
+ public:
+  Control() = default;
+  Control(const Control&) = delete;
+  Control& operator=(const Control&) = delete;
+  virtual ~Control() = default;
+  /// True to stop after the present step.
+  virtual bool stop_requested() { return false; }
+};
+
+}  // namespace scree::coupling

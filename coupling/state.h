@@ -1,0 +1,122 @@
+// Everything that influences the future of a run, as one value. A copy of it is a checkpoint.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coupling/ledger/ledger.h"
+#include "model/pool.h"
+
+namespace scree::coupling {
+
+enum class ContactStatus : std::int32_t { open, slip, stick };
+
+/// A corner of one block against an outline edge of another: the identity of a contact, whatever the methods.
+struct ContactKey {
+  std::int32_t block_p = -1, ring_p = 0, vertex = 0;  // the corner
+  std::int32_t block_e = -1, ring_e = 0, edge = 0;    // the edge
+  auto operator<=>(const ContactKey&) const = default;
+};
+
+/// What a contact point remembers between steps.
+struct ContactMemory {
+  ContactKey key;
+  ContactStatus status = ContactStatus::open;
+  std::int32_t failed = 0;    // 1 once cohesion is lost
+  std::int32_t joint = -1;    // law, chosen when the pair was first seen
+  std::int32_t segment = -1;  // segment of the edge that the anchor below refers to, counted within the edge
+  double gap0 = 0.0;          // gap that counts as closed without stress (contacts closed at t = 0) [m]
+  double gap = 0.0;           // gap at the present time, less gap0 [m]
+  double stretch = 0.0;       // elongation of the tangential spring [m]
+  double anchor = 0.0;        // its anchor: fraction of the segment
+  double fn = 0.0, ft = 0.0;  // forces on the corner, along the outward normal and the direction of the edge [N]
+  double slip = 0.0;          // accumulated |slip| [m]
+  double kn = 0.0, kt = 0.0;  // penalty stiffness [N/m]
+};
+
+/// Energy and fields that a block could not take along into its present method (coupling.md 1).
+struct Remainder {
+  BlockId block;
+  double kinetic = 0.0, elastic = 0.0;  // [J]
+  std::vector<double> velocity, stress;
+};
+
+struct State {
+  Tick time = 0;
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  Tick last_step = 0;                      // length of the step before, for the shadow term
+  std::vector<BodyRecord> bodies;          // in the order of their blocks
+  std::vector<std::int32_t> first_node;    // a body: its first node in q, v; one more at the end
+  std::vector<double> q, v;                // x, y a node
+  std::vector<double> a;                   // acceleration at `time`, same layout (explicit stages; else empty)
+  std::vector<ContactMemory> contacts;     // sorted by key
+  std::vector<Remainder> rest;
+  Ledger ledger;
+
+  /// Shows every field, in a fixed order, to see(name, value). One list serves hash, comparison and checkpoint.
+  template <class Visitor>
+  void visit(Visitor&& see);
+};
+
+/// 64-bit hash of every bit of the state. Equal states have equal hashes; it is promised for one binary on one
+/// type of processor.
+[[nodiscard]] std::uint64_t state_hash(const State& state);
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Visitor>
+void State::visit(Visitor&& see) {
+  see("time", time);
+  see("step", step);
+  see("stage", stage);
+  see("last_step", last_step);
+  see.size("bodies", bodies);
+  for (BodyRecord& b : bodies) {
+    see("body.block", b.block.value);
+    see("body.method", b.method);
+    see("body.outline", b.shape.outline);
+    see("body.origin", b.shape.origin);
+    see("body.mass", b.shape.mass);
+    see("body.area", b.shape.area);
+    see("body.second", b.shape.second);
+    see("body.cover_size", b.cover_size);
+  }
+  see("first_node", first_node);
+  see("q", q);
+  see("v", v);
+  see("a", a);
+  see.size("contacts", contacts);
+  for (ContactMemory& c : contacts) {
+    see("contact.block_p", c.key.block_p);
+    see("contact.ring_p", c.key.ring_p);
+    see("contact.vertex", c.key.vertex);
+    see("contact.block_e", c.key.block_e);
+    see("contact.ring_e", c.key.ring_e);
+    see("contact.edge", c.key.edge);
+    see("contact.status", c.status);
+    see("contact.failed", c.failed);
+    see("contact.joint", c.joint);
+    see("contact.segment", c.segment);
+    see("contact.gap0", c.gap0);
+    see("contact.gap", c.gap);
+    see("contact.stretch", c.stretch);
+    see("contact.anchor", c.anchor);
+    see("contact.fn", c.fn);
+    see("contact.ft", c.ft);
+    see("contact.slip", c.slip);
+    see("contact.kn", c.kn);
+    see("contact.kt", c.kt);
+  }
+  see.size("rest", rest);
+  for (Remainder& r : rest) {
+    see("rest.block", r.block.value);
+    see("rest.kinetic", r.kinetic);
+    see("rest.elastic", r.elastic);
+    see("rest.velocity", r.velocity);
+    see("rest.stress", r.stress);
+  }
+  ledger.visit(see);
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,104 @@
+// The physical description: what the user means, validated and constant during a run. No solver, no file format.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/elasticity.h"
+#include "model/geometry.h"
+#include "model/ground_motion.h"
+#include "model/ids.h"
+
+namespace scree {
+
+struct Material {
+  std::string name;
+  double density = 0.0;  // [kg/m3], > 0
+  double young = 0.0;    // [Pa], > 0
+  double poisson = 0.0;  // 0 <= nu < 0.5
+};
+
+/// Coulomb law of a joint with penalty springs at each contact point.
+struct JointLaw {
+  std::string name;
+  double friction = 0.0;                 // friction angle [rad], 0 <= phi < pi/2
+  double cohesion = 0.0;                 // [Pa]; lost after the first failure
+  double contact_length = 0.0;           // [m] of joint that a contact point stands for; cohesion acts on it
+  std::optional<double> penalty;         // normal stiffness a contact [N/m]; empty: auto, K + 4G/3 of the softer block
+  std::optional<double> shear_penalty;   // tangential stiffness a contact [N/m]; empty: as the normal one
+};
+
+/// A block: its polygon, material and joints.
+struct Block {
+  std::string name;
+  Polygon polygon;    // oriented
+  MaterialId material;
+  JointId joint;                             // law of its edges; invalid: the model's default
+  std::vector<std::vector<JointId>> edges;   // law an edge, by ring and edge (edge i runs from vertex i to i+1)
+};
+
+/// A block held whole: fixed in space, or moving with a ground motion.
+struct BlockSupport {
+  BlockId block;
+  MotionId motion;  // invalid: at rest
+};
+
+/// A point of a block tied to where it was at the start by a spring.
+struct PointSupport {
+  BlockId block;
+  Vec2 point{0.0, 0.0};           // [m], model coordinates, on the block's outline or inside
+  bool fix_x = true, fix_y = true;
+  std::optional<double> stiffness;  // [N/m]; empty: auto, 10 (K + 4G/3)
+};
+
+/// A point whose history is written.
+struct Monitor {
+  std::string name;
+  BlockId block;
+  Vec2 point{0.0, 0.0};  // [m], model coordinates
+};
+
+struct InitialVelocity {
+  BlockId block;
+  Vec2 velocity{0.0, 0.0};  // of the centroid [m/s]
+  double spin = 0.0;        // [rad/s]
+};
+
+struct Model {
+  std::string title;
+  Plane plane = Plane::strain;
+  Vec2 gravity{0.0, -9.81};  // [m/s2]
+  std::vector<Material> materials;
+  std::vector<JointLaw> joints;
+  JointId default_joint;  // valid in a checked model
+  std::vector<Block> blocks;
+  std::vector<BlockSupport> block_supports;
+  std::vector<PointSupport> point_supports;
+  std::vector<Monitor> monitors;
+  std::vector<GroundMotion> motions;
+  std::vector<InitialVelocity> initial_velocities;
+
+  [[nodiscard]] const Material& material_of(BlockId b) const { return materials[blocks[b.index()].material.index()]; }
+  [[nodiscard]] Elasticity elasticity_of(BlockId b) const {
+    const Material& m = material_of(b);
+    return Elasticity::from(m.young, m.poisson, plane);
+  }
+  [[nodiscard]] const BlockSupport* support_of(BlockId b) const;
+  /// Law of an edge of a block: its own, else the block's, else invalid.
+  [[nodiscard]] JointId joint_of(BlockId b, std::size_t ring, std::size_t edge) const;
+};
+
+/// One thing that is wrong with the geometry of a model, for io to place in the case file.
+struct GeometryFault {
+  BlockId block;    // the block at fault
+  BlockId other;    // a second block (overlap), else invalid
+  std::string what; // what is wrong, with coordinates
+  std::string hint; // what to change
+};
+
+/// Checks the polygons: at least three vertices, finite, no repeated or crossing edges, holes inside, area > 0, no two
+/// blocks overlapping by more than a sliver of width 1e-9 of the extent.
+[[nodiscard]] std::vector<GeometryFault> check_geometry(const Model& model);
+
+}  // namespace scree

@@ -1,0 +1,185 @@
+// The one idea that joins the methods: the position of a boundary node is linear in its body's nodes,
+//   x = sum_k w_k q[node_k],
+// three weights, constant until the body is discretised anew. Contact, supports, transfer, output and streaming see
+// bodies only through this page and never ask which method a body uses.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+
+namespace scree {
+
+/// x = sum_k w[k] q[node[k]]; nodes count within the pool. An unused place has weight 0 and repeats a node.
+struct Row {
+  std::array<std::int32_t, 3> node{0, 0, 0};
+  std::array<double, 3> w{0.0, 0.0, 0.0};
+};
+
+/// A corner or edge of a block's outline; outlives meshes and methods.
+struct OutlineEdge {
+  std::int32_t ring = 0, edge = 0;
+  auto operator<=>(const OutlineEdge&) const = default;
+};
+
+/// The outline of a body as its unknowns carry it.
+struct Boundary {
+  struct Segment {
+    std::int32_t a, b;       // indices into nodes; the solid lies to the left of a -> b
+    OutlineEdge edge;        // the outline edge it is part of
+    double s0, s1;           // its range of the edge, 0 to 1
+    std::int32_t cell;       // the element it bounds, counted within the pool
+  };
+  struct Corner {
+    std::int32_t node;              // index into nodes
+    std::int32_t ring, vertex;      // outline vertex; edge `vertex` leaves it
+    double angle;                   // interior angle in the reference shape [rad]
+  };
+  std::vector<Row> nodes;
+  std::vector<Segment> segments;  // by ring, edge, then along the edge
+  std::vector<Corner> corners;    // by ring and vertex
+};
+
+/// A body without stress, in material coordinates about its centre of mass: what a discretisation is made from.
+struct ReferenceShape {
+  Polygon outline;                 // stress-free shape, centre of mass at the origin [m]
+  Polygon origin;                  // the same vertices where the model first had them [m]
+  double mass = 0.0;               // [kg] for unit thickness
+  double area = 0.0;               // mass / density [m2]
+  Mat2 second = Mat2::Zero();      // int rho X X^T dA [kg m2]
+};
+
+/// x = c + F X, velocity vc + Fdot X.
+struct AffineMotion {
+  Vec2 c{0.0, 0.0};
+  Mat2 F = Mat2::Identity();
+  Vec2 vc{0.0, 0.0};
+  Mat2 Fdot = Mat2::Zero();
+};
+
+/// What one body is, and how it is represented now. Rebuilds the discretisation bit for bit.
+struct BodyRecord {
+  BlockId block;
+  std::string method;        // name of the pool it lives in
+  ReferenceShape shape;
+  double cover_size = 0.0;   // edge length of the mathematical mesh, for methods that have one [m]
+};
+
+/// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
+/// @source coupling.md 1
+struct Release {
+  ReferenceShape shape;   // reference of the affine body that goes on
+  AffineMotion motion;
+  double kinetic_rest = 0.0;    // 1/2 w^T M w, w = v - affine [J]
+  double elastic_rest = 0.0;    // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
+  double elastic_cross = 0.0;   // sum A_e s:(e_e - e): zero to first order, booked [J]
+  std::vector<double> velocity_rest;  // w in the co-rotated frame, two numbers a node
+  std::vector<double> stress_rest;    // s_e - s in the co-rotated frame, three numbers (xx, yy, xy) a cell
+};
+
+/// Momenta and energies of one body, from the operators that its method really uses.
+struct BodyTotals {
+  double mass = 0.0;
+  Vec2 centre{0.0, 0.0};
+  Vec2 momentum{0.0, 0.0};
+  double angular_momentum = 0.0;  // about the origin [kg m2/s]
+  double kinetic = 0.0, elastic = 0.0;
+};
+
+/// Cells for output: polygons of points, each point a Row.
+struct MeshPart {
+  std::vector<Row> points;              // nodes counted within the pool
+  std::vector<Vec2> origin;             // where the model first had each point [m]
+  std::vector<std::int32_t> offsets;    // cells + 1
+  std::vector<std::int32_t> connectivity;
+  std::vector<std::int32_t> body;       // a cell: body index in the pool
+};
+
+/// A row expressed in the unknowns d of an implicit step: dx = T d.
+struct ChartRow {
+  static constexpr int kMax = 6;
+  int n = 0;
+  std::array<std::int32_t, kMax> dof{};  // counted within the pool
+  std::array<double, kMax> tx{}, ty{};
+};
+
+/// A dense block of the implicit system: mass, stiffness and internal force at d = 0 in the unknowns of one step.
+struct ImplicitBlock {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, ChartRow::kMax, ChartRow::kMax>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, ChartRow::kMax, 1>;
+  std::int32_t first_dof = 0;
+  Matrix M, K;
+  Vector force;  // internal force, -dU/dd
+  Vector rate;   // velocity in the unknowns
+};
+
+/// All bodies of one method in contiguous arrays. Spans q, v, f hold two numbers (x, y) a node of this pool.
+class Pool {
+ public:
+  Pool() = default;
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+  virtual ~Pool() = default;
+
+  // --- what it is made of ---
+  [[nodiscard]] virtual std::string_view method() const = 0;
+  /// Appends a body made from the record; its nodes follow those of the bodies before it.
+  virtual void add(const Model& model, const BodyRecord& record) = 0;
+  [[nodiscard]] virtual int bodies() const = 0;
+  /// First node of a body; first_node(bodies()) is the number of nodes.
+  [[nodiscard]] virtual std::int32_t first_node(int body) const = 0;
+  [[nodiscard]] virtual const Boundary& boundary(int body) const = 0;
+  /// Row of any material point of the body (supports, monitors).
+  [[nodiscard]] virtual Row row_at(int body, const Vec2& X) const = 0;
+  /// Weights t with: a translation by a adds t_k a to node k of the body.
+  [[nodiscard]] virtual std::span<const double> translation(int body) const = 0;
+
+  // --- state ---
+  /// Sets the body's nodes to an affine motion.
+  virtual void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const = 0;
+  /// Affine part, and what is left over.
+  [[nodiscard]] virtual Release release(int body, std::span<const double> q, std::span<const double> v) const = 0;
+  [[nodiscard]] virtual BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const = 0;
+
+  // --- explicit dynamics ---
+  /// f += internal force; returns the elastic energy of every body summed in a fixed order [J].
+  virtual double internal_force(std::span<const double> q, std::span<double> f) const = 0;
+  /// f += body force of a uniform acceleration.
+  virtual void body_force(const Vec2& acceleration, std::span<double> f) const = 0;
+  /// a = M^-1 f (f is not changed); the acceleration is compatible with the method's constraints.
+  virtual void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const = 0;
+  /// 1/2 v^T M v, bodies in `counted` only (one flag a body).
+  [[nodiscard]] virtual double kinetic_energy(std::span<const double> q, std::span<const double> v,
+                                              std::span<const char> counted) const = 0;
+  /// q += h v, velocities carried along where the method's nodes turn. The default is the plain sum.
+  virtual void drift(double h, std::span<double> q, std::span<double> v) const;
+  /// Largest eigenvalue of M^-1 K of a body's own stiffness, a certified bound [1/s2].
+  [[nodiscard]] virtual double frequency_bound(int body) const = 0;
+  /// J M^-1 J^T of a row: the acceleration of the point per unit force on it, the worst direction [1/kg].
+  [[nodiscard]] virtual double compliance(int body, const Row& row) const = 0;
+  /// Groups of unknowns that a row touches (covers; or the whole body): contacts that share a group add up in the bound.
+  virtual void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const = 0;
+
+  // --- implicit steps; a method without them has no dofs ---
+  /// Unknowns a body, numbered body after body; 0: explicit only.
+  [[nodiscard]] virtual int dofs(int body) const;
+  [[nodiscard]] virtual ChartRow chart_row(int body, const Row& row, std::span<const double> q) const;
+  /// Appends the dense blocks of a body at the state q, v.
+  virtual void linearise(int body, std::span<const double> q, std::span<const double> v,
+                         std::vector<ImplicitBlock>& blocks) const;
+  /// q, v of a body from the step's unknowns d and the new rates, both counted from the body's first dof.
+  virtual void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+                       std::span<double> v) const;
+
+  // --- output ---
+  virtual void topology(MeshPart& mesh) const = 0;
+  /// Cauchy stress (xx, yy, xy) a cell, in the order of topology().
+  virtual void stress(std::span<const double> q, std::span<double> cells) const = 0;
+};
+
+}  // namespace scree
