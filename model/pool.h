@@ -62,6 +62,9 @@ struct AffineMotion {
   Mat2 Fdot = Mat2::Zero();
 };
 
+/// Least-squares affine map of the vertices of `from` to those of `to` (same rings and counts); velocities zero.
+[[nodiscard]] AffineMotion affine_fit(const Polygon& from, const Polygon& to);
+
 /// What one body is, and how it is represented now. Rebuilds the discretisation bit for bit.
 struct BodyRecord {
   BlockId block;
@@ -130,6 +133,8 @@ class Pool {
   [[nodiscard]] virtual std::string_view method() const = 0;
   /// Appends a body made from the record; its nodes follow those of the bodies before it.
   virtual void add(const Model& model, const BodyRecord& record) = 0;
+  /// Called once after the last body was added.
+  virtual void finish() {}
   [[nodiscard]] virtual int bodies() const = 0;
   /// First node of a body; first_node(bodies()) is the number of nodes.
   [[nodiscard]] virtual std::int32_t first_node(int body) const = 0;
@@ -158,9 +163,11 @@ class Pool {
                                               std::span<const char> counted) const = 0;
   /// q += h v, velocities carried along where the method's nodes turn. The default is the plain sum.
   virtual void drift(double h, std::span<double> q, std::span<double> v) const;
-  /// Largest eigenvalue of M^-1 K of a body's own stiffness, a certified bound [1/s2].
+  /// Largest eigenvalue of D^-1 K of a body's own stiffness, D the method's diagonal mass: a certified bound [1/s2].
   [[nodiscard]] virtual double frequency_bound(int body) const = 0;
-  /// J M^-1 J^T of a row: the acceleration of the point per unit force on it, the worst direction [1/kg].
+  /// theta: D <= theta M. Squared frequencies in M are at most theta times those in D.
+  [[nodiscard]] virtual double mass_ratio(int body) const = 0;
+  /// J D^-1 J^T of a row: the acceleration of the point per unit force on it [1/kg].
   [[nodiscard]] virtual double compliance(int body, const Row& row) const = 0;
   /// Groups of unknowns that a row touches (covers; or the whole body): contacts that share a group add up in the bound.
   virtual void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const = 0;

@@ -1,0 +1,217 @@
+#include "dda/dda_pool.h"
+
+#include <Eigen/Dense>
+
+#include "model/outline.h"
+#include "model/planar.h"
+
+namespace scree::dda {
+namespace {
+
+constexpr std::array<double, 3> kTranslation{1.0, 0.0, 0.0};
+
+Row affine_row(int body, const Vec2& X) {
+  return {{3 * body, 3 * body + 1, 3 * body + 2}, {1.0, X.x(), X.y()}};
+}
+
+/// The six numbers of a body in q, and of its rates in v.
+AffineState load(int body, std::span<const double> q, std::span<const double> v) {
+  const auto i = 6 * static_cast<std::size_t>(body);
+  AffineState s;
+  s.c << q[i], q[i + 1];
+  s.F << q[i + 2], q[i + 4], q[i + 3], q[i + 5];
+  s.vc << v[i], v[i + 1];
+  s.Fdot << v[i + 2], v[i + 4], v[i + 3], v[i + 5];
+  return s;
+}
+
+void store(int body, const Vec2& c, const Mat2& F, std::span<double> q) {
+  const auto i = 6 * static_cast<std::size_t>(body);
+  q[i] = c.x();
+  q[i + 1] = c.y();
+  q[i + 2] = F(0, 0);
+  q[i + 3] = F(1, 0);
+  q[i + 4] = F(0, 1);
+  q[i + 5] = F(1, 1);
+}
+
+/// Largest squared frequency of a free affine body: A0 C^1/2 (B D^-1 B^T) C^1/2.
+double frequency_of(const ReferenceShape& shape, const Elasticity& law) {
+  const Mat2 inverse = shape.second.inverse();
+  Eigen::Matrix3d BB, C;
+  BB << inverse(0, 0), 0.0, inverse(0, 1),  //
+      0.0, inverse(1, 1), inverse(0, 1),    //
+      inverse(0, 1), inverse(0, 1), inverse(0, 0) + inverse(1, 1);
+  C << law.p_modulus(), law.lambda, 0.0, law.lambda, law.p_modulus(), 0.0, 0.0, 0.0, law.mu;
+  const Eigen::Matrix3d root = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).operatorSqrt();
+  const Eigen::Matrix3d H = shape.area * root * BB * root;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(H, Eigen::EigenvaluesOnly).eigenvalues()(2);
+}
+
+}  // namespace
+
+void DdaPool::add(const Model& model, const BodyRecord& record) {
+  const int body = bodies();
+  Body b;
+  b.shape = record.shape;
+  b.law = model.elasticity_of(record.block);
+  b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(body, X); });
+  b.second_inverse = record.shape.second.inverse();
+  b.frequency = frequency_of(record.shape, b.law);
+  b.cells = drawing_cells(record.shape.outline);
+  bodies_.push_back(std::move(b));
+}
+
+Row DdaPool::row_at(int body, const Vec2& X) const { return affine_row(body, X); }
+std::span<const double> DdaPool::translation(int) const { return kTranslation; }
+
+void DdaPool::place(int body, const AffineMotion& m, std::span<double> q, std::span<double> v) const {
+  store(body, m.c, m.F, q);
+  store(body, m.vc, m.Fdot, v);
+}
+
+Release DdaPool::release(int body, std::span<const double> q, std::span<const double> v) const {
+  const AffineState s = load(body, q, v);
+  Release out;
+  out.shape = of(body).shape;
+  out.motion = {s.c, s.F, s.vc, s.Fdot};
+  return out;
+}
+
+BodyTotals DdaPool::totals(int body, std::span<const double> q, std::span<const double> v) const {
+  const AffineState s = load(body, q, v);
+  const ReferenceShape& shape = of(body).shape;
+  const Mat2 B = s.Fdot * shape.second * s.F.transpose();
+  BodyTotals t;
+  t.mass = shape.mass;
+  t.centre = s.c;
+  t.momentum = shape.mass * s.vc;
+  t.angular_momentum = cross(s.c, t.momentum) + B(1, 0) - B(0, 1);
+  t.kinetic = 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
+  t.elastic = shape.area * elastic_response(of(body).law, s.F, Mat2::Zero()).energy;
+  return t;
+}
+
+double DdaPool::internal_force(std::span<const double> q, std::span<double> f) const {
+  double energy = 0.0;
+  for (int b = 0; b < bodies(); ++b) {
+    const auto i = 6 * static_cast<std::size_t>(b);
+    const AffineState s = load(b, q, q);
+    const ElasticResponse r = elastic_response(of(b).law, s.F, Mat2::Zero());
+    const double area = of(b).shape.area;
+    f[i + 2] -= area * r.P(0, 0);
+    f[i + 3] -= area * r.P(1, 0);
+    f[i + 4] -= area * r.P(0, 1);
+    f[i + 5] -= area * r.P(1, 1);
+    energy += area * r.energy;
+  }
+  return energy;
+}
+
+void DdaPool::body_force(const Vec2& a, std::span<double> f) const {
+  for (int b = 0; b < bodies(); ++b) {
+    const auto i = 6 * static_cast<std::size_t>(b);
+    f[i] += of(b).shape.mass * a.x();
+    f[i + 1] += of(b).shape.mass * a.y();
+  }
+}
+
+void DdaPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
+  for (int b = 0; b < bodies(); ++b) {
+    const AffineState s = load(b, f, f);
+    const Body& body = of(b);
+    store(b, s.c / body.shape.mass, s.F * body.second_inverse, a);
+  }
+}
+
+double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v, std::span<const char> counted) const {
+  double sum = 0.0;
+  for (int b = 0; b < bodies(); ++b)
+    if (counted[static_cast<std::size_t>(b)] != 0) {
+      const AffineState s = load(b, q, v);
+      const ReferenceShape& shape = of(b).shape;
+      sum += 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
+    }
+  return sum;
+}
+
+double DdaPool::compliance(int body, const Row& row) const {
+  const Vec2 X(row.w[1], row.w[2]);
+  return row.w[0] * row.w[0] / of(body).shape.mass + X.dot(of(body).second_inverse * X);
+}
+
+void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& groups) const {
+  groups.assign(1, 3 * body);
+}
+
+ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
+  const AffineState s = load(body, q, q);
+  const Mat26 T = shi_matrix(s.F * Vec2(row.w[1], row.w[2]));
+  ChartRow out;
+  out.n = kUnknowns;
+  for (int k = 0; k < kUnknowns; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    out.dof[i] = kUnknowns * body + k;
+    out.tx[i] = k < 2 ? row.w[0] * T(0, k) : T(0, k);
+    out.ty[i] = k < 2 ? row.w[0] * T(1, k) : T(1, k);
+  }
+  return out;
+}
+
+void DdaPool::linearise(int body, std::span<const double> q, std::span<const double> v,
+                        std::vector<ImplicitBlock>& blocks) const {
+  const AffineState s = load(body, q, v);
+  const Body& b = of(body);
+  ImplicitBlock& out = blocks.emplace_back();
+  out.first_dof = kUnknowns * body;
+  out.M = mass_matrix(b.shape.mass, s.F * b.shape.second * s.F.transpose());
+  out.K = stiffness_matrix(b.shape.area, b.law);
+  out.force = scree::dda::internal_force(b.shape.area, b.law, s.F);
+  out.rate = rates_of(s.vc, s.Fdot * s.F.inverse());
+}
+
+void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+                      std::span<double> v) const {
+  const AffineState after = exact_update(load(body, q, v), Eigen::Map<const Vec6>(d.data()), Eigen::Map<const Vec6>(rate.data()));
+  store(body, after.c, after.F, q);
+  store(body, after.vc, after.Fdot, v);
+}
+
+void DdaPool::topology(MeshPart& mesh) const {
+  mesh.offsets.assign(1, 0);
+  for (int b = 0; b < bodies(); ++b) {
+    const ReferenceShape& shape = of(b).shape;
+    const AffineMotion origin = affine_fit(shape.outline, shape.origin);
+    // Outline vertices remember exactly where the model had them.
+    const auto origin_of = [&](const Vec2& X) -> Vec2 {
+      for (std::size_t r = 0; r < shape.outline.rings(); ++r)
+        for (std::size_t i = 0; i < shape.outline.ring(r).size(); ++i)
+          if (shape.outline.ring(r)[i] == X) return shape.origin.ring(r)[i];
+      return origin.c + origin.F * X;
+    };
+    for (const Ring& ring : of(b).cells) {
+      for (const Vec2& X : ring) {
+        mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.points.size()));
+        mesh.points.push_back(affine_row(b, X));
+        mesh.origin.push_back(origin_of(X));
+      }
+      mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+      mesh.body.push_back(b);
+    }
+  }
+}
+
+void DdaPool::stress(std::span<const double> q, std::span<double> cells) const {
+  std::size_t cell = 0;
+  for (int b = 0; b < bodies(); ++b) {
+    const Mat2 F = load(b, q, q).F;
+    const Mat2 cauchy = elastic_response(of(b).law, F, Mat2::Zero()).P * F.transpose() / F.determinant();
+    for (std::size_t k = 0; k < of(b).cells.size(); ++k, ++cell) {
+      cells[3 * cell] = cauchy(0, 0);
+      cells[3 * cell + 1] = cauchy(1, 1);
+      cells[3 * cell + 2] = 0.5 * (cauchy(0, 1) + cauchy(1, 0));
+    }
+  }
+}
+
+}  // namespace scree::dda

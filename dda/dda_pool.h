@@ -1,0 +1,60 @@
+// All DDA blocks of a run: affine bodies, explicit or implicit.
+#pragma once
+
+#include "dda/affine_body.h"
+#include "model/pool.h"
+
+namespace scree::dda {
+
+/// Discontinuous deformation analysis: three nodes a block, q = (c, F e1, F e2), so that a point is
+/// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly;
+/// explicit steps move the nodes themselves.
+/// @source dda.md; Shi 1988, 1993; keynote 2.1
+class DdaPool final : public Pool {
+ public:
+  [[nodiscard]] std::string_view method() const override { return "dda"; }
+  void add(const Model& model, const BodyRecord& record) override;
+  [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
+  [[nodiscard]] std::int32_t first_node(int body) const override { return 3 * body; }
+  [[nodiscard]] const Boundary& boundary(int body) const override { return of(body).boundary; }
+  [[nodiscard]] Row row_at(int body, const Vec2& X) const override;
+  [[nodiscard]] std::span<const double> translation(int body) const override;
+
+  void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const override;
+  [[nodiscard]] Release release(int body, std::span<const double> q, std::span<const double> v) const override;
+  [[nodiscard]] BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const override;
+
+  double internal_force(std::span<const double> q, std::span<double> f) const override;
+  void body_force(const Vec2& acceleration, std::span<double> f) const override;
+  void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
+  [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
+                                      std::span<const char> counted) const override;
+  [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency; }
+  [[nodiscard]] double mass_ratio(int) const override { return 1.0; }
+  [[nodiscard]] double compliance(int body, const Row& row) const override;
+  void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
+
+  [[nodiscard]] int dofs(int) const override { return kUnknowns; }
+  [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
+  void linearise(int body, std::span<const double> q, std::span<const double> v,
+                 std::vector<ImplicitBlock>& blocks) const override;
+  void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+               std::span<double> v) const override;
+
+  void topology(MeshPart& mesh) const override;
+  void stress(std::span<const double> q, std::span<double> cells) const override;
+
+ private:
+  struct Body {
+    ReferenceShape shape;
+    Elasticity law;
+    Boundary boundary;
+    Mat2 second_inverse;
+    double frequency = 0.0;
+    std::vector<Ring> cells;
+  };
+  [[nodiscard]] const Body& of(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
+  std::vector<Body> bodies_;
+};
+
+}  // namespace scree::dda

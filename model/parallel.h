@@ -1,0 +1,37 @@
+// Parallel loops whose results do not depend on the number of threads: slots are filled in parallel, sums run over
+// chunks of fixed size in fixed order.
+#pragma once
+
+#include <omp.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace scree {
+
+inline constexpr std::int64_t kChunk = 512;        // items a partial sum
+inline constexpr std::int64_t kSerialBelow = 4096; // fewer items are not worth waking threads
+
+/// body(i) for i in [0, n); iterations must not share anything they write.
+template <class Body>
+void parallel_for(std::int64_t n, Body&& body) {
+#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
+  for (std::int64_t i = 0; i < n; ++i) body(i);
+}
+
+/// Sum of chunk(begin, end) over [0, n) in chunks of kChunk: the same bits for any number of threads.
+template <class Chunk>
+double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk) {
+  const std::int64_t chunks = (n + kChunk - 1) / kChunk;
+  partial.resize(static_cast<std::size_t>(chunks));
+#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
+  for (std::int64_t c = 0; c < chunks; ++c) {
+    const std::int64_t begin = c * kChunk, end = begin + kChunk < n ? begin + kChunk : n;
+    partial[static_cast<std::size_t>(c)] = chunk(begin, end);
+  }
+  double sum = 0.0;
+  for (double p : partial) sum += p;
+  return sum;
+}
+
+}  // namespace scree

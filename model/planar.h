@@ -1,0 +1,38 @@
+// Planar geometry by GEOS: intersections of polygons, validity, triangulation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/geometry.h"
+
+namespace scree {
+
+/// Clips one polygon by many convex cells; prepared once.
+class Clipper {
+ public:
+  explicit Clipper(const Polygon& polygon);
+  Clipper(const Clipper&) = delete;
+  Clipper& operator=(const Clipper&) = delete;
+  ~Clipper();
+
+  enum class Relation { outside, inside, across };
+  [[nodiscard]] Relation relation(const Ring& cell) const;
+  /// Connected pieces of polygon and cell, oriented; pieces without area are dropped.
+  [[nodiscard]] std::vector<Polygon> intersection(const Ring& cell) const;
+
+ private:
+  struct Impl;
+  Impl* impl_;
+};
+
+/// Reason why a polygon is not simple and valid, with the place; empty if it is.
+[[nodiscard]] std::string invalidity(const Polygon& polygon);
+/// Area common to two valid polygons [m2].
+[[nodiscard]] double overlap_area(const Polygon& a, const Polygon& b);
+/// Cells that draw a polygon: itself, or triangles where it has holes (a polygon cell of VTK has none).
+[[nodiscard]] std::vector<Ring> drawing_cells(const Polygon& polygon);
+/// Triangles that fill a polygon with holes, without new points (constrained Delaunay).
+[[nodiscard]] std::vector<Ring> triangulate(const Polygon& polygon);
+
+}  // namespace scree

@@ -1,0 +1,39 @@
+#include "model/pool.h"
+
+#include <Eigen/LU>
+
+namespace scree {
+
+AffineMotion affine_fit(const Polygon& from, const Polygon& to) {
+  Vec2 mean_from = Vec2::Zero(), mean_to = Vec2::Zero();
+  double count = 0.0;
+  for (std::size_t r = 0; r < from.rings(); ++r)
+    for (std::size_t i = 0; i < from.ring(r).size(); ++i, count += 1.0) {
+      mean_from += from.ring(r)[i];
+      mean_to += to.ring(r)[i];
+    }
+  mean_from /= count;
+  mean_to /= count;
+  Mat2 square = Mat2::Zero(), mixed = Mat2::Zero();
+  for (std::size_t r = 0; r < from.rings(); ++r)
+    for (std::size_t i = 0; i < from.ring(r).size(); ++i) {
+      const Vec2 X = from.ring(r)[i] - mean_from;
+      square += X * X.transpose();
+      mixed += (to.ring(r)[i] - mean_to) * X.transpose();
+    }
+  AffineMotion map;
+  map.F = mixed * square.inverse();
+  map.c = mean_to - map.F * mean_from;
+  return map;
+}
+
+void Pool::drift(double h, std::span<double> q, std::span<double> v) const {
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] += h * v[i];
+}
+
+int Pool::dofs(int) const { return 0; }
+ChartRow Pool::chart_row(int, const Row&, std::span<const double>) const { return {}; }
+void Pool::linearise(int, std::span<const double>, std::span<const double>, std::vector<ImplicitBlock>&) const {}
+void Pool::retract(int, std::span<const double>, std::span<const double>, std::span<double>, std::span<double>) const {}
+
+}  // namespace scree
