@@ -47,8 +47,7 @@ struct State {
   std::int32_t stage = 0;
   Tick last_step = 0;                      // length of the step before, for the shadow term
   std::vector<BodyRecord> bodies;          // in the order of their blocks
-  std::vector<std::int32_t> first_node;    // a body: its first node in q, v; one more at the end
-  std::vector<double> q, v;                // x, y a node
+  std::vector<double> q, v;                // x, y a node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;                   // acceleration at `time`, same layout (explicit stages; else empty)
   std::vector<ContactMemory> contacts;     // sorted by key
   std::vector<Remainder> rest;
@@ -82,7 +81,6 @@ void State::visit(Visitor&& see) {
     see("body.second", b.shape.second);
     see("body.cover_size", b.cover_size);
   }
-  see("first_node", first_node);
   see("q", q);
   see("v", v);
   see("a", a);

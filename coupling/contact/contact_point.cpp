@@ -1,0 +1,33 @@
+#include "coupling/contact/contact_point.h"
+
+namespace scree::coupling {
+
+ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2) {
+  ContactGeometry c;
+  const Vec2 d = x2 - x1;
+  c.length = d.norm();
+  c.t = d / c.length;
+  c.n = Vec2(c.t.y(), -c.t.x());
+  c.gap = c.n.dot(xP - x1);
+  c.xi = c.t.dot(xP - x1) / c.length;
+  return c;
+}
+
+ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n, -c.xi * c.n}; }
+
+ContactRow stretch_row(const ContactGeometry& c, double anchor) {
+  const Vec2 turn = c.gap / c.length * c.n;
+  return {c.t, -(1.0 - anchor) * c.t - turn, -anchor * c.t + turn};
+}
+
+double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v) {
+  double rate = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(position(o.nodes[static_cast<std::size_t>(p.node[i])], v));
+  return rate;
+}
+
+void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f) {
+  for (std::size_t i = 0; i < 3; ++i) add_force(o.nodes[static_cast<std::size_t>(p.node[i])], force * row[i], f);
+}
+
+}  // namespace scree::coupling

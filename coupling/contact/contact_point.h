@@ -1,0 +1,47 @@
+// One contact point: a corner P of one body against a segment 1 -> 2 of another, with the rows of gap and stretch.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+/// Geometry of a contact at given positions.
+///   d = x_2 - x_1, t = d/L, n = (d.y, -d.x)/L (outward of a counter-clockwise body)
+///   gap g = n.(x_P - x_1), negative when penetrating; xi = t.(x_P - x_1)/L
+struct ContactGeometry {
+  Vec2 n, t;
+  double length = 0.0, gap = 0.0, xi = 0.0;
+};
+/// @pre x1 != x2
+[[nodiscard]] ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2);
+
+/// A vector for each of P, 1, 2: the gradient of a scalar of the contact. Its change is sum c_i.u_i, and a force f
+/// that works on it puts f c_i on each point: forces add to zero and make no torque.
+using ContactRow = std::array<Vec2, 3>;
+
+/// Gradient of g: exactly n on P and -n shared by the foot.
+/// @source Qu 2013, eq. 3.11-3.12; deviation: exact current normal instead of the linearised one
+[[nodiscard]] ContactRow gap_row(const ContactGeometry& c);
+/// Gradient of the stretch e = t.(x_P - x_a), x_a at the fraction `anchor` of the segment:
+///   t.(u_P - u_a) + (g/L) n.(u_2 - u_1)
+/// A plain pair of forces at corner and foot would make a torque g f_t.
+[[nodiscard]] ContactRow stretch_row(const ContactGeometry& c, double anchor);
+
+/// A contact that the law may see, at one instant.
+struct ContactPoint {
+  ContactKey key;
+  std::int32_t corner = -1, edge = -1, segment = -1;  // into Outlines
+  std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
+  ContactGeometry at;
+  bool suppressed = false;  // another edge at the same convex corner is the way out
+};
+
+/// Rate of a contact scalar at outline node velocities taken from v.
+[[nodiscard]] double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v);
+/// f += force times the row.
+void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f);
+
+}  // namespace scree::coupling

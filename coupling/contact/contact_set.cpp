@@ -1,0 +1,175 @@
+#include "coupling/contact/contact_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::coupling {
+namespace {
+
+/// Plane modulus K + 4G/3 of the softer block [Pa]: times unit thickness, the guideline's scale (thesis eq. 7.56).
+double softer_modulus(const Model& model, BlockId a, BlockId b) {
+  const auto modulus = [&](BlockId id) {
+    const Material& m = model.material_of(id);
+    return m.young * (1.0 - m.poisson) / ((1.0 + m.poisson) * (1.0 - 2.0 * m.poisson));
+  };
+  return std::min(modulus(a), modulus(b));
+}
+
+/// Distance from a point to the segment, and the fraction nearest to it.
+double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double s = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (p - a - s * d).norm();
+}
+
+constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
+
+}  // namespace
+
+double normal_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b) {
+  return law.penalty ? *law.penalty : softer_modulus(model, a, b);
+}
+
+double tangential_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b) {
+  return law.shear_penalty ? *law.shear_penalty : normal_stiffness(model, law, a, b);
+}
+
+double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {
+  const double cohesion = memory.failed != 0 ? 0.0 : law.cohesion * law.contact_length;
+  return cohesion + fn * std::tan(law.friction);
+}
+
+ContactFinder::ContactFinder(const Setup& setup, double detection)
+    : setup_(&setup), detection_(detection), touching_(1e-3 * detection),
+      search_(setup, 2.0 * detection), x_(setup.outlines().nodes.size()) {}
+
+bool ContactFinder::in_range(const ContactPoint& p, const ContactGeometry& g, bool closed) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+  const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
+  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
+  // little further, so that corners which meet exactly do not lose and find each other.
+  const auto beyond = [&](bool convex) { return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * g.length); };
+  if (part == 0 && g.xi * g.length < -beyond(edge.convex_start)) return false;
+  if (part == edge.segments - 1 && (g.xi - 1.0) * g.length > beyond(edge.convex_end)) return false;
+  return true;
+}
+
+bool ContactFinder::admissible(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Corner& c = o.corners[static_cast<std::size_t>(p.corner)];
+  const Vec2& at = x_[static_cast<std::size_t>(c.node)];
+  const Vec2 forward = (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_out)].b)] - at).normalized();
+  const Vec2 backward = (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_in)].a)] - at).normalized();
+  return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
+}
+
+std::int32_t ContactFinder::law_of(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+  if (edge.joint.valid()) return edge.joint.value;
+  // Else the law of the corner's own edge that faces this one.
+  const Outlines::Corner& c = o.corners[static_cast<std::size_t>(p.corner)];
+  const auto direction = [&](std::int32_t s) {
+    const Outlines::Segment& segment = o.segments[static_cast<std::size_t>(s)];
+    return (x_[static_cast<std::size_t>(segment.b)] - x_[static_cast<std::size_t>(segment.a)]).normalized();
+  };
+  const bool out_faces = direction(c.segment_out).dot(p.at.t) < direction(c.segment_in).dot(p.at.t);
+  const JointId own = o.edges[static_cast<std::size_t>(out_faces ? c.edge_out : c.edge_in)].joint;
+  return own.valid() ? own.value : setup_->model().default_joint.value;
+}
+
+void ContactFinder::suppress_second_edges(ContactList& list) const {
+  // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
+  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer.
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    for (std::size_t j = i + 1; j < list.points.size() && list.points[j].corner == list.points[i].corner; ++j) {
+      const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
+                           &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
+      if (a.body != b.body || a.ring != b.ring) continue;
+      const bool a_before_b = a.edge + 1 == b.edge && a.convex_end;
+      const bool b_before_a = (b.edge + 1 == a.edge || (a.edge == 0 && !a_before_b)) && b.convex_end && a.convex_start;
+      if (!a_before_b && !b_before_a) continue;
+      ContactMemory &ma = list.memory[i], &mb = list.memory[j];
+      if (ma.gap >= 0.0 || mb.gap >= 0.0) continue;
+      const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0, keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
+      const bool a_wins = -ma.gap * keep_a <= -mb.gap * keep_b;
+      list.points[a_wins ? j : i].suppressed = true;
+    }
+  }
+}
+
+void ContactFinder::find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  const std::span<const Candidate> candidates = search_.update(x_);
+  out.points.clear();
+  out.memory.clear();
+  auto old = known.begin();
+  for (std::size_t i = 0; i < candidates.size();) {
+    // The nearest segment of one edge.
+    std::size_t next = i, best = i;
+    double nearest = 0.0;
+    const Outlines::Corner& corner = o.corners[static_cast<std::size_t>(candidates[i].corner)];
+    const Vec2& xP = x_[static_cast<std::size_t>(corner.node)];
+    for (; next < candidates.size() && candidates[next].corner == candidates[i].corner && candidates[next].edge == candidates[i].edge; ++next) {
+      const Outlines::Segment& s = o.segments[static_cast<std::size_t>(candidates[next].segment)];
+      const double d = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+      if (next == i || d < nearest) {
+        nearest = d;
+        best = next;
+      }
+    }
+    const Candidate& c = candidates[best];
+    i = next;
+    if (nearest > 2.0 * detection_) continue;
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(c.segment)];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(c.edge)];
+    ContactPoint p;
+    p.corner = c.corner;
+    p.edge = c.edge;
+    p.segment = c.segment;
+    p.node = {corner.node, s.a, s.b};
+    p.key = {setup_->bodies()[static_cast<std::size_t>(corner.body)].block.value, corner.ring, corner.vertex,
+             setup_->bodies()[static_cast<std::size_t>(edge.body)].block.value, edge.ring, edge.edge};
+    p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    while (old != known.end() && old->key < p.key) ++old;
+    const bool remembered = old != known.end() && old->key == p.key;
+    const bool closed = remembered && old->status != ContactStatus::open;
+    if (!in_range(p, p.at, closed)) continue;
+    if (!closed && (nearest > detection_ || !admissible(p))) continue;
+
+    ContactMemory m;
+    if (remembered) {
+      m = *old;
+    } else {
+      m.key = p.key;
+      m.joint = law_of(p);
+      const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+      m.kn = normal_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
+      m.kt = tangential_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
+      if (at_start && std::abs(p.at.gap) <= touching_) m.gap0 = p.at.gap;
+    }
+    m.gap = p.at.gap - m.gap0;
+    if (!closed) {
+      m.segment = s.part;
+      m.anchor = p.at.xi;
+      m.stretch = 0.0;
+    } else if (m.segment != s.part) {
+      // The stretch as the old segment sees it now, then the same stretch on the new one.
+      const Outlines::Segment& before = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
+      const ContactGeometry g = contact_geometry(xP, x_[static_cast<std::size_t>(before.a)], x_[static_cast<std::size_t>(before.b)]);
+      m.stretch = (g.xi - m.anchor) * g.length;
+      m.segment = s.part;
+      m.anchor = p.at.xi - m.stretch / p.at.length;
+    } else {
+      m.stretch = (p.at.xi - m.anchor) * p.at.length;
+    }
+    out.points.push_back(p);
+    out.memory.push_back(m);
+  }
+  suppress_second_edges(out);
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,115 @@
+#include "coupling/contact/search.h"
+
+// Bullet's headers use old-style casts and unused parameters freely.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+
+namespace scree::coupling {
+namespace {
+
+/// Pairs worth keeping: segments of different bodies, not both driven.
+class DifferentBodies final : public btOverlapFilterCallback {
+ public:
+  explicit DifferentBodies(const Setup& setup) : setup_(&setup) {}
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
+    const std::int32_t i = body_of(a), j = body_of(b);
+    const auto& bodies = setup_->bodies();
+    return i != j && !(bodies[static_cast<std::size_t>(i)].driven && bodies[static_cast<std::size_t>(j)].driven);
+  }
+  static std::int32_t index_of(const btBroadphaseProxy* p) {
+    return static_cast<std::int32_t>(reinterpret_cast<std::intptr_t>(p->m_clientObject));
+  }
+
+ private:
+  [[nodiscard]] std::int32_t body_of(const btBroadphaseProxy* p) const {
+    const Outlines& o = setup_->outlines();
+    return o.edges[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(index_of(p))].edge)].body;
+  }
+  const Setup* setup_;
+};
+
+}  // namespace
+
+struct Search::Impl {
+  Impl(const Setup& s, double r) : setup(&s), reach(r), filter(s) {
+    tree.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
+  }
+
+  const Setup* setup;
+  double reach;
+  DifferentBodies filter;
+  btDbvtBroadphase tree;
+  std::vector<btBroadphaseProxy*> proxies;
+  std::vector<Box> fat;
+  std::vector<Candidate> candidates;
+
+  void add_candidates(std::int32_t of, std::int32_t against) {
+    const Outlines& o = setup->outlines();
+    const auto segment = static_cast<std::size_t>(of);
+    const std::int32_t edge = o.segments[static_cast<std::size_t>(against)].edge;
+    for (const std::int32_t corner : {corner_at_start[segment], corner_at_end[segment]})
+      if (corner >= 0 && o.corners[static_cast<std::size_t>(corner)].convex) candidates.push_back({corner, edge, against});
+  }
+  std::vector<std::int32_t> corner_at_start, corner_at_end;  // a segment: corner at its ends, or -1
+};
+
+Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(setup, reach)) {
+  const Outlines& o = setup.outlines();
+  impl_->corner_at_start.assign(o.segments.size(), -1);
+  impl_->corner_at_end.assign(o.segments.size(), -1);
+  for (std::size_t c = 0; c < o.corners.size(); ++c) {
+    impl_->corner_at_start[static_cast<std::size_t>(o.corners[c].segment_out)] = static_cast<std::int32_t>(c);
+    impl_->corner_at_end[static_cast<std::size_t>(o.corners[c].segment_in)] = static_cast<std::int32_t>(c);
+  }
+}
+
+Search::~Search() {
+  for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
+}
+
+std::span<const Candidate> Search::update(std::span<const Vec2> x) {
+  Impl& s = *impl_;
+  const Outlines& o = s.setup->outlines();
+  const bool first = s.proxies.empty();
+  const double need = 0.5 * s.reach, slack = s.reach;  // half the reach on either side of a pair
+  bool moved = first;
+  if (first) s.fat.resize(o.segments.size());
+  for (std::size_t i = 0; i < o.segments.size(); ++i) {
+    const Vec2 &a = x[static_cast<std::size_t>(o.segments[i].a)], &b = x[static_cast<std::size_t>(o.segments[i].b)];
+    const Vec2 lo = a.cwiseMin(b).array() - need, hi = a.cwiseMax(b).array() + need;
+    Box& fat = s.fat[i];
+    if (!first && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
+    moved = true;
+    fat.lo = lo.array() - slack;
+    fat.hi = hi.array() + slack;
+    const btVector3 low(fat.lo.x(), fat.lo.y(), -1.0), high(fat.hi.x(), fat.hi.y(), 1.0);
+    if (first) {
+      s.proxies.push_back(s.tree.createProxy(low, high, 0, reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
+                                             btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, nullptr));
+    } else {
+      s.tree.setAabb(s.proxies[i], low, high, nullptr);
+    }
+  }
+  if (!moved) return s.candidates;
+  s.tree.calculateOverlappingPairs(nullptr);
+  btOverlappingPairCache* cache = s.tree.getOverlappingPairCache();
+  s.candidates.clear();
+  const btBroadphasePair* pairs = cache->getOverlappingPairArrayPtr();
+  for (int i = 0; i < cache->getNumOverlappingPairs(); ++i) {
+    const std::int32_t a = DifferentBodies::index_of(pairs[i].m_pProxy0), b = DifferentBodies::index_of(pairs[i].m_pProxy1);
+    s.add_candidates(a, b);
+    s.add_candidates(b, a);
+  }
+  std::sort(s.candidates.begin(), s.candidates.end());
+  s.candidates.erase(std::unique(s.candidates.begin(), s.candidates.end()), s.candidates.end());
+  return s.candidates;
+}
+
+}  // namespace scree::coupling

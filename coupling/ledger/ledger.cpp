@@ -1,0 +1,72 @@
+#include "coupling/ledger/ledger.h"
+
+#include <cmath>
+
+namespace scree::coupling {
+namespace {
+
+constexpr std::array<ColumnInfo, kColumns> kInfo{{
+    {"kinetic", Side::energy, "kinetic energy of the free bodies"},
+    {"elastic", Side::energy, "elastic energy inside the bodies"},
+    {"contact_springs", Side::energy, "energy of closed contact springs, normal and tangential"},
+    {"support_springs", Side::energy, "energy of point supports"},
+    {"reservoir", Side::energy, "energy that bodies could not take along into their present method"},
+    {"shadow", Side::energy, "-(h^2/8) a.M.a: what central difference conserves beside the kinetic energy"},
+    {"gravity", Side::work, "work of gravity"},
+    {"prescribed_motion", Side::work, "work of driven and fixed blocks on the free ones"},
+    {"friction", Side::dissipated, "friction force times slip"},
+    {"newmark_damping", Side::dissipated, "damping of the implicit scheme, 1/2 d.K.d over every spring and body"},
+    {"contact_closing", Side::dissipated, "energy taken by the implicit scheme while contacts close, open or start to slip"},
+    {"springs_dropped", Side::dissipated, "springs deleted while stretched: contacts that opened or ended"},
+    {"elastic_trapezoid", Side::scheme, "elastic energy less the trapezoid work of the internal force"},
+    {"contact_transition", Side::scheme, "trapezoid work across opening and closing"},
+    {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear"},
+    {"contact_edges", Side::scheme, "contacts that change edge or end at a corner"},
+    {"support_trapezoid", Side::scheme, "support energy less the trapezoid work of its springs"},
+    {"update_kinetic", Side::scheme, "kinetic energy changed by the geometry update of implicit steps"},
+    {"update_elastic", Side::scheme, "elastic energy changed by the geometry update of implicit steps"},
+    {"update_contact", Side::scheme, "contact and support energy changed by the geometry update of implicit steps"},
+    {"step_change", Side::scheme, "change of the shadow term with the step or the scheme"},
+    {"transfer", Side::scheme, "cross terms booked when bodies change method"},
+}};
+
+}  // namespace
+
+const ColumnInfo& info(Column column) { return kInfo[static_cast<std::size_t>(column)]; }
+
+void Ledger::open(std::span<const double> energies) {
+  *this = Ledger{};
+  for (std::size_t i = 0; i < energies.size(); ++i) value_[i] = energies[i];
+  initial_ = energy();
+}
+
+void Ledger::set(Column energy_column, double value) {
+  double& now = value_[static_cast<std::size_t>(energy_column)];
+  moved_ += std::abs(value - now);
+  now = value;
+}
+
+void Ledger::book(Column column, double increment) {
+  value_[static_cast<std::size_t>(column)] += increment;
+  moved_ += std::abs(increment);
+}
+
+double Ledger::energy() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kInfo.size(); ++i)
+    if (kInfo[i].side == Side::energy) sum += value_[i];
+  return sum;
+}
+
+double Ledger::closure() const {
+  double sum = energy() - initial_;
+  for (std::size_t i = 0; i < kInfo.size(); ++i) {
+    if (kInfo[i].side == Side::dissipated) sum += value_[i];
+    if (kInfo[i].side == Side::work || kInfo[i].side == Side::scheme) sum -= value_[i];
+  }
+  return sum;
+}
+
+double Ledger::relative_closure() const { return moved_ > 0.0 ? std::abs(closure()) / moved_ : 0.0; }
+
+}  // namespace scree::coupling

@@ -1,0 +1,143 @@
+#include "coupling/stages/setup.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "dda/dda_pool.h"
+#include "nmm/nmm_pool.h"
+
+namespace scree::coupling {
+
+Methods standard_methods() {
+  return {{"nmm", [] { return std::make_unique<nmm::NmmPool>(); }}, {"dda", [] { return std::make_unique<dda::DdaPool>(); }}};
+}
+
+ReferenceShape reference_shape(const Model& model, BlockId block) {
+  const Block& b = model.blocks[block.index()];
+  const double density = model.material_of(block).density;
+  const Moments m = moments(b.polygon);
+  ReferenceShape shape;
+  shape.origin = b.polygon;
+  shape.outline = transformed(b.polygon, -m.centroid, Mat2::Identity());
+  shape.mass = density * m.area;
+  shape.area = m.area;
+  shape.second = density * m.second;
+  return shape;
+}
+
+Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records) : model_(&model) {
+  std::map<std::string, std::int32_t> pool_of_method;
+  for (const BodyRecord& r : records) pool_of_method.emplace(r.method, 0);
+  for (auto& [name, index] : pool_of_method) {
+    index = static_cast<std::int32_t>(pools_.size());
+    const auto factory = methods.find(name);
+    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + name + "'");
+    pools_.push_back(factory->second());
+    counted_.emplace_back();
+  }
+  for (const BodyRecord& r : records) {
+    Body b;
+    b.block = r.block;
+    b.pool = pool_of_method[r.method];
+    Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
+    b.index = pool.bodies();
+    pool.add(model, r);
+    if (const BlockSupport* s = model.support_of(r.block)) {
+      b.driven = true;
+      b.motion = s->motion;
+    }
+    b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
+    counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
+    bodies_.push_back(b);
+  }
+  pool_first_.assign(1, 0);
+  for (auto& pool : pools_) {
+    pool->finish();
+    pool_first_.push_back(pool_first_.back() + pool->first_node(pool->bodies()));
+  }
+  free_.assign(static_cast<std::size_t>(nodes()), 1.0);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& b = bodies_[i];
+    const Pool& pool = pool_of(b);
+    b.first_node = pool_first_[static_cast<std::size_t>(b.pool)] + pool.first_node(b.index);
+    b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
+    if (b.driven)
+      for (std::int32_t k = b.first_node; k < b.first_node + b.nodes; ++k) free_[static_cast<std::size_t>(k)] = 0.0;
+    add_outline(static_cast<std::int32_t>(i));
+  }
+}
+
+Row Setup::global(const Body& b, Row row) const {
+  for (std::int32_t& n : row.node) n += pool_first_[static_cast<std::size_t>(b.pool)];
+  return row;
+}
+
+Row Setup::local(const Body& b, Row row) const {
+  for (std::int32_t& n : row.node) n -= pool_first_[static_cast<std::size_t>(b.pool)];
+  return row;
+}
+
+void Setup::add_outline(std::int32_t body) {
+  const Body& b = bodies_[static_cast<std::size_t>(body)];
+  const Boundary& boundary = pool_of(b).boundary(b.index);
+  Outlines& out = outlines_;
+  const auto node0 = static_cast<std::int32_t>(out.nodes.size());
+  const auto corner0 = out.corners.size();
+  for (const Row& row : boundary.nodes) {
+    out.nodes.push_back(global(b, row));
+    out.node_body.push_back(body);
+  }
+  // Convex by less than a hair counts as straight: a corner of 180 degrees is no corner.
+  for (const Boundary::Corner& c : boundary.corners)
+    out.corners.push_back({node0 + c.node, body, c.ring, c.vertex, -1, -1, -1, -1, c.angle < std::numbers::pi - 1e-6});
+  // Corners are ordered by ring and vertex, segments by ring and edge; edge i leaves vertex i.
+  std::size_t corner = corner0;
+  for (std::size_t s = 0; s < boundary.segments.size(); ++s) {
+    const Boundary::Segment& segment = boundary.segments[s];
+    const bool starts = s == 0 || boundary.segments[s - 1].edge != segment.edge;
+    if (starts) {
+      corner = corner0 + (out.edges.empty() || out.edges.back().body != body ? 0 : corner - corner0 + 1);
+      Outlines::Edge edge{};
+      edge.body = body;
+      edge.ring = segment.edge.ring;
+      edge.edge = segment.edge.edge;
+      edge.first_segment = static_cast<std::int32_t>(out.segments.size());
+      edge.convex_start = out.corners[corner].convex;
+      edge.joint = model_->joint_of(b.block, static_cast<std::size_t>(edge.ring), static_cast<std::size_t>(edge.edge));
+      out.corners[corner].segment_out = edge.first_segment;
+      out.corners[corner].edge_out = static_cast<std::int32_t>(out.edges.size());
+      out.edges.push_back(edge);
+    }
+    Outlines::Edge& edge = out.edges.back();
+    out.segments.push_back({node0 + segment.a, node0 + segment.b, static_cast<std::int32_t>(out.edges.size()) - 1, edge.segments});
+    ++edge.segments;
+    const bool ends = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge != segment.edge;
+    if (ends) {
+      const bool closes = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge.ring != segment.edge.ring;
+      std::size_t next = corner + 1;
+      if (closes)
+        for (next = corner0; out.corners[next].ring != edge.ring;) ++next;
+      edge.convex_end = out.corners[next].convex;
+      out.corners[next].segment_in = static_cast<std::int32_t>(out.segments.size()) - 1;
+      out.corners[next].edge_in = static_cast<std::int32_t>(out.edges.size()) - 1;
+    }
+  }
+}
+
+Vec2 Setup::driven_displacement(const Body& b, double time) const {
+  return b.motion.valid() ? model_->motions[b.motion.index()].displacement(time) : Vec2(0.0, 0.0);
+}
+
+void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
+  for (const Body& b : bodies_) {
+    if (!b.driven) continue;
+    AffineMotion m;
+    m.c = b.centre + driven_displacement(b, time);
+    if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(time);
+    const auto p = static_cast<std::size_t>(b.pool);
+    pool_of(b).place(b.index, m, part(q, p), part(v, p));
+  }
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,125 @@
+// The bodies of one stage, discretised: pools, their places in the state's arrays, and the outlines that may touch.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/state.h"
+#include "model/pool.h"
+
+namespace scree::coupling {
+
+/// The methods that a run can use, by name. A new method is one more entry.
+using Methods = std::map<std::string, std::function<std::unique_ptr<Pool>()>>;
+/// "nmm" and "dda".
+[[nodiscard]] Methods standard_methods();
+
+/// One body, where it lives.
+struct Body {
+  BlockId block;
+  std::int32_t pool = 0, index = 0;        // pool, and body within it
+  std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
+  bool driven = false;                     // held or moved as a whole; has no unknowns
+  MotionId motion;                         // of a driven body; invalid: at rest
+  Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
+};
+
+/// Outlines of all bodies, with rows in the state's nodes.
+struct Outlines {
+  struct Segment {
+    std::int32_t a, b;       // outline nodes
+    std::int32_t edge;       // into edges
+    std::int32_t part;       // counted along the edge
+  };
+  struct Edge {
+    std::int32_t body, ring, edge;
+    std::int32_t first_segment, segments;
+    bool convex_start, convex_end;  // interior angle at its ends below pi
+    JointId joint;                  // its own law; may be invalid
+  };
+  struct Corner {
+    std::int32_t node, body, ring, vertex;
+    std::int32_t segment_in, segment_out;  // the segments that meet there
+    std::int32_t edge_in, edge_out;
+    bool convex;
+  };
+  std::vector<Row> nodes;
+  std::vector<std::int32_t> node_body;
+  std::vector<Segment> segments;
+  std::vector<Edge> edges;
+  std::vector<Corner> corners;  // by block, ring, vertex
+};
+
+/// Constant during a stage.
+class Setup {
+ public:
+  /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
+  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records);
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] std::size_t pools() const { return pools_.size(); }
+  [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] const Outlines& outlines() const { return outlines_; }
+  [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
+  /// First node of a pool in the state's arrays.
+  [[nodiscard]] std::int32_t pool_first(std::size_t p) const { return pool_first_[p]; }
+  [[nodiscard]] const Pool& pool_of(const Body& b) const { return *pools_[static_cast<std::size_t>(b.pool)]; }
+  /// Part of an array (x, y a node) that belongs to a pool.
+  template <class T>
+  [[nodiscard]] std::span<T> part(std::span<T> all, std::size_t p) const {
+    const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
+    return all.subspan(2 * first, 2 * (last - first));
+  }
+  /// Row of a pool with its nodes counted in the state's arrays, and back.
+  [[nodiscard]] Row global(const Body& b, Row row) const;
+  [[nodiscard]] Row local(const Body& b, Row row) const;
+  /// 1 for nodes of free bodies, 0 for driven ones.
+  [[nodiscard]] const std::vector<double>& free() const { return free_; }
+  /// One flag a body of a pool: 1 if it is free.
+  [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
+
+  /// Puts driven bodies where they are at a time, with their velocity.
+  void prescribe(double time, std::span<double> q, std::span<double> v) const;
+  /// Displacement of a driven body between two times.
+  [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
+
+ private:
+  void add_outline(std::int32_t body);
+
+  const Model* model_;
+  std::vector<std::unique_ptr<Pool>> pools_;
+  std::vector<std::int32_t> pool_first_;
+  std::vector<Body> bodies_;
+  std::vector<double> free_;
+  std::vector<std::vector<char>> counted_;
+  Outlines outlines_;
+};
+
+/// Position of a row.
+[[nodiscard]] inline Vec2 position(const Row& row, std::span<const double> q) {
+  Vec2 x = Vec2::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = 2 * static_cast<std::size_t>(row.node[k]);
+    x += row.w[k] * Vec2(q[i], q[i + 1]);
+  }
+  return x;
+}
+
+/// f += J^T force.
+inline void add_force(const Row& row, const Vec2& force, std::span<double> f) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = 2 * static_cast<std::size_t>(row.node[k]);
+    f[i] += row.w[k] * force.x();
+    f[i + 1] += row.w[k] * force.y();
+  }
+}
+
+/// Records of a model's blocks at rest and free of stress, as a stage's rules choose their methods.
+[[nodiscard]] ReferenceShape reference_shape(const Model& model, BlockId block);
+
+}  // namespace scree::coupling
