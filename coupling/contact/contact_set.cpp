@@ -160,12 +160,11 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
       // The stretch as the old segment sees it now, then the same stretch on the new one.
       const Outlines::Segment& before = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
       const ContactGeometry g = contact_geometry(xP, x_[static_cast<std::size_t>(before.a)], x_[static_cast<std::size_t>(before.b)]);
-      m.stretch = (g.xi - m.anchor) * g.length;
       m.segment = s.part;
-      m.anchor = p.at.xi - m.stretch / p.at.length;
-    } else {
-      m.stretch = (p.at.xi - m.anchor) * p.at.length;
+      m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
     }
+    // Always from the anchor, so that finding twice at one place gives the same bits.
+    if (closed) m.stretch = (p.at.xi - m.anchor) * p.at.length;
     out.points.push_back(p);
     out.memory.push_back(m);
   }

@@ -1,0 +1,26 @@
+// Energy of contact springs, one definition for every scheme.
+#pragma once
+
+#include <algorithm>
+
+#include "coupling/contact/contact_set.h"
+
+namespace scree::coupling {
+
+/// 1/2 k_n min(g, 0)^2, unless another edge of the same corner carries the contact [J].
+[[nodiscard]] inline double normal_energy(const ContactPoint& p, const ContactMemory& m) {
+  const double depth = p.suppressed ? 0.0 : std::min(m.gap, 0.0);
+  return 0.5 * m.kn * depth * depth;
+}
+/// 1/2 k_t e^2 while closed [J].
+[[nodiscard]] inline double tangential_energy(const ContactMemory& m) {
+  return m.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * m.stretch * m.stretch;
+}
+[[nodiscard]] inline double contact_energy(const ContactList& list) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < list.points.size(); ++i)
+    sum += normal_energy(list.points[i], list.memory[i]) + tangential_energy(list.memory[i]);
+  return sum;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,48 @@
+// What owns a time scheme.
+#pragma once
+
+#include <string>
+
+#include "coupling/plan.h"
+#include "coupling/stages/setup.h"
+#include "coupling/state.h"
+
+namespace scree::coupling {
+
+/// What came of a step. Non-convergence is a status; the state is then what it was before.
+struct StepReport {
+  enum class Status {
+    ok,
+    too_far,        // a point would move farther than allowed: raise the limit or shorten the step
+    no_states,      // open-close iteration found no consistent contact states in the passes allowed
+    no_friction,    // friction did not settle with the contact states given
+    not_definite,   // the implicit matrix could not be factorised
+    non_finite      // a position or velocity is not a number
+  };
+  Status status = Status::ok;
+  double suggested = 0.0;    // fraction of the step to try next; 0: the cut factor of the plan
+  std::int32_t body = -1;    // where it went wrong, index into Setup::bodies
+  std::string cause;         // for a status other than ok: what, where, likely cause
+  int passes = 0;            // open-close passes
+  int factorisations = 0;
+};
+
+/// Advances a state by whole steps. On any status but ok the state keeps every bit.
+class Mover {
+ public:
+  Mover() = default;
+  Mover(const Mover&) = delete;
+  Mover& operator=(const Mover&) = delete;
+  virtual ~Mover() = default;
+  /// Takes over a state: fills what the scheme needs (accelerations, contacts, energies).
+  virtual void enter(State& state) = 0;
+  virtual StepReport step(State& state, Tick h) = 0;
+  /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
+  virtual void leave(State& state) = 0;
+  /// Brings the ledger's energy columns up to date (some are costly and only needed where someone looks).
+  virtual void update_ledger(State& state) = 0;
+  /// Largest stable step [s] and what binds it; infinite for implicit schemes.
+  virtual double stable_step(const State& state, std::string* binding) = 0;
+};
+
+}  // namespace scree::coupling

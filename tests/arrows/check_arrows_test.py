@@ -1,0 +1,82 @@
+"""Plants each forbidden arrow in a copy of the sources and expects check_arrows.py to name it, and nothing else.
+
+usage: check_arrows_test.py ROOT
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHECK = pathlib.Path(__file__).with_name("check_arrows.py")
+ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+LAYERS = ["model", "nmm", "dda", "coupling", "io", "app"]
+# Written out, not taken from the checker: a mistake in its table must show.
+FORBIDDEN = {
+    "model": ["nmm", "dda", "coupling", "io", "app", "tests"],
+    "nmm": ["dda", "coupling", "io", "app", "tests"],
+    "dda": ["nmm", "coupling", "io", "app", "tests"],
+    "coupling": ["io", "app", "tests"],
+    "io": ["nmm", "dda", "app", "tests"],
+    "app": ["tests"],
+}
+
+
+class CheckArrows(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for layer in LAYERS:
+            shutil.copytree(ROOT / layer, self.root / layer,
+                            ignore=lambda where, names: [n for n in names if (pathlib.Path(where) / n).is_file() and
+                                                         not n.endswith((".h", ".hpp", ".cpp", ".txt"))])
+
+    def check(self):
+        done = subprocess.run([sys.executable, CHECK, self.root], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout.splitlines()[:-1]
+
+    def test_sources_as_they_are_pass(self):
+        self.assertEqual(self.check(), (0, []))
+
+    def test_forbidden_include_is_named(self):
+        for layer, targets in FORBIDDEN.items():
+            for target in targets:
+                for form in ['#include "{}"', "  #  include <{}>  // why"]:
+                    with self.subTest(layer=layer, target=target, form=form):
+                        planted = self.root / layer / "deep" / "planted.h"
+                        planted.parent.mkdir(exist_ok=True)
+                        planted.write_text("#pragma once\n" + form.format(f"{target}/some.h") + "\n")
+                        code, lines = self.check()
+                        shutil.rmtree(planted.parent)
+                        self.assertEqual(lines, [f"{layer}/deep/planted.h:2: {layer} may not include {target}/some.h"])
+                        self.assertEqual(code, 1)
+
+    def test_include_by_relative_path_is_named(self):
+        (self.root / "nmm/target.h").write_text("")
+        (self.root / "dda/planted.cpp").write_text('#include "../nmm/target.h"\n')
+        code, lines = self.check()
+        self.assertEqual(lines, ["dda/planted.cpp:1: dda may not include ../nmm/target.h"])
+        self.assertEqual(code, 1)
+
+    def test_forbidden_link_is_named(self):
+        for layer, word in [("nmm", "scree::dda"), ("dda", "scree_nmm"), ("nmm", "scree::coupling"),
+                            ("dda", "spdlog::spdlog"), ("model", "scree::nmm"), ("coupling", "scree::io")]:
+            with self.subTest(layer=layer, word=word):
+                lists = self.root / layer / "CMakeLists.txt"
+                before = lists.read_text()
+                lists.write_text(before + f"target_link_libraries(scree_{layer}\n  PRIVATE {word})\n")
+                code, lines = self.check()
+                lists.write_text(before)
+                self.assertEqual(lines, [f"{layer}/CMakeLists.txt: {layer} may not link {word}"])
+                self.assertEqual(code, 1)
+
+    def test_empty_tree_is_an_error(self):
+        for layer in LAYERS:
+            shutil.rmtree(self.root / layer)
+        self.assertEqual(self.check()[0], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
