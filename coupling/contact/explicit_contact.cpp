@@ -1,0 +1,123 @@
+#include "coupling/contact/explicit_contact.h"
+
+#include <cmath>
+
+namespace scree::coupling {
+namespace {
+
+/// Normal penalty, tangential spring with Coulomb's cap (return mapping). Moves the anchor when it slips.
+void apply_law(const JointLaw& law, const ContactPoint& p, ContactMemory& m) {
+  if (p.suppressed || m.gap >= 0.0) {
+    m.status = ContactStatus::open;
+    m.fn = m.ft = m.stretch = 0.0;
+    return;
+  }
+  m.fn = -m.kn * m.gap;
+  if (m.status == ContactStatus::open) {  // closes here: the spring begins at the foot
+    m.anchor = p.at.xi;
+    m.stretch = 0.0;
+    m.status = ContactStatus::stick;
+  }
+  const double limit = friction_limit(law, m, m.fn);
+  if (m.kt * std::abs(m.stretch) > limit) {
+    if (law.cohesion > 0.0) m.failed = 1;
+    const double kept = std::copysign(friction_limit(law, m, m.fn) / m.kt, m.stretch);
+    m.slip += std::abs(m.stretch - kept);
+    m.anchor = p.at.xi - kept / p.at.length;
+    m.stretch = (p.at.xi - m.anchor) * p.at.length;
+    m.status = ContactStatus::slip;
+  } else {
+    m.status = ContactStatus::stick;
+  }
+  m.ft = -m.kt * m.stretch;
+}
+
+}  // namespace
+
+void ExplicitContact::enter(State& state, bool at_start) {
+  finder_.find(state.q, state.contacts, at_start, now_);
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    ContactMemory& m = now_.memory[i];
+    if (m.kn > 0.0 && m.fn == 0.0 && m.status == ContactStatus::open && m.gap < 0.0)
+      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], m);
+  }
+  state.contacts = now_.memory;
+}
+
+void ExplicitContact::add(std::span<double> f) const {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    const ContactMemory& m = now_.memory[i];
+    if (m.fn != 0.0) add_row_force(o, now_.points[i], gap_row(now_.points[i].at), m.fn, f);
+    if (m.ft != 0.0) add_row_force(o, now_.points[i], stretch_row(now_.points[i].at, m.anchor), m.ft, f);
+  }
+}
+
+ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
+                                                 std::span<const double> v) const {
+  const Outlines& o = setup_->outlines();
+  Half half;
+  if (m.fn != 0.0) half.normal = 0.5 * h * m.fn * row_rate(o, p, gap_row(p.at), v);
+  if (m.ft != 0.0) half.tangential = 0.5 * h * m.ft * row_rate(o, p, stretch_row(p.at, m.anchor), v);
+  return half;
+}
+
+void ExplicitContact::leave(double h, std::span<const double> v) {
+  left_.resize(now_.points.size());
+  for (std::size_t i = 0; i < now_.points.size(); ++i) left_[i] = half_work(h, now_.points[i], now_.memory[i], v);
+}
+
+void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const {
+  const ContactMemory &a = before_.memory[before], &b = now_.memory[after];
+  const double energy_a = normal_energy(before_.points[before], a), energy_b = normal_energy(now_.points[after], b);
+  if (a.fn != 0.0 || b.fn != 0.0) {
+    const double dg = b.gap - a.gap, trapezoid = 0.5 * (a.fn + b.fn) * dg;
+    ledger.book(Column::contact_geometry, left_[before].normal + arriving.normal - trapezoid);
+    // Closed at both ends: trapezoid and energy cancel. Closing: -k d g_n/2, opening: +k d g_{n+1}/2.
+    if (a.fn == 0.0 || b.fn == 0.0) ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
+  }
+  if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
+  const double de = trial_[after] - a.stretch;
+  if (b.status == ContactStatus::open) {
+    ledger.book(Column::contact_geometry, left_[before].tangential - 0.5 * a.ft * de);
+    ledger.book(Column::contact_transition, 0.5 * a.ft * de);
+    ledger.book(Column::springs_dropped, tangential_energy(a));
+    return;
+  }
+  ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (a.ft + b.ft) * de);
+  if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (a.ft + b.ft) * (trial_[after] - b.stretch));
+}
+
+void ExplicitContact::arrive(double h, std::span<const double> q, std::span<const double> v, State& state) {
+  std::swap(now_, before_);
+  finder_.find(q, before_.memory, false, now_);
+  trial_.resize(now_.points.size());
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    ContactMemory& m = now_.memory[i];
+    // The stretch that a spring would have here, also for one that opens now.
+    trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
+    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], m);
+  }
+  std::size_t a = 0;
+  Ledger& ledger = state.ledger;
+  const auto lost = [&](std::size_t i) {  // the pair ended: its springs are gone
+    ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
+    ledger.book(Column::springs_dropped,
+                normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
+  };
+  for (std::size_t b = 0; b < now_.points.size(); ++b) {
+    while (a < before_.points.size() && before_.points[a].key < now_.points[b].key) lost(a++);
+    const Half arriving = half_work(h, now_.points[b], now_.memory[b], v);
+    if (a < before_.points.size() && before_.points[a].key == now_.points[b].key) {
+      book_pair(a, b, arriving, ledger);
+      ++a;
+    } else if (now_.memory[b].fn != 0.0) {
+      ledger.book(Column::contact_edges, arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
+    }
+  }
+  while (a < before_.points.size()) lost(a++);
+  state.contacts = now_.memory;
+  ledger.set(Column::contact_springs, contact_energy(now_));
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,43 @@
+// Contact in explicit steps: forces from the state at an instant, friction by return mapping, books between instants.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact/contact_energy.h"
+
+namespace scree::coupling {
+
+/// Owns the contact points of the present instant. Two halves a step: leave() with the velocity after the first kick,
+/// arrive() with the positions reached and the velocity that brought them there.
+class ExplicitContact {
+ public:
+  ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {}
+
+  /// Finds the points of a state and evaluates nothing: forces are those of the memory.
+  void enter(State& state, bool at_start);
+  /// f += forces of the memory.
+  void add(std::span<double> f) const;
+  /// First half of a step's books, v the velocity of the step at the instant left.
+  void leave(double h, std::span<const double> v);
+  /// Points at the new positions, return mapping, second half of the books.
+  void arrive(double h, std::span<const double> q, std::span<const double> v, State& state);
+
+  [[nodiscard]] const ContactList& list() const { return now_; }
+
+ private:
+  /// Half-step works of one contact, and the geometric changes they are compared with.
+  struct Half {
+    double normal = 0.0, tangential = 0.0;  // h/2 times force times rate [J]
+  };
+  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const double> v) const;
+  void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;
+
+  const Setup* setup_;
+  ContactFinder finder_;
+  ContactList now_, before_;
+  std::vector<Half> left_;            // a point of before_
+  std::vector<double> trial_;         // stretch before return mapping, a point of now_
+};
+
+}  // namespace scree::coupling

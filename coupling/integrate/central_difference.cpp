@@ -1,0 +1,172 @@
+#include "coupling/integrate/central_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/integrate/step_bound.h"
+#include "model/parallel.h"
+
+namespace scree::coupling {
+
+CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection)
+    : setup_(&setup), control_(control), contact_(setup, detection) {
+  add_term(std::make_unique<InternalForce>(setup));
+  add_term(std::make_unique<Gravity>(setup));
+}
+
+void CentralDifference::add_term(std::unique_ptr<ForceTerm> term) {
+  terms_.push_back(std::move(term));
+  force_.emplace_back(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
+  half_free_.push_back(0.0);
+  half_driven_.push_back(0.0);
+}
+
+double CentralDifference::work(std::span<const double> v, std::span<const double> f, bool free) const {
+  const std::vector<double>& mask = setup_->free();
+  return parallel_sum(static_cast<std::int64_t>(mask.size()), partial_, [&](std::int64_t begin, std::int64_t end) {
+    double sum = 0.0;
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      const double take = free ? mask[k] : 1.0 - mask[k];
+      sum += take * (v[2 * k] * f[2 * k] + v[2 * k + 1] * f[2 * k + 1]);
+    }
+    return sum;
+  });
+}
+
+void CentralDifference::evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total) {
+  const std::size_t n = state.q.size();
+  contact_force_.assign(n, 0.0);
+  contact_.add(contact_force_);
+  total.assign(contact_force_.begin(), contact_force_.end());
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    std::fill(forces[i].begin(), forces[i].end(), 0.0);
+    terms_[i]->add(state.q, seconds(state.time), forces[i]);
+    for (std::size_t k = 0; k < n; ++k) total[k] += forces[i][k];
+  }
+}
+
+double CentralDifference::acceleration_energy(const State& state) const { return work(state.a, total_, true); }
+
+void CentralDifference::set_shadow(State& state, double h, Column booked) {
+  const double before = state.ledger[Column::shadow], after = -h * h / 8.0 * acceleration_energy(state);
+  state.ledger.set(Column::shadow, after);
+  state.ledger.book(booked, after - before);
+}
+
+void CentralDifference::enter(State& state) {
+  auto springs = point_springs(*setup_, state);
+  if (!springs.empty()) add_term(std::make_unique<PointSupports>(std::move(springs)));
+  contact_.enter(state, state.step == 0);
+  state.a.assign(state.q.size(), 0.0);
+  evaluate(state, force_, total_);
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
+                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
+  for (std::size_t k = 0; k < setup_->free().size(); ++k)
+    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+}
+
+StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
+  StepReport report;
+  const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
+  const std::size_t nodes = setup_->free().size();
+
+  // Nothing has changed yet: a step that would go too far is refused here.
+  double farthest = 0.0;
+  std::size_t where = 0;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const double u = h * std::hypot(state.v[2 * k] + 0.5 * h * state.a[2 * k], state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1]);
+    if (!(u <= farthest)) {
+      farthest = u;
+      where = k;
+    }
+  }
+  const auto body_at = [&] {
+    const auto& bodies = setup_->bodies();
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (static_cast<std::int32_t>(where) >= bodies[b].first_node &&
+          static_cast<std::int32_t>(where) < bodies[b].first_node + bodies[b].nodes)
+        return static_cast<std::int32_t>(b);
+    return std::int32_t{-1};
+  };
+  if (!(farthest <= control_.max_displacement)) {
+    report.body = body_at();
+    report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
+    report.suggested = std::isfinite(farthest) ? control_.max_displacement / farthest : 0.0;
+    report.cause = std::isfinite(farthest)
+                       ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed", farthest, control_.max_displacement)
+                       : "a velocity is not finite: the step is above the stable one, or an element was turned inside out";
+    return report;
+  }
+
+  if (state.last_step != ticks_of_step) set_shadow(state, h, Column::step_change);
+  // Kick by half a step; driven bodies go where they are told.
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
+  for (const Body& b : setup_->bodies()) {
+    if (!b.driven) continue;
+    const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
+    const auto t = setup_->pool_of(b).translation(b.index);
+    for (std::int32_t k = 0; k < b.nodes; ++k) {
+      const auto i = 2 * static_cast<std::size_t>(b.first_node + k);
+      state.v[i] = t[static_cast<std::size_t>(k)] * u.x();
+      state.v[i + 1] = t[static_cast<std::size_t>(k)] * u.y();
+    }
+  }
+  contact_.leave(h, state.v);
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    half_free_[i] = work(state.v, force_[i], true);
+    half_driven_[i] = work(state.v, force_[i], false);
+  }
+  double driven = work(state.v, contact_force_, false);
+
+  // Drift, forces at the new instant.
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).drift(h, setup_->part(std::span<double>(state.q), p), setup_->part(std::span<double>(state.v), p));
+  state.time += ticks_of_step;
+  contact_.arrive(h, state.q, state.v, state);
+  evaluate(state, force_, total_);
+  driven += work(state.v, contact_force_, false);
+  state.ledger.book(Column::prescribed_motion, -0.5 * h * driven);
+  for (std::size_t i = 0; i < terms_.size(); ++i)
+    terms_[i]->book(0.5 * h * (half_free_[i] + work(state.v, force_[i], true)),
+                    0.5 * h * (half_driven_[i] + work(state.v, force_[i], false)), state.ledger);
+
+  // Kick by the other half.
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
+                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
+  for (std::size_t k = 0; k < nodes; ++k)
+    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
+  setup_->prescribe(end, state.q, state.v);
+  state.last_step = ticks_of_step;
+  ++state.step;
+  return report;
+}
+
+void CentralDifference::update_ledger(State& state) {
+  double kinetic = 0.0;
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    kinetic += setup_->pool(p).kinetic_energy(setup_->part(std::span<const double>(state.q), p),
+                                              setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
+  state.ledger.set(Column::kinetic, kinetic);
+  // Within a stage the shadow follows the acceleration; only a change of the step is booked.
+  const double h = seconds(state.last_step);
+  state.ledger.set(Column::shadow, -h * h / 8.0 * acceleration_energy(state));
+}
+
+void CentralDifference::leave(State& state) {
+  update_ledger(state);
+  set_shadow(state, 0.0, Column::step_change);
+  state.last_step = 0;
+  state.a.clear();
+}
+
+double CentralDifference::stable_step(const State& state, std::string* binding) {
+  std::vector<PointSpring> springs = point_springs(*setup_, state);
+  return certified_step(*setup_, contact_.list(), springs, binding);
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,45 @@
+// Explicit central difference for every method at once: kick, drift, kick.
+#pragma once
+
+#include <memory>
+
+#include "coupling/contact/explicit_contact.h"
+#include "coupling/integrate/force_term.h"
+#include "coupling/integrate/mover.h"
+
+namespace scree::coupling {
+
+///   v_{n+1/2} = v_n + h/2 M^-1 F(x_n),  x_{n+1} = x_n + h v_{n+1/2},  v_{n+1} = v_{n+1/2} + h/2 M^-1 F(x_{n+1})
+/// The stored velocity is the synchronised one, so the step may change; the ledger books (h'^2 - h^2)/8 a.M.a.
+/// Every force comes through a ForceTerm or the contacts, and each books its own work.
+/// @source thesis 4.3, 6.5; nmm.md "Time integration"
+class CentralDifference final : public Mover {
+ public:
+  CentralDifference(const Setup& setup, const StepControl& control, double detection);
+
+  void enter(State& state) override;
+  StepReport step(State& state, Tick h) override;
+  void leave(State& state) override;
+  void update_ledger(State& state) override;
+  double stable_step(const State& state, std::string* binding) override;
+
+  /// Adds a force beside the standard ones (internal, gravity, point supports).
+  void add_term(std::unique_ptr<ForceTerm> term);
+
+ private:
+  void evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total);
+  [[nodiscard]] double work(std::span<const double> v, std::span<const double> f, bool free) const;
+  [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
+  void set_shadow(State& state, double h, Column booked);
+
+  const Setup* setup_;
+  StepControl control_;
+  ExplicitContact contact_;
+  std::vector<std::unique_ptr<ForceTerm>> terms_;
+  std::vector<std::vector<double>> force_;  // a term: its forces at the present instant
+  std::vector<double> contact_force_, total_, driven_from_;
+  std::vector<double> half_free_, half_driven_;  // a term: half works of the step so far
+  mutable std::vector<double> partial_;
+};
+
+}  // namespace scree::coupling
