@@ -146,14 +146,16 @@ void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& grou
 
 ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
   const AffineState s = load(body, q, q);
-  const Mat26 T = shi_matrix(s.F * Vec2(row.w[1], row.w[2]));
+  std::array<double, 3> w{};  // by node of the body, in whatever order the row names them
+  for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - 3 * body)] += row.w[k];
+  const Mat26 T = shi_matrix(s.F * Vec2(w[1], w[2]));
   ChartRow out;
   out.n = kUnknowns;
   for (int k = 0; k < kUnknowns; ++k) {
     const auto i = static_cast<std::size_t>(k);
     out.dof[i] = kUnknowns * body + k;
-    out.tx[i] = k < 2 ? row.w[0] * T(0, k) : T(0, k);
-    out.ty[i] = k < 2 ? row.w[0] * T(1, k) : T(1, k);
+    out.tx[i] = k < 2 ? w[0] * T(0, k) : T(0, k);
+    out.ty[i] = k < 2 ? w[0] * T(1, k) : T(1, k);
   }
   return out;
 }
