@@ -156,6 +156,9 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
       m.segment = s.part;
       m.anchor = p.at.xi;
       m.stretch = 0.0;
+    } else if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
+      m.segment = s.part;
+      m.anchor = p.at.xi - m.stretch / p.at.length;
     } else if (m.segment != s.part) {
       // The stretch as the old segment sees it now, then the same stretch on the new one.
       const Outlines::Segment& before = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];

@@ -1,0 +1,250 @@
+#include "coupling/stages/driver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "coupling/integrate/central_difference.h"
+#include "coupling/integrate/newmark.h"
+
+namespace scree::coupling {
+namespace {
+
+double wall() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// First multiple of `every` after `now`.
+Tick next_multiple(Tick now, Tick every) { return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max(); }
+
+double smallest_width(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Block& b : model.blocks) {
+    const Moments m = moments(b.polygon);
+    least = std::min(least, std::sqrt(m.area));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::string_view name(EventKind kind) {
+  switch (kind) {
+    case EventKind::stage_start: return "stage_start";
+    case EventKind::stage_end: return "stage_end";
+    case EventKind::transfer: return "transfer";
+    case EventKind::step_cut: return "step_cut";
+    case EventKind::not_converged: return "not_converged";
+    case EventKind::warning: return "warning";
+  }
+  return "unknown";
+}
+
+double auto_detection(const Model& model) { return 0.05 * smallest_width(model); }
+
+Driver::Driver(const Model& model, const Plan& plan, const Methods& methods) : model_(&model), plan_(&plan), methods_(&methods) {
+  detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
+  for (const Stage& s : plan.stages) end_ += s.duration;
+}
+
+void Driver::event(EventKind kind, std::string text, const TransferRow* row) {
+  const Event e{kind, seconds(state_.time), std::move(text), row};
+  for (Sink* s : sinks_) s->event(e);
+}
+
+void Driver::look(bool frame) {
+  const double begin = wall();
+  mover_->update_ledger(state_);
+  stats_.contacts = std::count_if(state_.contacts.begin(), state_.contacts.end(),
+                                  [](const ContactMemory& m) { return m.status != ContactStatus::open; });
+  const HistoryView history = observer_->history(state_, stats_);
+  for (Sink* s : sinks_) s->history(history);
+  if (frame && !sinks_.empty()) {
+    FrameView view = observer_->frame(state_, stats_);
+    const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
+    view.stage_name = stage.name;
+    view.integrator = stage.integrator;
+    view.end_time = seconds(end_);
+    for (Sink* s : sinks_) s->frame(view);
+  }
+  stats_.wall_output += wall() - begin;
+}
+
+void Driver::start() {
+  state_ = State{};
+  state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front()));
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
+  state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
+  state_.v = state_.q;
+  for (const Body& b : setup_->bodies()) {
+    AffineMotion m;
+    m.c = b.centre;
+    for (const InitialVelocity& i : model_->initial_velocities)
+      if (i.block == b.block) {
+        m.vc = i.velocity;
+        m.Fdot = i.spin * quarter_turn();
+      }
+    const auto p = static_cast<std::size_t>(b.pool);
+    setup_->pool_of(b).place(b.index, m, setup_->part(std::span<double>(state_.q), p), setup_->part(std::span<double>(state_.v), p));
+  }
+  setup_->prescribe(0.0, state_.q, state_.v);
+  double kinetic = 0.0;
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    kinetic += setup_->pool(p).kinetic_energy(setup_->part(std::span<const double>(state_.q), p),
+                                              setup_->part(std::span<const double>(state_.v), p), setup_->counted(p));
+  state_.ledger.open(std::array{kinetic});
+  stats_ = RunStats{};
+  stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
+}
+
+void Driver::change_stage(std::size_t index) {
+  const Stage& stage = plan_->stages[index];
+  if (index > 0) {
+    mover_->leave(state_);
+    mover_.reset();
+    HandOver handed = hand_over(*model_, *methods_, *setup_, wishes(*model_, stage), state_);
+    observer_.reset();
+    setup_ = std::move(handed.setup);
+    state_.stage = static_cast<std::int32_t>(index);
+    for (const TransferRow& row : handed.rows) {
+      transfers_.push_back(row);
+      event(EventKind::transfer,
+            fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
+                        model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
+                        row.energy_error),
+            &row);
+    }
+  }
+  step_control_ = stage.control;
+  if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
+  // A point may not pass through the detection distance in one step.
+  step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
+  if (stage.integrator == Integrator::explicit_) {
+    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_);
+  } else {
+    for (const Body& b : setup_->bodies())
+      if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)
+        throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only", stage.name,
+                                    model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
+    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_);
+  }
+  const double springs = state_.ledger[Column::contact_springs];
+  mover_->enter(state_);
+  // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
+  double now = 0.0;
+  for (const ContactMemory& m : state_.contacts)
+    now += 0.5 * m.kn * std::pow(std::min(m.gap, 0.0), 2) + (m.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * m.stretch * m.stretch);
+  if (index > 0) {
+    state_.ledger.set(Column::contact_springs, now);
+    state_.ledger.book(Column::contact_edges, now - springs);
+  }
+  observer_ = std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(index) + 1);
+  stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
+  stats_.unknowns = 0;
+  for (const Body& b : setup_->bodies())
+    if (!b.driven) stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
+  for (Sink* s : sinks_) s->topology(observer_->mesh());
+}
+
+Tick Driver::largest_step(const Stage& stage) {
+  if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
+  std::string binding;
+  const double bound = mover_->stable_step(state_, &binding);
+  if (stage.dt) {
+    if (*stage.dt > bound)
+      throw PlanError(fmt::format("stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
+                                  "use dt = \"auto\" or a smaller step",
+                                  stage.name, *stage.dt, bound, binding));
+    return ticks(*stage.dt);
+  }
+  return std::max<Tick>(1, ticks(std::min(stage.safety * bound, 1.0)));
+}
+
+RunEnd Driver::advance_to(const Stage& stage, Tick target) {
+  const bool implicit = stage.integrator == Integrator::implicit;
+  Tick most = largest_step(stage);
+  std::size_t listed = state_.contacts.size();
+  int cuts = 0;
+  Tick attempt_cap = std::numeric_limits<Tick>::max();
+  while (state_.time < target) {
+    if (control_ != nullptr && control_->stop_requested()) return {RunEnd::Status::interrupted, "stopped on request"};
+    if (!implicit && state_.contacts.size() != listed) {  // other contacts, another bound
+      listed = state_.contacts.size();
+      most = largest_step(stage);
+    }
+    const Tick remaining = target - state_.time, cap = std::min(most, attempt_cap);
+    const Tick h = remaining / ((remaining + cap - 1) / cap);  // equal parts of what remains
+    const double begin = wall();
+    const StepReport report = mover_->step(state_, h);
+    (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
+    stats_.passes += report.passes;
+    stats_.factorisations += report.factorisations;
+    if (report.status == StepReport::Status::ok) {
+      ++stats_.steps;
+      if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
+      cuts = 0;
+      attempt_cap = std::numeric_limits<Tick>::max();
+      for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+      continue;
+    }
+    ++stats_.cuts;
+    const std::string where = report.body >= 0
+                                  ? fmt::format("block '{}', ", model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
+                                  : std::string();
+    const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
+    if (report.status == StepReport::Status::non_finite || ++cuts > step_control_.max_cuts || h <= 3) {
+      const auto status = report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
+      const std::string reason = fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
+      event(EventKind::not_converged, reason);
+      return {status, reason};
+    }
+    if (cuts == 1) event(EventKind::step_cut, text);
+    const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
+    attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
+  }
+  return {};
+}
+
+RunEnd Driver::run_stage(std::size_t index, Tick end) {
+  const Stage& stage = plan_->stages[index];
+  event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
+                                            stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
+  if (index == 0 || !transfers_.empty()) look(true);
+  while (state_.time < end) {
+    const Tick frame = next_multiple(state_.time, plan_->output.every);
+    const Tick history = next_multiple(state_.time, plan_->output.history_every);
+    const Tick target = std::min({frame, history, end});
+    const RunEnd result = advance_to(stage, target);
+    if (result.status != RunEnd::Status::done) return result;
+    look(target == frame || target == end);
+  }
+  event(EventKind::stage_end, fmt::format("stage '{}' done", stage.name));
+  return {};
+}
+
+RunEnd Driver::run(std::optional<double> until) {
+  const Tick stop = until ? std::min(end_, ticks(*until)) : end_;
+  for (Sink* s : sinks_) s->begin(*model_, *plan_);
+  start();
+  RunEnd result;
+  Tick stage_end = 0;
+  for (std::size_t i = 0; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
+    if (i > 0 && stage_end >= stop) break;
+    stage_end += plan_->stages[i].duration;
+    change_stage(i);
+    result = run_stage(i, std::min(stage_end, stop));
+  }
+  mover_->update_ledger(state_);
+  FrameView last = observer_->frame(state_, stats_);
+  const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
+  last.stage_name = stage.name;
+  last.integrator = stage.integrator;
+  last.end_time = seconds(end_);
+  for (Sink* s : sinks_) s->end(result, last);
+  return result;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,65 @@
+// Runs the stages of a plan: the only place that knows the whole order of things.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "coupling/integrate/mover.h"
+#include "coupling/sink.h"
+#include "coupling/stages/observer.h"
+#include "coupling/transfer/transfer.h"
+
+namespace scree::coupling {
+
+/// A plan that cannot be carried out as it stands: an explicit step above the stable one, a method without implicit form.
+struct PlanError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Driver {
+ public:
+  /// @param model,plan,methods  must outlive the driver
+  Driver(const Model& model, const Plan& plan, const Methods& methods);
+
+  void add_sink(Sink& sink) { sinks_.push_back(&sink); }
+  void set_control(Control& control) { control_ = &control; }
+
+  /// Runs to the end of the plan, or to `until` [s]. Not converging is an outcome; only a PlanError is thrown.
+  RunEnd run(std::optional<double> until = std::nullopt);
+
+  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Setup& setup() const { return *setup_; }
+  [[nodiscard]] const RunStats& stats() const { return stats_; }
+  [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
+
+ private:
+  void start();
+  void change_stage(std::size_t stage);
+  RunEnd run_stage(std::size_t stage, Tick end);
+  RunEnd advance_to(const Stage& stage, Tick target);
+  [[nodiscard]] Tick largest_step(const Stage& stage);
+  void event(EventKind kind, std::string text, const TransferRow* row = nullptr);
+  void look(bool frame);
+
+  const Model* model_;
+  const Plan* plan_;
+  const Methods* methods_;
+  std::vector<Sink*> sinks_;
+  Control* control_ = nullptr;
+  State state_;
+  std::unique_ptr<Setup> setup_;
+  std::unique_ptr<Observer> observer_;
+  std::unique_ptr<Mover> mover_;
+  StepControl step_control_;
+  double detection_ = 0.0;
+  Tick end_ = 0;
+  RunStats stats_;
+  std::vector<TransferRow> transfers_;
+};
+
+/// Contact detection distance that a plan leaves open: a twentieth of the smallest block's root area [m].
+[[nodiscard]] double auto_detection(const Model& model);
+
+}  // namespace scree::coupling

@@ -1,0 +1,95 @@
+#include "coupling/stages/observer.h"
+
+namespace scree::coupling {
+namespace {
+
+void put(const Vec2& x, std::size_t at, std::vector<double>& out) {
+  out[2 * at] = x.x();
+  out[2 * at + 1] = x.y();
+}
+
+}  // namespace
+
+Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id) : setup_(&setup) {
+  offsets_.assign(1, 0);
+  std::vector<std::vector<const Body*>> of_pool(setup.pools());
+  for (const Body& b : setup.bodies()) of_pool[static_cast<std::size_t>(b.pool)].push_back(&b);
+  for (std::size_t p = 0; p < setup.pools(); ++p) {
+    MeshPart part;
+    setup.pool(p).topology(part);
+    pool_cells_.push_back(static_cast<std::int32_t>(offsets_.size()) - 1);
+    const auto first_point = static_cast<std::int32_t>(points_.size()), first_entry = offsets_.back();
+    for (std::size_t i = 0; i < part.points.size(); ++i) {
+      points_.push_back(setup.global(*of_pool[p].front(), part.points[i]));
+      origin_.insert(origin_.end(), {part.origin[i].x(), part.origin[i].y()});
+    }
+    for (std::int32_t c : part.connectivity) connectivity_.push_back(first_point + c);
+    for (std::size_t c = 1; c < part.offsets.size(); ++c) offsets_.push_back(first_entry + part.offsets[c]);
+    for (std::int32_t b : part.body) {
+      const BlockId block = of_pool[p][static_cast<std::size_t>(b)]->block;
+      cell_block_.push_back(block.value);
+      cell_material_.push_back(setup.model().blocks[block.index()].material.value);
+      cell_method_.push_back(static_cast<std::int32_t>(p));
+    }
+    view_.methods.emplace_back(setup.pool(p).method());
+  }
+  position_.resize(2 * points_.size());
+  velocity_.resize(2 * points_.size());
+  stress_.resize(3 * cell_block_.size());
+  for (const Monitor& m : setup.model().monitors) {
+    const Body& b = setup.bodies()[m.block.index()];
+    const ReferenceShape& shape = state.bodies[m.block.index()].shape;
+    const AffineMotion map = affine_fit(shape.origin, shape.outline);
+    monitors_.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * m.point)));
+  }
+  for (auto* v : {&monitor_position_, &monitor_displacement_, &monitor_velocity_}) v->resize(2 * monitors_.size());
+  view_.id = mesh_id;
+  view_.offsets = offsets_;
+  view_.connectivity = connectivity_;
+  view_.cell_block = cell_block_;
+  view_.cell_material = cell_material_;
+  view_.cell_method = cell_method_;
+  view_.origin = origin_;
+}
+
+FrameView Observer::frame(const State& state, const RunStats& stats) {
+  const std::span<const double> q(state.q), v(state.v);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    put(scree::coupling::position(points_[i], q), i, position_);
+    put(scree::coupling::position(points_[i], v), i, velocity_);
+  }
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).stress(setup_->part(q, p), std::span<double>(stress_).subspan(3 * static_cast<std::size_t>(pool_cells_[p])));
+  FrameView f;
+  f.time = seconds(state.time);
+  f.tick = state.time;
+  f.step = state.step;
+  f.stage = state.stage;
+  f.position = position_;
+  f.velocity = velocity_;
+  f.stress = stress_;
+  f.mesh = &view_;
+  f.state = &state;
+  f.stats = &stats;
+  return f;
+}
+
+HistoryView Observer::history(const State& state, const RunStats& stats) {
+  for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    const Vec2 x = scree::coupling::position(monitors_[i], state.q);
+    put(x, i, monitor_position_);
+    put(x - setup_->model().monitors[i].point, i, monitor_displacement_);
+    put(scree::coupling::position(monitors_[i], state.v), i, monitor_velocity_);
+  }
+  HistoryView h;
+  h.time = seconds(state.time);
+  h.tick = state.time;
+  h.position = monitor_position_;
+  h.displacement = monitor_displacement_;
+  h.velocity = monitor_velocity_;
+  h.ledger = &state.ledger;
+  h.stats = &stats;
+  return h;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,31 @@
+// Turns a state into the views that sinks see: mesh, points, stresses, monitors.
+#pragma once
+
+#include <vector>
+
+#include "coupling/sink.h"
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+class Observer {
+ public:
+  Observer(const Setup& setup, const State& state, std::uint32_t mesh_id);
+
+  [[nodiscard]] const MeshView& mesh() const { return view_; }
+  /// Fills positions, velocities and stresses; valid until the next call.
+  FrameView frame(const State& state, const RunStats& stats);
+  HistoryView history(const State& state, const RunStats& stats);
+
+ private:
+  const Setup* setup_;
+  std::vector<Row> points_;
+  std::vector<std::int32_t> offsets_, connectivity_, cell_block_, cell_material_, cell_method_;
+  std::vector<double> origin_, position_, velocity_, stress_;
+  std::vector<Row> monitors_;
+  std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_;
+  std::vector<std::int32_t> pool_cells_;  // first cell of each pool
+  MeshView view_;
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,123 @@
+#include "coupling/transfer/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::coupling {
+namespace {
+
+BodyTotals totals_of(const Setup& setup, std::size_t body, const State& state) {
+  const Body& b = setup.bodies()[body];
+  const auto p = static_cast<std::size_t>(b.pool);
+  return setup.pool_of(b).totals(b.index, setup.part(std::span<const double>(state.q), p),
+                                 setup.part(std::span<const double>(state.v), p));
+}
+
+/// Errors against natural scales: momentum m sqrt(2T/m), angular momentum about the centre sqrt(2 T tr S).
+void measure(TransferRow& row, double inertia) {
+  const BodyTotals &a = row.before, &b = row.after;
+  const auto relative = [](double error, double scale) { return scale > 0.0 ? std::abs(error) / scale : 0.0; };
+  row.mass_error = relative(b.mass - a.mass, a.mass);
+  row.momentum_error = relative((b.momentum - a.momentum).norm(), std::sqrt(2.0 * a.mass * a.kinetic));
+  const double spin_a = a.angular_momentum - cross(a.centre, a.momentum), spin_b = b.angular_momentum - cross(b.centre, b.momentum);
+  row.angular_error = relative(spin_b - spin_a, std::sqrt(2.0 * inertia * a.kinetic));
+  row.energy_error = relative(b.kinetic + b.elastic + row.reservoir_kinetic + row.reservoir_elastic + row.booked - a.kinetic - a.elastic,
+                              a.kinetic + a.elastic);
+}
+
+}  // namespace
+
+std::vector<Wish> wishes(const Model& model, const Stage& stage) {
+  std::vector<Wish> out(model.blocks.size(), Wish{stage.method, 0.0});
+  for (const MethodRule& rule : stage.rules)
+    for (BlockId b : rule.blocks) out[b.index()].method = rule.method;
+  for (Wish& w : out)
+    if (w.method == "nmm") w.cover_size = stage.cover_size;
+  return out;
+}
+
+std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wish) {
+  std::vector<BodyRecord> records;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const BlockId block{static_cast<std::int32_t>(i)};
+    records.push_back({block, wish[i].method, reference_shape(model, block), wish[i].cover_size});
+  }
+  return records;
+}
+
+HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const std::vector<Wish>& wish, State& state) {
+  HandOver out;
+  const std::size_t count = state.bodies.size();
+  std::vector<char> changed(count, 0);
+  std::vector<Release> released(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    BodyRecord& record = state.bodies[i];
+    if (record.method == wish[i].method && record.cover_size == wish[i].cover_size) continue;
+    changed[i] = 1;
+    const Body& b = from.bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    if (b.driven) {
+      released[i].shape = reference_shape(model, record.block);  // it never deforms
+    } else {
+      released[i] = from.pool_of(b).release(b.index, from.part(std::span<const double>(state.q), p),
+                                            from.part(std::span<const double>(state.v), p));
+      TransferRow row;
+      row.time = seconds(state.time);
+      row.block = record.block;
+      row.from = record.method;
+      row.to = wish[i].method;
+      row.before = totals_of(from, i, state);
+      row.reservoir_kinetic = released[i].kinetic_rest;
+      row.reservoir_elastic = released[i].elastic_rest;
+      row.booked = released[i].elastic_cross;
+      out.rows.push_back(row);
+    }
+    record = {record.block, wish[i].method, released[i].shape, wish[i].cover_size};
+  }
+
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies);
+  const Setup& to = *out.setup;
+  std::vector<double> q(2 * static_cast<std::size_t>(to.nodes()), 0.0), v = q;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Body &a = from.bodies()[i], &b = to.bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    if (changed[i] != 0) {
+      to.pool_of(b).place(b.index, released[i].motion, to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
+    } else {
+      const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node), end = begin + 2 * static_cast<std::ptrdiff_t>(a.nodes);
+      std::copy(state.q.begin() + begin, state.q.begin() + end, q.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
+      std::copy(state.v.begin() + begin, state.v.begin() + end, v.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
+    }
+  }
+  to.prescribe(seconds(state.time), q, v);
+  state.q = std::move(q);
+  state.v = std::move(v);
+  state.a.clear();
+
+  for (ContactMemory& m : state.contacts)
+    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0) m.segment = -1;
+
+  // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
+  Ledger& ledger = state.ledger;
+  std::size_t next = 0;
+  double kinetic = ledger[Column::kinetic], elastic = ledger[Column::elastic], reservoir = ledger[Column::reservoir];
+  for (std::size_t i = 0; i < count; ++i) {
+    if (changed[i] == 0 || to.bodies()[i].driven) continue;
+    TransferRow& row = out.rows[next++];
+    row.after = totals_of(to, i, state);
+    measure(row, released[i].shape.second.trace());
+    kinetic += row.after.kinetic - row.before.kinetic;
+    elastic += row.after.elastic - row.before.elastic;
+    reservoir += row.reservoir_kinetic + row.reservoir_elastic;
+    ledger.book(Column::transfer, -row.booked);
+    if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
+      state.rest.push_back({state.bodies[i].block, row.reservoir_kinetic, row.reservoir_elastic, released[i].velocity_rest,
+                            released[i].stress_rest});
+  }
+  ledger.set(Column::kinetic, kinetic);
+  ledger.set(Column::elastic, elastic);
+  ledger.set(Column::reservoir, reservoir);
+  return out;
+}
+
+}  // namespace scree::coupling

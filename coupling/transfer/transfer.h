@@ -1,0 +1,33 @@
+// Bodies change method between stages: affine motion exactly, the rest to the reservoir.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coupling/sink.h"
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+/// Method and mesh that a stage wants for each block, in the order of the blocks.
+struct Wish {
+  std::string method;
+  double cover_size = 0.0;
+};
+[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage);
+
+/// Records of all blocks at rest in their model shape.
+[[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);
+
+/// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit; the others go through
+/// release() and place(). Contact memory travels by corner and edge; the stretch of a spring is kept on its new edge.
+/// Energies, reservoir and cross terms are booked; one row a body that changed.
+/// @source coupling.md 1
+struct HandOver {
+  std::unique_ptr<Setup> setup;
+  std::vector<TransferRow> rows;
+};
+[[nodiscard]] HandOver hand_over(const Model& model, const Methods& methods, const Setup& from,
+                                 const std::vector<Wish>& wishes, State& state);
+
+}  // namespace scree::coupling
