@@ -30,8 +30,10 @@ struct ContactMemory {
   double stretch = 0.0;       // elongation of the tangential spring [m]
   double anchor = 0.0;        // its anchor: fraction of the segment
   double fn = 0.0, ft = 0.0;  // forces on the corner, along the outward normal and the direction of the edge [N]
+  double fd = 0.0;            // part of fn that is damping [N]
   double slip = 0.0;          // accumulated |slip| [m]
   double kn = 0.0, kt = 0.0;  // penalty stiffness [N/m]
+  double cn = 0.0;            // normal damping of explicit steps [N s/m]
 };
 
 /// Energy and fields that a block could not take along into its present method (coupling.md 1).
@@ -102,9 +104,11 @@ void State::visit(Visitor&& see) {
     see("contact.anchor", c.anchor);
     see("contact.fn", c.fn);
     see("contact.ft", c.ft);
+    see("contact.fd", c.fd);
     see("contact.slip", c.slip);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
+    see("contact.cn", c.cn);
   }
   see.size("rest", rest);
   for (Remainder& r : rest) {

@@ -1,18 +1,22 @@
 #include "coupling/contact/explicit_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree::coupling {
 namespace {
 
 /// Normal penalty, tangential spring with Coulomb's cap (return mapping). Moves the anchor when it slips.
-void apply_law(const JointLaw& law, const ContactPoint& p, ContactMemory& m) {
+/// @param rate  of the gap [m/s]
+void apply_law(const JointLaw& law, const ContactPoint& p, double rate, ContactMemory& m) {
   if (p.suppressed || m.gap >= 0.0) {
     m.status = ContactStatus::open;
-    m.fn = m.ft = m.stretch = 0.0;
+    m.fn = m.fd = m.ft = m.stretch = 0.0;
     return;
   }
-  m.fn = -m.kn * m.gap;
+  const double spring = -m.kn * m.gap;
+  m.fn = std::max(0.0, spring - m.cn * rate);  // damping never pulls
+  m.fd = m.fn - spring;
   if (m.status == ContactStatus::open) {  // closes here: the spring begins at the foot
     m.anchor = p.at.xi;
     m.stretch = 0.0;
@@ -39,7 +43,7 @@ void ExplicitContact::enter(State& state, bool at_start) {
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
     if (m.kn > 0.0 && m.fn == 0.0 && m.status == ContactStatus::open && m.gap < 0.0)
-      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], m);
+      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, m);
   }
   state.contacts = now_.memory;
 }
@@ -57,7 +61,11 @@ ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p
                                                  std::span<const double> v) const {
   const Outlines& o = setup_->outlines();
   Half half;
-  if (m.fn != 0.0) half.normal = 0.5 * h * m.fn * row_rate(o, p, gap_row(p.at), v);
+  if (m.fn != 0.0 || m.fd != 0.0) {
+    const double way = 0.5 * h * row_rate(o, p, gap_row(p.at), v);
+    half.normal = (m.fn - m.fd) * way;
+    half.damping = m.fd * way;
+  }
   if (m.ft != 0.0) half.tangential = 0.5 * h * m.ft * row_rate(o, p, stretch_row(p.at, m.anchor), v);
   return half;
 }
@@ -70,11 +78,13 @@ void ExplicitContact::leave(double h, std::span<const double> v) {
 void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const {
   const ContactMemory &a = before_.memory[before], &b = now_.memory[after];
   const double energy_a = normal_energy(before_.points[before], a), energy_b = normal_energy(now_.points[after], b);
-  if (a.fn != 0.0 || b.fn != 0.0) {
-    const double dg = b.gap - a.gap, trapezoid = 0.5 * (a.fn + b.fn) * dg;
+  ledger.book(Column::contact_damping, -left_[before].damping - arriving.damping);
+  const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
+  if (fa != 0.0 || fb != 0.0) {
+    const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
     ledger.book(Column::contact_geometry, left_[before].normal + arriving.normal - trapezoid);
     // Closed at both ends: trapezoid and energy cancel. Closing: -k d g_n/2, opening: +k d g_{n+1}/2.
-    if (a.fn == 0.0 || b.fn == 0.0) ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
+    if (fa == 0.0 || fb == 0.0) ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
   }
   if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
   const double de = trial_[after] - a.stretch;
@@ -96,11 +106,13 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
     ContactMemory& m = now_.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
     trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], m);
+    const double rate = m.gap < 0.0 ? row_rate(setup_->outlines(), now_.points[i], gap_row(now_.points[i].at), v) : 0.0;
+    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], rate, m);
   }
   std::size_t a = 0;
   Ledger& ledger = state.ledger;
   const auto lost = [&](std::size_t i) {  // the pair ended: its springs are gone
+    ledger.book(Column::contact_damping, -left_[i].damping);
     ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
     ledger.book(Column::springs_dropped,
                 normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
@@ -111,7 +123,8 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
     if (a < before_.points.size() && before_.points[a].key == now_.points[b].key) {
       book_pair(a, b, arriving, ledger);
       ++a;
-    } else if (now_.memory[b].fn != 0.0) {
+    } else if (now_.memory[b].gap < 0.0) {
+      ledger.book(Column::contact_damping, -arriving.damping);
       ledger.book(Column::contact_edges, arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
     }
   }

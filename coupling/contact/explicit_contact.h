@@ -28,7 +28,7 @@ class ExplicitContact {
  private:
   /// Half-step works of one contact, and the geometric changes they are compared with.
   struct Half {
-    double normal = 0.0, tangential = 0.0;  // h/2 times force times rate [J]
+    double normal = 0.0, damping = 0.0, tangential = 0.0;  // h/2 times force times rate [J]
   };
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const double> v) const;
   void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;

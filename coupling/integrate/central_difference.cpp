@@ -49,13 +49,13 @@ void CentralDifference::evaluate(const State& state, std::vector<std::vector<dou
 
 double CentralDifference::acceleration_energy(const State& state) const { return work(state.a, total_, true); }
 
-void CentralDifference::set_shadow(State& state, double h, Column booked) {
-  const double before = state.ledger[Column::shadow], after = -h * h / 8.0 * acceleration_energy(state);
-  state.ledger.set(Column::shadow, after);
-  state.ledger.book(booked, after - before);
+void CentralDifference::change_step(State& state, double h) {
+  const double energy = acceleration_energy(state), last = seconds(state.last_step);
+  state.ledger.set(Column::shadow, -h * h / 8.0 * energy);
+  state.ledger.book(Column::step_change, -(h * h - last * last) / 8.0 * energy);
 }
 
-void CentralDifference::enter(State& state) {
+double CentralDifference::enter(State& state) {
   auto springs = point_springs(*setup_, state);
   if (!springs.empty()) add_term(std::make_unique<PointSupports>(std::move(springs)));
   contact_.enter(state, state.step == 0);
@@ -66,6 +66,7 @@ void CentralDifference::enter(State& state) {
                                setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
   for (std::size_t k = 0; k < setup_->free().size(); ++k)
     if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  return contact_energy(contact_.list());
 }
 
 StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
@@ -101,7 +102,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     return report;
   }
 
-  if (state.last_step != ticks_of_step) set_shadow(state, h, Column::step_change);
+  if (state.last_step != ticks_of_step) change_step(state, h);
   // Kick by half a step; driven bodies go where they are told.
   for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
   for (const Body& b : setup_->bodies()) {
@@ -159,7 +160,7 @@ void CentralDifference::update_ledger(State& state) {
 
 void CentralDifference::leave(State& state) {
   update_ledger(state);
-  set_shadow(state, 0.0, Column::step_change);
+  change_step(state, 0.0);
   state.last_step = 0;
   state.a.clear();
 }

@@ -17,7 +17,7 @@ class CentralDifference final : public Mover {
  public:
   CentralDifference(const Setup& setup, const StepControl& control, double detection);
 
-  void enter(State& state) override;
+  double enter(State& state) override;
   StepReport step(State& state, Tick h) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
@@ -30,7 +30,7 @@ class CentralDifference final : public Mover {
   void evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total);
   [[nodiscard]] double work(std::span<const double> v, std::span<const double> f, bool free) const;
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
-  void set_shadow(State& state, double h, Column booked);
+  void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
 
   const Setup* setup_;
   StepControl control_;

@@ -34,8 +34,9 @@ class Mover {
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
   virtual ~Mover() = default;
-  /// Takes over a state: fills what the scheme needs (accelerations, contacts, energies).
-  virtual void enter(State& state) = 0;
+  /// Takes over a state: fills what the scheme needs (contacts, accelerations).
+  /// @return energy of the contact springs as found on the present outlines [J]
+  virtual double enter(State& state) = 0;
   virtual StepReport step(State& state, Tick h) = 0;
   /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
   virtual void leave(State& state) = 0;

@@ -30,12 +30,13 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
   for (auto* v : {&rhs_, &base_, &d_, &rate_}) v->assign(static_cast<std::size_t>(dofs_), 0.0);
 }
 
-void Newmark::enter(State& state) {
+double Newmark::enter(State& state) {
   springs_ = point_springs(*setup_, state);
   finder_.find(state.q, state.contacts, state.step == 0, list_);
   state.contacts = list_.memory;
   state.a.clear();
   state.last_step = 0;
+  return contact_energy(list_);
 }
 
 void Newmark::leave(State& state) { update_ledger(state); }
@@ -431,6 +432,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     }
     m.status = t.status;
     m.fn = t.fn;
+    m.fd = 0.0;
     m.ft = t.ft;
   }
   const std::vector<ContactMemory> before = list_.memory;

@@ -27,7 +27,7 @@ class Newmark final : public Mover {
  public:
   Newmark(const Setup& setup, const StepControl& control, double detection);
 
-  void enter(State& state) override;
+  double enter(State& state) override;
   StepReport step(State& state, Tick h) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;

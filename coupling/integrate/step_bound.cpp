@@ -38,7 +38,10 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
     // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = compliance(body_p, row[0]) + reach * reach * std::max(compliance(body_e, row[1]), compliance(body_e, row[2]));
-    const double k = std::max(contacts.memory[i].kn, contacts.memory[i].kt);
+    // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) (thesis 5.3.2): as if it were stiffer.
+    const double xi = setup.model().joints[static_cast<std::size_t>(contacts.memory[i].joint)].damping;
+    const double shrink = std::sqrt(1.0 + xi * xi) - xi;
+    const double k = std::max(contacts.memory[i].kn, contacts.memory[i].kt) / (shrink * shrink);
     load(body_p, std::span(row).first(1), k * mu);
     load(body_e, std::span(row).last(2), k * mu);
   }

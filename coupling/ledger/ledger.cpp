@@ -15,6 +15,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"gravity", Side::work, "work of gravity"},
     {"prescribed_motion", Side::work, "work of driven and fixed blocks on the free ones"},
     {"friction", Side::dissipated, "friction force times slip"},
+    {"contact_damping", Side::dissipated, "normal damping of contacts in explicit steps"},
     {"newmark_damping", Side::dissipated, "damping of the implicit scheme, 1/2 d.K.d over every spring and body"},
     {"contact_closing", Side::dissipated, "energy taken by the implicit scheme while contacts close, open or start to slip"},
     {"springs_dropped", Side::dissipated, "springs deleted while stretched: contacts that opened or ended"},

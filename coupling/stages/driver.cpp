@@ -132,15 +132,10 @@ void Driver::change_stage(std::size_t index) {
     mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_);
   }
   const double springs = state_.ledger[Column::contact_springs];
-  mover_->enter(state_);
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
-  double now = 0.0;
-  for (const ContactMemory& m : state_.contacts)
-    now += 0.5 * m.kn * std::pow(std::min(m.gap, 0.0), 2) + (m.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * m.stretch * m.stretch);
-  if (index > 0) {
-    state_.ledger.set(Column::contact_springs, now);
-    state_.ledger.book(Column::contact_edges, now - springs);
-  }
+  const double now = mover_->enter(state_);
+  state_.ledger.set(Column::contact_springs, now);
+  state_.ledger.book(Column::contact_edges, now - springs);
   observer_ = std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(index) + 1);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
@@ -212,7 +207,7 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
   const Stage& stage = plan_->stages[index];
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                                             stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
-  if (index == 0 || !transfers_.empty()) look(true);
+  look(true);
   while (state_.time < end) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);

@@ -95,7 +95,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.a.clear();
 
   for (ContactMemory& m : state.contacts)
-    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0) m.segment = -1;
+    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0) m.segment = -1;
 
   // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
   Ledger& ledger = state.ledger;

@@ -1,0 +1,153 @@
+// The table of keys: whole, documented, and every key of it has an effect.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "io/case/document.h"
+#include "io/case/schema.h"
+#include "io/case/suggest.h"
+#include "tests/unit/io/case_read.h"
+
+namespace scree::io::test {
+namespace {
+
+bool is_section(const Key& key) {
+  return key.type == Type::table || key.type == Type::named_tables || key.type == Type::table_list;
+}
+
+TEST(Schema, every_key_is_declared_once_with_a_meaning_and_a_parent) {
+  std::set<std::string_view> seen;
+  for (const Key& key : schema()) {
+    EXPECT_TRUE(seen.insert(key.path).second) << key.path;
+    EXPECT_TRUE(key.meaning.ends_with('.')) << key.path;
+    EXPECT_FALSE(key.required && !key.fallback.empty()) << key.path;
+    EXPECT_EQ(key.type == Type::choice, !key.choices.empty()) << key.path;
+    std::string_view parent = parent_of(key.path);
+    if (parent.empty()) continue;
+    if (parent.ends_with(".NAME")) parent.remove_suffix(5);
+    if (parent.ends_with("[]")) parent.remove_suffix(2);
+    const Key* above = find_key(parent);
+    ASSERT_NE(above, nullptr) << key.path;
+    EXPECT_TRUE(is_section(*above)) << key.path;
+  }
+}
+
+// For every key another value: the model or the plan must change, so that no key is read and forgotten.
+TEST(Schema, every_key_changes_the_case) {
+  const std::map<std::string, std::string> change = {
+      {"title", "title=\"another\""},
+      {"model.plane", "model.plane=\"strain\""},
+      {"model.gravity", "model.gravity=[0, 0]"},
+      {"model.detection", "model.detection=0.1"},
+      {"model.default_joint", "model.default_joint=\"rough\""},
+      {"model.cover_size", "model.cover_size=0.75"},
+      {"material.NAME.density", "material.rock.density=1"},
+      {"material.NAME.young", "material.rock.young=1"},
+      {"material.NAME.poisson", "material.rock.poisson=0.1"},
+      {"joint.NAME.friction_deg", "joint.plane.friction_deg=1"},
+      {"joint.NAME.cohesion", "joint.plane.cohesion=1"},
+      {"joint.NAME.contact_length", "joint.plane.contact_length=1"},
+      {"joint.NAME.penalty", "joint.plane.penalty=\"auto\""},
+      {"joint.NAME.shear_penalty", "joint.plane.shear_penalty=\"auto\""},
+      {"motion.NAME.file", "motion.pulse.file=\"./other_pulse.csv\""},
+      {"motion.NAME.unit", "motion.pulse.unit=\"m/s2\""},
+      {"motion.NAME.scale", "motion.pulse.scale=-1"},
+      {"motion.NAME.direction", "motion.pulse.direction=[0, 1]"},
+      {"motion.NAME.direction_deg", "motion.upward.direction_deg=45"},
+      {"motion.NAME.baseline", "motion.pulse.baseline=\"none\""},
+      {"block[].name", "block.3.name=\"ground\""},
+      {"block[].polygon", "block.0.polygon=[[0, 0], [4, 0], [4, 1], [0.5, 1]]"},
+      {"block[].holes", "block.1.holes=[]"},
+      {"block[].material", "block.1.material=\"soil\""},
+      {"block[].joint", "block.0.joint=\"plane\""},
+      {"block[].edge_joints", "block.0.edge_joints=[]"},
+      {"block[].velocity", "block.1.velocity=[0, 0]"},
+      {"block[].spin", "block.1.spin=0"},
+      {"support[].block", "support.2.block=\"base\""},
+      {"support[].blocks", "support.1.blocks=[\"wall\"]"},
+      {"support[].fix", "support.2.fix=\"y\""},
+      {"support[].point", "support.2.point=[2, 1]"},
+      {"support[].stiffness", "support.2.stiffness=\"auto\""},
+      {"support[].motion", "support.0.motion=\"upward\""},
+      {"monitor[].block", "monitor.0.block=\"base\""},
+      {"monitor[].point", "monitor.0.point=[1.1, 1.1]"},
+      {"monitor[].name", "monitor.1.name=\"top\""},
+      {"stage[].name", "stage.0.name=\"a\""},
+      {"stage[].method", "stage.0.method=\"dda\""},
+      {"stage[].method_of[].blocks", "stage.0.method_of.0.blocks=[\"wall\"]"},
+      {"stage[].method_of[].method", "stage.0.method_of.0.method=\"nmm\""},
+      {"stage[].integrator", "stage.1.integrator=\"explicit\""},
+      {"stage[].dt", "stage.1.dt=0.002"},
+      {"stage[].duration", "stage.0.duration=1"},
+      {"stage[].safety", "stage.0.safety=1"},
+      {"stage[].cover_size", "stage.0.cover_size=1"},
+      {"stage[].max_passes", "stage.1.max_passes=7"},
+      {"stage[].max_displacement", "stage.1.max_displacement=\"auto\""},
+      {"output.every", "output.every=0.5"},
+      {"output.history_every", "output.history_every=0.5"},
+      {"live.enabled", "live.enabled=false"},
+      {"live.url", "live.url=\"file:///tmp/log\""},
+      {"live.rate", "live.rate=1"},
+      {"run.threads", "run.threads=1"}};
+  // What a change needs beside it to make sense.
+  const std::map<std::string, std::vector<std::string>> beside = {{"block[].name", {"support.1.blocks=[\"wall\"]"}},
+                                                                  {"monitor[].block", {"monitor.0.point=[1.5, 1]"}}};
+
+  std::size_t keys = 0;
+  for (const Key& key : schema()) {
+    if (is_section(key)) continue;
+    ++keys;
+    const auto found = change.find(std::string(key.path));
+    ASSERT_NE(found, change.end()) << "give another value for " << key.path;
+    std::vector<std::string> set;
+    if (const auto more = beside.find(found->first); more != beside.end()) set = more->second;
+    const std::string before = dump(read("full_case.toml", set));
+    set.push_back(found->second);
+    EXPECT_NE(dump(read("full_case.toml", set)), before) << key.path;
+  }
+  EXPECT_EQ(keys, change.size());
+}
+
+TEST(Schema, every_default_reads_back) {
+  for (const Key& key : schema()) {
+    if (key.fallback.empty() || key.fallback.starts_with('(')) continue;
+    EXPECT_NO_THROW((void)parse_document(fmt::format("x = {}", key.fallback), "")) << key.path;
+  }
+}
+
+TEST(Schema, both_texts_name_every_key) {
+  const std::string text = schema_text(), markdown = schema_markdown();
+  for (const Key& key : schema()) {
+    EXPECT_NE(text.find(key.meaning), std::string::npos) << key.path;
+    EXPECT_NE(markdown.find(is_section(key) ? fmt::format("`{}`", header_text(key))
+                                            : fmt::format("| `{}` |", last_part(key.path))),
+              std::string::npos)
+        << key.path;
+  }
+}
+
+TEST(Schema, documentation_holds_the_table) {
+  const std::string path = SCREE_SOURCE_DIR "/docs/case-file.md";
+  const std::string begin = "<!-- keys: written by the test Schema.documentation_holds_the_table -->\n",
+                    end = "\n<!-- end of keys -->";
+  const std::string text = bytes_of(path);
+  const std::size_t from = text.find(begin), to = text.find(end);
+  ASSERT_NE(from, std::string::npos);
+  ASSERT_NE(to, std::string::npos);
+  const std::string now = text.substr(0, from + begin.size()) + schema_markdown() + text.substr(to);
+  if (std::getenv("SCREE_WRITE_DOCS")) std::ofstream(path, std::ios::binary) << now;
+  EXPECT_EQ(text, now) << "run this test with SCREE_WRITE_DOCS=1 to write the table into docs/case-file.md";
+}
+
+TEST(Suggest, nearest_name_is_found_or_none) {
+  EXPECT_EQ(nearest("densty", {"density", "young"}), "density");
+  EXPECT_EQ(nearest("Young", {"density", "young"}), "young");
+  EXPECT_EQ(nearest("durtaion", {"dt", "duration"}), "duration");
+  EXPECT_EQ(nearest("colour", {"density", "young"}), "");
+  EXPECT_EQ(nearest("", {"a"}), "");
+}
+
+}  // namespace
+}  // namespace scree::io::test

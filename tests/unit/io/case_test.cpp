@@ -1,0 +1,218 @@
+// A case file as a model and a plan: numbers, defaults, names, orientation, overrides, the resolved case.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/unit/io/case_read.h"
+
+namespace scree::io::test {
+namespace {
+
+TEST(Case, good_file_gives_the_numbers_written) {
+  const Case c = read("good_case.toml");
+  EXPECT_EQ(c.model.title, "One block on a base");
+  ASSERT_EQ(c.model.materials.size(), 1u);
+  EXPECT_EQ(c.model.materials[0].name, "rock");
+  EXPECT_EQ(c.model.materials[0].density, 2600.0);
+  EXPECT_EQ(c.model.materials[0].young, 1e9);
+  EXPECT_EQ(c.model.materials[0].poisson, 0.2);
+  ASSERT_EQ(c.model.blocks.size(), 2u);
+  EXPECT_EQ(c.model.blocks[1].name, "slider");
+  EXPECT_EQ(c.model.blocks[1].polygon.outer[2], Vec2(2.0, 2.0));
+  ASSERT_EQ(c.model.block_supports.size(), 1u);
+  EXPECT_EQ(c.model.block_supports[0].block, BlockId{0});
+  EXPECT_FALSE(c.model.block_supports[0].motion.valid());
+  ASSERT_EQ(c.plan.stages.size(), 1u);
+  EXPECT_EQ(c.plan.stages[0].method, "dda");
+  EXPECT_EQ(c.plan.stages[0].integrator, coupling::Integrator::implicit);
+  EXPECT_EQ(c.plan.stages[0].dt, 1e-3);
+  EXPECT_EQ(c.plan.stages[0].duration, ticks(0.1));
+  EXPECT_EQ(c.text, bytes_of(kFolder + "good_case.toml"));
+}
+
+TEST(Case, absent_keys_take_their_defaults) {
+  const Case c = read("good_case.toml");
+  EXPECT_EQ(c.model.plane, Plane::strain);
+  EXPECT_EQ(c.model.gravity, Vec2(0.0, -9.81));
+  EXPECT_EQ(c.plan.detection, 0.0);
+  EXPECT_EQ(c.plan.stages[0].safety, 0.8);
+  EXPECT_EQ(c.plan.stages[0].control.max_passes, 12);
+  EXPECT_EQ(c.plan.stages[0].control.max_displacement, 0.0);
+  EXPECT_EQ(c.plan.output.every, ticks(0.001));  // a hundredth of 0.1 s
+  EXPECT_EQ(c.plan.output.history_every, ticks(0.001));
+  EXPECT_FALSE(c.plan.live.enabled);
+  EXPECT_EQ(c.plan.live.url, coupling::LivePlan{}.url);
+  EXPECT_EQ(c.plan.live.rate, 30.0);
+  EXPECT_EQ(c.plan.threads, 0);
+}
+
+TEST(Case, no_joint_gives_a_smooth_one) {
+  const Case c = read("good_case.toml");
+  ASSERT_EQ(c.model.joints.size(), 1u);
+  EXPECT_EQ(c.model.joints[0].name, "smooth");
+  EXPECT_EQ(c.model.joints[0].friction, 0.0);
+  EXPECT_EQ(c.model.joints[0].cohesion, 0.0);
+  EXPECT_FALSE(c.model.joints[0].penalty);
+  EXPECT_EQ(c.model.default_joint, JointId{0});
+}
+
+TEST(Case, only_joint_is_the_default) {
+  const Case c = read("good_case.toml", {"joint.plane.friction_deg=30"});
+  ASSERT_EQ(c.model.joints.size(), 1u);
+  EXPECT_EQ(c.model.joints[0].name, "plane");
+  EXPECT_EQ(c.model.default_joint, JointId{0});
+  EXPECT_NEAR(c.model.joints[0].friction, std::numbers::pi / 6.0, 1e-15);  // one rounding of pi/6
+}
+
+TEST(Case, several_joints_without_default_ask_for_one) {
+  const CaseError e = error_of_text(bytes_of(kFolder + "good_case.toml"),
+                                    {"joint.plane.friction_deg=30", "joint.rough.friction_deg=40"});
+  EXPECT_EQ(e.key, "model.default_joint");
+  EXPECT_EQ(e.allowed, "\"plane\", \"rough\"");
+}
+
+TEST(Case, units_are_converted) {
+  const Case c = read("full_case.toml");
+  EXPECT_EQ(c.model.materials[0].density, 2600.0);
+  EXPECT_EQ(c.model.materials[0].young, 1e9);
+  EXPECT_EQ(c.model.materials[1].young, 30e6);
+  EXPECT_EQ(c.model.materials[1].density, 1900.0);  // a whole number
+  EXPECT_EQ(c.model.joints[0].friction, 12.0 * std::numbers::pi / 180.0);
+  EXPECT_EQ(c.model.joints[0].cohesion, 5000.0);
+  EXPECT_EQ(c.model.joints[0].penalty, 1e9);
+  EXPECT_EQ(c.model.joints[0].shear_penalty, 5e8);
+  EXPECT_EQ(c.plan.detection, 0.02);
+  EXPECT_EQ(c.plan.stages[1].dt, 1e-3);
+  ASSERT_EQ(c.model.initial_velocities.size(), 1u);
+  EXPECT_EQ(c.model.initial_velocities[0].velocity, Vec2(0.1, 0.0));
+  EXPECT_NEAR(c.model.initial_velocities[0].spin, std::numbers::pi / 2.0, 1e-15);  // roundings of pi/180
+}
+
+TEST(Case, edge_joints_keep_their_edges_when_the_ring_is_turned) {
+  // Written clockwise: left (rough), top (plane), right (block's own), bottom (plane).
+  const Case c = read("full_case.toml");
+  const Block& base = c.model.blocks[0];
+  EXPECT_GT(signed_area(base.polygon.outer), 0.0);
+  const auto law_at = [&](const Vec2& middle) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec2 m = 0.5 * (base.polygon.outer[i] + base.polygon.outer[(i + 1) % 4]);
+      if ((m - middle).norm() < 1e-12) return base.edges[0][i].value;  // coordinates are small binary fractions
+    }
+    return -2;
+  };
+  EXPECT_EQ(law_at({0.0, 0.5}), 1);
+  EXPECT_EQ(law_at({2.0, 1.0}), 0);
+  EXPECT_EQ(law_at({4.0, 0.5}), -1);
+  EXPECT_EQ(law_at({2.0, 0.0}), 0);
+  EXPECT_EQ(base.joint, JointId{1});
+}
+
+TEST(Case, edge_joints_of_both_ways_round_are_the_same) {
+  const std::string text = bytes_of(kFolder + "full_case.toml");
+  const std::string other =
+      replaced(replaced(text, "[[0, 0], [0, 1], [4, 1], [4, 0]]", "[[4, 0], [4, 1], [0, 1], [0, 0]]"),
+               R"(["rough", "plane", "", "plane"])", R"(["", "plane", "rough", "plane"])");
+  const Model a = read_text(text).model, b = read_text(other).model;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Ring &p = a.blocks[0].polygon.outer, &q = b.blocks[0].polygon.outer;
+      if (p[i] == q[j] && p[(i + 1) % 4] == q[(j + 1) % 4]) {
+        EXPECT_EQ(a.blocks[0].edges[0][i], b.blocks[0].edges[0][j]) << i << ' ' << j;
+      }
+    }
+}
+
+TEST(Case, holes_run_clockwise_and_have_edges) {
+  const Block slider = read("full_case.toml").model.blocks[1];
+  ASSERT_EQ(slider.polygon.holes.size(), 1u);
+  EXPECT_LT(signed_area(slider.polygon.holes[0]), 0.0);
+  ASSERT_EQ(slider.edges.size(), 2u);
+  EXPECT_EQ(slider.edges[1].size(), 4u);
+}
+
+TEST(Case, supports_hold_blocks_points_and_motions) {
+  const Model m = read("full_case.toml").model;
+  ASSERT_EQ(m.block_supports.size(), 3u);
+  EXPECT_EQ(m.block_supports[0].motion, MotionId{0});
+  EXPECT_EQ(m.block_supports[2].block, BlockId{3});
+  EXPECT_FALSE(m.block_supports[2].motion.valid());
+  ASSERT_EQ(m.point_supports.size(), 1u);
+  EXPECT_TRUE(m.point_supports[0].fix_x);
+  EXPECT_FALSE(m.point_supports[0].fix_y);
+  EXPECT_EQ(m.point_supports[0].stiffness, 2e6);
+}
+
+TEST(Case, monitors_without_name_are_numbered_by_block) {
+  const Model m = read("full_case.toml").model;
+  ASSERT_EQ(m.monitors.size(), 2u);
+  EXPECT_EQ(m.monitors[0].name, "slider#1");
+  EXPECT_EQ(m.monitors[1].name, "corner");
+}
+
+TEST(Case, motion_is_scaled_directed_and_corrected) {
+  const Model m = read("full_case.toml").model;
+  ASSERT_EQ(m.motions.size(), 2u);
+  EXPECT_NEAR((m.motions[0].direction() - Vec2(0.6, 0.8)).norm(), 0.0, 1e-15);  // one rounding of 3/5 and 4/5
+  EXPECT_EQ(m.motions[1].direction(), Vec2(0.0, 1.0));
+  // Corrected to end at rest: v_end = sum of trapezia = 0, up to roundings of 4 terms of order 1 m/s.
+  EXPECT_NEAR(m.motions[0].facts().final_velocity, 0.0, 1e-14);
+  // 0.2 g at 0.1 s, less the mean (0.01 g s / 0.3 s), twice; 0.2 cm/s2 unscaled in the second.
+  EXPECT_NEAR(m.motions[0].accelerations()[1], 2.0 * 9.80665 * (0.2 - 0.01 / 0.3), 1e-12);
+  EXPECT_NEAR(m.motions[1].accelerations()[1], 0.002, 1e-18);
+}
+
+TEST(Case, motion_file_is_found_through_the_variable) {
+  ASSERT_EQ(setenv("SCREE_RECORDS", kFolder.c_str(), 1), 0);
+  const std::vector<std::string> set = {"motion.pulse.file=\"$SCREE_RECORDS/pulse.csv\""};
+  EXPECT_EQ(dump(read("full_case.toml", set)), dump(read("full_case.toml")));
+  ASSERT_EQ(unsetenv("SCREE_RECORDS"), 0);
+  const CaseError e = error_of_file(kFolder + "full_case.toml", set);
+  EXPECT_EQ(e.key, "motion.pulse.file");
+  EXPECT_NE(e.problem.find("SCREE_RECORDS is not set"), std::string::npos) << e.what();
+}
+
+TEST(Case, plan_holds_rules_and_controls) {
+  const coupling::Plan p = read("full_case.toml").plan;
+  ASSERT_EQ(p.stages.size(), 2u);
+  EXPECT_FALSE(p.stages[0].dt);
+  EXPECT_EQ(p.stages[0].cover_size, 0.2);
+  ASSERT_EQ(p.stages[0].rules.size(), 1u);
+  EXPECT_EQ(p.stages[0].rules[0].blocks, std::vector<BlockId>{BlockId{0}});
+  EXPECT_EQ(p.stages[0].rules[0].method, "dda");
+  EXPECT_EQ(p.stages[1].control.max_passes, 6);
+  EXPECT_EQ(p.stages[1].control.max_displacement, 1e-3);
+  EXPECT_EQ(p.output.history_every, ticks(1e-3));
+  EXPECT_TRUE(p.live.enabled);
+  EXPECT_EQ(p.threads, 2);
+}
+
+TEST(Case, cover_size_of_the_model_serves_stages_without) {
+  const std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = \"20 cm\"", "");
+  EXPECT_EQ(read_text(text).plan.stages[0].cover_size, 0.5);
+}
+
+TEST(Case, resolved_case_says_the_same) {
+  for (const char* name : {"good_case.toml", "full_case.toml"}) {
+    const Case once = read(name, {"stage.0.duration=\"70 ms\""});
+    const Case again = read_text(once.resolved);
+    EXPECT_EQ(dump(again), dump(once)) << once.resolved;
+    EXPECT_EQ(again.resolved, once.resolved);
+  }
+}
+
+TEST(Override, number_and_name_enter_lists) {
+  EXPECT_EQ(read("full_case.toml", {"stage.1.duration=0.25"}).plan.stages[1].duration, ticks(0.25));
+  EXPECT_EQ(read("full_case.toml", {"stage.runout.duration = 0.25"}).plan.stages[1].duration, ticks(0.25));
+  EXPECT_EQ(read("full_case.toml", {"block.\"far wall\".material=\"soil\""}).model.blocks[3].material, MaterialId{1});
+  EXPECT_EQ(read("full_case.toml", {"block.0.polygon.2=[3.5, 1]"}).model.blocks[0].polygon.outer[1], Vec2(3.5, 1.0));
+}
+
+TEST(Override, later_option_wins_and_units_hold) {
+  const Case c = read("good_case.toml", {"material.rock.young=\"2 GPa\"", "material.rock.young=\"3 GPa\""});
+  EXPECT_EQ(c.model.materials[0].young, 3e9);
+}
+
+TEST(Override, missing_table_is_made) { EXPECT_TRUE(read("good_case.toml", {"live.enabled=true"}).plan.live.enabled); }
+
+}  // namespace
+}  // namespace scree::io::test

@@ -1,0 +1,67 @@
+// A block on an inclined plane: explicit NMM, explicit and implicit DDA against g (sin a - cos a tan phi) t^2/2.
+#include <gtest/gtest.h>
+
+#include "tests/support/scene.h"
+
+namespace scree::test {
+namespace {
+
+using coupling::Integrator;
+
+struct Outcome {
+  double distance, closure, scheme;
+};
+
+/// A 1 x 1 m block on a long fixed plane at 30 degrees, released at rest.
+Outcome slide(const std::string& method, Integrator integrator, double friction_deg, double duration, std::optional<double> dt) {
+  Scene scene(1e9, 0.2, 2600.0, friction_deg);
+  const double a = 30.0 * kDegree;
+  const Mat2 R = rotation(-a);
+  scene.add("plane", transformed(rectangle(-5, -2, 30, 0), Vec2(0, 0), R), true);
+  const BlockId slider = scene.add("slider", transformed(rectangle(0, 0, 1, 1), Vec2(0, 0), R));
+  scene.stage(method, integrator, duration, dt, 0.4);
+  static const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver driver(scene.model, scene.plan, methods);
+  const Vec2 start = R * Vec2(0.5, 0.5);
+  const coupling::RunEnd end = driver.run();
+  EXPECT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
+  const coupling::Ledger& ledger = driver.state().ledger;
+  return {(centre_of(driver, slider) - start).dot(R * Vec2(1, 0)), ledger.relative_closure(), 0.0};
+}
+
+double analytic(double friction_deg, double t) {
+  const double a = 30.0 * kDegree;
+  return 0.5 * 9.81 * (std::sin(a) - std::cos(a) * std::tan(friction_deg * kDegree)) * t * t;
+}
+
+class Sliding : public testing::TestWithParam<std::tuple<std::string, double>> {};
+
+TEST_P(Sliding, incline_follows_coulomb) {
+  const auto& [scheme, phi] = GetParam();
+  const bool implicit = scheme == "dda-implicit";
+  const double t = 1.0;
+  const Outcome o = slide(scheme.substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, phi, t,
+                          implicit ? std::optional<double>(1e-3) : std::nullopt);
+  std::printf("%s phi %g: distance %.6f analytic %.6f error %.2e closure %.1e\n", scheme.c_str(), phi, o.distance, analytic(phi, t),
+              o.distance / analytic(phi, t) - 1.0, o.closure);
+  EXPECT_NEAR(o.distance / analytic(phi, t), 1.0, 0.01);
+  EXPECT_LT(o.closure, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(all, Sliding,
+                         testing::Combine(testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"), testing::Values(10.0, 20.0)));
+
+class Holding : public testing::TestWithParam<std::string> {};
+
+TEST_P(Holding, incline_steeper_friction_stays) {
+  const bool implicit = GetParam() == "dda-implicit";
+  const Outcome o = slide(GetParam().substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, 40.0, 1.0,
+                          implicit ? std::optional<double>(1e-3) : std::nullopt);
+  std::printf("%s phi 40: distance %.3e closure %.1e\n", GetParam().c_str(), o.distance, o.closure);
+  EXPECT_LT(std::abs(o.distance), 1e-4);  // elastic settlement of the springs: m g sin a / 2 k = 6e-6 m
+  EXPECT_LT(o.closure, 1e-9);
+}
+INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"));
+
+}  // namespace
+}  // namespace scree::test
