@@ -33,6 +33,7 @@ struct Stage {
   double safety = 0.8;              // fraction of the certified explicit bound that auto takes
   Tick duration = 0;
   double cover_size = 0.0;          // NMM mesh [m]
+  double damping = 0.0;             // mass-proportional, on velocities less their affine part; explicit [1/s]
   StepControl control;
 };
 

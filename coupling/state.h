@@ -30,10 +30,10 @@ struct ContactMemory {
   double stretch = 0.0;       // elongation of the tangential spring [m]
   double anchor = 0.0;        // its anchor: fraction of the segment
   double fn = 0.0, ft = 0.0;  // forces on the corner, along the outward normal and the direction of the edge [N]
-  double fd = 0.0;            // part of fn that is damping [N]
+  double fd = 0.0, fdt = 0.0; // parts of fn and ft that are damping [N]
   double slip = 0.0;          // accumulated |slip| [m]
   double kn = 0.0, kt = 0.0;  // penalty stiffness [N/m]
-  double cn = 0.0;            // normal damping of explicit steps [N s/m]
+  double cn = 0.0, ct = 0.0;  // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };
 
 /// Energy and fields that a block could not take along into its present method (coupling.md 1).
@@ -105,10 +105,12 @@ void State::visit(Visitor&& see) {
     see("contact.fn", c.fn);
     see("contact.ft", c.ft);
     see("contact.fd", c.fd);
+    see("contact.fdt", c.fdt);
     see("contact.slip", c.slip);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
     see("contact.cn", c.cn);
+    see("contact.ct", c.ct);
   }
   see.size("rest", rest);
   for (Remainder& r : rest) {

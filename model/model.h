@@ -27,7 +27,7 @@ struct JointLaw {
   double contact_length = 0.0;           // [m] of joint that a contact point stands for; cohesion acts on it
   std::optional<double> penalty;         // normal stiffness a contact [N/m]; empty: auto, K + 4G/3 of the softer block
   std::optional<double> shear_penalty;   // tangential stiffness a contact [N/m]; empty: as the normal one
-  double damping = 0.2;                  // normal damping in explicit steps, a fraction of critical of the contact
+  double damping = 0.2;                  // of closed contacts in explicit steps, a fraction of critical
 };
 
 /// A block: its polygon, material and joints.

@@ -31,6 +31,7 @@ void Pool::drift(double h, std::span<double> q, std::span<double> v) const {
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += h * v[i];
 }
 
+void Pool::damp(double, double, std::span<double>, std::span<double>) const {}
 int Pool::dofs(int) const { return 0; }
 ChartRow Pool::chart_row(int, const Row&, std::span<const double>) const { return {}; }
 void Pool::linearise(int, std::span<const double>, std::span<const double>, std::vector<ImplicitBlock>&) const {}

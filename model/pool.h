@@ -163,6 +163,9 @@ class Pool {
                                               std::span<const char> counted) const = 0;
   /// q += h v, velocities carried along where the method's nodes turn. The default is the plain sum.
   virtual void drift(double h, std::span<double> q, std::span<double> v) const;
+  /// w *= factor and f -= rate M w, w = v minus its affine part: mass-proportional damping that spares rigid motion and
+  /// sliding. Methods whose bodies are affine have no w.   @param rate [1/s], w taken after the scaling
+  virtual void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
   /// Largest eigenvalue of D^-1 K of a body's own stiffness, D the method's diagonal mass: a certified bound [1/s2].
   [[nodiscard]] virtual double frequency_bound(int body) const = 0;
   /// theta: D <= theta M. Squared frequencies in M are at most theta times those in D.

@@ -45,6 +45,7 @@ bool AffineMass::make(const CoverMesh& mesh, const ReferenceShape& shape, std::i
   exact.bottomRightCorner<2, 2>() = shape.second;
   const Eigen::Matrix3d hat_inverse = hat.inverse(), exact_inverse = exact.inverse();
   inverse_correction_ = exact_inverse - hat_inverse;
+  hat_inverse_ = hat_inverse;
   correction_ = hat_inverse * (hat - exact) * hat_inverse;
   theta_ = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, exact, Eigen::EigenvaluesOnly).eigenvalues()(2);
   const Eigen::Vector3d y = hat_inverse * exact.col(0);
@@ -105,6 +106,19 @@ double AffineMass::kinetic_energy(std::span<const double> v) const {
     sum += lumped_[k] * at(v, static_cast<std::size_t>(first_) + k).squaredNorm();
   const Moments3 z = projection(v, true);
   return 0.5 * (sum - (z.transpose() * correction_ * z).trace());
+}
+
+void AffineMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+  const Moments3 z = hat_inverse_ * projection(v, true);
+  for (std::size_t k = 0; k < X_.size(); ++k) {
+    const std::size_t i = 2 * (static_cast<std::size_t>(first_) + k);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const auto c = static_cast<Eigen::Index>(d);
+      const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[i + d] - affine);
+      v[i + d] = affine + w;
+      f[i + d] -= rate * lumped_[k] * w;  // P^T M_L w = 0, so M~ w = M_L w
+    }
+  }
 }
 
 void AffineMass::add_weight(const Vec2& g, std::span<double> f) const {

@@ -25,6 +25,8 @@ class AffineMass {
   void apply(std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M~ v [J]
   [[nodiscard]] double kinetic_energy(std::span<const double> v) const;
+  /// w *= factor, f -= rate M~ w; w = v - P S^^-1 P^T M_L v, the part that is M~-orthogonal to affine fields.
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
   /// f += M~ 1 g
   void add_weight(const Vec2& g, std::span<double> f) const;
 
@@ -47,6 +49,7 @@ class AffineMass {
   std::vector<std::int32_t> tie_of_;   // a cover: its tie or -1
   Eigen::Matrix3d inverse_correction_ = Eigen::Matrix3d::Zero();  // M_a^-1 - S^^-1
   Eigen::Matrix3d correction_ = Eigen::Matrix3d::Zero();          // S^^-1 (S^ - M_a) S^^-1
+  Eigen::Matrix3d hat_inverse_ = Eigen::Matrix3d::Zero();         // S^^-1
   double theta_ = 1.0;
 };
 

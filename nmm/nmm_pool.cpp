@@ -131,6 +131,10 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
   return sum;
 }
 
+void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+  for (const auto& b : bodies_) b->mass.damp(factor, rate, v, f);
+}
+
 double NmmPool::compliance(int body, const Row& row) const {
   std::vector<std::pair<std::int32_t, double>> folded;
   of(body).mass.fold(row, folded);

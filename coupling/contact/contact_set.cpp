@@ -79,14 +79,16 @@ std::int32_t ContactFinder::law_of(const ContactPoint& p) const {
   return own.valid() ? own.value : setup_->model().default_joint.value;
 }
 
-double ContactFinder::damping_of(const ContactPoint& p, const ContactMemory& m) const {
+void ContactFinder::set_damping(const ContactPoint& p, ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const auto compliance = [&](std::int32_t node) {
     const Body& b = setup_->bodies()[static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(node)])];
     return b.driven ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, o.nodes[static_cast<std::size_t>(node)]));
   };
   const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
-  return 2.0 * setup_->model().joints[static_cast<std::size_t>(m.joint)].damping * std::sqrt(m.kn / mu);
+  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
+  m.cn = 2.0 * fraction * std::sqrt(m.kn / mu);
+  m.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
 }
 
 void ContactFinder::suppress_second_edges(ContactList& list) const {
@@ -159,10 +161,10 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
       const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
       m.kn = normal_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
       m.kt = tangential_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
-      m.cn = damping_of(p, m);
+      set_damping(p, m);
       if (at_start && std::abs(p.at.gap) <= touching_) m.gap0 = p.at.gap;
     }
-    if (m.segment < 0) m.cn = damping_of(p, m);  // a body changed its method, and with it the mass behind the contact
+    if (m.segment < 0) set_damping(p, m);  // a body changed its method, and with it the mass behind the contact
     m.gap = p.at.gap - m.gap0;
     if (!closed) {
       m.segment = s.part;

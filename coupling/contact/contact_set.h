@@ -40,7 +40,7 @@ class ContactFinder {
   [[nodiscard]] bool in_range(const ContactPoint& p, const ContactGeometry& g, bool closed) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   [[nodiscard]] std::int32_t law_of(const ContactPoint& p) const;
-  [[nodiscard]] double damping_of(const ContactPoint& p, const ContactMemory& m) const;
+  void set_damping(const ContactPoint& p, ContactMemory& m) const;
   void suppress_second_edges(ContactList& list) const;
 
   const Setup* setup_;

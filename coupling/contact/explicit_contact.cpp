@@ -7,11 +7,11 @@ namespace scree::coupling {
 namespace {
 
 /// Normal penalty, tangential spring with Coulomb's cap (return mapping). Moves the anchor when it slips.
-/// @param rate  of the gap [m/s]
-void apply_law(const JointLaw& law, const ContactPoint& p, double rate, ContactMemory& m) {
+/// @param rate,shear  rates of gap and stretch [m/s]
+void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double shear, ContactMemory& m) {
   if (p.suppressed || m.gap >= 0.0) {
     m.status = ContactStatus::open;
-    m.fn = m.fd = m.ft = m.stretch = 0.0;
+    m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
     return;
   }
   const double spring = -m.kn * m.gap;
@@ -33,7 +33,10 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, ContactM
   } else {
     m.status = ContactStatus::stick;
   }
-  m.ft = -m.kt * m.stretch;
+  // Damping only where the contact sticks, and never beyond Coulomb's limit.
+  const double spring_t = -m.kt * m.stretch, cap = friction_limit(law, m, m.fn);
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - m.ct * shear, -cap, cap) : spring_t;
+  m.fdt = m.ft - spring_t;
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ void ExplicitContact::enter(State& state, bool at_start) {
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
     if (m.kn > 0.0 && m.fn == 0.0 && m.status == ContactStatus::open && m.gap < 0.0)
-      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, m);
+      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
   }
   state.contacts = now_.memory;
 }
@@ -66,7 +69,11 @@ ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p
     half.normal = (m.fn - m.fd) * way;
     half.damping = m.fd * way;
   }
-  if (m.ft != 0.0) half.tangential = 0.5 * h * m.ft * row_rate(o, p, stretch_row(p.at, m.anchor), v);
+  if (m.ft != 0.0 || m.fdt != 0.0) {
+    const double way = 0.5 * h * row_rate(o, p, stretch_row(p.at, m.anchor), v);
+    half.tangential = (m.ft - m.fdt) * way;
+    half.damping += m.fdt * way;
+  }
   return half;
 }
 
@@ -87,15 +94,15 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
     if (fa == 0.0 || fb == 0.0) ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
   }
   if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
-  const double de = trial_[after] - a.stretch;
+  const double de = trial_[after] - a.stretch, ta = a.ft - a.fdt, tb = b.ft - b.fdt;
   if (b.status == ContactStatus::open) {
-    ledger.book(Column::contact_geometry, left_[before].tangential - 0.5 * a.ft * de);
-    ledger.book(Column::contact_transition, 0.5 * a.ft * de);
+    ledger.book(Column::contact_geometry, left_[before].tangential - 0.5 * ta * de);
+    ledger.book(Column::contact_transition, 0.5 * ta * de);
     ledger.book(Column::springs_dropped, tangential_energy(a));
     return;
   }
-  ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (a.ft + b.ft) * de);
-  if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (a.ft + b.ft) * (trial_[after] - b.stretch));
+  ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (ta + tb) * de);
+  if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
 void ExplicitContact::arrive(double h, std::span<const double> q, std::span<const double> v, State& state) {
@@ -106,8 +113,13 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
     ContactMemory& m = now_.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
     trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
-    const double rate = m.gap < 0.0 ? row_rate(setup_->outlines(), now_.points[i], gap_row(now_.points[i].at), v) : 0.0;
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], rate, m);
+    const ContactPoint& p = now_.points[i];
+    double rate = 0.0, shear = 0.0;
+    if (m.gap < 0.0 && m.cn > 0.0) {
+      rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
+      shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
+    }
+    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], p, rate, shear, m);
   }
   std::size_t a = 0;
   Ledger& ledger = state.ledger;

@@ -10,8 +10,9 @@
 
 namespace scree::coupling {
 
-CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection)
-    : setup_(&setup), control_(control), contact_(setup, detection) {
+CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping)
+    : setup_(&setup), control_(control), damping_(damping), contact_(setup, detection),
+      damping_force_(2 * static_cast<std::size_t>(setup.nodes()), 0.0) {
   add_term(std::make_unique<InternalForce>(setup));
   add_term(std::make_unique<Gravity>(setup));
 }
@@ -47,6 +48,22 @@ void CentralDifference::evaluate(const State& state, std::vector<std::vector<dou
   }
 }
 
+void CentralDifference::damp(State& state, double factor) {
+  std::fill(damping_force_.begin(), damping_force_.end(), 0.0);
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).damp(factor, damping_, setup_->part(std::span<double>(state.v), p), setup_->part(std::span<double>(damping_force_), p));
+  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += damping_force_[i];
+  accelerate(state);
+}
+
+void CentralDifference::accelerate(State& state) const {
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
+                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
+  for (std::size_t k = 0; k < setup_->free().size(); ++k)
+    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+}
+
 double CentralDifference::acceleration_energy(const State& state) const { return work(state.a, total_, true); }
 
 void CentralDifference::change_step(State& state, double h) {
@@ -61,11 +78,8 @@ double CentralDifference::enter(State& state) {
   contact_.enter(state, state.step == 0);
   state.a.assign(state.q.size(), 0.0);
   evaluate(state, force_, total_);
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
-                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
-  for (std::size_t k = 0; k < setup_->free().size(); ++k)
-    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  if (damping_ > 0.0) damp(state, 1.0);
+  else accelerate(state);
   return contact_energy(contact_.list());
 }
 
@@ -121,6 +135,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     half_driven_[i] = work(state.v, force_[i], false);
   }
   double driven = work(state.v, contact_force_, false);
+  const double damped = damping_ > 0.0 ? work(state.v, damping_force_, true) : 0.0;
 
   // Drift, forces at the new instant.
   for (std::size_t p = 0; p < setup_->pools(); ++p)
@@ -135,12 +150,14 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
                     0.5 * h * (half_driven_[i] + work(state.v, force_[i], false)), state.ledger);
 
   // Kick by the other half.
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
-                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
-  for (std::size_t k = 0; k < nodes; ++k)
-    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  accelerate(state);
+  const std::span<double> v(state.v);
+  if (damping_ > 0.0) v_before_.assign(v.begin(), v.end());
   for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
+  if (damping_ > 0.0) {
+    damp(state, 1.0 / (1.0 + 0.5 * h * damping_));
+    state.ledger.book(Column::mass_damping, -0.5 * h * (damped + work(v_before_, damping_force_, true)));
+  }
   setup_->prescribe(end, state.q, state.v);
   state.last_step = ticks_of_step;
   ++state.step;

@@ -432,7 +432,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     }
     m.status = t.status;
     m.fn = t.fn;
-    m.fd = 0.0;
+    m.fd = m.fdt = 0.0;
     m.ft = t.ft;
   }
   const std::vector<ContactMemory> before = list_.memory;

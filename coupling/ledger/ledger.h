@@ -16,7 +16,7 @@ enum class Column : int {
   // W: work done on the system since the start
   gravity, prescribed_motion,
   // D: dissipated since the start
-  friction, contact_damping, newmark_damping, contact_closing, springs_dropped,
+  friction, contact_damping, mass_damping, newmark_damping, contact_closing, springs_dropped,
   // R: terms of the schemes themselves and of changes of definition since the start
   elastic_trapezoid, contact_transition, contact_geometry, contact_edges, support_trapezoid, update_kinetic,
   update_elastic, update_contact, step_change, transfer,
