@@ -1,1 +1,102 @@
-int main() { return 0; }
+// The `scree` command: reads the command line, calls the libraries, turns errors into exit codes.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "coupling/stages/driver.h"
+#include "io/case/case_error.h"
+#include "io/results/file_error.h"
+
+namespace {
+
+using namespace scree::app;
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Scree: coupled block and continuum simulation of rock slopes in two dimensions", "scree"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", SCREE_VERSION);
+
+  RunOptions options;
+  for (int i = 0; i < argc; ++i) options.command_line += (i > 0 ? " " : "") + std::string(argv[i]);
+  CLI::App* run_command = app.add_subcommand("run", "run a case");
+  run_command->add_option("case", options.case_file, "case file (TOML)")->required();
+  run_command->add_option("--out", options.out, "run folder (default runs/<case folder>)");
+  run_command->add_flag("--overwrite", options.overwrite, "replace an earlier run in that folder");
+  std::string live;
+  CLI::Option* live_option =
+      run_command->add_option("--live", live, "stream over LCM, to URL if one is given")->expected(0, 1)->type_name("[URL]");
+  run_command->add_option("--threads", options.threads, "threads (results do not depend on it)")->check(CLI::Range(1, 1024));
+  double until = 0.0;
+  CLI::Option* until_option = run_command->add_option("--until", until, "stop at this simulated time [s]")->check(CLI::PositiveNumber);
+  run_command->add_option("--set", options.set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
+  run_command->add_flag("--quiet", options.quiet, "print nothing but errors and warnings");
+
+  std::filesystem::path case_file;
+  std::vector<std::string> set;
+  CLI::App* check_command = app.add_subcommand("check", "validate a case and say what it holds");
+  check_command->add_option("case", case_file, "case file (TOML)")->required();
+  check_command->add_option("--set", set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
+
+  CLI::App* cases_command = app.add_subcommand("cases", "the case library");
+  cases_command->require_subcommand(1);
+  CLI::App* list_command = cases_command->add_subcommand("list", "the cases there are");
+  CLI::App* verify_command = cases_command->add_subcommand("verify", "run cases and compare with what they must show");
+  std::vector<std::string> names;
+  bool quick = false, full = false;
+  int threads = 0;
+  verify_command->add_option("names", names, "cases (default: all)");
+  verify_command->add_flag("--quick", quick, "the quick tier (default)");
+  verify_command->add_flag("--full", full, "the quick and the full tier")->excludes("--quick");
+  verify_command->add_option("--threads", threads, "threads")->check(CLI::Range(1, 1024));
+
+  SnapshotCommand picture;
+  CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw a stored run as PNG");
+  snapshot_command->add_option("run", picture.run, "run folder")->required();
+  snapshot_command->add_option("--out", picture.out, "PNG file (default: in the run folder)");
+  snapshot_command->add_option("--at", picture.at, "start, handover, end, a frame number, or a time such as 1.5s");
+  snapshot_command->add_option("--field", picture.field, "displacement, speed, sxx, syy, sxy, s1, s3, block, method");
+  snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");
+
+  bool markdown = false;
+  CLI::App* schema_command = app.add_subcommand("schema", "every key of a case file");
+  schema_command->add_flag("--markdown", markdown, "as Markdown");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    return code == 0 ? kDone : kUsage;
+  }
+  if (*live_option) options.live = live;
+  if (*until_option) options.until = until;
+  if (*run_command) return run(options);
+  if (*check_command) return check(case_file, set);
+  if (*list_command) return cases_list();
+  if (*verify_command) return cases_verify(names, full, threads);
+  if (*snapshot_command) return snapshot(picture);
+  if (*schema_command) return schema(markdown);
+  return kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const scree::io::CaseError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return kBadCase;
+  } catch (const scree::coupling::PlanError& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return kBadCase;
+  } catch (const scree::io::FileError& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return kFiles;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return kFailed;
+  }
+}

@@ -174,7 +174,7 @@ void DdaPool::linearise(int body, std::span<const double> q, std::span<const dou
 
 void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                       std::span<double> v) const {
-  const AffineState after = exact_update(load(body, q, v), Eigen::Map<const Vec6>(d.data()), Eigen::Map<const Vec6>(rate.data()));
+  const AffineState after = exact_update(load(body, q, v), Vec6(d.data()), Vec6(rate.data()));
   store(body, after.c, after.F, q);
   store(body, after.vc, after.Fdot, v);
 }

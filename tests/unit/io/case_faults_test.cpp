@@ -101,20 +101,38 @@ TEST(DeepText, dots_in_strings_comments_and_numbers_do_not_count) {
   EXPECT_FALSE(holds(error_of_text(replaced(text, "polygon = [", "polygon = [" + ring)).problem, "deeper"));
 }
 
+TEST(DeepText, quotes_at_the_end_of_a_long_string_hide_nothing) {
+  for (const char* quotes : {"\"\"\"", "\"\"\"\"", "\"\"\"\"\""})
+    EXPECT_TRUE(
+        holds(error_of_text(fmt::format("x = [\"\"\"a{}, {}", quotes, std::string(100, '['))).problem, "deeper"))
+        << quotes;
+}
+
 TEST(DeepText, unclosed_headers_are_reported_where_they_are) {
   std::string text;
   for (int i = 0; i < 200; ++i) text += "[a\n";
   EXPECT_EQ(error_of_text(text).line, 1);
 }
 
-// The parser would go on from an assumption that does not hold.
-TEST(CaseText, header_without_key_is_refused_at_its_place) {
-  for (const char* header : {"[=a]", "[[=a]]", "[ .a]", "[\n", "[,", "[[ \u00e9]]", "[[[a]]]", "[ [a]]"}) {
-    const CaseError e = error_of_text(fmt::format("title = \"a\"\n  {}\n", header));
-    EXPECT_TRUE(holds(e.problem, "holds no key")) << header << ": " << e.what();
-    EXPECT_EQ(e.line, 2) << e.what();
-    EXPECT_GT(e.column, 3) << e.what();
+// The parser of a debug build with toml++ as headers would stop the program at these.
+TEST(CaseText, brackets_without_key_or_value_are_errors_at_their_place) {
+  for (const char* wrong : {"[=a]", "[[=a]]", "[ .a]", "[\n", "[,", "[[[a]]]", "x=[}]", "x=[1,=]"}) {
+    const CaseError e = error_of_text(fmt::format("title = \"a\"\n  {}\n", wrong));
+    EXPECT_TRUE(holds(e.problem, "not TOML")) << wrong << ": " << e.what();
+    EXPECT_GE(e.line, 2) << e.what();
+    EXPECT_GE(e.column, 1) << e.what();
   }
+}
+
+TEST(CaseText, other_letters_stand_in_quotes_and_comments_only) {
+  const std::string text = bytes_of(kFolder + "good_case.toml");
+  EXPECT_NO_THROW(read_text("# \u00e9\n" + replaced(text, "One block", "H\u00f6he \u00e9")));
+  for (const char* wrong : {"\u00e9 = 1", "[ \u00e9]", "x = \u3000 1", "\u00a0"}) {
+    const CaseError e = error_of_text(fmt::format("a = 1\n{}\n", wrong));
+    EXPECT_TRUE(holds(e.problem, "outside quotation marks")) << wrong << ": " << e.what();
+    EXPECT_EQ(e.line, 2);
+  }
+  EXPECT_EQ(error_of_text("a = 1\nxy\u00e9 = 1").column, 3);
 }
 
 TEST(CaseText, larger_than_the_bound_is_refused) {
@@ -205,6 +223,8 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"fix = \"x\"", "motion = \"pulse\"", "support.2.motion", "cannot follow"},
         Change{"point = [1.5, 1.1]", "point = [1.5, 1.5]", "monitor.0.point", "not on block"},
         Change{"name = \"corner\"", "name = \"slider#1\"", "monitor.1.name", "same name"},
+        Change{"file = \"pulse.csv\"", "file = \"nowhere.csv\"", "motion.pulse.file", "does not exist"},
+        Change{"file = \"pulse.csv\"", "file = \".\"", "motion.pulse.file", "folder"},
         Change{"file = \"pulse.csv\"", "file = \"$HOME/pulse.csv\"", "motion.pulse.file", "only the variable"},
         Change{"direction = [3.0, 4.0]", "direction = [0, 0]", "motion.pulse.direction", "no length"},
         Change{"direction = [3.0, 4.0]", "direction = [3, 4]\ndirection_deg = 3", "motion.pulse.direction_deg",
@@ -229,7 +249,7 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = 0.5", "");
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
-  EXPECT_EQ(e.line, 90) << e.what();
+  EXPECT_EQ(e.line, 91) << e.what();
 }
 
 TEST(Case, nmm_by_rule_in_an_implicit_stage_is_refused) {

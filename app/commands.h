@@ -1,0 +1,43 @@
+// The commands of `scree`, one function each. They print for people and return the exit code.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// Exit codes (io-and-live): 0 done, 2 usage, 3 bad case, 4 did not converge, 5 files, 130 interrupted.
+enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2, kBadCase = 3, kNotConverged = 4, kFiles = 5, kInterrupted = 130 };
+
+struct RunOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path out;               // empty: runs/<name of the case>
+  bool overwrite = false, quiet = false;
+  std::optional<std::string> live;         // stream; an empty text keeps the case's URL
+  int threads = 0;                         // 0: as the case says, else as many as the machine has
+  std::optional<double> until;             // [s]
+  std::vector<std::string> set;            // key=value
+  std::string command_line;
+};
+int run(const RunOptions& options);
+/// Validates a case and says what it holds; writes nothing.
+int check(const std::filesystem::path& case_file, const std::vector<std::string>& set);
+int cases_list();
+/// Runs cases and compares them with expected.toml, a row a quantity.
+int cases_verify(const std::vector<std::string>& names, bool full, int threads);
+int schema(bool markdown);
+
+struct SnapshotCommand {
+  std::filesystem::path run, out;
+  std::string at = "end";          // start, handover, end, a frame number or a time with the unit s
+  std::string field = "displacement";
+  bool ledger = false;
+};
+int snapshot(const SnapshotCommand& command);
+
+/// Folder of the case library: $SCREE_CASES, else cases/ beside the working folder or above the program.
+[[nodiscard]] std::filesystem::path case_library();
+
+}  // namespace scree::app

@@ -1,0 +1,65 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace scree::app {
+
+void Progress::begin(const Model& model, const coupling::Plan& plan) {
+  for (const coupling::Stage& s : plan.stages) stages_.push_back(s.name);
+  line(fmt::format("{}: {} blocks, {} stages, {:g} s", model.title.empty() ? "untitled case" : model.title, model.blocks.size(),
+                   plan.stages.size(), end_));
+}
+
+void Progress::line(const std::string& text) {
+  fmt::print("{}{}\n", terminal_ ? "\r\033[K" : "", text);
+  std::fflush(stdout);
+}
+
+void Progress::event(const coupling::Event& e) {
+  using Kind = coupling::EventKind;
+  if (e.kind == Kind::transfer) return;  // one a block: they are in the results
+  if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
+  if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
+  if (e.kind == Kind::stage_end) return;
+  line(fmt::format("{:8.3f} s  {}{}", e.time, e.kind == Kind::step_cut ? "step cut: " : "", e.text));
+  if (e.kind == Kind::step_cut && cuts_shown_ == 5) line("            (further cuts are in the results only)");
+}
+
+void Progress::step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+  const Clock::time_point now = Clock::now();
+  if (terminal_) {
+    if (now - drawn_ < std::chrono::milliseconds(100)) return;
+  } else if (time < next_tenth_ * end_) {
+    return;
+  }
+  drawn_ = now;
+  draw(time, stats, ledger);
+  while (next_tenth_ * end_ <= time) next_tenth_ += 0.1;
+}
+
+void Progress::draw(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+  const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double left = time > 0.0 ? wall * (end_ - time) / time : 0.0;
+  const std::string facts =
+      fmt::format("{:.3f}/{:g} s  {}  {} steps  {:.0f} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_, stats.steps,
+                  static_cast<double>(stats.steps) / std::max(wall, 1e-9), left,
+                  static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), ledger.relative_closure());
+  if (!terminal_) {
+    line(facts);
+    return;
+  }
+  const int filled = static_cast<int>(24.0 * std::min(time / end_, 1.0));
+  fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", 24 - filled, facts);
+  std::fflush(stdout);
+}
+
+void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
+  draw(last.time, *last.stats, last.state->ledger);
+  if (terminal_) fmt::print("\n");
+  if (end.status != coupling::RunEnd::Status::done) line(end.reason);
+}
+
+}  // namespace scree::app

@@ -1,0 +1,38 @@
+// What a run shows while it goes: a bar on a terminal, plain lines in a log.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "coupling/sink.h"
+
+namespace scree::app {
+
+/// On a terminal one line is redrawn ten times a second; elsewhere a line every tenth of the run. Warnings and step
+/// cuts get lines of their own (cuts of one kind at most five).
+class Progress final : public coupling::Sink {
+ public:
+  Progress(bool terminal, double end_time) : terminal_(terminal), end_(end_time) {}
+
+  void begin(const Model& model, const coupling::Plan& plan) override;
+  void event(const coupling::Event& event) override;
+  void step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) override;
+  void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void line(const std::string& text);
+  void draw(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger);
+
+  bool terminal_;
+  double end_;
+  double next_tenth_ = 0.0;
+  int cuts_shown_ = 0;
+  std::string stage_;
+  std::vector<std::string> stages_;
+  std::size_t stage_index_ = 0;
+  Clock::time_point start_ = Clock::now(), drawn_{};
+};
+
+}  // namespace scree::app

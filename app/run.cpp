@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+#include <omp.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/progress.h"
+#include "coupling/stages/driver.h"
+#include "io/case/read_case.h"
+#include "io/live/live_sink.h"
+#include "io/results/results_sink.h"
+
+namespace scree::app {
+namespace {
+
+volatile std::sig_atomic_t stop_signal = 0;
+extern "C" void on_signal(int signal) { stop_signal = signal; }
+
+/// Ctrl-C and SIGTERM end the run after the present step, with everything written.
+class Signals final : public coupling::Control {
+ public:
+  Signals() {
+    stop_signal = 0;
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+  }
+  bool stop_requested() override { return stop_signal != 0; }
+};
+
+/// run.log: every event of the run.
+class Log final : public coupling::Sink {
+ public:
+  explicit Log(const std::filesystem::path& file) : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), true)) {
+    log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
+  }
+  ~Log() override { spdlog::drop(log_->name()); }
+  void event(const coupling::Event& e) override {
+    const bool warn = e.kind == coupling::EventKind::warning || e.kind == coupling::EventKind::not_converged;
+    log_->log(warn ? spdlog::level::warn : spdlog::level::info, "t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind), e.text);
+  }
+  void warn(const std::string& text) { log_->warn(text); }
+  void end(const coupling::RunEnd&, const coupling::FrameView&) override { log_->flush(); }
+
+ private:
+  std::shared_ptr<spdlog::logger> log_;
+};
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, factory] : coupling::standard_methods()) names.push_back(name);
+  return names;
+}
+
+std::string run_name(const std::filesystem::path& case_file) {
+  const std::filesystem::path full = std::filesystem::absolute(case_file);
+  return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const std::vector<std::string> methods = method_names();
+  io::Case c = io::read_case(options.case_file, options.set, methods);
+  if (options.live) {
+    c.plan.live.enabled = true;
+    if (!options.live->empty()) c.plan.live.url = *options.live;
+  }
+  if (c.plan.live.enabled)
+    if (const auto wrong = io::check_live_url(c.plan.live.url)) {
+      fmt::print(stderr, "error: --live={}: {}\n", c.plan.live.url, *wrong);
+      return kUsage;
+    }
+  const int threads = options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
+  omp_set_num_threads(threads);
+
+  const std::string name = run_name(options.case_file);
+  const std::filesystem::path out = options.out.empty() ? std::filesystem::path("runs") / name : options.out;
+  const io::RunFolder folder = io::RunFolder::create(out, options.overwrite);
+  double end_time = 0.0;
+  for (const coupling::Stage& s : c.plan.stages) end_time += seconds(s.duration);
+  if (options.until) end_time = std::min(end_time, *options.until);
+
+  io::Provenance provenance;
+  provenance.version = SCREE_VERSION;
+  provenance.commit = SCREE_COMMIT;
+  provenance.case_text = c.text;
+  provenance.command_line = options.command_line;
+  provenance.threads = threads;
+  const coupling::Methods standard = coupling::standard_methods();
+  coupling::Driver driver(c.model, c.plan, standard);
+  Signals signals;
+  driver.set_control(signals);
+  io::ResultsSink results(folder, provenance);
+  Log log(folder.log());
+  driver.add_sink(results);
+  driver.add_sink(log);
+  std::unique_ptr<Progress> progress;
+  if (!options.quiet) {
+    progress = std::make_unique<Progress>(isatty(STDOUT_FILENO) != 0, end_time);
+    driver.add_sink(*progress);
+  }
+  std::unique_ptr<io::LiveSink> live;
+  if (c.plan.live.enabled) {
+    live = std::make_unique<io::LiveSink>(c.plan.live, name, [&log](const std::string& text) {
+      fmt::print(stderr, "warning: {}\n", text);
+      log.warn(text);
+    });
+    driver.add_sink(*live);
+  }
+
+  const coupling::RunEnd end = driver.run(options.until);
+  const coupling::Ledger& ledger = driver.state().ledger;
+  if (!options.quiet) {
+    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()), ledger.relative_closure(),
+               ledger.moved());
+    fmt::print("results in {}\n", folder.path().string());
+  }
+  switch (end.status) {
+    case coupling::RunEnd::Status::done: return kDone;
+    case coupling::RunEnd::Status::interrupted:
+      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}\n", seconds(driver.state().time), folder.path().string());
+      return kInterrupted;
+    default: break;
+  }
+  fmt::print(stderr, "error: {}\n  what was computed is in {}\n", end.reason, folder.path().string());
+  return kNotConverged;
+}
+
+int check(const std::filesystem::path& case_file, const std::vector<std::string>& set) {
+  const std::vector<std::string> methods = method_names();
+  const io::Case c = io::read_case(case_file, set, methods);
+  fmt::print("{}: {}\n", case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
+  fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(), c.model.materials.size(),
+             c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  for (const GroundMotion& m : c.model.motions) {
+    const MotionFacts f = m.facts();
+    fmt::print("  motion: {:.3g} s, PGA {:.4g} m/s2, PGV {:.4g} m/s, final velocity {:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
+               f.duration, f.pga, f.pgv, f.final_velocity, f.final_displacement, f.arias);
+  }
+  const coupling::Methods standard = coupling::standard_methods();
+  for (const coupling::Stage& s : c.plan.stages) {
+    const coupling::Setup setup(c.model, standard, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
+    std::int64_t cells = 0, unknowns = 0;
+    for (std::size_t p = 0; p < setup.pools(); ++p) {
+      MeshPart part;
+      setup.pool(p).topology(part);
+      cells += static_cast<std::int64_t>(part.body.size());
+    }
+    for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
+    fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method,
+               s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", seconds(s.duration), cells, unknowns);
+  }
+  fmt::print("  fine\n");
+  return kDone;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,19 @@
+// A parsed case against the table of keys.
+#pragma once
+
+#include <string_view>
+
+#include "io/case/document.h"
+
+namespace scree::io {
+
+/// Checks every key, type, unit and range, and leaves a tree that the reader can trust: numbers as double in the unit
+/// of the key (whole numbers of keys that count stay integers), defaults filled in, all tables of the top present.
+/// @throws CaseError for the first thing that is wrong, in the order of the file; missing keys of a table after its
+///         present ones
+void check_document(Value& root, std::string_view file);
+
+/// Why a text cannot be a name (names go into paths of result files); empty if it can.
+[[nodiscard]] std::string name_fault(std::string_view name);
+
+}  // namespace scree::io

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "io/case/read_parts.h"
+
+namespace scree::io {
+namespace {
+
+/// Laws of the outer edges in the order in which they were written. Edge i runs from corner i to i + 1.
+std::vector<JointId> edge_laws(const Section& s, std::size_t corners, const std::vector<std::string>& joints) {
+  const std::vector<std::string> names = s.texts("edge_joints");
+  std::vector<JointId> laws(corners);
+  if (names.empty()) return laws;
+  if (names.size() != corners)
+    throw s.error("edge_joints", fmt::format("{} joints for {} edges", names.size(), corners),
+                  fmt::format("a list of {} names, or none", corners),
+                  "give one name an edge, \"\" where the joint of the block holds");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!names[i].empty()) laws[i] = JointId{find_name(s, "edge_joints", i, "joint", joints)};
+  return laws;
+}
+
+Block read_block(const Section& s, const Model& model) {
+  const std::vector<std::string> joints = names_of(model.joints);
+  Block block;
+  block.name = s.text("name");
+  block.material = MaterialId{find_name(s, "material", "material", names_of(model.materials))};
+  if (s.has("joint")) block.joint = JointId{find_name(s, "joint", "joint", joints)};
+  block.polygon.outer = s.ring("polygon");
+  block.polygon.holes = s.rings("holes");
+  for (std::size_t k = 0; k < block.polygon.rings(); ++k) block.edges.emplace_back(block.polygon.ring(k).size());
+  block.edges[0] = edge_laws(s, block.polygon.outer.size(), joints);
+  for (const std::size_t k : orient(block.polygon)) {
+    // Turned corners run n-1, ..., 0. Written edge j, from corner j to j + 1, is now edge n - 2 - j; the last one,
+    // from corner n - 1 to 0, stays last.
+    std::vector<JointId>& laws = block.edges[k];
+    std::reverse(laws.begin(), laws.end() - 1);
+  }
+  return block;
+}
+
+}  // namespace
+
+void read_blocks(const Section& root, Model& model) {
+  const std::vector<Section> sections = root.list("block");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const Section& s = sections[i];
+    if (!names.insert(s.text("name")).second)
+      throw s.error("name", "two blocks have the same name", "a name for each block", "number the blocks");
+    model.blocks.push_back(read_block(s, model));
+    const InitialVelocity start{BlockId{static_cast<std::int32_t>(i)}, s.point("velocity"), s.number("spin")};
+    if (start.velocity != Vec2::Zero() || start.spin != 0.0) model.initial_velocities.push_back(start);
+  }
+  const std::vector<GeometryFault> faults = check_geometry(model);
+  if (faults.empty()) return;
+  const GeometryFault& f = faults.front();
+  throw sections[f.block.index()].error(
+      "polygon", fmt::format("block {}: {}", in_quotes(model.blocks[f.block.index()].name), f.what),
+      "a simple polygon that encloses an area and overlaps no other block", f.hint);
+}
+
+}  // namespace scree::io

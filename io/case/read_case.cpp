@@ -1,0 +1,38 @@
+#include "io/case/read_case.h"
+
+#include "io/case/check_document.h"
+#include "io/case/guard.h"
+#include "io/case/override.h"
+#include "io/case/read_parts.h"
+#include "io/case/text_file.h"
+
+namespace scree::io {
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+               std::span<const std::string> methods) {
+  return read_case_text(read_text_file(file, "case file", kLargestCase), file, overrides, methods);
+}
+
+Case read_case_text(std::string text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    std::span<const std::string> methods) {
+  Case out;
+  out.text = std::move(text);
+  out.path = file.string();
+  out.overrides = overrides;
+  guard(out.text, out.path);
+  Value document = parse_document(out.text, out.path);
+  apply_overrides(document, overrides);
+  check_document(document, out.path);
+
+  const Section root(out.path, document, "");
+  read_laws(root, out.model);
+  read_blocks(root, out.model);
+  read_motions(root, file.parent_path(), out.model);
+  read_supports(root, out.model);
+  read_monitors(root, out.model);
+  out.plan = read_plan(root, out.model, methods);
+  out.resolved = to_toml(document);
+  return out;
+}
+
+}  // namespace scree::io

@@ -1,0 +1,37 @@
+// A case file as a model and a plan.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/plan.h"
+#include "io/case/case_error.h"
+#include "model/model.h"
+
+namespace scree::io {
+
+/// What the user wrote and what it means.
+struct Case {
+  Model model;
+  coupling::Plan plan;
+  std::string text;                    // of the file, byte for byte
+  std::string path;                    // as it was given
+  std::vector<std::string> overrides;  // the --set options
+  std::string resolved;  // a case file that says the same with SI numbers, defaults and overrides written out
+};
+
+/// Reads a case file.
+/// @param overrides  `key=value` from --set, applied in order (override.h)
+/// @param methods    names of the methods that exist, for example "nmm", "dda"
+/// @throws CaseError for the first thing that is wrong: the file, its text, keys, values, names, geometry, records
+[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                             std::span<const std::string> methods);
+
+/// The same from a text that is already there (a stored run).
+/// @param file  names the file in errors; records are found relative to its folder
+[[nodiscard]] Case read_case_text(std::string text, const std::filesystem::path& file,
+                                  const std::vector<std::string>& overrides, std::span<const std::string> methods);
+
+}  // namespace scree::io

@@ -1,0 +1,42 @@
+// The parts of reading a case, in the order in which they run.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/plan.h"
+#include "io/case/section.h"
+#include "model/model.h"
+
+namespace scree::io {
+
+/// Title, plane, gravity, materials and joint laws.
+void read_laws(const Section& root, Model& model);
+/// Blocks with their edges and initial velocities; the geometry is checked.   @pre read_laws
+void read_blocks(const Section& root, Model& model);
+/// Ground motions from their files.   @param folder  that relative paths start from
+void read_motions(const Section& root, const std::filesystem::path& folder, Model& model);
+/// Supports and monitors.   @pre read_blocks, read_motions
+void read_supports(const Section& root, Model& model);
+void read_monitors(const Section& root, Model& model);
+/// Stages, output, streaming, threads.   @pre read_blocks
+[[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
+
+/// Names of materials, blocks and so on, in the order of their ids.
+template <class T>
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<T>& items) {
+  std::vector<std::string> names;
+  for (const T& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// Index of the name that a key holds, or that an item of the list under the key holds.
+/// @param what  for the message: "material"     @throws CaseError with the known names
+[[nodiscard]] std::int32_t find_name(const Section& section, std::string_view key, std::string_view what,
+                                     const std::vector<std::string>& known);
+[[nodiscard]] std::int32_t find_name(const Section& section, std::string_view key, std::size_t item,
+                                     std::string_view what, const std::vector<std::string>& known);
+
+}  // namespace scree::io

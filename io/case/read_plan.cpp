@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "io/case/read_parts.h"
+#include "io/case/suggest.h"
+
+namespace scree::io {
+namespace {
+
+using coupling::Integrator;
+
+/// Method of every block of the model in a stage.
+std::vector<std::string> methods_of_blocks(const coupling::Stage& stage, std::size_t blocks) {
+  std::vector<std::string> methods(blocks, stage.method);
+  for (const coupling::MethodRule& rule : stage.rules)
+    for (const BlockId b : rule.blocks) methods[b.index()] = rule.method;
+  return methods;
+}
+
+std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& model,
+                                             const std::vector<std::string>& methods) {
+  const std::vector<std::string> known = names_of(model.blocks);
+  std::vector<coupling::MethodRule> rules;
+  std::set<BlockId> named;
+  for (const Section& r : s.list("method_of")) {
+    coupling::MethodRule rule;
+    const std::size_t count = r.texts("blocks").size();
+    if (count == 0)
+      throw r.error("blocks", "the list of blocks is empty", "names of blocks", "name the blocks, or remove the rule");
+    for (std::size_t i = 0; i < count; ++i) {
+      rule.blocks.emplace_back(find_name(r, "blocks", i, "block", known));
+      if (!named.insert(rule.blocks.back()).second)
+        throw r.error("blocks", i, "the block has a method already", "each block once in method_of",
+                      "remove one of the two");
+    }
+    (void)find_name(r, "method", "method", methods);
+    rule.method = r.text("method");
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const Model& model) {
+  const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  const auto first = std::find(used.begin(), used.end(), "nmm");
+  if (!s.has("cover_size") && m.has("cover_size")) s.settle("cover_size", m.number("cover_size"));
+  if (s.has("cover_size")) stage.cover_size = s.number("cover_size");
+  if (first == used.end()) return;
+  const std::string block = in_quotes(model.blocks[static_cast<std::size_t>(first - used.begin())].name);
+  if (stage.integrator == Integrator::implicit)
+    throw s.error("integrator",
+                  fmt::format("the NMM, which block {} uses in this stage, is explicit in this version", block),
+                  "\"explicit\" where a block uses the NMM",
+                  "set integrator = \"explicit\", or method = \"dda\" for implicit steps");
+  if (stage.cover_size == 0.0)
+    throw s.error("cover_size", fmt::format("block {} uses the NMM and no cover_size is given", block),
+                  "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
+}
+
+coupling::Stage read_stage(const Section& s, const Section& m, const Model& model,
+                           const std::vector<std::string>& methods) {
+  coupling::Stage stage;
+  stage.name = s.text("name");
+  (void)find_name(s, "method", "method", methods);
+  stage.method = s.text("method");
+  stage.rules = read_rules(s, model, methods);
+  stage.integrator = s.text("integrator") == "implicit" ? Integrator::implicit : Integrator::explicit_;
+  stage.dt = s.number_or_auto("dt");
+  stage.safety = s.number("safety");
+  stage.damping = s.number("damping");
+  stage.duration = ticks(s.number("duration"));
+  stage.damping = s.number("damping");
+  stage.control.max_passes = s.integer("max_passes");
+  stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
+  check_nmm(s, m, stage, model);
+  if (stage.integrator == Integrator::implicit && !stage.dt)
+    throw s.error("dt", "an implicit stage needs a time step", "number [s], > 0",
+                  "implicit steps have no stability bound to take dt from: write dt = 1e-3, for example");
+  return stage;
+}
+
+coupling::OutputPlan read_output(const Section& s, Tick total) {
+  if (!s.has("every")) s.settle("every", seconds(std::max<Tick>(total / 100, 1)));
+  if (!s.has("history_every")) s.settle("history_every", s.number("every"));
+  return {ticks(s.number("every")), ticks(s.number("history_every"))};
+}
+
+coupling::LivePlan read_live(const Section& s) {
+  const std::vector<std::string> schemes = {"udpm://", "memq://", "file://"};
+  const std::string& url = s.text("url");
+  // Others are refused here because LCM ends the program when, for example, a tcpq server cannot be reached.
+  if (std::none_of(schemes.begin(), schemes.end(), [&](const std::string& k) { return url.starts_with(k); }))
+    throw s.error("url", "the address has a scheme that is not supported", listed(schemes),
+                  "write udpm://239.255.76.67:7667?ttl=0");
+  return {s.boolean("enabled"), url, s.number("rate")};
+}
+
+}  // namespace
+
+coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods) {
+  const std::vector<std::string> known(methods.begin(), methods.end());
+  const Section m = root.table("model");
+  coupling::Plan plan;
+  plan.detection = m.number_or_auto("detection").value_or(0.0);
+  std::set<std::string> names;
+  double total = 0.0;
+  for (const Section& s : root.list("stage")) {
+    if (!names.insert(s.text("name")).second)
+      throw s.error("name", "two stages have the same name", "a name for each stage", "number the stages");
+    plan.stages.push_back(read_stage(s, m, model, known));
+    constexpr double kLongestRun = 8e6;  // [s]; a run counts 2^63 ticks of 1 ps
+    if ((total += s.number("duration")) > kLongestRun)
+      throw s.error("duration", "the stages together are too long", fmt::format("at most {:g} s in all", kLongestRun),
+                    "shorten a stage");
+  }
+  Tick run = 0;
+  for (const coupling::Stage& stage : plan.stages) run += stage.duration;
+  plan.output = read_output(root.table("output"), run);
+  plan.live = read_live(root.table("live"));
+  plan.threads = root.table("run").integer("threads");
+  return plan;
+}
+
+}  // namespace scree::io

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "io/case/read_parts.h"
+
+namespace scree::io {
+namespace {
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double length2 = d.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - s * d).norm();
+}
+
+/// True inside the block and on its outline, within rounding of the coordinates as people write them.
+bool on_block(const Polygon& polygon, const Vec2& point) {
+  if (contains(polygon, point)) return true;
+  const Box box = bounds(polygon);
+  const double near = 1e-6 * (box.hi - box.lo).maxCoeff();
+  for (std::size_t k = 0; k < polygon.rings(); ++k) {
+    const Ring& ring = polygon.ring(k);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (distance_to_segment(point, ring[i], ring[(i + 1) % ring.size()]) <= near) return true;
+  }
+  return false;
+}
+
+void check_point(const Section& s, const Model& model, BlockId block, const Vec2& point) {
+  const Polygon& polygon = model.blocks[block.index()].polygon;
+  if (on_block(polygon, point)) return;
+  const Box box = bounds(polygon);
+  throw s.error("point", fmt::format("the point is not on block {}", in_quotes(model.blocks[block.index()].name)),
+                "a point inside the block or on its outline",
+                fmt::format("the block lies within [{:g}, {:g}] to [{:g}, {:g}]", box.lo.x(), box.lo.y(), box.hi.x(),
+                            box.hi.y()));
+}
+
+BlockId block_of(const Section& s, const Model& model) {
+  return BlockId{find_name(s, "block", "block", names_of(model.blocks))};
+}
+
+/// Blocks that a support names, with the place of each name.
+struct Held {
+  BlockId block;
+  std::size_t item;
+};
+std::vector<Held> held_blocks(const Section& s, const Model& model) {
+  if (s.has("block") == s.has("blocks"))
+    throw s.error(s.has("block") ? "blocks" : "block",
+                  s.has("block") ? "block and blocks are both given" : "the support names no block",
+                  "either block or blocks", "write block = \"NAME\", or blocks = [\"NAME\", ...]");
+  if (s.has("block")) return {{block_of(s, model), 0}};
+  std::vector<Held> held;
+  const std::vector<std::string> known = names_of(model.blocks);
+  for (std::size_t i = 0; i < s.texts("blocks").size(); ++i)
+    held.push_back({BlockId{find_name(s, "blocks", i, "block", known)}, i});
+  if (held.empty())
+    throw s.error("blocks", "the list of blocks is empty", "names of blocks", "name the blocks that are held");
+  return held;
+}
+
+void hold_point(const Section& s, Model& model) {
+  if (!s.has("block"))
+    throw s.error("point", "a point belongs to one block", "block = \"NAME\" beside point",
+                  "write one support a block");
+  if (s.has("motion"))
+    throw s.error("motion", "a point cannot follow a motion", "a motion for a whole block", "remove point, or motion");
+  const std::string& fix = s.text("fix");
+  const PointSupport support{block_of(s, model), s.point("point"), fix != "y", fix != "x",
+                             s.number_or_auto("stiffness")};
+  check_point(s, model, support.block, support.point);
+  model.point_supports.push_back(support);
+}
+
+void hold_whole(const Section& s, const std::vector<std::string>& motions, Model& model) {
+  if (s.text("fix") != "all")
+    throw s.error("fix", "a whole block is held in all directions", "\"all\"",
+                  "add point = [x, y] to hold a point in one direction");
+  if (s.number_or_auto("stiffness"))
+    throw s.error("stiffness", "a block that is held whole has no spring", "a stiffness beside point",
+                  "remove stiffness, or add point");
+  BlockSupport support;
+  if (s.has("motion")) support.motion = MotionId{find_name(s, "motion", "motion", motions)};
+  for (const Held& held : held_blocks(s, model)) {
+    support.block = held.block;
+    if (model.support_of(held.block)) {
+      const std::string problem =
+          fmt::format("block {} is held twice", in_quotes(model.blocks[held.block.index()].name));
+      const char *allowed = "one support for a whole block", *hint = "remove one of the two supports";
+      throw s.has("block") ? s.error("block", problem, allowed, hint)
+                           : s.error("blocks", held.item, problem, allowed, hint);
+    }
+    model.block_supports.push_back(support);
+  }
+}
+
+}  // namespace
+
+void read_supports(const Section& root, Model& model) {
+  std::vector<std::string> motions;
+  for (const Section::Named& named : root.named("motion")) motions.push_back(named.name);
+  for (const Section& s : root.list("support")) s.has("point") ? hold_point(s, model) : hold_whole(s, motions, model);
+}
+
+void read_monitors(const Section& root, Model& model) {
+  std::map<std::int32_t, int> count;  // monitors of a block so far
+  std::set<std::string> names;
+  for (const Section& s : root.list("monitor")) {
+    Monitor monitor{"", block_of(s, model), s.point("point")};
+    check_point(s, model, monitor.block, monitor.point);
+    const int number = ++count[monitor.block.value];
+    monitor.name =
+        s.has("name") ? s.text("name") : fmt::format("{}#{}", model.blocks[monitor.block.index()].name, number);
+    if (!names.insert(monitor.name).second)
+      throw s.error("name", "two monitors have the same name", "a name for each monitor",
+                    "choose another name, or leave it out");
+    model.monitors.push_back(std::move(monitor));
+  }
+}
+
+}  // namespace scree::io

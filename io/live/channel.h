@@ -1,0 +1,33 @@
+// Names of LCM channels: SCREE_<run>_<KIND>.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scree::io {
+
+enum class LiveKind { info, topo, state, hist, energy, event };
+inline constexpr std::array kLiveKinds{LiveKind::info, LiveKind::topo,   LiveKind::state,
+                                       LiveKind::hist, LiveKind::energy, LiveKind::event};
+[[nodiscard]] std::string_view name(LiveKind kind);  // INFO, TOPO, ...
+
+inline constexpr std::size_t kMaxChannel = 63;  // characters; LCM refuses more
+inline constexpr std::size_t kMaxRun = 50;      // what is left for the run beside the longest kind
+
+/// The run's name as it stands in a channel: letters, digits, '_' and '-'; anything else becomes '-'. A name of more
+/// than kMaxRun characters is cut and ends with the CRC-32 of the whole, so that two long names stay apart; an empty
+/// one is "run". Applying it twice changes nothing more.
+[[nodiscard]] std::string channel_run(std::string_view run);
+
+/// Channel of a run and kind, at most kMaxChannel characters.
+[[nodiscard]] std::string channel_name(std::string_view run, LiveKind kind);
+
+/// Channels to subscribe to, as a regular expression.   @param run  empty: any run
+[[nodiscard]] std::string channel_pattern(std::string_view run);
+
+/// What a channel carries; empty where it is not one of ours.
+[[nodiscard]] std::optional<LiveKind> channel_kind(std::string_view channel);
+
+}  // namespace scree::io

@@ -1,0 +1,59 @@
+// An LCM connection that is held and closed safely, and never prints or aborts for want of a network.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/live/live_url.h"
+#include "io/live/wire.h"
+
+namespace scree::io {
+
+/// One connection. Sending and receiving may go on in two threads at once.
+/// Facts of LCM 1.3.1 that it works around: without a route to the multicast group lcm_create prints a dozen lines and
+/// fails, so the route is tried first with a socket that sends nothing; only a subscription opens a socket that
+/// receives, with a thread of the library, and a test of up to 10 s; a message too long for one datagram is reported
+/// as sent when it was not. (A connection makes the kernel join the multicast group: where the route to it leads out of
+/// the machine, the kernel announces that with IGMP even at ttl=0; no message leaves.)
+class LiveBus {
+ public:
+  using Handler = std::function<void(std::string_view channel, std::span<const std::uint8_t> bytes)>;
+
+  /// @param why  set when the answer is null
+  /// @return null when there is no network for it now (try again later)
+  /// @throws std::invalid_argument for a URL that check_live_url refuses
+  [[nodiscard]] static std::shared_ptr<LiveBus> open(std::string_view url, LiveSide side, std::string& why);
+  ~LiveBus();
+  LiveBus(const LiveBus&) = delete;
+  LiveBus& operator=(const LiveBus&) = delete;
+
+  [[nodiscard]] const LiveUrl& url() const { return url_; }
+
+  /// Sends one message without waiting for anybody.
+  /// @return false when the system refused it   @pre channel <= kMaxChannel, bytes <= kMaxMessage
+  bool publish(const std::string& channel, std::span<const std::uint8_t> bytes);
+
+  /// Calls `handler` from handle() for each message on channels that match a regular expression.
+  /// Opens the receiving socket.   @return false when that fails
+  bool subscribe(const std::string& pattern, Handler handler);
+
+  enum class Got { message, nothing, end };
+  /// Waits for a message and handles it.   @return end: the log is over, or the connection broke
+  Got handle(int milliseconds);
+
+ private:
+  struct Connection;
+  LiveBus(LiveUrl url, std::unique_ptr<Connection> connection);
+
+  LiveUrl url_;
+  std::unique_ptr<Connection> connection_;
+  std::vector<std::unique_ptr<Handler>> handlers_;
+};
+
+/// Whether the system would send to a group: empty if so, else why not. Sends nothing.
+[[nodiscard]] std::string multicast_route_error(const std::string& group, std::uint16_t port);
+
+}  // namespace scree::io

@@ -1,0 +1,88 @@
+// From messages back to whole things. Knows nothing of networks or threads: feed it bytes.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <scree/energy_v1_t.hpp>
+#include <scree/event_v1_t.hpp>
+#include <scree/hist_v1_t.hpp>
+#include <scree/info_v1_t.hpp>
+#include <scree/state_v1_t.hpp>
+#include <scree/topo_v1_t.hpp>
+
+#include "io/live/channel.h"
+#include "io/live/live_data.h"
+#include "io/live/wire.h"
+
+namespace scree::io {
+
+/// What became of the messages.
+struct LiveCounts {
+  std::int64_t messages = 0;    // all that came
+  std::int64_t malformed = 0;   // wrong channel, size, CRC, type, length or range: dropped
+  std::int64_t other = 0;       // of an earlier session: dropped
+  std::int64_t early = 0;       // STATE before its mesh: dropped
+  std::int64_t incomplete = 0;  // frames that a newer one replaced before all chunks had come
+  std::int64_t frames = 0;      // complete frames
+  std::int64_t events = 0;      // events, also those no longer kept
+};
+
+/// Follows one session, the latest seen: a message of a later session makes it forget everything but its counts.
+class LiveAssembly {
+ public:
+  static constexpr std::size_t kMaxMesh = std::size_t{1} << 28U;  // bytes of an encoded mesh; more is malformed
+  static constexpr std::size_t kMaxEvents = 1000;                 // kept until taken; the oldest go first
+
+  /// Takes one message; anything that is not right is counted and dropped.   @return true if it was taken
+  bool take(std::string_view channel, std::span<const std::uint8_t> bytes);
+
+  /// The newest of each; empty until there is one.
+  [[nodiscard]] const std::optional<info_v1_t>& info() const { return info_; }
+  [[nodiscard]] const std::optional<energy_v1_t>& energy() const { return energy_; }
+  [[nodiscard]] std::shared_ptr<const LiveHistory> history() const { return history_; }
+  [[nodiscard]] std::shared_ptr<const LiveMesh> mesh() const { return mesh_; }
+  [[nodiscard]] std::shared_ptr<const LiveFrame> frame() const { return frame_; }
+  /// Events since the last call, in order of arrival.
+  [[nodiscard]] std::vector<event_v1_t> take_events();
+  [[nodiscard]] const LiveCounts& counts() const { return counts_; }
+
+ private:
+  enum class Verdict { taken, malformed, early };
+
+  template <class Message>
+  bool take_as(std::span<const std::uint8_t> bytes);
+  Verdict put(info_v1_t&& message);
+  Verdict put(topo_v1_t&& message);
+  Verdict put(state_v1_t&& message);
+  Verdict put(hist_v1_t&& message);
+  Verdict put(energy_v1_t&& message);
+  Verdict put(event_v1_t&& message);
+  void forget();
+
+  /// A thing whose pieces are still coming.
+  struct Pieces {
+    std::int64_t key = -1;  // sequence or mesh
+    std::vector<char> have;
+    std::int32_t missing = 0;
+    /// True for a piece that is new. A new key or another number of pieces begins again.
+    bool add(std::int64_t its_key, std::int32_t piece, std::int32_t pieces);
+  };
+
+  std::int64_t session_ = -1;
+  std::optional<info_v1_t> info_;
+  std::optional<energy_v1_t> energy_;
+  std::deque<event_v1_t> events_;
+  std::shared_ptr<const LiveMesh> mesh_;
+  std::shared_ptr<const LiveFrame> frame_;
+  std::shared_ptr<const LiveHistory> history_;
+  Pieces mesh_pieces_, frame_pieces_, history_pieces_;
+  std::vector<Bytes> mesh_bytes_;                // a piece
+  std::shared_ptr<LiveFrame> next_frame_;
+  std::shared_ptr<LiveHistory> next_history_;
+  LiveCounts counts_;
+};
+
+/// Decodes an encoded mesh and checks every index in it; empty when anything is wrong.
+[[nodiscard]] std::optional<LiveMesh> decode_mesh(std::span<const std::uint8_t> bytes, std::size_t most);
+
+}  // namespace scree::io

@@ -1,0 +1,100 @@
+#include "io/results/csv.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "io/results/file_error.h"
+#include "io/results/history_writer.h"
+
+namespace scree::io {
+
+namespace {
+
+/// Quoted where a comma, a quote or a line end would break the table (RFC 4180).
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::vector<CsvFile::Column> history_columns(const Model& model) {
+  std::vector<CsvFile::Column> columns{{"time", "s"}};
+  for (const std::string& name : monitor_names(model))
+    for (const auto& [end, units] : {std::pair{".x", "m"}, {".y", "m"}, {".ux", "m"}, {".uy", "m"}, {".vx", "m/s"}, {".vy", "m/s"}})
+      columns.push_back({name + end, units});
+  return columns;
+}
+
+std::vector<CsvFile::Column> energy_columns() {
+  std::vector<CsvFile::Column> columns{{"time", "s"}};
+  for (int c = 0; c < coupling::kColumns; ++c)
+    columns.push_back({std::string(coupling::info(static_cast<coupling::Column>(c)).name), "J"});
+  for (const char* name : {"energy", "closure", "moved"}) columns.push_back({name, "J"});
+  columns.push_back({"relative_closure", "1"});
+  return columns;
+}
+
+}  // namespace
+
+CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns)
+    : path_(std::move(path)), out_(path_, std::ios::binary | std::ios::trunc) {
+  std::string header;
+  for (const Column& c : columns) header += (header.empty() ? "" : ",") + field(c.name + " [" + c.units + "]");
+  out_ << header << '\n';
+  flush();
+}
+
+void CsvFile::row(std::span<const double> values) {
+  fmt::memory_buffer line;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    fmt::format_to(std::back_inserter(line), "{}{:.17g}", i == 0 ? "" : ",", values[i]);
+  line.push_back('\n');
+  out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  check();
+}
+
+void CsvFile::flush() {
+  out_.flush();
+  check();
+}
+
+void CsvFile::close() {
+  if (!out_.is_open()) return;
+  out_.close();
+  check();
+}
+
+void CsvFile::check() const {
+  if (!out_) throw FileError(path_, std::string("cannot write: ") + std::strerror(errno));
+}
+
+CsvHistories::CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy, const Model& model)
+    : history_(history, history_columns(model)), energy_(energy, energy_columns()) {}
+
+void CsvHistories::append(const coupling::HistoryView& view) {
+  row_.assign(1, view.time);
+  for (std::size_t i = 0; i + 1 < view.position.size(); i += 2)
+    for (const auto& span : {view.position, view.displacement, view.velocity})
+      row_.insert(row_.end(), {span[i], span[i + 1]});
+  history_.row(row_);
+
+  row_.assign(1, view.time);
+  for (int c = 0; c < coupling::kColumns; ++c) row_.push_back((*view.ledger)[static_cast<coupling::Column>(c)]);
+  row_.insert(row_.end(), {view.ledger->energy(), view.ledger->closure(), view.ledger->moved(), view.ledger->relative_closure()});
+  energy_.row(row_);
+}
+
+void CsvHistories::flush() {
+  history_.flush();
+  energy_.flush();
+}
+
+void CsvHistories::close() {
+  history_.close();
+  energy_.close();
+}
+
+}  // namespace scree::io

@@ -1,0 +1,81 @@
+#include "io/results/event_writer.h"
+
+namespace scree::io {
+
+EventWriter::EventWriter(const h5::File& file)
+    : time_(file, "/events/time", 1, {"s", "time of the event"}),
+      kind_(file, "/events/kind", {"none", "kind of the event"}),
+      text_(file, "/events/text", {"none", "what happened"}) {
+  const std::string t = "/transfers/";
+  row_time_ = {file, t + "time", 1, {"s", "time of the hand-over"}};
+  block_ = {file, t + "block", 1, {"1", "block, counted from 0 in /blocks"}};
+  from_ = {file, t + "from", {"none", "method before"}};
+  to_ = {file, t + "to", {"none", "method after"}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string when = i == 0 ? "before" : "after", g = t + when + "/", end = " " + when + " the hand-over";
+    totals_[i].mass = {file, g + "mass", 1, {"kg", "mass for unit thickness" + end}};
+    totals_[i].centre = {file, g + "centre", 2, {"m", "centre of mass x, y" + end}};
+    totals_[i].momentum = {file, g + "momentum", 2, {"kg m/s", "momentum x, y for unit thickness" + end}};
+    totals_[i].angular_momentum = {file, g + "angular_momentum", 1, {"kg m2/s", "angular momentum about the origin" + end}};
+    totals_[i].kinetic = {file, g + "kinetic", 1, {"J", "kinetic energy for unit thickness" + end}};
+    totals_[i].elastic = {file, g + "elastic", 1, {"J", "elastic energy for unit thickness" + end}};
+  }
+  reservoir_kinetic_ = {file, t + "reservoir_kinetic", 1, {"J", "kinetic energy kept in the block's reservoir"}};
+  reservoir_elastic_ = {file, t + "reservoir_elastic", 1, {"J", "elastic energy kept in the block's reservoir"}};
+  booked_ = {file, t + "booked", 1, {"J", "energy booked in the ledger column transfer"}};
+  mass_error_ = {file, t + "mass_error", 1, {"1", "relative error of mass"}};
+  momentum_error_ = {file, t + "momentum_error", 1, {"1", "relative error of momentum"}};
+  angular_error_ = {file, t + "angular_error", 1, {"1", "relative error of angular momentum about the block's centre"}};
+  energy_error_ = {file, t + "energy_error", 1, {"1", "relative error of energy with reservoir and booked"}};
+}
+
+void EventWriter::Totals::append(const BodyTotals& totals) {
+  mass.append(totals.mass);
+  centre.append(std::span(totals.centre.data(), 2));
+  momentum.append(std::span(totals.momentum.data(), 2));
+  angular_momentum.append(totals.angular_momentum);
+  kinetic.append(totals.kinetic);
+  elastic.append(totals.elastic);
+}
+
+void EventWriter::append(const coupling::Event& event) {
+  time_.append(event.time);
+  kind_.append(std::string(coupling::name(event.kind)));
+  text_.append(event.text);
+  if (event.transfer != nullptr) append(*event.transfer);
+}
+
+void EventWriter::append(const coupling::TransferRow& row) {
+  row_time_.append(row.time);
+  block_.append(row.block.value);
+  from_.append(row.from);
+  to_.append(row.to);
+  totals_[0].append(row.before);
+  totals_[1].append(row.after);
+  reservoir_kinetic_.append(row.reservoir_kinetic);
+  reservoir_elastic_.append(row.reservoir_elastic);
+  booked_.append(row.booked);
+  mass_error_.append(row.mass_error);
+  momentum_error_.append(row.momentum_error);
+  angular_error_.append(row.angular_error);
+  energy_error_.append(row.energy_error);
+}
+
+template <class Visitor>
+void EventWriter::each(Visitor&& see) {
+  see(kind_), see(text_), see(time_);
+  for (Totals& t : totals_)
+    see(t.mass), see(t.centre), see(t.momentum), see(t.angular_momentum), see(t.kinetic), see(t.elastic);
+  see(block_), see(from_), see(to_), see(reservoir_kinetic_), see(reservoir_elastic_), see(booked_);
+  see(mass_error_), see(momentum_error_), see(angular_error_), see(energy_error_), see(row_time_);
+}
+
+void EventWriter::flush() {
+  each([](auto& series) { series.flush(); });
+}
+
+void EventWriter::close() {
+  each([](auto& series) { series.close(); });
+}
+
+}  // namespace scree::io

@@ -1,0 +1,21 @@
+// The error of everything that touches files; the command ends with exit code 5.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace scree::io {
+
+/// A file or folder could not be made, written or read. what() is "path: reason".
+struct FileError : std::runtime_error {
+  static constexpr int kExitCode = 5;
+
+  FileError(std::filesystem::path where, const std::string& why)
+      : std::runtime_error(where.string() + ": " + why), path(std::move(where)), reason(why) {}
+
+  std::filesystem::path path;
+  std::string reason;  // what was tried and what the system said
+};
+
+}  // namespace scree::io

@@ -1,0 +1,177 @@
+#include "io/results/h5.h"
+
+#include <array>
+#include <utility>
+
+namespace scree::io::h5 {
+
+namespace fs = std::filesystem;
+
+Handle::Handle(Handle&& other) noexcept
+    : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(std::exchange(other.closer_, nullptr)) {}
+
+Handle& Handle::operator=(Handle&& other) noexcept {
+  if (this != &other) {
+    (void)close();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    closer_ = std::exchange(other.closer_, nullptr);
+  }
+  return *this;
+}
+
+bool Handle::close() noexcept {
+  if (id_ < 0) return true;
+  return closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0;
+}
+
+namespace {
+
+/// Collects the innermost description of the error stack: the cause, not the calls that passed it on.
+herr_t collect(unsigned depth, const H5E_error2_t* error, void* text) {
+  if (depth == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+  return 0;
+}
+
+std::string cause() {
+  std::string text;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &text);
+  H5Eclear2(H5E_DEFAULT);
+  // The file driver reports a sentence full of addresses; the system's message inside it is what matters.
+  const std::string mark = "error message = '";
+  if (const std::size_t at = text.find(mark); at != std::string::npos) {
+    const std::size_t from = at + mark.size();
+    text = text.substr(from, text.find('\'', from) - from);
+  }
+  return text.empty() ? "HDF5 gives no reason" : text;
+}
+
+/// Errors go into FileError, not to stderr.
+void quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Handle access_list(const fs::path& path) {
+  Handle list(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);
+  check(H5Pset_file_locking(list.get(), false, true), path, "set up HDF5");
+  return list;
+}
+
+Handle open_object(const File& file, const std::string& name) {
+  return {check(H5Oopen(file.id(), name.c_str(), H5P_DEFAULT), file.path(), "open " + name), H5Oclose};
+}
+
+}  // namespace
+
+void fail(const fs::path& path, std::string_view what) {
+  throw FileError(path, "cannot " + std::string(what) + ": " + cause());
+}
+
+template <>
+hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t type_of<std::int32_t>() {
+  return H5T_NATIVE_INT32;
+}
+template <>
+hid_t type_of<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+template <>
+hid_t type_of<std::uint64_t>() {
+  return H5T_NATIVE_UINT64;
+}
+template <>
+hid_t type_of<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
+Handle text_type(const fs::path& path) {
+  Handle type(check(H5Tcopy(H5T_C_S1), path, "make a text type"), H5Tclose);
+  check(H5Tset_size(type.get(), H5T_VARIABLE), path, "make a text type");
+  check(H5Tset_cset(type.get(), H5T_CSET_UTF8), path, "make a text type");
+  return type;
+}
+
+File File::create(const fs::path& path) {
+  quiet();
+  File file;
+  file.path_ = path;
+  const Handle access = access_list(path);
+  file.handle_ = Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"),
+                        H5Fclose);
+  return file;
+}
+
+File File::open(const fs::path& path) {
+  quiet();
+  File file;
+  file.path_ = path;
+  const Handle access = access_list(path);
+  file.handle_ = Handle(check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path, "open the file"), H5Fclose);
+  return file;
+}
+
+void File::group(const std::string& name) const {
+  if (has(name)) return;
+  const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path_, "make group " + name), H5Pclose);
+  check(H5Pset_create_intermediate_group(links.get(), 1), path_, "make group " + name);
+  const Handle made(check(H5Gcreate2(id(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name),
+                    H5Gclose);
+}
+
+bool File::has(const std::string& name) const {
+  for (std::size_t at = name.find('/', 1);; at = name.find('/', at + 1)) {
+    const std::string part = name.substr(0, at);
+    if (part != "/" && check(H5Lexists(id(), part.c_str(), H5P_DEFAULT), path_, "look for " + part) == 0) return false;
+    if (at == std::string::npos) return true;
+  }
+}
+
+void File::put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const {
+  const std::string what = "write attribute " + key + " of " + name;
+  const Handle object = open_object(*this, name);
+  if (check(H5Aexists(object.get(), key.c_str()), path_, what) > 0) check(H5Adelete(object.get(), key.c_str()), path_, what);
+  Handle made(check(H5Acreate2(object.get(), key.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), path_, what), H5Aclose);
+  check(H5Awrite(made.get(), type, value), path_, what);
+  if (!made.close()) fail(path_, what);
+}
+
+void File::attribute(const std::string& name, const std::string& key, const std::string& text) const {
+  const Handle type = text_type(path_);
+  const Handle space(check(H5Screate(H5S_SCALAR), path_, "make an attribute"), H5Sclose);
+  const char* value = text.c_str();
+  put(name, key, type.get(), space.get(), &value);
+}
+
+void File::attribute(const std::string& name, const std::string& key, std::int64_t value) const {
+  const Handle space(check(H5Screate(H5S_SCALAR), path_, "make an attribute"), H5Sclose);
+  put(name, key, type_of<std::int64_t>(), space.get(), &value);
+}
+
+void File::attribute(const std::string& name, const std::string& key, double value) const {
+  const Handle space(check(H5Screate(H5S_SCALAR), path_, "make an attribute"), H5Sclose);
+  put(name, key, type_of<double>(), space.get(), &value);
+}
+
+void File::attribute_ascii(const std::string& name, const std::string& key, const std::string& text) const {
+  const Handle type(check(H5Tcopy(H5T_C_S1), path_, "make a text type"), H5Tclose);
+  check(H5Tset_size(type.get(), text.size()), path_, "make a text type");
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), path_, "make a text type");
+  const Handle space(check(H5Screate(H5S_SCALAR), path_, "make an attribute"), H5Sclose);
+  put(name, key, type.get(), space.get(), text.data());
+}
+
+void File::attribute_pair(const std::string& name, const std::string& key, std::int64_t a, std::int64_t b) const {
+  const std::array<std::int64_t, 2> pair{a, b};
+  const hsize_t two = 2;
+  const Handle space(check(H5Screate_simple(1, &two, nullptr), path_, "make an attribute"), H5Sclose);
+  put(name, key, type_of<std::int64_t>(), space.get(), pair.data());
+}
+
+void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
+
+void File::close() {
+  if (!handle_.close()) fail(path_, "close the file");
+}
+
+}  // namespace scree::io::h5

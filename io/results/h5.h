@@ -1,0 +1,103 @@
+// HDF5 with owners and errors: handles close themselves, and a call that fails throws FileError with HDF5's own words.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "io/results/file_error.h"
+
+namespace scree::io::h5 {
+
+/// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
+class Handle {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+  Handle(Handle&& other) noexcept;
+  Handle& operator=(Handle&& other) noexcept;
+  ~Handle() { (void)close(); }
+
+  [[nodiscard]] hid_t get() const { return id_; }
+  [[nodiscard]] bool valid() const { return id_ >= 0; }
+  /// False when HDF5 could not close it (a full disk shows here for a dataset). Closing twice is fine.
+  [[nodiscard]] bool close() noexcept;
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Closer closer_ = nullptr;
+};
+
+/// Throws FileError{path, "cannot <what>: <the cause that HDF5 or the system gives>"}.
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view what);
+
+/// `result` of an HDF5 call, unless it says failure (negative).   @throws FileError
+template <class Result>
+Result check(Result result, const std::filesystem::path& path, std::string_view what) {
+  if (result < 0) fail(path, what);
+  return result;
+}
+
+/// What every dataset says about itself. Units in SI; "1" for counts and numbers without unit, "none" for text.
+struct Label {
+  std::string units;
+  std::string long_name;
+};
+
+/// HDF5 type in memory of a C++ number.
+template <class T>
+[[nodiscard]] hid_t type_of();
+template <>
+[[nodiscard]] hid_t type_of<double>();
+template <>
+[[nodiscard]] hid_t type_of<std::int32_t>();
+template <>
+[[nodiscard]] hid_t type_of<std::int64_t>();
+template <>
+[[nodiscard]] hid_t type_of<std::uint64_t>();
+template <>
+[[nodiscard]] hid_t type_of<std::uint8_t>();
+
+/// Variable-length UTF-8 text.
+[[nodiscard]] Handle text_type(const std::filesystem::path& path);
+
+/// An open file. Not locked: a reader may look at a run that is going on (what it sees is as of the last flush).
+class File {
+ public:
+  File() = default;
+  /// A new file in place of an old one.   @throws FileError
+  [[nodiscard]] static File create(const std::filesystem::path& path);
+  /// @throws FileError when missing or not HDF5
+  [[nodiscard]] static File open(const std::filesystem::path& path);
+
+  [[nodiscard]] hid_t id() const { return handle_.get(); }
+  [[nodiscard]] bool is_open() const { return handle_.valid(); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  /// Makes a group, and its parents where they are missing.
+  void group(const std::string& name) const;
+  [[nodiscard]] bool has(const std::string& name) const;
+
+  /// Sets an attribute of the object `name` ("/" for the file), replacing an old one.
+  void attribute(const std::string& name, const std::string& key, const std::string& text) const;
+  void attribute(const std::string& name, const std::string& key, std::int64_t value) const;
+  void attribute(const std::string& name, const std::string& key, double value) const;
+  /// Text of fixed length in ASCII, and a pair of integers, as VTKHDF wants its Type and Version.
+  void attribute_ascii(const std::string& name, const std::string& key, const std::string& text) const;
+  void attribute_pair(const std::string& name, const std::string& key, std::int64_t a, std::int64_t b) const;
+
+  /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
+  void flush() const;
+  void close();
+
+ private:
+  void put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const;
+  std::filesystem::path path_;
+  Handle handle_;
+};
+
+}  // namespace scree::io::h5

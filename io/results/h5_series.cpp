@@ -1,0 +1,115 @@
+#include "io/results/h5_series.h"
+
+#include <array>
+#include <bit>
+
+#include "model/check.h"
+
+namespace scree::io::h5 {
+
+namespace {
+
+constexpr hsize_t kChunkBytes = 64 * 1024;  // at least; less than twice as much
+constexpr unsigned kDeflate = 4;            // beyond it the file hardly shrinks and writing slows down
+
+/// An empty dataset without limit in its first dimension.
+Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize_t width, hsize_t chunk_rows,
+                    const Label& label) {
+  const std::string what = "make dataset " + name;
+  if (const std::size_t slash = name.rfind('/'); slash != std::string::npos && slash > 0) file.group(name.substr(0, slash));
+  const int rank = width == 1 ? 1 : 2;
+  const std::array<hsize_t, 2> size{0, width}, limit{H5S_UNLIMITED, width}, chunk{chunk_rows, width};
+  const Handle space(check(H5Screate_simple(rank, size.data(), limit.data()), file.path(), what), H5Sclose);
+  const Handle list(check(H5Pcreate(H5P_DATASET_CREATE), file.path(), what), H5Pclose);
+  check(H5Pset_chunk(list.get(), rank, chunk.data()), file.path(), what);
+  check(H5Pset_shuffle(list.get()), file.path(), what);
+  check(H5Pset_deflate(list.get(), kDeflate), file.path(), what);
+  Handle made(check(H5Dcreate2(file.id(), name.c_str(), type, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
+                    file.path(), what),
+              H5Dclose);
+  file.attribute(name, "units", label.units);
+  file.attribute(name, "long_name", label.long_name);
+  return made;
+}
+
+/// Grows the dataset from `written` rows by `rows` and writes them.
+void extend(const std::filesystem::path& path, const std::string& name, hid_t dataset, hid_t type, hsize_t width,
+            hsize_t written, hsize_t rows, const void* data) {
+  const std::string what = "write " + name;
+  const int rank = width == 1 ? 1 : 2;
+  const std::array<hsize_t, 2> size{written + rows, width}, start{written, 0}, count{rows, width};
+  check(H5Dset_extent(dataset, size.data()), path, what);
+  const Handle target(check(H5Dget_space(dataset), path, what), H5Sclose);
+  check(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), path, what);
+  const Handle memory(check(H5Screate_simple(rank, count.data(), nullptr), path, what), H5Sclose);
+  check(H5Dwrite(dataset, type, memory.get(), target.get(), H5P_DEFAULT, data), path, what);
+}
+
+}  // namespace
+
+template <class T>
+Series<T>::Series(const File& file, std::string name, hsize_t width, const Label& label)
+    : path_(file.path()),
+      name_(std::move(name)),
+      width_(width),
+      chunk_(std::bit_ceil((kChunkBytes + width * sizeof(T) - 1) / (width * sizeof(T)))),
+      dataset_(make_dataset(file, name_, type_of<T>(), width, chunk_, label)) {}
+
+template <class T>
+void Series<T>::append(std::span<const T> rows) {
+  SCREE_ASSERT(rows.size() % width_ == 0);
+  pending_.insert(pending_.end(), rows.begin(), rows.end());
+  if (pending_.size() >= chunk_ * width_) flush();
+}
+
+template <class T>
+void Series<T>::flush() {
+  if (pending_.empty()) return;
+  const hsize_t rows = pending_.size() / width_;
+  extend(path_, name_, dataset_.get(), type_of<T>(), width_, written_, rows, pending_.data());
+  written_ += rows;
+  pending_.clear();
+}
+
+template <class T>
+void Series<T>::close() {
+  if (!dataset_.valid()) return;
+  flush();
+  if (!dataset_.close()) fail(path_, "close " + name_);
+}
+
+template class Series<double>;
+template class Series<std::int32_t>;
+template class Series<std::int64_t>;
+template class Series<std::uint64_t>;
+template class Series<std::uint8_t>;
+
+TextSeries::TextSeries(const File& file, std::string name, const Label& label)
+    : path_(file.path()),
+      name_(std::move(name)),
+      dataset_(make_dataset(file, name_, text_type(path_).get(), 1, kChunkBytes / sizeof(hvl_t), label)) {}
+
+void TextSeries::append(std::string text) { pending_.push_back(std::move(text)); }
+
+void TextSeries::flush() {
+  if (pending_.empty()) return;
+  std::vector<const char*> texts;
+  for (const std::string& text : pending_) texts.push_back(text.c_str());
+  extend(path_, name_, dataset_.get(), text_type(path_).get(), 1, written_, texts.size(), texts.data());
+  written_ += texts.size();
+  pending_.clear();
+}
+
+void TextSeries::close() {
+  if (!dataset_.valid()) return;
+  flush();
+  if (!dataset_.close()) fail(path_, "close " + name_);
+}
+
+void write(const File& file, const std::string& name, std::span<const std::string> texts, const Label& label) {
+  TextSeries series(file, name, label);
+  for (const std::string& text : texts) series.append(text);
+  series.close();
+}
+
+}  // namespace scree::io::h5

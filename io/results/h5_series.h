@@ -1,0 +1,65 @@
+// Datasets that grow row by row, buffered: chunks of 64 to 128 KiB, shuffled and deflated.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/results/h5.h"
+
+namespace scree::io::h5 {
+
+/// A growing table of numbers, `width` a row. A width of 1 makes a dataset of one dimension.
+template <class T>
+class Series {
+ public:
+  Series() = default;
+  /// Makes the dataset (and its groups), empty.   @throws FileError
+  Series(const File& file, std::string name, hsize_t width, const Label& label);
+
+  /// Adds whole rows; written when a chunk is full or at flush().   @pre rows.size() is a multiple of the width
+  void append(std::span<const T> rows);
+  void append(T value) { append(std::span<const T>(&value, 1)); }
+  /// Writes what is buffered.   @throws FileError
+  void flush();
+  /// Writes what is buffered and closes the dataset.   @throws FileError
+  void close();
+  /// Rows appended so far, buffered ones included.
+  [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(written_ + pending_.size() / width_); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::filesystem::path path_;
+  std::string name_;
+  hsize_t width_ = 1, chunk_ = 0, written_ = 0;  // rows
+  std::vector<T> pending_;
+  Handle dataset_;
+};
+
+/// A growing list of texts.
+class TextSeries {
+ public:
+  TextSeries() = default;
+  TextSeries(const File& file, std::string name, const Label& label);
+  void append(std::string text);
+  void flush();
+  void close();
+
+ private:
+  std::filesystem::path path_;
+  std::string name_;
+  hsize_t written_ = 0;
+  std::vector<std::string> pending_;
+  Handle dataset_;
+};
+
+/// A dataset written at once.
+template <class T>
+void write(const File& file, const std::string& name, hsize_t width, std::span<const T> rows, const Label& label) {
+  Series<T> series(file, name, width, label);
+  series.append(rows);
+  series.close();
+}
+void write(const File& file, const std::string& name, std::span<const std::string> texts, const Label& label);
+
+}  // namespace scree::io::h5

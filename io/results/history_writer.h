@@ -1,0 +1,39 @@
+// Monitors and the energy ledger in the results file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/sink.h"
+#include "io/results/h5_series.h"
+
+namespace scree::io {
+
+/// Name a side of the ledger goes by in files: energy, work, dissipated, scheme.
+[[nodiscard]] std::string_view side_name(coupling::Side side);
+
+/// Names of the monitors as names of groups: '/' becomes '_', an empty one "monitor", a repeated one gets a number.
+[[nodiscard]] std::vector<std::string> monitor_names(const Model& model);
+
+/// /history/<monitor>/{time, position, displacement, velocity} and /energy/{time, a dataset a ledger column, energy,
+/// closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
+class HistoryWriter {
+ public:
+  HistoryWriter(const h5::File& file, const Model& model);
+  /// Adds one row everywhere.   @pre spans hold x, y of every monitor of the model; ledger is set
+  void append(const coupling::HistoryView& history);
+  void flush();
+  void close();
+
+ private:
+  struct Monitor {
+    h5::Series<double> time, position, displacement, velocity;
+  };
+  template <class Visitor>
+  void each(Visitor&& see);
+  std::vector<Monitor> monitors_;
+  std::vector<h5::Series<double>> columns_;
+  h5::Series<double> time_, energy_, closure_, moved_;
+};
+
+}  // namespace scree::io

@@ -1,0 +1,43 @@
+// One folder a run: its file names, and the rules for making it.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "io/results/file_error.h"
+
+namespace scree::io {
+
+/// Names inside a run folder.
+///   run.vtkhdf    frames, histories, ledger, events, provenance     run.xmf   the frames for readers of XDMF
+///   history.csv   monitors    energy.csv   ledger    summary.json   what the run ended with    run.log   messages
+class RunFolder {
+ public:
+  /// Makes the folder and its parents. An empty folder is used as it is; an earlier run is cleared of the files that
+  /// runs write (other files in it stay) if `overwrite`; a folder with anything else in it is never touched.
+  /// @throws FileError when refused or impossible; nothing has been made or removed then, but for missing parents
+  ///         that could be made before the failure
+  [[nodiscard]] static RunFolder create(const std::filesystem::path& path, bool overwrite);
+  /// An earlier run, for reading.   @throws FileError if there is no run.vtkhdf in it
+  [[nodiscard]] static RunFolder open(const std::filesystem::path& path);
+  /// True for a folder that holds run.vtkhdf, or nothing but files that runs write (a run that ended before its results).
+  [[nodiscard]] static bool is_run(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path results() const { return path_ / "run.vtkhdf"; }
+  [[nodiscard]] std::filesystem::path xdmf() const { return path_ / "run.xmf"; }
+  [[nodiscard]] std::filesystem::path history() const { return path_ / "history.csv"; }
+  [[nodiscard]] std::filesystem::path energy() const { return path_ / "energy.csv"; }
+  [[nodiscard]] std::filesystem::path summary() const { return path_ / "summary.json"; }
+  [[nodiscard]] std::filesystem::path log() const { return path_ / "run.log"; }
+
+ private:
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+/// Writes a whole file so that a reader sees the old text or the new one, never half: temporary name in the same
+/// folder, fsync, rename, fsync of the folder.   @throws FileError; the old file is untouched then
+void write_atomically(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace scree::io

@@ -1,0 +1,168 @@
+#include "io/results/run_reader.h"
+
+#include <algorithm>
+
+#include "io/results/h5_read.h"
+#include "io/results/run_folder.h"
+
+namespace scree::io {
+
+struct RunReader::Data {
+  h5::File file;
+  std::string title;
+  std::vector<double> times;
+  std::vector<std::string> methods, stages;
+  std::vector<StoredBlock> blocks;
+};
+
+namespace {
+
+std::vector<StoredBlock> read_blocks(const h5::File& file) {
+  std::vector<StoredBlock> blocks;
+  for (const std::string& name : h5::read_texts(file, "/blocks/name")) blocks.push_back({name, false, {}});
+  const auto held = h5::read<std::int32_t>(file, "/blocks/held");
+  const auto owner = h5::read<std::int32_t>(file, "/blocks/ring_block");
+  const auto offset = h5::read<std::int64_t>(file, "/blocks/ring_offset");
+  const auto point = h5::read<double>(file, "/blocks/point");
+  if (held.size() != blocks.size() || offset.size() != owner.size() + 1)
+    throw FileError(file.path(), "/blocks does not fit together");
+  for (std::size_t b = 0; b < blocks.size(); ++b) blocks[b].held = held[b] != 0;
+  for (std::size_t r = 0; r < owner.size(); ++r) {
+    Ring ring;
+    for (std::int64_t i = offset[r]; i < offset[r + 1]; ++i)
+      ring.emplace_back(point.at(static_cast<std::size_t>(2 * i)), point.at(static_cast<std::size_t>(2 * i + 1)));
+    Polygon& polygon = blocks.at(static_cast<std::size_t>(owner[r])).polygon;
+    if (polygon.outer.empty())
+      polygon.outer = std::move(ring);
+    else
+      polygon.holes.push_back(std::move(ring));
+  }
+  return blocks;
+}
+
+/// x, y of rows x, y, z.
+std::vector<double> in_plane(const std::vector<double>& xyz) {
+  std::vector<double> xy;
+  xy.reserve(xyz.size() / 3 * 2);
+  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) xy.insert(xy.end(), {xyz[i], xyz[i + 1]});
+  return xy;
+}
+
+/// Frame, or mesh, number k of a list of numbers.
+std::int64_t entry(const h5::File& file, const std::string& name, std::int64_t k) {
+  return h5::read<std::int64_t>(file, name, k, 1).front();
+}
+
+}  // namespace
+
+RunReader::RunReader(const std::filesystem::path& run_folder) : data_(std::make_unique<Data>()) {
+  data_->file = h5::File::open(RunFolder::open(run_folder).results());
+  const h5::File& file = data_->file;
+  data_->title = h5::text_attribute(file, "/", "title");
+  data_->times = h5::read<double>(file, "/VTKHDF/Steps/Values");
+  // A run that was killed may have times without the count, or the count of the flush before: the smaller one is whole.
+  const auto whole = static_cast<std::size_t>(std::max<std::int64_t>(0, h5::integer_attribute(file, "/VTKHDF/Steps", "NSteps")));
+  data_->times.resize(std::min(data_->times.size(), whole));
+  data_->methods = h5::read_texts(file, "/methods/name");
+  data_->stages = h5::read_texts(file, "/stages/name");
+  data_->blocks = read_blocks(file);
+}
+
+RunReader::~RunReader() = default;
+RunReader::RunReader(RunReader&&) noexcept = default;
+
+const std::string& RunReader::title() const { return data_->title; }
+const std::vector<double>& RunReader::times() const { return data_->times; }
+const std::vector<std::string>& RunReader::methods() const { return data_->methods; }
+const std::vector<StoredBlock>& RunReader::blocks() const { return data_->blocks; }
+std::string RunReader::provenance(const std::string& key) const { return h5::text_attribute(data_->file, "/provenance", key); }
+
+std::size_t RunReader::at_time(double time) const {
+  const double tolerance = 1e-12;  // a tick of the integer time [s]
+  const auto after = std::upper_bound(times().begin(), times().end(), time + tolerance);
+  return after == times().begin() ? 0 : static_cast<std::size_t>(after - times().begin() - 1);
+}
+
+StoredFrame RunReader::frame(std::size_t index) const {
+  const h5::File& file = data_->file;
+  if (index >= times().size())
+    throw FileError(file.path(), "has no frame " + std::to_string(index) + "; there are " + std::to_string(times().size()));
+  const std::string vtk = "/VTKHDF/", steps = "/VTKHDF/Steps/";
+  StoredFrame f;
+  f.index = static_cast<std::int64_t>(index);
+  f.time = times()[index];
+  const std::int64_t k = f.index;
+  f.step = entry(file, "/frames/step", k);
+  f.state_hash = h5::read<std::uint64_t>(file, "/frames/state_hash", k, 1).front();
+  f.integrator = h5::read<std::int32_t>(file, "/frames/integrator", k, 1).front() == 0 ? "explicit" : "implicit";
+  const auto stage = static_cast<std::size_t>(h5::read<std::int32_t>(file, "/frames/stage", k, 1).front());
+  if (stage < data_->stages.size()) f.stage = data_->stages[stage];
+
+  f.mesh = entry(file, steps + "PartOffsets", k);
+  const std::int64_t points = entry(file, vtk + "NumberOfPoints", f.mesh), cells = entry(file, vtk + "NumberOfCells", f.mesh);
+  const std::int64_t ids = entry(file, vtk + "NumberOfConnectivityIds", f.mesh), first = entry(file, steps + "CellOffsets", k);
+  f.connectivity = h5::read<std::int64_t>(file, vtk + "Connectivity", entry(file, steps + "ConnectivityIdOffsets", k), ids);
+  f.offsets = h5::read<std::int64_t>(file, vtk + "Offsets", first + f.mesh, cells + 1);  // one more a mesh than cells
+  f.position = in_plane(h5::read<double>(file, vtk + "Points", entry(file, steps + "PointOffsets", k), points));
+
+  const auto of_points = [&](const std::string& name) {
+    return in_plane(h5::read<double>(file, vtk + "PointData/" + name, entry(file, steps + "PointDataOffsets/" + name, k), points));
+  };
+  const auto of_cells = [&]<class T>(const std::string& name, std::vector<T>& out) {
+    out = h5::read<T>(file, vtk + "CellData/" + name, entry(file, steps + "CellDataOffsets/" + name, k), cells);
+  };
+  f.displacement = of_points("displacement");
+  f.velocity = of_points("velocity");
+  of_cells("block_id", f.block);
+  of_cells("element_id", f.element);
+  of_cells("material_id", f.material);
+  of_cells("method", f.method);
+  of_cells("integrator", f.cell_integrator);
+  of_cells("stress", f.stress);
+  of_cells("principal_stress", f.principal);
+  return f;
+}
+
+StoredLedger RunReader::ledger() const {
+  const h5::File& file = data_->file;
+  StoredLedger ledger;
+  ledger.time = h5::read<double>(file, "/energy/time");
+  // The times are written last: what they count is whole in every column.
+  const auto rows = static_cast<std::int64_t>(ledger.time.size());
+  const auto column = [&](const std::string& name) { return h5::read<double>(file, "/energy/" + name, 0, rows); };
+  ledger.energy = column("energy");
+  ledger.closure = column("closure");
+  ledger.moved = column("moved");
+  std::vector<std::pair<std::int64_t, StoredLedger::Column>> found;
+  for (const std::string& name : h5::children(file, "/energy")) {
+    const std::string path = "/energy/" + name, side = h5::text_attribute(file, path, "side");
+    if (side.empty()) continue;
+    found.push_back({h5::integer_attribute(file, path, "order"), {name, side, h5::text_attribute(file, path, "long_name"), column(name)}});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [order, c] : found) ledger.columns.push_back(std::move(c));
+  return ledger;
+}
+
+std::vector<StoredMonitor> RunReader::monitors() const {
+  const h5::File& file = data_->file;
+  std::vector<StoredMonitor> monitors;
+  for (const std::string& name : h5::children(file, "/history")) {
+    const std::string group = "/history/" + name + "/";
+    const auto time = h5::read<double>(file, group + "time");
+    const auto rows = static_cast<std::int64_t>(time.size());
+    const auto pairs = [&](const char* what) { return h5::read<double>(file, group + what, 0, rows); };
+    monitors.push_back({name, time, pairs("position"), pairs("displacement"), pairs("velocity")});
+  }
+  return monitors;
+}
+
+std::vector<DatasetNote> RunReader::datasets() const {
+  std::vector<DatasetNote> notes;
+  for (const std::string& name : h5::datasets(data_->file))
+    notes.push_back({name, h5::text_attribute(data_->file, name, "units"), h5::text_attribute(data_->file, name, "long_name"),
+                     h5::extent(data_->file, name).rows});
+  return notes;
+}
+
+}  // namespace scree::io

@@ -1,0 +1,83 @@
+// A stored run read back: frames, blocks, ledger, monitors. Nothing of HDF5 shows here.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/geometry.h"
+
+namespace scree::io {
+
+/// One frame. Points and cells as MeshView has them; a cell is offsets[c] .. offsets[c + 1] of connectivity.
+struct StoredFrame {
+  std::int64_t index = 0, step = 0, mesh = 0;  // mesh: number of its topology in the file
+  double time = 0.0;                           // [s]
+  std::string stage, integrator;
+  std::uint64_t state_hash = 0;
+  std::vector<double> position, displacement, velocity;  // x, y a point [m], [m], [m/s]
+  std::vector<std::int64_t> offsets, connectivity;
+  std::vector<std::int32_t> block, element, material, method, cell_integrator;  // a cell
+  std::vector<double> stress, principal;  // xx, yy, xy; larger, smaller a cell; tension positive [Pa]
+
+  [[nodiscard]] std::size_t cells() const { return block.size(); }
+  [[nodiscard]] std::size_t points() const { return position.size() / 2; }
+};
+
+/// The ledger over time [J].
+struct StoredLedger {
+  struct Column {
+    std::string name, side, meaning;  // side: energy, work, dissipated, scheme
+    std::vector<double> value;
+  };
+  std::vector<double> time, energy, closure, moved;
+  std::vector<Column> columns;  // in the order of coupling::Column
+};
+
+struct StoredMonitor {
+  std::string name;
+  std::vector<double> time, position, displacement, velocity;  // x, y a time
+};
+
+struct StoredBlock {
+  std::string name;
+  bool held = false;  // fixed or driven as a whole
+  Polygon polygon;    // as the model first had it
+};
+
+/// What a dataset says about itself.
+struct DatasetNote {
+  std::string name, units, long_name;
+  std::int64_t rows = 0;
+};
+
+class RunReader {
+ public:
+  /// @throws FileError, as all of it, where the folder is no run or the file is damaged
+  explicit RunReader(const std::filesystem::path& run_folder);
+  ~RunReader();
+  RunReader(RunReader&&) noexcept;
+
+  [[nodiscard]] const std::string& title() const;
+  [[nodiscard]] const std::vector<double>& times() const;  // of the frames [s]
+  [[nodiscard]] const std::vector<std::string>& methods() const;
+  [[nodiscard]] const std::vector<StoredBlock>& blocks() const;
+  /// The last frame that is not later than a time by more than rounding; the first one when all are later.
+  /// @pre there are frames
+  [[nodiscard]] std::size_t at_time(double time) const;
+  /// @throws FileError when there is no such frame
+  [[nodiscard]] StoredFrame frame(std::size_t index) const;
+  [[nodiscard]] StoredLedger ledger() const;
+  [[nodiscard]] std::vector<StoredMonitor> monitors() const;
+  [[nodiscard]] std::vector<DatasetNote> datasets() const;
+  /// Attribute of /provenance, such as version, commit, case_sha256, command_line; empty where there is none.
+  [[nodiscard]] std::string provenance(const std::string& key) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace scree::io

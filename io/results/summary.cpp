@@ -1,0 +1,143 @@
+#include "io/results/summary.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/results/history_writer.h"
+#include "io/results/json.h"
+#include "model/check.h"
+
+namespace scree::io {
+
+using coupling::Column;
+using coupling::Ledger;
+using coupling::Side;
+
+namespace {
+
+double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall) {
+  rusage use{};
+  ::getrusage(RUSAGE_SELF, &use);  // fails for a wrong argument only
+  json.field("steps", stats.steps).field("cuts", stats.cuts).field("open_close_passes", stats.passes);
+  json.field("factorisations", stats.factorisations);
+  json.open('{', "wall_seconds").field("explicit", stats.wall_explicit).field("implicit", stats.wall_implicit);
+  json.field("output", stats.wall_output).field("total", wall).close('}');
+  json.field("cpu_seconds", seconds_of(use.ru_utime) + seconds_of(use.ru_stime));
+  json.field("peak_memory_bytes", std::int64_t{1024} * use.ru_maxrss);  // Linux counts in KiB
+  json.field("blocks_count", stats.blocks).field("elements", stats.elements).field("unknowns", stats.unknowns);
+  json.field("element_steps_per_second", stats.wall_explicit > 0.0 ? stats.element_steps / stats.wall_explicit : 0.0);
+  json.field("contacts", stats.contacts);
+}
+
+void write_ledger(JsonWriter& json, const Ledger& ledger) {
+  json.open('{', "ledger").open('{', "columns");
+  double scheme = 0.0;
+  for (const Side side : {Side::energy, Side::work, Side::dissipated, Side::scheme}) {
+    json.open('{', side_name(side));
+    for (int c = 0; c < coupling::kColumns; ++c) {
+      const auto column = static_cast<Column>(c);
+      if (info(column).side != side) continue;
+      json.field(info(column).name, ledger[column]);
+      if (side == Side::scheme) scheme = std::max(scheme, std::abs(ledger[column]));
+    }
+    json.close('}');
+  }
+  json.close('}');
+  json.field("energy", ledger.energy()).field("closure", ledger.closure()).field("moved", ledger.moved());
+  json.field("relative_closure", ledger.relative_closure());
+  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0).close('}');
+}
+
+void write_transfers(JsonWriter& json, const Model& model, const std::vector<coupling::TransferRow>& rows) {
+  json.open('[', "transfers");
+  for (const coupling::TransferRow& row : rows) {
+    json.open('{').field("time", row.time).field("block", model.blocks[row.block.index()].name);
+    json.field("from", row.from).field("to", row.to);
+    json.field("mass_error", row.mass_error).field("momentum_error", row.momentum_error);
+    json.field("angular_error", row.angular_error).field("energy_error", row.energy_error);
+    json.field("kinetic_before", row.before.kinetic).field("kinetic_after", row.after.kinetic);
+    json.field("elastic_before", row.before.elastic).field("elastic_after", row.after.elastic);
+    json.field("reservoir_kinetic", row.reservoir_kinetic).field("reservoir_elastic", row.reservoir_elastic);
+    json.field("booked", row.booked).close('}');
+  }
+  json.close(']');
+}
+
+/// Where a block went: the mean over the points of its cells, each point once.
+struct Travel {
+  Vec2 sum{0.0, 0.0};
+  int points = 0;
+  std::int32_t method = -1;
+};
+
+std::vector<Travel> travels(std::size_t blocks, const coupling::FrameView& last) {
+  const coupling::MeshView& mesh = *last.mesh;
+  std::vector<Travel> travel(blocks);
+  std::vector<std::int32_t> counted(mesh.origin.size() / 2, -1);  // block a point was last counted for
+  for (std::size_t cell = 0; cell < mesh.cell_block.size(); ++cell) {
+    Travel& t = travel[static_cast<std::size_t>(mesh.cell_block[cell])];
+    t.method = mesh.cell_method[cell];
+    for (std::int32_t i = mesh.offsets[cell]; i < mesh.offsets[cell + 1]; ++i) {
+      const auto p = static_cast<std::size_t>(mesh.connectivity[static_cast<std::size_t>(i)]);
+      if (std::exchange(counted[p], mesh.cell_block[cell]) == mesh.cell_block[cell]) continue;
+      t.sum += Vec2(last.position[2 * p] - mesh.origin[2 * p], last.position[2 * p + 1] - mesh.origin[2 * p + 1]);
+      ++t.points;
+    }
+  }
+  return travel;
+}
+
+void write_blocks(JsonWriter& json, const Model& model, const coupling::FrameView& last) {
+  const std::vector<Travel> travel = travels(model.blocks.size(), last);
+  json.open('[', "blocks");
+  for (std::size_t b = 0; b < travel.size(); ++b) {
+    const Travel& t = travel[b];
+    json.open('{').field("name", model.blocks[b].name);
+    json.field("method", t.method < 0 ? std::string() : last.mesh->methods[static_cast<std::size_t>(t.method)]);
+    json.field("displacement", t.points > 0 ? t.sum.norm() / t.points : 0.0).close('}');
+  }
+  json.close(']');
+}
+
+}  // namespace
+
+std::string status_name(coupling::RunEnd::Status status) {
+  switch (status) {
+    case coupling::RunEnd::Status::done: return "done";
+    case coupling::RunEnd::Status::interrupted: return "interrupted";
+    case coupling::RunEnd::Status::not_converged: return "not_converged";
+    case coupling::RunEnd::Status::non_finite: return "non_finite";
+  }
+  return "";
+}
+
+Summary::Summary(const Model& model, const Provenance& provenance) : model_(&model), provenance_(provenance) {}
+
+void Summary::event(const coupling::Event& event) {
+  if (event.transfer != nullptr) transfers_.push_back(*event.transfer);
+}
+
+std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+  SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  JsonWriter json;
+  json.open('{').field("version", provenance_.version).field("commit", provenance_.commit);
+  json.field("case_sha256", case_hash(provenance_)).field("title", model_->title);
+  json.field("status", status_name(end.status)).field("reason", end.reason);
+  json.field("final_time", last.time).field("end_time", last.end_time).field("stage", last.stage_name);
+  json.field("state_hash", fmt::format("{:016x}", coupling::state_hash(*last.state)));
+  json.field("threads", provenance_.threads);
+  write_run(json, *last.stats, wall);
+  write_ledger(json, last.state->ledger);
+  write_transfers(json, *model_, transfers_);
+  write_blocks(json, *model_, last);
+  return json.close('}').text();
+}
+
+}  // namespace scree::io

@@ -1,0 +1,40 @@
+// What a run ended with, for scripts and people: summary.json.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "coupling/sink.h"
+#include "io/results/provenance.h"
+
+namespace scree::io {
+
+/// done, interrupted, not_converged or non_finite.
+[[nodiscard]] std::string status_name(coupling::RunEnd::Status status);
+
+/// Collects during a run what the summary needs. The keys (units: s, m, J, bytes where a name has no other):
+///   version, commit, case_sha256, title, status, reason, final_time, end_time, state_hash (16 hexadecimal digits),
+///   stage, steps, cuts, open_close_passes, factorisations, wall_seconds {explicit, implicit, output, total},
+///   cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second, contacts,
+///   ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
+///           relative_closure, scheme_share = max |scheme column| / moved},
+///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
+///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
+///   blocks [{name, method, displacement = |mean displacement of the points of its cells|}]
+class Summary {
+ public:
+  /// The clock of wall_seconds.total starts here.   @param model  must outlive the summary
+  Summary(const Model& model, const Provenance& provenance);
+  void event(const coupling::Event& event);
+  /// The document.   @pre last.mesh, last.state and last.stats are set
+  [[nodiscard]] std::string text(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+
+ private:
+  const Model* model_;
+  Provenance provenance_;
+  std::vector<coupling::TransferRow> transfers_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace scree::io

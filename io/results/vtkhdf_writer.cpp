@@ -1,0 +1,185 @@
+#include "io/results/vtkhdf_writer.h"
+
+#include <array>
+#include <cmath>
+
+#include "model/check.h"
+
+namespace scree::io {
+
+namespace {
+
+constexpr std::uint8_t kPolygon = 7;  // VTK_POLYGON
+
+/// Two numbers a point to three, z = 0.
+std::vector<double> in_space(std::span<const double> xy) {
+  std::vector<double> xyz;
+  xyz.reserve(xy.size() / 2 * 3);
+  for (std::size_t i = 0; i + 1 < xy.size(); i += 2) xyz.insert(xyz.end(), {xy[i], xy[i + 1], 0.0});
+  return xyz;
+}
+
+/// s1 >= s2 a cell from (xx, yy, xy):  s = m +- r,  m = (xx + yy)/2,  r = |((xx - yy)/2, xy)|.
+std::vector<double> principal(std::span<const double> stress) {
+  std::vector<double> s;
+  s.reserve(stress.size() / 3 * 2);
+  for (std::size_t i = 0; i + 2 < stress.size(); i += 3) {
+    const double m = 0.5 * (stress[i] + stress[i + 1]);
+    const double r = std::hypot(0.5 * (stress[i] - stress[i + 1]), stress[i + 2]);
+    s.insert(s.end(), {m + r, m - r});
+  }
+  return s;
+}
+
+std::vector<std::int64_t> widened(std::span<const std::int32_t> numbers) { return {numbers.begin(), numbers.end()}; }
+
+}  // namespace
+
+VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
+  file.group("/VTKHDF");
+  file.attribute_ascii("/VTKHDF", "Type", "UnstructuredGrid");
+  file.attribute_pair("/VTKHDF", "Version", 2, 0);
+  const std::string vtk = "/VTKHDF/", steps = "/VTKHDF/Steps/", frames = "/frames/";
+
+  points_ = {file, vtk + "Points", 3, {"m", "position, frame after frame"}};
+  displacement_ = {file, vtk + "PointData/displacement", 3, {"m", "position less the position in the model"}};
+  velocity_ = {file, vtk + "PointData/velocity", 3, {"m/s", "velocity"}};
+  stress_ = {file, vtk + "CellData/stress", 3, {"Pa", "Cauchy stress xx, yy, xy; tension positive"}};
+  principal_ = {file, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
+
+  connectivity_ = {file, vtk + "Connectivity", 1, {"1", "points of the cells, mesh after mesh"}};
+  offsets_ = {file, vtk + "Offsets", 1, {"1", "where the cells begin in their mesh's part of Connectivity"}};
+  types_ = {file, vtk + "Types", 1, {"1", "VTK cell type; 7 is a polygon"}};
+  count_points_ = {file, vtk + "NumberOfPoints", 1, {"1", "points of each mesh"}};
+  count_cells_ = {file, vtk + "NumberOfCells", 1, {"1", "cells of each mesh"}};
+  count_ids_ = {file, vtk + "NumberOfConnectivityIds", 1, {"1", "length of each mesh's part of Connectivity"}};
+
+  block_ = {file, vtk + "CellData/block_id", 1, {"1", "block, counted from 0 in /blocks"}};
+  element_ = {file, vtk + "CellData/element_id", 1, {"1", "cell, counted from 0 in its mesh"}};
+  material_ = {file, vtk + "CellData/material_id", 1, {"1", "material, counted from 0 in /materials"}};
+  method_ = {file, vtk + "CellData/method", 1, {"1", "discretisation, counted from 0 in /methods"}};
+  integrator_cell_ = {file, vtk + "CellData/integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit"}};
+
+  time_ = {file, steps + "Values", 1, {"s", "time of each frame"}};
+  part_offset_ = {file, steps + "PartOffsets", 1, {"1", "mesh of each frame"}};
+  part_count_ = {file, steps + "NumberOfParts", 1, {"1", "meshes of each frame: one"}};
+  point_offset_ = {file, steps + "PointOffsets", 1, {"1", "first row of Points of each frame"}};
+  cell_offset_ = {file, steps + "CellOffsets", 1, {"1", "first cell of each frame's mesh"}};
+  id_offset_ = {file, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
+  for (const char* name : {"displacement", "velocity"})
+    point_field_[name] = {file, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+  for (const char* name : {"block_id", "element_id", "material_id", "method", "integrator", "stress", "principal_stress"})
+    cell_field_[name] = {file, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+  file.attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
+
+  frame_step_ = {file, frames + "step", 1, {"1", "steps made since the start"}};
+  frame_tick_ = {file, frames + "tick", 1, {"ps", "time as a whole number of picoseconds"}};
+  frame_stage_ = {file, frames + "stage", 1, {"1", "stage, counted from 0 in /stages"}};
+  frame_integrator_ = {file, frames + "integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit"}};
+  frame_hash_ = {file, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
+  frame_points_ = {file, frames + "points", 1, {"1", "points of the frame"}};
+  frame_cells_ = {file, frames + "cells", 1, {"1", "cells of the frame"}};
+  method_name_ = {file, "/methods/name", {"none", "names of the discretisations"}};
+}
+
+template <class Visitor>
+void VtkhdfWriter::each(Visitor&& see) {
+  // Fields before the offsets that point at them: a run that is killed leaves no frame that refers to missing rows.
+  see(points_), see(displacement_), see(velocity_), see(stress_), see(principal_);
+  see(connectivity_), see(offsets_), see(types_), see(block_), see(element_), see(material_), see(method_);
+  see(integrator_cell_), see(method_name_), see(count_points_), see(count_cells_), see(count_ids_);
+  see(part_offset_), see(part_count_), see(point_offset_), see(cell_offset_), see(id_offset_);
+  for (auto& [name, series] : point_field_) see(series);
+  for (auto& [name, series] : cell_field_) see(series);
+  see(frame_step_), see(frame_tick_), see(frame_stage_), see(frame_integrator_), see(frame_hash_);
+  see(frame_points_), see(frame_cells_), see(time_);
+}
+
+std::int32_t VtkhdfWriter::method_number(const std::string& name) {
+  const auto [it, is_new] = methods_.try_emplace(name, static_cast<std::int32_t>(methods_.size()));
+  if (is_new) method_name_.append(name);
+  return it->second;
+}
+
+void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
+  if (mesh_ == mesh.id) return;
+  mesh_ = mesh.id;
+  integrator_.reset();
+  at_.part = count_points_.rows();
+  at_.first_cell = types_.rows();
+  at_.first_id = connectivity_.rows();
+  at_.points = static_cast<std::int64_t>(mesh.origin.size() / 2);
+  at_.cells = static_cast<std::int64_t>(mesh.cell_block.size());
+  at_.ids = static_cast<std::int64_t>(mesh.connectivity.size());
+  SCREE_ASSERT(mesh.offsets.size() == mesh.cell_block.size() + 1);
+
+  count_points_.append(at_.points);
+  count_cells_.append(at_.cells);
+  count_ids_.append(at_.ids);
+  connectivity_.append(widened(mesh.connectivity));
+  offsets_.append(widened(mesh.offsets));
+  types_.append(std::vector<std::uint8_t>(mesh.cell_block.size(), kPolygon));
+  block_.append(mesh.cell_block);
+  material_.append(mesh.cell_material);
+  std::vector<std::int32_t> number;  // of this mesh's methods in /methods
+  for (const std::string& name : mesh.methods) number.push_back(method_number(name));
+  for (std::size_t c = 0; c < mesh.cell_block.size(); ++c) {
+    element_.append(static_cast<std::int32_t>(c));
+    method_.append(number[static_cast<std::size_t>(mesh.cell_method[c])]);
+  }
+}
+
+void VtkhdfWriter::frame(const coupling::FrameView& frame) {
+  SCREE_ASSERT(frame.mesh != nullptr && frame.position.size() == frame.mesh->origin.size());
+  topology(*frame.mesh);
+  const auto scheme = static_cast<std::int32_t>(frame.integrator);
+  if (integrator_ != frame.integrator) {
+    integrator_ = frame.integrator;
+    at_.first_integrator = integrator_cell_.rows();
+    integrator_cell_.append(std::vector<std::int32_t>(static_cast<std::size_t>(at_.cells), scheme));
+  }
+  at_.frame = frames_;
+  at_.time = frame.time;
+  at_.first_point = points_.rows();
+  at_.first_stress = stress_.rows();
+
+  std::vector<double> moved(frame.position.begin(), frame.position.end());
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= frame.mesh->origin[i];
+  points_.append(in_space(frame.position));
+  displacement_.append(in_space(moved));
+  velocity_.append(in_space(frame.velocity));
+  stress_.append(frame.stress);
+  principal_.append(principal(frame.stress));
+
+  time_.append(frame.time);
+  part_offset_.append(at_.part);
+  part_count_.append(1);
+  point_offset_.append(at_.first_point);
+  cell_offset_.append(at_.first_cell);
+  id_offset_.append(at_.first_id);
+  for (auto& [name, series] : point_field_) series.append(at_.first_point);
+  for (auto& [name, series] : cell_field_) {
+    const bool a_frame = name == "stress" || name == "principal_stress";  // the others are stored once a mesh
+    series.append(a_frame ? at_.first_stress : name == "integrator" ? at_.first_integrator : at_.first_cell);
+  }
+  frame_step_.append(frame.step);
+  frame_tick_.append(frame.tick);
+  frame_stage_.append(frame.stage);
+  frame_integrator_.append(scheme);
+  frame_hash_.append(frame.state ? coupling::state_hash(*frame.state) : 0);
+  frame_points_.append(at_.points);
+  frame_cells_.append(at_.cells);
+  ++frames_;
+}
+
+void VtkhdfWriter::flush() {
+  each([](auto& series) { series.flush(); });
+  file_->attribute("/VTKHDF/Steps", "NSteps", frames_);
+}
+
+void VtkhdfWriter::close() {
+  each([](auto& series) { series.close(); });
+  file_->attribute("/VTKHDF/Steps", "NSteps", frames_);
+}
+
+}  // namespace scree::io

@@ -1,0 +1,65 @@
+// The frames of a run in the VTKHDF 2.0 layout: one part a mesh, stored once; points and fields a frame.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "coupling/sink.h"
+#include "io/results/h5_series.h"
+
+namespace scree::io {
+
+/// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)
+/// /frames     step, tick, stage, integrator, state_hash, points, cells: one entry a frame
+/// /methods    names that CellData/method counts
+/// Types are doubles for lengths, velocities and stress, int32 for ids. Points have z = 0.
+/// @source VTKHDF 2.0: frame k reads part PartOffsets[k]; its Offsets begin at CellOffsets[k] + PartOffsets[k], which
+///         holds for shared meshes only because there is one part a mesh
+class VtkhdfWriter {
+ public:
+  /// Makes the groups, empty.   @throws FileError, as all of it
+  explicit VtkhdfWriter(const h5::File& file);
+
+  /// Stores a mesh unless it is the one stored last.
+  void topology(const coupling::MeshView& mesh);
+  /// Adds a frame.   @pre frame.mesh is set and its spans have the sizes that sink.h gives them
+  void frame(const coupling::FrameView& frame);
+  /// Writes what is buffered (the file itself is flushed by its owner).
+  void flush();
+  void close();
+
+  /// Where the frame written last begins, and the mesh it is on, in rows of the datasets.
+  struct Where {
+    std::int64_t frame = 0;
+    double time = 0.0;
+    std::int64_t part = 0, points = 0, cells = 0, ids = 0;                  // sizes, but for part
+    std::int64_t first_point = 0, first_cell = 0, first_id = 0;             // of Points; of static cell fields; of Connectivity
+    std::int64_t first_stress = 0, first_integrator = 0;                    // of the fields a frame
+  };
+  [[nodiscard]] const Where& last() const { return at_; }
+
+ private:
+  template <class Visitor>
+  void each(Visitor&& see);
+  std::int32_t method_number(const std::string& name);
+
+  const h5::File* file_;
+  std::optional<std::uint32_t> mesh_;                   // id of the mesh stored last
+  std::optional<coupling::Integrator> integrator_;      // that the present mesh was last written with
+  std::map<std::string, std::int32_t> methods_;
+  Where at_;
+  std::int64_t frames_ = 0;
+
+  h5::Series<double> points_, displacement_, velocity_, stress_, principal_, time_;
+  h5::Series<std::int64_t> connectivity_, offsets_, count_points_, count_cells_, count_ids_;
+  h5::Series<std::uint8_t> types_;
+  h5::Series<std::int32_t> block_, element_, material_, method_, integrator_cell_;
+  h5::Series<std::int64_t> part_offset_, part_count_, point_offset_, cell_offset_, id_offset_;
+  std::map<std::string, h5::Series<std::int64_t>> point_field_, cell_field_;
+  h5::Series<std::int64_t> frame_step_, frame_tick_, frame_points_, frame_cells_;
+  h5::Series<std::int32_t> frame_stage_, frame_integrator_;
+  h5::Series<std::uint64_t> frame_hash_;
+  h5::TextSeries method_name_;
+};
+
+}  // namespace scree::io
