@@ -37,6 +37,9 @@ struct ContactPoint {
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
   bool suppressed = false;  // another edge at the same convex corner is the way out
+  bool beyond = false;      // open, and its foot lies beyond a convex end of the edge: cannot close here
+  double s_low = 0.0, s_high = 0.0;  // range of the foot within which it may close [m along the segment]
+  std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
 };
 
 /// Rate of a contact scalar at outline node velocities taken from v.

@@ -43,16 +43,15 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
     : setup_(&setup), detection_(detection), touching_(1e-3 * detection),
       search_(setup, 2.0 * detection), x_(setup.outlines().nodes.size()) {}
 
-bool ContactFinder::in_range(const ContactPoint& p, const ContactGeometry& g, bool closed) const {
+void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
   // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
   // little further, so that corners which meet exactly do not lose and find each other.
-  const auto beyond = [&](bool convex) { return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * g.length); };
-  if (part == 0 && g.xi * g.length < -beyond(edge.convex_start)) return false;
-  if (part == edge.segments - 1 && (g.xi - 1.0) * g.length > beyond(edge.convex_end)) return false;
-  return true;
+  const auto beyond = [&](bool convex) { return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length); };
+  p.s_low = part == 0 ? -beyond(edge.convex_start) : -detection_;
+  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end) : detection_);
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
@@ -91,25 +90,36 @@ void ContactFinder::set_damping(const ContactPoint& p, ContactMemory& m) const {
   m.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
 }
 
-void ContactFinder::suppress_second_edges(ContactList& list) const {
-  // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
-  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer.
+void ContactFinder::pair_edges(ContactList& list) const {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
+  for (std::size_t i = 0; i < list.points.size(); ++i)
     for (std::size_t j = i + 1; j < list.points.size() && list.points[j].corner == list.points[i].corner; ++j) {
       const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
                            &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
       if (a.body != b.body || a.ring != b.ring) continue;
-      const bool a_before_b = a.edge + 1 == b.edge && a.convex_end;
-      const bool b_before_a = (b.edge + 1 == a.edge || (a.edge == 0 && !a_before_b)) && b.convex_end && a.convex_start;
-      if (!a_before_b && !b_before_a) continue;
-      ContactMemory &ma = list.memory[i], &mb = list.memory[j];
-      if (ma.gap >= 0.0 || mb.gap >= 0.0) continue;
+      const bool follows = a.edge + 1 == b.edge && a.convex_end;
+      const bool closes_ring = a.edge == 0 && b.edge > 1 && a.convex_start && b.convex_end;
+      if (!follows && !closes_ring) continue;
+      for (const auto& [of, other] : {std::pair(i, j), std::pair(j, i)}) {
+        std::int32_t(&partner)[2] = list.points[of].partner;
+        partner[partner[0] < 0 ? 0 : 1] = static_cast<std::int32_t>(other);
+      }
+    }
+}
+
+void ContactFinder::suppress_second_edges(ContactList& list) const {
+  // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
+  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer.
+  for (std::size_t i = 0; i < list.points.size(); ++i)
+    for (const std::int32_t other : list.points[i].partner) {
+      if (other <= static_cast<std::int32_t>(i)) continue;
+      const auto j = static_cast<std::size_t>(other);
+      const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
+      if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0, keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
       const bool a_wins = -ma.gap * keep_a <= -mb.gap * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
-  }
 }
 
 void ContactFinder::find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out) {
@@ -149,7 +159,10 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
     while (old != known.end() && old->key < p.key) ++old;
     const bool remembered = old != known.end() && old->key == p.key;
     const bool closed = remembered && old->status != ContactStatus::open;
-    if (!in_range(p, p.at, closed)) continue;
+    set_range(p, closed);
+    const double foot = p.at.xi * p.at.length;
+    p.beyond = foot < p.s_low || foot > p.s_high;
+    if (p.beyond && closed) continue;
     if (!closed && (nearest > detection_ || !admissible(p))) continue;
 
     ContactMemory m;
@@ -185,6 +198,7 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
     out.points.push_back(p);
     out.memory.push_back(m);
   }
+  pair_edges(out);
   suppress_second_edges(out);
 }
 

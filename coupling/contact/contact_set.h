@@ -37,10 +37,11 @@ class ContactFinder {
   void find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out);
 
  private:
-  [[nodiscard]] bool in_range(const ContactPoint& p, const ContactGeometry& g, bool closed) const;
+  void set_range(ContactPoint& p, bool closed) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   [[nodiscard]] std::int32_t law_of(const ContactPoint& p) const;
   void set_damping(const ContactPoint& p, ContactMemory& m) const;
+  void pair_edges(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;
 
   const Setup* setup_;

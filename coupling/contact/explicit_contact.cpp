@@ -9,7 +9,7 @@ namespace {
 /// Normal penalty, tangential spring with Coulomb's cap (return mapping). Moves the anchor when it slips.
 /// @param rate,shear  rates of gap and stretch [m/s]
 void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double shear, ContactMemory& m) {
-  if (p.suppressed || m.gap >= 0.0) {
+  if (p.suppressed || p.beyond || m.gap >= 0.0) {
     m.status = ContactStatus::open;
     m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
     return;

@@ -224,6 +224,24 @@ bool Newmark::solve_with_friction(StepReport& report) {
   return false;
 }
 
+bool Newmark::may_close(std::size_t i) const {
+  // The foot must be on the edge where the step ends; of two edges at a convex corner the one that is nearer takes over.
+  const ContactPoint& p = list_.points[i];
+  const double foot = p.at.xi * p.at.length + trial_[i].moved;
+  if (foot < p.s_low || foot > p.s_high) return false;
+  for (const std::int32_t other : p.partner) {
+    if (other < 0) continue;
+    const Trial& t = trial_[static_cast<std::size_t>(other)];
+    if (t.status != ContactStatus::open) return false;
+    const ContactPoint& po = list_.points[static_cast<std::size_t>(other)];
+    const double foot_other = po.at.xi * po.at.length + t.moved;
+    if (t.gap < 0.0 && foot_other >= po.s_low && foot_other <= po.s_high &&
+        (t.gap > trial_[i].gap || (t.gap == trial_[i].gap && other < static_cast<std::int32_t>(i))))
+      return false;
+  }
+  return true;
+}
+
 int Newmark::switch_states(bool only_worst) {
   // How far each point violates its state, as a force; the worst one alone is switched once a cycle was seen.
   int switched = 0;
@@ -238,7 +256,7 @@ int Newmark::switch_states(bool only_worst) {
     ContactStatus to = t.status;
     double violation = 0.0, direction = t.direction;
     if (t.status == ContactStatus::open) {
-      if (t.gap < 0.0) {
+      if (t.gap < 0.0 && may_close(i)) {
         to = ContactStatus::stick;
         violation = -m.kn * t.gap;
       }
@@ -370,11 +388,13 @@ void Newmark::book_linear(Ledger& ledger, double& spring_after, double& elastic_
     ledger.book(Column::prescribed_motion, -(t.fn * t.normal.known + t.ft * t.tangential.known));
     // Normal: -(f dg + dU), split by what happened.
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
-    if (!list_.points[i].suppressed) {
-      if (g0 < 0.0 && t.fn > 0.0) ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
-      else if (t.fn > 0.0) ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
-      else if (g0 < 0.0) ledger.book(Column::contact_closing, 0.5 * m.kn * g0 * g0);
-      if (t.fn > 0.0) spring_after += 0.5 * m.kn * g1 * g1;
+    const bool counted = !list_.points[i].suppressed && !list_.points[i].beyond;  // its energy, at the start of the step
+    if (t.fn > 0.0) {
+      if (counted && g0 < 0.0) ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
+      else ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
+      spring_after += 0.5 * m.kn * g1 * g1;
+    } else if (counted && g0 < 0.0) {
+      ledger.book(Column::contact_closing, 0.5 * m.kn * g0 * g0);
     }
     // Tangential.
     const double e0 = m.status == ContactStatus::open ? 0.0 : m.stretch, e1 = t.stretch;

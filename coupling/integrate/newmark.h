@@ -48,6 +48,7 @@ class Newmark final : public Mover {
   [[nodiscard]] bool solve_with_friction(StepReport& report);
   void evaluate_points();
   [[nodiscard]] double limit(std::size_t i) const;
+  [[nodiscard]] bool may_close(std::size_t i) const;
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool iterate(double h, StepReport& report);
   void accept(State& state, Tick h);

@@ -19,7 +19,6 @@ JointLaw joint_law(const Section::Named& named) {
   law.penalty = s.number_or_auto("penalty");
   law.shear_penalty = s.number_or_auto("shear_penalty");
   law.damping = s.number("damping");
-  law.damping = s.number("damping");
   return law;
 }
 

@@ -69,7 +69,6 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.integrator = s.text("integrator") == "implicit" ? Integrator::implicit : Integrator::explicit_;
   stage.dt = s.number_or_auto("dt");
   stage.safety = s.number("safety");
-  stage.damping = s.number("damping");
   stage.duration = ticks(s.number("duration"));
   stage.damping = s.number("damping");
   stage.control.max_passes = s.integer("max_passes");

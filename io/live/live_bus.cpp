@@ -19,6 +19,7 @@ struct LiveBus::Connection {
     void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
   };
   std::unique_ptr<lcm_t, Close> lcm;
+  std::vector<lcm_subscription_t*> subscriptions;  // the library owns them
 };
 
 std::string multicast_route_error(const std::string& group, std::uint16_t port) {
@@ -70,7 +71,15 @@ bool LiveBus::subscribe(const std::string& pattern, Handler handler) {
       lcm_subscribe(connection_->lcm.get(), pattern.c_str(), call, handlers_.back().get());
   if (subscription == nullptr) return false;
   lcm_subscription_set_queue_capacity(subscription, kQueue);
+  connection_->subscriptions.push_back(subscription);
   return true;
+}
+
+void LiveBus::unsubscribe() {
+  for (lcm_subscription_t* subscription : connection_->subscriptions)
+    lcm_unsubscribe(connection_->lcm.get(), subscription);
+  connection_->subscriptions.clear();
+  handlers_.clear();
 }
 
 LiveBus::Got LiveBus::handle(int milliseconds) {

@@ -39,6 +39,8 @@ class LiveBus {
   /// Calls `handler` from handle() for each message on channels that match a regular expression.
   /// Opens the receiving socket.   @return false when that fails
   bool subscribe(const std::string& pattern, Handler handler);
+  /// Ends all subscriptions.   @pre no thread is in handle()
+  void unsubscribe();
 
   enum class Got { message, nothing, end };
   /// Waits for a message and handles it.   @return end: the log is over, or the connection broke

@@ -48,6 +48,17 @@ std::vector<double> in_plane(const std::vector<double>& xyz) {
   return xy;
 }
 
+/// What a drawing relies on: cells and ids inside their arrays.
+void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks, std::size_t methods) {
+  const auto inside = [](std::int64_t i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
+  bool good = f.offsets.front() == 0 && f.offsets.back() == static_cast<std::int64_t>(f.connectivity.size()) &&
+              std::is_sorted(f.offsets.begin(), f.offsets.end());
+  for (const std::int64_t p : f.connectivity) good = good && inside(p, f.points());
+  for (const std::int32_t b : f.block) good = good && inside(b, blocks);
+  for (const std::int32_t m : f.method) good = good && inside(m, methods);
+  if (!good) throw FileError(file.path(), "frame " + std::to_string(f.index) + " does not fit together; the file is damaged");
+}
+
 /// Frame, or mesh, number k of a list of numbers.
 std::int64_t entry(const h5::File& file, const std::string& name, std::int64_t k) {
   return h5::read<std::int64_t>(file, name, k, 1).front();
@@ -120,6 +131,7 @@ StoredFrame RunReader::frame(std::size_t index) const {
   of_cells("integrator", f.cell_integrator);
   of_cells("stress", f.stress);
   of_cells("principal_stress", f.principal);
+  check_cells(file, f, blocks().size(), methods().size());
   return f;
 }
 

@@ -1,0 +1,318 @@
+#include "io/live/live_publisher.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <scree/info_v1_t.hpp>
+#include <utility>
+
+#include "io/live/take_apart.h"
+
+namespace scree::io {
+namespace {
+
+constexpr std::size_t kLarge = 8192;  // bytes; smaller messages need no pacing
+
+std::int64_t microseconds_now() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+double seconds_between(LivePublisher::Clock::time_point from, LivePublisher::Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+/// Signals are for the thread that runs the simulation.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+std::vector<float> cell_values(const RawFrame& frame, LiveField field) {
+  const LiveMesh& mesh = *frame.mesh;
+  std::vector<float> values(mesh.cells());
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    double value = 0.0;
+    if (field == LiveField::mean_stress) {
+      value = 0.5 * (frame.source[3 * c] + frame.source[3 * c + 1]);
+    } else {
+      const std::int32_t first = mesh.offsets[c], last = mesh.offsets[c + 1];
+      for (std::int32_t k = first; k < last; ++k) {
+        const auto p = static_cast<std::size_t>(mesh.connectivity[static_cast<std::size_t>(k)]);
+        value += std::sqrt(frame.source[2 * p] * frame.source[2 * p] + frame.source[2 * p + 1] * frame.source[2 * p + 1]);
+      }
+      value /= std::max(1, last - first);
+    }
+    values[c] = static_cast<float>(value);
+  }
+  return values;
+}
+
+LivePublisher::LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus)
+    : session_(microseconds_now()),
+      url_(std::move(url)),
+      identity_(std::move(identity)),
+      bus_(std::move(bus)) {
+  now_.session = session_;
+  now_.topology_id = -1;
+}
+
+void LivePublisher::start() {
+  if (thread_.joinable() || stopped_) return;
+  const SignalsBlocked inherited_by_the_thread;
+  thread_ = std::thread([this] { run(); });
+}
+
+void LivePublisher::finish() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.last = fresh_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+// --- called by the run --------------------------------------------------------------------------------------------
+
+void LivePublisher::offer(std::shared_ptr<const LiveMesh> mesh) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.mesh = std::move(mesh);
+    if (std::exchange(waiting_.has_frame, false)) ++frames_skipped_;  // of the mesh before
+    fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LivePublisher::offer(RawFrame& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.has_frame) ++frames_skipped_;
+    std::swap(waiting_.frame, frame);
+    waiting_.has_frame = fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LivePublisher::offer(LiveHistory history) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.history = std::move(history);
+    fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LivePublisher::offer(const header_v1_t& header, const coupling::Ledger& ledger) {
+  Bytes bytes = encode_energy(header, ledger);
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.energy = std::move(bytes);
+    fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LivePublisher::offer(LiveProgress progress) {
+  const std::lock_guard lock(mutex_);
+  waiting_.progress = std::move(progress);
+}
+
+void LivePublisher::offer(Bytes event) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.events.size() >= kMaxEvents || stopped_) {
+      ++events_lost_;
+      return;
+    }
+    waiting_.events.push_back(std::move(event));
+    fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
+std::optional<std::string> LivePublisher::take_warning() {
+  if (!has_warning_.exchange(false)) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  return warning_;
+}
+
+// --- the thread ---------------------------------------------------------------------------------------------------
+
+void LivePublisher::run() {
+  try {
+    rate_from_ = Clock::now();
+    Waiting work;
+    while (!work.last) {
+      {
+        std::unique_lock lock(mutex_);
+        wake_.wait_until(lock, std::min(info_at_, topology_at_), [this] { return fresh_; });
+        fresh_ = false;
+        work.mesh = waiting_.mesh;
+        std::swap(work.frame, waiting_.frame);
+        work.has_frame = std::exchange(waiting_.has_frame, false);
+        work.history = std::exchange(waiting_.history, std::nullopt);
+        work.energy = std::exchange(waiting_.energy, std::nullopt);
+        work.events.clear();
+        std::swap(work.events, waiting_.events);
+        work.progress = waiting_.progress;
+        work.last = waiting_.last;
+      }
+      send_all(work);
+    }
+  } catch (const std::exception& error) {  // out of memory: the run goes on without its stream
+    complain(error.what());
+  }
+  bus_ = nullptr;
+  stopped_ = true;
+}
+
+void LivePublisher::send_all(Waiting& work) {
+  const Clock::time_point now = Clock::now();
+  const bool up = connected();
+  if (work.mesh != mesh_) {
+    mesh_ = work.mesh;
+    encoded_mesh_.clear();
+    topology_at_ = now;
+  }
+  now_.time = work.progress.time;
+  now_.step = work.progress.stats.steps;
+  if (work.has_frame) now_.stage = work.frame.header.stage;
+  const bool topology_due = now >= topology_at_, info_due = now >= info_at_ || work.last;
+  if (topology_due) topology_at_ = now + kTopologyEvery;
+  if (info_due) info_at_ = now + kInfoEvery;
+  if (!up) {
+    if (work.has_frame) ++frames_skipped_;
+    events_lost_ += static_cast<std::int64_t>(work.events.size());
+    return;
+  }
+
+  if (topology_due) send_topology();
+  for (const Bytes& event : work.events) send(LiveKind::event, event);
+  if (work.has_frame) {
+    LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame, identity_.field)};
+    frame.header.utime = microseconds_now();
+    std::swap(frame.position, work.frame.position);
+    send_frame(frame, [this](const Bytes& bytes) { send(LiveKind::state, bytes); });
+    std::swap(frame.position, work.frame.position);  // the buffer goes round
+    if (bus_) ++frames_sent_;
+  }
+  if (work.history) send_history(*work.history, [this](const Bytes& bytes) { send(LiveKind::hist, bytes); });
+  if (work.energy) send(LiveKind::energy, *work.energy);
+  if (info_due) send_info(work.progress);
+}
+
+void LivePublisher::send_topology() {
+  if (!mesh_) return;
+  if (encoded_mesh_.empty()) encoded_mesh_ = encode_mesh(*mesh_);
+  send_mesh(header_now(topology_sequence_), encoded_mesh_, [this](const Bytes& bytes) { send(LiveKind::topo, bytes); });
+}
+
+void LivePublisher::send_info(const LiveProgress& progress) {
+  const Clock::time_point now = Clock::now();
+  const double wall = seconds_between(rate_from_, now);
+  if (wall > 0.5) {  // the last INFO may follow the one before at once
+    simulated_per_wall_ = (progress.time - rate_time_) / wall;
+    steps_per_second_ = static_cast<double>(progress.stats.steps - rate_steps_) / wall;
+    rate_from_ = now;
+    rate_time_ = progress.time;
+    rate_steps_ = progress.stats.steps;
+  }
+  info_v1_t info{};
+  info.header = header_now(info_sequence_);
+  info.run = wire_text(identity_.run);
+  info.title = wire_text(identity_.title);
+  info.version = wire_text(identity_.version);
+  info.case_hash = wire_text(identity_.case_hash);
+  info.units = "SI: m, s, kg, N, Pa, J";
+  info.status = wire_text(progress.status);
+  info.reason = wire_text(progress.reason, 2000);
+  info.stage_name = wire_text(progress.stage_name);
+  info.integrator = wire_text(progress.integrator);
+  info.field = name(identity_.field);
+  if (mesh_ && mesh_->points() > 0) {
+    const auto [x0, x1] = std::minmax_element(mesh_->origin_x.begin(), mesh_->origin_x.end());
+    const auto [y0, y1] = std::minmax_element(mesh_->origin_y.begin(), mesh_->origin_y.end());
+    info.bounds[0] = mesh_->base[0] + double{*x0};
+    info.bounds[1] = mesh_->base[1] + double{*y0};
+    info.bounds[2] = mesh_->base[0] + double{*x1};
+    info.bounds[3] = mesh_->base[1] + double{*y1};
+  }
+  info.end_time = progress.end_time;
+  info.simulated_per_wall = simulated_per_wall_;
+  info.steps_per_second = steps_per_second_;
+  info.time_left = simulated_per_wall_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / simulated_per_wall_ : -1.0;
+  info.steps = progress.stats.steps;
+  info.cuts = progress.stats.cuts;
+  info.passes = progress.stats.passes;
+  info.contacts = progress.stats.contacts;
+  info.blocks = progress.stats.blocks;
+  info.elements = progress.stats.elements;
+  info.unknowns = progress.stats.unknowns;
+  info.frames_sent = frames_sent_;
+  info.frames_skipped = frames_skipped_;
+  info.events_lost = events_lost_;
+  send(LiveKind::info, seal(info));
+}
+
+void LivePublisher::send(LiveKind kind, const Bytes& bytes) {
+  if (!bus_) return;  // failed a moment ago
+  if (url_.kind == LiveUrl::Kind::udpm && bytes.size() > kLarge) {
+    std::this_thread::sleep_until(large_at_ + kPace);
+    large_at_ = Clock::now();
+  }
+  if (bus_->publish(channel_name(identity_.run, kind), bytes)) return;
+  complain("the system refused a message");
+  bus_ = nullptr;
+  retry_at_ = Clock::now() + kRetryAfter;
+  gave_up_ = url_.kind != LiveUrl::Kind::udpm;  // opening a log again would empty it
+}
+
+bool LivePublisher::connected() {
+  if (bus_) return true;
+  if (gave_up_ || Clock::now() < retry_at_) return false;
+  std::string why;
+  bus_ = LiveBus::open(url_.lcm, LiveSide::sender, why);
+  if (bus_) {
+    topology_at_ = info_at_ = {};
+    return true;
+  }
+  complain(why);
+  retry_at_ = Clock::now() + kRetryAfter;
+  // With a route and still no connection LCM has printed why: once is enough.
+  gave_up_ = url_.kind != LiveUrl::Kind::udpm || multicast_route_error(url_.group, url_.port).empty();
+  return false;
+}
+
+void LivePublisher::complain(const std::string& why) {
+  if (std::exchange(complained_, true)) return;
+  const std::lock_guard lock(mutex_);
+  warning_ = fmt::format("live streaming to {} is off: {}; the run goes on", url_.lcm, why);
+  has_warning_ = true;
+}
+
+header_v1_t LivePublisher::header_now(std::int64_t& sequence) const {
+  header_v1_t header = now_;
+  header.utime = microseconds_now();
+  header.topology_id = mesh_ ? mesh_->id : -1;
+  header.sequence = sequence++;
+  return header;
+}
+
+}  // namespace scree::io

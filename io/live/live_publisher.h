@@ -1,0 +1,128 @@
+// The thread that encodes and sends. The run hands things over under a lock that is only ever held to swap buffers, so
+// neither encoding nor the network can keep it waiting.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "coupling/sink.h"
+#include "io/live/channel.h"
+#include "io/live/live_bus.h"
+#include "io/live/live_data.h"
+#include "io/live/wire.h"
+
+namespace scree::io {
+
+/// A frame as the run has it: copied plainly, turned into cells' values by the sending thread.
+struct RawFrame {
+  header_v1_t header{};
+  std::shared_ptr<const LiveMesh> mesh;
+  std::vector<double> position;  // x, y a point [m]
+  std::vector<double> source;    // what the field is made of: velocity (x, y a point) or stress (xx, yy, xy a cell)
+};
+
+/// Where the run is, for INFO.
+struct LiveProgress {
+  double time = 0.0, end_time = 0.0;  // simulated [s]
+  std::string stage_name, integrator;
+  std::string status = "running", reason;
+  coupling::RunStats stats;
+};
+
+/// What one INFO repeats from the start of the run.
+struct LiveIdentity {
+  std::string run, title, version, case_hash;
+  LiveField field = LiveField::speed;
+};
+
+/// Mean value a cell of a raw frame.
+[[nodiscard]] std::vector<float> cell_values(const RawFrame& frame, LiveField field);
+
+class LivePublisher {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMaxEvents = 1000;  // waiting; more are counted as lost
+  static constexpr auto kInfoEvery = std::chrono::seconds(1);
+  static constexpr auto kTopologyEvery = std::chrono::seconds(2);
+  static constexpr auto kRetryAfter = std::chrono::seconds(5);
+  static constexpr auto kPace = std::chrono::milliseconds(2);  // between large messages on a network
+
+  /// @param bus  a connection of that URL to use; null: one is opened, and again after failures
+  LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus);
+  /// Sends what is waiting and ends the thread.
+  ~LivePublisher() { finish(); }
+  LivePublisher(const LivePublisher&) = delete;
+  LivePublisher& operator=(const LivePublisher&) = delete;
+  void start();
+  void finish();
+
+  /// Each replaces what is still waiting of its kind.
+  void offer(std::shared_ptr<const LiveMesh> mesh);
+  void offer(RawFrame& frame);  // swapped: `frame` comes back with a buffer to use again
+  void offer(LiveHistory history);
+  void offer(const header_v1_t& header, const coupling::Ledger& ledger);
+  void offer(LiveProgress progress);
+  /// Events queue up.
+  void offer(Bytes event);
+
+  /// The one warning of this publisher, once, when there is one: why nothing can be sent.
+  [[nodiscard]] std::optional<std::string> take_warning();
+
+  [[nodiscard]] std::int64_t session() const { return session_; }
+  [[nodiscard]] std::int64_t frames_sent() const { return frames_sent_; }
+  [[nodiscard]] std::int64_t frames_skipped() const { return frames_skipped_; }
+  [[nodiscard]] std::int64_t events_lost() const { return events_lost_; }
+  void skip_frame() { ++frames_skipped_; }
+
+ private:
+  struct Waiting {
+    std::shared_ptr<const LiveMesh> mesh;
+    RawFrame frame;
+    bool has_frame = false;
+    std::optional<LiveHistory> history;
+    std::optional<Bytes> energy;
+    std::vector<Bytes> events;
+    LiveProgress progress;
+    bool last = false;
+  };
+
+  void run();
+  void send_all(Waiting& work);
+  void send_topology();
+  void send_info(const LiveProgress& progress);
+  void send(LiveKind kind, const Bytes& bytes);
+  [[nodiscard]] bool connected();
+  void complain(const std::string& why);
+  [[nodiscard]] header_v1_t header_now(std::int64_t& sequence) const;
+
+  const std::int64_t session_;
+  const LiveUrl url_;
+  const LiveIdentity identity_;
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  Waiting waiting_;        // guarded
+  bool fresh_ = false;     // guarded
+  std::string warning_;    // guarded
+  std::atomic<bool> has_warning_ = false, stopped_ = false;
+  std::atomic<std::int64_t> frames_sent_ = 0, frames_skipped_ = 0, events_lost_ = 0;
+
+  // Of the thread alone.
+  std::shared_ptr<LiveBus> bus_;
+  bool gave_up_ = false, complained_ = false;
+  std::shared_ptr<const LiveMesh> mesh_;
+  Bytes encoded_mesh_;
+  header_v1_t now_{};      // of the newest thing sent
+  std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
+  Clock::time_point retry_at_{}, info_at_{}, topology_at_{}, large_at_{};
+  Clock::time_point rate_from_{};
+  double rate_time_ = 0.0, simulated_per_wall_ = 0.0, steps_per_second_ = 0.0;
+  std::int64_t rate_steps_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace scree::io

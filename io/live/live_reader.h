@@ -1,0 +1,54 @@
+// Watches a run over LCM: drains the connection in a thread of its own and keeps the newest of everything.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/live/live_bus.h"
+#include "io/live/put_together.h"
+
+namespace scree::io {
+
+/// Messages are checked (channel, size, CRC, type, every length and range) before they are decoded; what is wrong is
+/// counted and dropped. Of several runs it follows the one that started last. All functions may be called from any
+/// thread; what they return does not change any more.
+class LiveReader {
+ public:
+  /// Opens a connection and listens. On a network the library first sends itself a message, up to 10 s.
+  /// @param run  as the sink was given it; empty: any
+  /// @param why  set when the answer is null
+  /// @return null when there is no network for it
+  /// @throws std::invalid_argument for a URL that check_live_url refuses for a receiver
+  [[nodiscard]] static std::unique_ptr<LiveReader> open(const std::string& url, const std::string& run, std::string& why);
+  /// Listens on a connection that a sink of this program uses (memq). Listen before the sink begins: memq keeps nothing
+  /// for those who come later.
+  LiveReader(std::shared_ptr<LiveBus> bus, const std::string& run);
+  ~LiveReader();
+  LiveReader(const LiveReader&) = delete;
+  LiveReader& operator=(const LiveReader&) = delete;
+
+  [[nodiscard]] std::optional<info_v1_t> info() const;
+  [[nodiscard]] std::optional<energy_v1_t> energy() const;
+  [[nodiscard]] std::shared_ptr<const LiveHistory> history() const;
+  [[nodiscard]] std::shared_ptr<const LiveMesh> mesh() const;
+  [[nodiscard]] std::shared_ptr<const LiveFrame> frame() const;
+  /// Events since the last call; of those not fetched the newest LiveAssembly::kMaxEvents.
+  [[nodiscard]] std::vector<event_v1_t> take_events();
+  [[nodiscard]] LiveCounts counts() const;
+  /// True when nothing more will come: the log is over, or the connection failed.
+  [[nodiscard]] bool ended() const;
+
+  /// Waits until a message was handled after which the assembly satisfies `enough`, or the time is up.
+  /// @return the last answer of `enough`
+  bool wait(std::chrono::milliseconds most, const std::function<bool(const LiveAssembly&)>& enough);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scree::io

@@ -1,0 +1,197 @@
+#include "io/live/live_sink.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/live/live_publisher.h"
+#include "io/live/take_apart.h"
+
+namespace scree::io {
+namespace {
+
+constexpr auto kProgressEvery = std::chrono::milliseconds(100);
+
+/// Says when the next thing is due, at most so many a second.
+class Limiter {
+ public:
+  using Clock = LivePublisher::Clock;
+  explicit Limiter(Clock::duration every) : every_(every) {}
+  /// @param rate  a second; 0 or less: never due
+  [[nodiscard]] static Limiter at_rate(double rate) {
+    constexpr double kDay = 86400.0;
+    return Limiter(std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(rate > 1.0 / kDay ? 1.0 / rate : kDay)), rate > 0.0);
+  }
+  [[nodiscard]] bool due() {
+    const Clock::time_point now = Clock::now();
+    if (!ever_ || now < next_) return false;
+    next_ = now + every_;
+    return true;
+  }
+
+ private:
+  Limiter(Clock::duration every, bool ever) : every_(every), ever_(ever) {}
+  Clock::duration every_;
+  bool ever_ = true;
+  Clock::time_point next_{};
+};
+
+std::string_view name(coupling::RunEnd::Status status) {
+  switch (status) {
+    case coupling::RunEnd::Status::done: return "done";
+    case coupling::RunEnd::Status::interrupted: return "interrupted";
+    case coupling::RunEnd::Status::not_converged: return "not converged";
+    case coupling::RunEnd::Status::non_finite: return "not finite";
+  }
+  return "";
+}
+
+}  // namespace
+
+struct LiveSink::Impl {
+  Impl(const coupling::LivePlan& plan, LiveRun run, Warn its_warn, std::shared_ptr<LiveBus> its_bus)
+      : url(its_bus ? its_bus->url() : parse_live_url(plan.url, LiveSide::sender)),
+        who{std::move(run.name), {}, std::move(run.version), std::move(run.case_hash), run.field},
+        warn(std::move(its_warn)),
+        bus(std::move(its_bus)),
+        frame_limit(Limiter::at_rate(plan.rate)),
+        history_limit(Limiter::at_rate(plan.rate)),
+        progress_limit(kProgressEvery) {}
+
+  void pass_warning() {
+    const auto warning = publisher->take_warning();
+    if (warning && warn) warn(*warning);
+  }
+  [[nodiscard]] header_v1_t header(double time, std::int64_t& sequence) const {
+    header_v1_t h{};
+    h.utime = std::chrono::duration_cast<std::chrono::microseconds>(
+                  std::chrono::system_clock::now().time_since_epoch()).count();
+    h.session = publisher->session();
+    h.topology_id = mesh ? mesh->id : -1;
+    h.sequence = sequence++;
+    h.step = step;
+    h.stage = stage;
+    h.time = time;
+    return h;
+  }
+  void take_mesh(const coupling::MeshView& view) {
+    mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(view));
+    publisher->offer(mesh);
+  }
+  void take_frame(const coupling::FrameView& view);
+
+  LiveUrl url;
+  LiveIdentity who;
+  Warn warn;
+  std::shared_ptr<LiveBus> bus;
+  Limiter frame_limit, history_limit, progress_limit;
+  std::shared_ptr<const LiveMesh> mesh;
+  std::vector<std::string> monitors;
+  LiveProgress progress;
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
+  RawFrame spare;                             // a buffer for the next frame
+  std::unique_ptr<LivePublisher> publisher;   // last: its thread ends first
+};
+
+void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
+  if (view.mesh != nullptr && (!mesh || mesh->id != std::int64_t{view.mesh->id})) take_mesh(*view.mesh);
+  const auto source = who.field == LiveField::speed ? view.velocity : view.stress;
+  const std::size_t wanted = !mesh ? 0 : who.field == LiveField::speed ? 2 * mesh->points() : 3 * mesh->cells();
+  if (!mesh || view.position.size() != 2 * mesh->points() || source.size() != wanted) {
+    publisher->skip_frame();  // a frame of some other mesh
+    return;
+  }
+  spare.header = header(view.time, frames);
+  spare.mesh = mesh;
+  spare.position.assign(view.position.begin(), view.position.end());
+  spare.source.assign(source.begin(), source.end());
+  publisher->offer(spare);
+}
+
+LiveSink::LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
+    : impl_(std::make_unique<Impl>(plan, std::move(run), std::move(warn), std::move(bus))) {
+  impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
+}
+
+LiveSink::~LiveSink() = default;
+
+void LiveSink::begin(const Model& model, const coupling::Plan& plan) {
+  impl_->who.title = model.title;
+  for (const Monitor& monitor : model.monitors) impl_->monitors.push_back(monitor.name);
+  Tick end = 0;
+  for (const coupling::Stage& stage : plan.stages) end += stage.duration;
+  impl_->progress.end_time = seconds(end);
+  impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
+  impl_->publisher->offer(impl_->progress);
+  impl_->publisher->start();
+}
+
+void LiveSink::topology(const coupling::MeshView& mesh) { impl_->take_mesh(mesh); }
+
+void LiveSink::frame(const coupling::FrameView& frame) {
+  impl_->pass_warning();
+  impl_->step = frame.step;
+  impl_->stage = frame.stage;
+  LiveProgress& progress = impl_->progress;
+  const bool new_stage = progress.stage_name != frame.stage_name;
+  progress.time = frame.time;
+  if (frame.end_time > 0.0) progress.end_time = frame.end_time;
+  progress.stage_name = frame.stage_name;
+  progress.integrator = frame.integrator == coupling::Integrator::explicit_ ? "explicit" : "implicit";
+  if (frame.stats != nullptr) progress.stats = *frame.stats;
+  if (new_stage) impl_->publisher->offer(progress);
+  if (impl_->frame_limit.due()) {
+    impl_->publisher->offer(progress);
+    impl_->take_frame(frame);
+  } else {
+    impl_->publisher->skip_frame();
+  }
+}
+
+void LiveSink::history(const coupling::HistoryView& history) {
+  if (!impl_->history_limit.due()) return;
+  const std::size_t count = impl_->monitors.size();
+  if (count > 0 && history.position.size() == 2 * count && history.displacement.size() == 2 * count &&
+      history.velocity.size() == 2 * count) {
+    const auto copied = [](std::span<const double> xy) { return std::vector<double>(xy.begin(), xy.end()); };
+    impl_->publisher->offer(LiveHistory{impl_->header(history.time, impl_->histories), impl_->monitors,
+                                        copied(history.position), copied(history.displacement), copied(history.velocity)});
+  }
+  if (history.ledger != nullptr)
+    impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+}
+
+void LiveSink::event(const coupling::Event& event) {
+  impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event));
+}
+
+void LiveSink::step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+  if (!impl_->progress_limit.due()) return;
+  impl_->pass_warning();
+  impl_->step = stats.steps;
+  impl_->progress.time = time;
+  impl_->progress.stats = stats;
+  impl_->publisher->offer(impl_->progress);
+  impl_->publisher->offer(impl_->header(time, impl_->ledgers), ledger);
+}
+
+void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
+  impl_->progress.status = name(end.status);
+  impl_->progress.reason = end.reason;
+  impl_->progress.time = last.time;
+  if (last.stats != nullptr) impl_->progress.stats = *last.stats;
+  impl_->step = last.step;
+  impl_->publisher->offer(impl_->progress);
+  impl_->take_frame(last);
+  if (last.state != nullptr)
+    impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
+  impl_->publisher->finish();
+  impl_->pass_warning();
+}
+
+std::int64_t LiveSink::frames_sent() const { return impl_->publisher->frames_sent(); }
+std::int64_t LiveSink::frames_skipped() const { return impl_->publisher->frames_skipped(); }
+
+}  // namespace scree::io

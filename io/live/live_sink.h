@@ -1,0 +1,55 @@
+// Streams a run over LCM while it computes. It only reads the run, so that streaming changes no result.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "coupling/sink.h"
+#include "io/live/live_bus.h"
+#include "io/live/live_data.h"
+
+namespace scree::io {
+
+/// Who is streaming.
+struct LiveRun {
+  std::string name;       // of the run; in the channels as channel_run(name)
+  std::string version;    // of the program
+  std::string case_hash;  // SHA-256 of the case text, or empty
+  LiveField field = LiveField::speed;
+};
+
+/// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
+/// of the run); what is not sent before the next is replaced. Events are all sent; INFO goes out once a second, TOPO on
+/// change and every two seconds. Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
+class LiveSink final : public coupling::Sink {
+ public:
+  using Warn = std::function<void(std::string)>;
+
+  /// @param warn  called at most once in the life of the sink, on the thread that runs the simulation, when nothing can
+  ///              be sent: no multicast route, or the system refuses. The sink then tries again quietly, every 5 s, but
+  ///              for a log file, which it gives up.
+  /// @param bus   a connection to share with a reader of the same program (memq); null: opened from plan.url
+  /// @throws std::invalid_argument with the text of check_live_url(plan.url)
+  LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
+  /// Sends what is waiting: at most one mesh and one frame.
+  ~LiveSink() override;
+
+  void begin(const Model& model, const coupling::Plan& plan) override;
+  void topology(const coupling::MeshView& mesh) override;
+  void frame(const coupling::FrameView& frame) override;
+  void history(const coupling::HistoryView& history) override;
+  void event(const coupling::Event& event) override;
+  void step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) override;
+  /// Sends the last frame and INFO, then ends the thread.
+  void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
+
+  [[nodiscard]] std::int64_t frames_sent() const;
+  [[nodiscard]] std::int64_t frames_skipped() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scree::io

@@ -1,0 +1,17 @@
+// Colours for numbers and for names.
+#pragma once
+
+#include <cstddef>
+
+#include "io/results/canvas.h"
+
+namespace scree::io {
+
+/// Viridis for magnitudes, t from 0 to 1 (clamped).
+[[nodiscard]] Colour sequential_colour(double t);
+/// Blue, white, red for signed values, 0.5 is zero (clamped).
+[[nodiscard]] Colour diverging_colour(double t);
+/// Colours told apart easily, counted from 0, repeating.
+[[nodiscard]] Colour distinct_colour(std::size_t number);
+
+}  // namespace scree::io

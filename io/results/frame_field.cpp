@@ -1,0 +1,130 @@
+#include "io/results/frame_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace scree::io {
+
+namespace {
+
+constexpr std::array<FieldInfo, 9> kInfo{{{"displacement", "m", false},
+                                          {"speed", "m/s", false},
+                                          {"stress σxx, tension positive", "Pa", true},
+                                          {"stress σyy, tension positive", "Pa", true},
+                                          {"shear stress σxy", "Pa", true},
+                                          {"larger principal stress σ1, tension positive", "Pa", true},
+                                          {"smaller principal stress σ3, tension positive", "Pa", true},
+                                          {"block", "", false},
+                                          {"method", "", false}}};
+
+constexpr double kCovered = 0.99;  // of the area, by the range of a stress
+
+std::vector<double> mean_magnitude(const StoredFrame& frame, const std::vector<double>& xy) {
+  std::vector<double> values(frame.cells());
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    for (auto i = static_cast<std::size_t>(frame.offsets[c]); i < static_cast<std::size_t>(frame.offsets[c + 1]); ++i) {
+      const auto p = static_cast<std::size_t>(frame.connectivity[i]);
+      values[c] += std::hypot(xy[2 * p], xy[2 * p + 1]);
+    }
+    values[c] /= std::max(1.0, static_cast<double>(frame.offsets[c + 1] - frame.offsets[c]));
+  }
+  return values;
+}
+
+std::vector<double> component(const std::vector<double>& rows, std::size_t width, std::size_t which) {
+  std::vector<double> values;
+  for (std::size_t i = which; i < rows.size(); i += width) values.push_back(rows[i]);
+  return values;
+}
+
+std::vector<double> numbers(const std::vector<std::int32_t>& ids) { return {ids.begin(), ids.end()}; }
+
+}  // namespace
+
+const FieldInfo& info(Field field) { return kInfo[static_cast<std::size_t>(field)]; }
+
+std::vector<double> cell_values(const StoredFrame& frame, Field field) {
+  switch (field) {
+    case Field::displacement: return mean_magnitude(frame, frame.displacement);
+    case Field::speed: return mean_magnitude(frame, frame.velocity);
+    case Field::sxx: return component(frame.stress, 3, 0);
+    case Field::syy: return component(frame.stress, 3, 1);
+    case Field::sxy: return component(frame.stress, 3, 2);
+    case Field::s1: return component(frame.principal, 2, 0);
+    case Field::s3: return component(frame.principal, 2, 1);
+    case Field::block: return numbers(frame.block);
+    case Field::method: return numbers(frame.method);
+  }
+  return {};
+}
+
+double cell_area(const StoredFrame& frame, std::size_t cell) {
+  double twice = 0.0;
+  const auto first = static_cast<std::size_t>(frame.offsets[cell]), end = static_cast<std::size_t>(frame.offsets[cell + 1]);
+  for (std::size_t i = first; i < end; ++i) {
+    const auto a = static_cast<std::size_t>(frame.connectivity[i]);
+    const auto b = static_cast<std::size_t>(frame.connectivity[i + 1 < end ? i + 1 : first]);
+    twice += frame.position[2 * a] * frame.position[2 * b + 1] - frame.position[2 * b] * frame.position[2 * a + 1];
+  }
+  return 0.5 * twice;
+}
+
+std::pair<double, double> colour_range(const StoredFrame& frame, Field field, const std::vector<double>& values,
+                                       const std::vector<char>& skip) {
+  std::vector<std::pair<double, double>> sized;  // |value|, area
+  double area = 0.0;
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    if (skip[c] || !std::isfinite(values[c])) continue;
+    sized.emplace_back(std::abs(values[c]), std::abs(cell_area(frame, c)));
+    area += sized.back().second;
+  }
+  std::sort(sized.begin(), sized.end());
+  double most = sized.empty() ? 0.0 : sized.back().first;
+  if (info(field).is_signed) {
+    double covered = 0.0;
+    for (const auto& [value, cell] : sized) {
+      most = value;
+      covered += cell;
+      if (covered >= kCovered * area) break;
+    }
+  }
+  if (!(most > 0.0)) most = 1.0;
+  return {info(field).is_signed ? -most : 0.0, most};
+}
+
+std::vector<std::pair<std::int64_t, std::int64_t>> outline_edges(const StoredFrame& frame) {
+  double extent = 0.0;
+  std::vector<double> origin(frame.position.size());
+  for (std::size_t i = 0; i < origin.size(); ++i) {
+    origin[i] = frame.position[i] - frame.displacement[i];
+    extent = std::max(extent, std::abs(origin[i]));
+  }
+  const double grid = std::max(1e-8 * extent, 1e-300);  // two points nearer than this are one
+  using Spot = std::pair<std::int64_t, std::int64_t>;
+  const auto spot = [&](std::size_t p) { return Spot{std::llround(origin[2 * p] / grid), std::llround(origin[2 * p + 1] / grid)}; };
+
+  struct Edge {
+    int cells = 0;
+    std::pair<std::int64_t, std::int64_t> points;
+  };
+  std::map<std::tuple<std::int32_t, Spot, Spot>, Edge> edges;
+  for (std::size_t c = 0; c < frame.cells(); ++c) {
+    const auto first = static_cast<std::size_t>(frame.offsets[c]), end = static_cast<std::size_t>(frame.offsets[c + 1]);
+    for (std::size_t i = first; i < end; ++i) {
+      const std::int64_t a = frame.connectivity[i], b = frame.connectivity[i + 1 < end ? i + 1 : first];
+      const Spot sa = spot(static_cast<std::size_t>(a)), sb = spot(static_cast<std::size_t>(b));
+      Edge& edge = edges[{frame.block[c], std::min(sa, sb), std::max(sa, sb)}];
+      ++edge.cells;
+      edge.points = {a, b};
+    }
+  }
+  std::vector<std::pair<std::int64_t, std::int64_t>> outline;
+  for (const auto& [key, edge] : edges)
+    if (edge.cells == 1) outline.push_back(edge.points);
+  return outline;
+}
+
+}  // namespace scree::io

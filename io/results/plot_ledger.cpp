@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/results/colour_map.h"
+#include "io/results/plot_area.h"
+#include "io/results/run_reader.h"
+#include "io/results/snapshot.h"
+
+namespace scree::io {
+
+namespace {
+
+constexpr double kWidth = 504.0, kUpper = 210.0, kLower = 90.0;   // page, panels [pt]
+constexpr double kTop = 30.0, kBetween = 14.0, kBottom = 38.0;    // [pt]
+constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0; // [pt]
+constexpr int kPixels = 1680;
+
+struct Curve {
+  std::string side, name;
+  std::vector<double> value;  // [J]
+  Colour colour;
+};
+
+/// The dashes of a side: energy solid, work dashed, dissipation dash-dotted.
+void use_dashes(cairo_t* c, const std::string& side) {
+  const double work[] = {4.0, 2.0}, dissipated[] = {5.0, 1.8, 1.2, 1.8};
+  if (side == "work")
+    cairo_set_dash(c, work, 2, 0.0);
+  else if (side == "dissipated")
+    cairo_set_dash(c, dissipated, 4, 0.0);
+  else
+    cairo_set_dash(c, nullptr, 0, 0.0);
+}
+
+std::vector<Curve> curves_of(StoredLedger& ledger) {
+  std::vector<Curve> curves;
+  for (const char* side : {"energy", "work", "dissipated"})
+    for (StoredLedger::Column& c : ledger.columns) {
+      const bool zero = std::all_of(c.value.begin(), c.value.end(), [](double v) { return v == 0.0; });
+      if (c.side != side || zero) continue;
+      std::string name = c.name;
+      std::replace(name.begin(), name.end(), '_', ' ');
+      curves.push_back({side, name, std::move(c.value), distinct_colour(curves.size())});
+    }
+  return curves;
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void add(double v) {
+    if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+  }
+  /// With a margin; about one around a single value or none.
+  void widen(double fraction) {
+    if (!(low <= high)) low = high = 0.0;
+    const double d = high > low ? fraction * (high - low) : std::max(std::abs(high), 1.0);
+    low -= d, high += d;
+  }
+};
+
+void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<double>& x, const std::vector<double>& y) {
+  bool down = false;  // a value that is not a number interrupts the line
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(y[i])) {
+      down = false;
+      continue;
+    }
+    if (down)
+      cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
+    else
+      cairo_move_to(canvas.get(), area.px(x[i]), area.py(y[i])), cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
+    down = true;
+  }
+  cairo_stroke(canvas.get());
+}
+
+void clip_to(const Canvas& canvas, const PlotArea& a) {
+  cairo_save(canvas.get());
+  cairo_rectangle(canvas.get(), a.x, a.y, a.w, a.h);
+  cairo_clip(canvas.get());
+  cairo_set_line_join(canvas.get(), CAIRO_LINE_JOIN_ROUND);
+}
+
+void draw_legend(const Canvas& canvas, double x, double y, const std::vector<Curve>& curves) {
+  TextStyle head = kTickText, text = kTickText;
+  head.bold = true, head.up = 0.5, text.up = 0.5;
+  std::string side;
+  for (const Curve& curve : curves) {
+    if (curve.side != side) {
+      y += side.empty() ? 0.5 * kLine : 1.3 * kLine;
+      side = curve.side;
+      canvas.text(x, y, side == "dissipated" ? "dissipation" : side, head);
+    }
+    y += kLine;
+    use_dashes(canvas.get(), curve.side);
+    canvas.line(x, y, x + kSample, y, 1.2, curve.colour);
+    use_dashes(canvas.get(), "");
+    canvas.text(x + kSample + 4.0, y, curve.name, text);
+  }
+}
+
+/// log10 of |closure| / moved; not a number where it is zero or nothing has moved.
+std::vector<double> closure_decades(const StoredLedger& ledger) {
+  std::vector<double> decades;
+  for (std::size_t i = 0; i < ledger.time.size(); ++i) {
+    const double share = ledger.moved[i] > 0.0 ? std::abs(ledger.closure[i]) / ledger.moved[i] : 0.0;
+    decades.push_back(share > 0.0 ? std::log10(share) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return decades;
+}
+
+void draw_closure(const Canvas& canvas, PlotArea area, const StoredLedger& ledger, const Ticks& time) {
+  const std::vector<double> decades = closure_decades(ledger);
+  Range range;
+  for (const double d : decades) range.add(d);
+  const bool none = !(range.low <= range.high);
+  // At least three decades, down from the one above the largest.
+  const int high = none ? -12 : static_cast<int>(std::floor(range.high)) + 1;
+  const int low = none ? -18 : std::min(static_cast<int>(std::floor(range.low)), high - 3);
+  area.y0 = low, area.y1 = high;
+  draw_axes(canvas, area, time, power_ticks(low, high, 6), "time [s]", "|closure| / moved", true);
+  clip_to(canvas, area);
+  canvas.ink({0.0, 0.27, 0.48});
+  cairo_set_line_width(canvas.get(), 0.9);
+  draw_curve(canvas, area, ledger.time, decades);
+  cairo_restore(canvas.get());
+  if (none) {
+    TextStyle middle = kTickText;
+    middle.across = 0.5, middle.up = 0.5;
+    canvas.text(area.x + 0.5 * area.w, area.y + 0.5 * area.h, "zero at every stored time", middle);
+  }
+}
+
+}  // namespace
+
+void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem::path& png) {
+  const RunReader run(run_folder);
+  StoredLedger ledger = run.ledger();
+  if (ledger.time.empty()) throw FileError(run_folder, "has no ledger yet");
+  const std::vector<Curve> curves = curves_of(ledger);
+
+  Range energy, time;
+  for (const double t : ledger.time) time.add(t);
+  for (const Curve& c : curves)
+    for (const double v : c.value) energy.add(v);
+  energy.widen(0.05);
+  if (!(time.low < time.high)) time.widen(0.0);
+  const Unit unit = prefixed("J", std::max(std::abs(energy.low), std::abs(energy.high)));
+
+  const Canvas ruler(kWidth, 10.0, 64);
+  const auto first = time.low, last = time.high;
+  const double low = energy.low / unit.factor, high = energy.high / unit.factor;
+  const Ticks joules = round_ticks(low, high, 6);
+  double names = 0.0;
+  for (const Curve& c : curves) names = std::max(names, ruler.text_width(c.name, kTickText));
+  const double left = 8.0 + 22.0 + std::max(widest(ruler, joules), 22.0), right = kLegendGap + kSample + 4.0 + names + 8.0;
+  const double w = kWidth - left - right;
+  std::size_t sides = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i) sides += i == 0 || curves[i].side != curves[i - 1].side;
+  const double legend = kLine * (static_cast<double>(curves.size()) + 1.3 * static_cast<double>(sides));
+  const double upper_height = std::max(kUpper, legend - kLower);  // the legend may reach down beside the lower panel
+  const PlotArea upper{left, kTop, w, upper_height, first, last, low, high};
+  const PlotArea lower{left, kTop + upper_height + kBetween, w, kLower, first, last, 0.0, 1.0};
+
+  const Canvas canvas(kWidth, lower.y + lower.h + kBottom, kPixels);
+  TextStyle title{10.5};
+  title.bold = true;
+  const std::string name = run.title().empty() ? std::string("Energy ledger") : run.title() + ": energy ledger";
+  canvas.text(left, kTop - 10.0, canvas.fitted(name, kWidth - left - 8.0, title), title);
+  const Ticks seconds = round_ticks(first, last, 7);
+  draw_axes(canvas, upper, seconds, joules, "", "energy [" + unit.name + "]", true);
+  clip_to(canvas, upper);
+  for (const Curve& c : curves) {
+    std::vector<double> shown;
+    for (const double v : c.value) shown.push_back(v / unit.factor);
+    canvas.ink(c.colour);
+    cairo_set_line_width(canvas.get(), 1.1);
+    use_dashes(canvas.get(), c.side);
+    draw_curve(canvas, upper, ledger.time, shown);
+  }
+  cairo_restore(canvas.get());
+  draw_legend(canvas, left + w + kLegendGap, upper.y, curves);
+  draw_closure(canvas, lower, ledger, seconds);
+  canvas.save(png);
+}
+
+}  // namespace scree::io

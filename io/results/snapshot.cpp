@@ -1,0 +1,278 @@
+#include "io/results/snapshot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "io/results/colour_map.h"
+#include "io/results/frame_field.h"
+#include "io/results/plot_area.h"
+
+namespace scree::io {
+
+namespace {
+
+constexpr double kWidth = 504.0;                        // of the page: 7 inches [pt]
+constexpr double kTop = 40.0, kBottom = 46.0;           // title; ticks, label and key [pt]
+constexpr double kBarGap = 10.0, kEdge = 8.0;           // [pt]
+constexpr std::size_t kMostNames = 24;                  // in a legend
+
+/// Everything a drawing of one frame needs.
+struct Scene {
+  const RunReader& run;
+  const SnapshotOptions& options;
+  StoredFrame frame;
+  std::vector<double> values;
+  std::vector<char> held;  // a cell
+  ColourScale scale;       // for fields with a unit
+
+  Scene(const RunReader& reader, const SnapshotOptions& asked);
+  [[nodiscard]] bool named() const { return *info(options.field).unit == '\0'; }
+  [[nodiscard]] Colour colour(std::size_t cell) const;
+};
+
+std::size_t chosen_frame(const RunReader& run, const SnapshotOptions& options, const std::filesystem::path& folder) {
+  if (run.times().empty()) throw FileError(folder, "has no frames yet");
+  if (options.frame) return *options.frame;
+  return options.time ? run.at_time(*options.time) : run.times().size() - 1;
+}
+
+Scene::Scene(const RunReader& reader, const SnapshotOptions& asked) : run(reader), options(asked) {}
+
+void prepare(Scene& s, std::size_t index) {
+  s.frame = s.run.frame(index);
+  s.values = cell_values(s.frame, s.options.field);
+  for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
+  if (s.named()) return;
+  const FieldInfo& field = info(s.options.field);
+  const auto [low, high] = s.options.range.value_or(colour_range(s.frame, s.options.field, s.values, s.held));
+  s.scale.unit = prefixed(field.unit, std::max(std::abs(low), std::abs(high)));
+  s.scale.low = low / s.scale.unit.factor;
+  s.scale.high = high / s.scale.unit.factor;
+  s.scale.colour = field.is_signed ? diverging_colour : sequential_colour;
+  const double slack = 1e-9 * (high - low);
+  for (std::size_t c = 0; c < s.values.size(); ++c) {
+    if (s.held[c]) continue;
+    s.scale.below = s.scale.below || s.values[c] < low - slack;
+    s.scale.above = s.scale.above || s.values[c] > high + slack;
+  }
+}
+
+Colour Scene::colour(std::size_t cell) const {
+  if (named()) return distinct_colour(static_cast<std::size_t>(values[cell]));
+  const double shown = values[cell] / scale.unit.factor;
+  return scale.colour((shown - scale.low) / (scale.high - scale.low));
+}
+
+/// The box of what is drawn, with a margin.
+Box shown_box(const Scene& s) {
+  if (s.options.window) return *s.options.window;
+  Box box{Vec2::Constant(1e300), Vec2::Constant(-1e300)};
+  const auto add = [&](const Vec2& p) {
+    box.lo = box.lo.cwiseMin(p);
+    box.hi = box.hi.cwiseMax(p);
+  };
+  for (std::size_t p = 0; p < s.frame.points(); ++p) add({s.frame.position[2 * p], s.frame.position[2 * p + 1]});
+  for (const StoredBlock& block : s.run.blocks())
+    for (const Vec2& p : block.polygon.outer) add(p);
+  const Vec2 margin = Vec2::Constant(std::max(0.025 * (box.hi - box.lo).maxCoeff(), 1e-9));
+  return {box.lo - margin, box.hi + margin};
+}
+
+/// The plot on a page of fixed width, equal scales; a model much wider or taller than usual gets air around it.
+PlotArea placed(const Box& box, double left, double right) {
+  const double w = kWidth - left - right;
+  const Vec2 size = box.hi - box.lo;
+  const double h = w * std::clamp(size.y() / size.x(), 0.28, 1.1);
+  const double metres = std::max(size.x() / w, size.y() / h);  // a point of the page
+  const Vec2 middle = 0.5 * (box.lo + box.hi), half(0.5 * w * metres, 0.5 * h * metres);
+  return {left, kTop, w, h, middle.x() - half.x(), middle.x() + half.x(), middle.y() - half.y(), middle.y() + half.y()};
+}
+
+void cell_path(const Canvas& canvas, const PlotArea& area, const StoredFrame& f, std::size_t cell) {
+  cairo_t* c = canvas.get();
+  for (auto i = static_cast<std::size_t>(f.offsets[cell]); i < static_cast<std::size_t>(f.offsets[cell + 1]); ++i) {
+    const auto p = static_cast<std::size_t>(f.connectivity[i]);
+    cairo_line_to(c, area.px(f.position[2 * p]), area.py(f.position[2 * p + 1]));
+  }
+  cairo_close_path(c);
+}
+
+void draw_model_outlines(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  for (const StoredBlock& block : s.run.blocks())
+    for (std::size_t r = 0; r < block.polygon.rings(); ++r) {
+      for (const Vec2& p : block.polygon.ring(r)) cairo_line_to(canvas.get(), area.px(p.x()), area.py(p.y()));
+      cairo_close_path(canvas.get());
+    }
+  canvas.ink({0.66, 0.66, 0.66});
+  cairo_set_line_width(canvas.get(), 0.4);
+  cairo_stroke(canvas.get());
+}
+
+/// Root of the mean area of cells that are not held, on the page [pt].
+double cell_size(const PlotArea& area, const Scene& s) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t c = 0; c < s.frame.cells(); ++c)
+    if (!s.held[c]) sum += std::abs(cell_area(s.frame, c)), count += 1.0;
+  return count > 0.0 ? std::sqrt(sum / count) * area.w / (area.x1 - area.x0) : 0.0;
+}
+
+void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  cairo_t* c = canvas.get();
+  for (std::size_t cell = 0; cell < s.frame.cells(); ++cell)
+    if (s.held[cell]) cell_path(canvas, area, s.frame, cell);
+  // Without smoothing: smoothed neighbours let the white paper through between them. Outlines cover the steps.
+  cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
+  canvas.hatch_path();
+  for (std::size_t cell = 0; cell < s.frame.cells(); ++cell) {
+    if (s.held[cell]) continue;
+    cell_path(canvas, area, s.frame, cell);
+    canvas.ink(s.colour(cell));
+    cairo_fill(c);
+  }
+  cairo_set_antialias(c, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  cairo_t* c = canvas.get();
+  const double size = cell_size(area, s);
+  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  if (size > 2.0) {  // finer meshes would turn grey
+    for (std::size_t cell = 0; cell < s.frame.cells(); ++cell)
+      if (!s.held[cell]) cell_path(canvas, area, s.frame, cell);
+    canvas.ink({0.0, 0.0, 0.0, std::clamp(0.05 * size, 0.12, 0.4)});
+    cairo_set_line_width(c, 0.2);
+    cairo_stroke(c);
+  }
+  for (const auto& [a, b] : outline_edges(s.frame)) {
+    const auto p = static_cast<std::size_t>(a), q = static_cast<std::size_t>(b);
+    cairo_move_to(c, area.px(s.frame.position[2 * p]), area.py(s.frame.position[2 * p + 1]));
+    cairo_line_to(c, area.px(s.frame.position[2 * q]), area.py(s.frame.position[2 * q + 1]));
+  }
+  canvas.ink({0.08, 0.08, 0.08});
+  cairo_set_line_width(c, std::clamp(0.05 * size, 0.3, 0.65));
+  cairo_stroke(c);
+}
+
+struct Entry {
+  std::string name;
+  std::size_t number;
+};
+
+/// Names beside the plot for a field that counts names.
+std::vector<Entry> legend_of(const Scene& s) {
+  if (!s.named()) return {};
+  std::set<std::size_t> used;
+  for (std::size_t c = 0; c < s.values.size(); ++c)
+    if (!s.held[c]) used.insert(static_cast<std::size_t>(s.values[c]));
+  if (used.size() > kMostNames) return {};
+  std::vector<Entry> entries;
+  for (const std::size_t n : used)
+    entries.push_back({s.options.field == Field::block ? s.run.blocks()[n].name : s.run.methods()[n], n});
+  return entries;
+}
+
+void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<Entry>& entries, double width) {
+  const double line = std::min(13.0, area.h / static_cast<double>(std::max<std::size_t>(entries.size(), 1)));
+  TextStyle style = kTickText;
+  style.up = 0.5, style.size = std::min(style.size, 0.85 * line);
+  double y = area.y;
+  for (const Entry& e : entries) {
+    const double x = area.x + area.w + kBarGap, box = 0.65 * line;
+    canvas.box(x, y, box, box, distinct_colour(e.number));
+    canvas.frame(x, y, box, box, 0.4, kInk);
+    canvas.text(x + box + 4.0, y + 0.5 * box, canvas.fitted(e.name, width - box - 4.0, style), style);
+    y += line;
+  }
+}
+
+/// What hatching and grey lines mean, at the lower right.
+void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  TextStyle style = kTickText;
+  style.across = 1.0, style.up = 0.5;
+  double x = area.x + area.w;
+  const double y = area.y + area.h + 22.0;
+  const std::string moved = "outline in the model", held = "held block";
+  canvas.text(x, y, moved, style);
+  x -= canvas.text_width(moved, style) + 4.0;
+  canvas.line(x - 14.0, y, x, y, 0.6, {0.6, 0.6, 0.6});
+  if (std::find(s.held.begin(), s.held.end(), 1) == s.held.end()) return;
+  x -= 26.0;
+  canvas.text(x, y, held, style);
+  x -= canvas.text_width(held, style) + 4.0;
+  cairo_rectangle(canvas.get(), x - 14.0, y - 4.0, 14.0, 8.0);
+  canvas.hatch_path();
+  canvas.frame(x - 14.0, y - 4.0, 14.0, 8.0, 0.4, kInk);
+}
+
+void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  TextStyle title{10.5}, line{8.5};
+  title.bold = true;
+  const double room = canvas.width() - area.x - kEdge;
+  std::string second = fmt::format("t = {:.6g} s", s.frame.time);
+  if (!s.frame.stage.empty()) second += fmt::format(",  stage “{}” ({})", s.frame.stage, s.frame.integrator);
+  if (s.run.title().empty()) {
+    canvas.text(area.x, area.y - 8.0, canvas.fitted(second, room, line), line);
+    return;
+  }
+  canvas.text(area.x, area.y - 21.0, canvas.fitted(s.run.title(), room, title), title);
+  canvas.text(area.x, area.y - 8.0, canvas.fitted(second, room, line), line);
+}
+
+}  // namespace
+
+const std::vector<std::string>& field_names() {
+  static const std::vector<std::string> names{"displacement", "speed", "sxx", "syy", "sxy", "s1", "s3", "block", "method"};
+  return names;
+}
+
+std::optional<Field> field_named(std::string_view name) {
+  const auto at = std::find(field_names().begin(), field_names().end(), name);
+  if (at == field_names().end()) return std::nullopt;
+  return static_cast<Field>(at - field_names().begin());
+}
+
+void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options, const std::filesystem::path& png) {
+  const RunReader run(run_folder);
+  Scene s(run, options);
+  prepare(s, chosen_frame(run, options, run_folder));
+  const Box box = shown_box(s);
+
+  // Margins come from the widths of what stands in them, so nothing overlaps.
+  const Canvas ruler(kWidth, 10.0, 64);
+  const std::vector<Entry> legend = legend_of(s);
+  double names = 0.0;
+  for (const Entry& e : legend) names = std::max(names, ruler.text_width(e.name, kTickText) + 14.0);
+  names = std::min(names, 110.0);
+  const double bar = 46.0 + (s.named() ? 0.0 : widest(ruler, round_ticks(s.scale.low, s.scale.high, 6)) - 10.0);
+  const double right = kEdge + (legend.empty() && s.named() ? 0.0 : kBarGap + (s.named() ? names : bar));
+  const PlotArea guess = placed(box, 50.0, right);
+  const auto ticks_of = [](double low, double high, double length) {
+    return round_ticks(low, high, std::clamp(static_cast<int>(length / 48.0), 3, 9));
+  };
+  const double left = kEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
+  const PlotArea area = placed(box, left, right);
+
+  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width);
+  cairo_save(canvas.get());
+  cairo_rectangle(canvas.get(), area.x, area.y, area.w, area.h);
+  cairo_clip(canvas.get());
+  draw_model_outlines(canvas, area, s);
+  draw_cells(canvas, area, s);
+  draw_edges(canvas, area, s);
+  cairo_restore(canvas.get());
+  draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]", false);
+  draw_key(canvas, area, s);
+  draw_title(canvas, area, s);
+  if (s.named())
+    draw_legend(canvas, area, legend, names);
+  else
+    draw_colour_bar(canvas, area.x + area.w + kBarGap, area.y, area.h, s.scale,
+                    std::string(info(options.field).label) + " [" + s.scale.unit.name + "]");
+  canvas.save(png);
+}
+
+}  // namespace scree::io
