@@ -11,12 +11,19 @@
 
 namespace scree::io {
 
-/// Who is streaming.
+/// Who is streaming. A name alone will do.
 struct LiveRun {
   std::string name;       // of the run; in the channels as channel_run(name)
   std::string version;    // of the program
   std::string case_hash;  // SHA-256 of the case text, or empty
   LiveField field = LiveField::speed;
+
+  LiveRun(std::string its_name, std::string its_version = {}, std::string its_case_hash = {},
+          LiveField its_field = LiveField::speed)
+      : name(std::move(its_name)),
+        version(std::move(its_version)),
+        case_hash(std::move(its_case_hash)),
+        field(its_field) {}
 };
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame

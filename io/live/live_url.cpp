@@ -19,7 +19,7 @@ constexpr std::string_view kAccepted =
     "log), memq://";
 
 struct Bad : std::invalid_argument {
-  explicit Bad(const std::string& why) : std::invalid_argument(why) {}
+  explicit Bad(const std::string& why) : std::invalid_argument(fmt::format("{}; {}", why, kAccepted)) {}
 };
 
 std::optional<long> number(std::string_view text) {
@@ -112,29 +112,25 @@ void parse_file(std::string_view target, std::string_view options, LiveSide side
 }  // namespace
 
 LiveUrl parse_live_url(std::string_view url, LiveSide side) {
-  try {
-    const std::size_t mark = url.find("://");
-    if (mark == url.npos || url.find('\0') != url.npos) throw Bad("no provider in front of ://");
-    const std::string_view provider = url.substr(0, mark);
-    std::string_view target = url.substr(mark + 3);
-    const std::string_view options = split(target, '?');
-    LiveUrl parsed;
-    if (provider == "udpm") {
-      parsed.kind = LiveUrl::Kind::udpm;
-      parse_udpm(target, options, parsed);
-    } else if (provider == "file") {
-      parsed.kind = LiveUrl::Kind::file;
-      parse_file(target, options, side, parsed);
-    } else if (provider == "memq") {
-      if (!target.empty() || !options.empty()) throw Bad("nothing may follow memq://");
-      parsed.lcm = "memq://";
-    } else {
-      throw Bad(fmt::format("provider \"{}\" is not accepted", provider));
-    }
-    return parsed;
-  } catch (const Bad& bad) {
-    throw std::invalid_argument(fmt::format("live URL \"{}\": {}; {}", url, bad.what(), kAccepted));
+  const std::size_t mark = url.find("://");
+  if (mark == url.npos || url.find('\0') != url.npos) throw Bad("no provider in front of ://");
+  const std::string_view provider = url.substr(0, mark);
+  std::string_view target = url.substr(mark + 3);
+  const std::string_view options = split(target, '?');
+  LiveUrl parsed;
+  if (provider == "udpm") {
+    parsed.kind = LiveUrl::Kind::udpm;
+    parse_udpm(target, options, parsed);
+  } else if (provider == "file") {
+    parsed.kind = LiveUrl::Kind::file;
+    parse_file(target, options, side, parsed);
+  } else if (provider == "memq") {
+    if (!target.empty() || !options.empty()) throw Bad("nothing may follow memq://");
+    parsed.lcm = "memq://";
+  } else {
+    throw Bad(fmt::format("provider \"{}\" is not accepted", provider));
   }
+  return parsed;
 }
 
 std::optional<std::string> check_live_url(std::string_view url, LiveSide side) {
