@@ -20,11 +20,21 @@ std::string joined(std::string_view path, std::size_t index) { return joined(pat
 std::string type_name(const Value& value) {
   if (value.as<bool>()) return "true or false";
   if (value.as<std::int64_t>()) return "a whole number";
-  if (value.as<double>()) return "a number";
+  if (value.as<double>()) return "a decimal number";
   if (value.as<std::string>()) return "a text";
   if (value.as<Moment>()) return "a date or time";
   if (value.as<Array>()) return "a list";
   return "a table";
+}
+
+/// What a key holds, for hints: "density: Mass density."
+std::string about(const Key& key) { return fmt::format("{}: {}", last_part(key.path), key.meaning); }
+
+/// What a single number of the key may be: a coordinate of a point, where the key holds points.
+std::string allowed_number(const Key& key) {
+  Key one = key;
+  if (key.type == Type::point || key.type == Type::ring || key.type == Type::rings) one.type = Type::number;
+  return allowed_text(one);
 }
 
 class Checker {
@@ -56,15 +66,15 @@ class Checker {
     std::vector<std::string> known;
     for (const Key& key : schema())
       if (parent_of(key.path) == row) known.emplace_back(last_part(key.path));
-    const std::string where = row.empty() ? "the top of a case file" : fmt::format("[{}]", path);
+    const std::string where = row.empty() ? "at the top of the case file" : fmt::format("in [{}]", path);
     std::string hint;
     for (const Key& key : schema())  // the right key in the wrong table
       if (hint.empty() && last_part(key.path) == m.key)
         hint = fmt::format("a key of that name belongs to {}", key.path);
     throw CaseError(
         file_, m.place,
-        {fmt::format("unknown key {} in {}", in_quotes(m.key), where), joined(path, m.key), shown(m.value),
-         listed(known), did_you_mean(m.key, known, hint.empty() ? "`scree schema` lists every key" : hint)});
+        {fmt::format("unknown key {} {}", in_quotes(m.key), where), joined(path, m.key), shown(m.value), listed(known),
+         did_you_mean(m.key, known, hint.empty() ? "`scree schema` lists every key" : hint)});
   }
 
   [[noreturn]] void missing(const Value& in, const Key& key, const std::string& path) const {
@@ -135,12 +145,19 @@ class Checker {
   }
 
   [[noreturn]] void wrong_type(const Value& value, const Key& key, const std::string& path) const {
-    std::string hint = fmt::format("{} stands here; {}", type_name(value), key.meaning);
+    std::string hint = fmt::format("{} stands here. {}", type_name(value), about(key));
     if (value.as<std::string>() && (key.type == Type::integer || key.type == Type::boolean))
       hint = "write it without quotation marks";
     if (key.type == Type::table_list && value.as<Table>()) hint = "write two brackets: " + header_text(key);
     if (key.type == Type::table && value.as<Array>()) hint = "write one bracket: " + header_text(key);
     fail(value, path, "wrong type", allowed_text(key), hint);
+  }
+
+  [[noreturn]] void out_of_range(const Value& value, double number, const Key& key, const std::string& path) const {
+    const bool too_small = number < key.range.high;  // a finite number outside is on one side or the other
+    fail(value, path, "the value is out of range", allowed_number(key),
+         fmt::format("give a {} value{}. {}", too_small ? "larger" : "smaller",
+                     key.unit.empty() ? "" : fmt::format(", or check that it is in {}", key.unit), about(key)));
   }
 
   void named_tables(Value& value, const Key& key, const std::string& path) const {
@@ -153,14 +170,15 @@ class Checker {
       table(m.value, std::string(key.path) + ".NAME", inner);
     }
     if (key.required && value.as<Table>()->empty())
-      fail(value, path, "there is none", allowed_text(key), std::string(key.meaning));
+      fail(value, path, "there is none", allowed_text(key), fmt::format("add {}: {}", header_text(key), key.meaning));
   }
 
   void table_list(Value& value, const Key& key, const std::string& path) const {
     auto* items = value.as<Array>();
     if (!items) wrong_type(value, key, path);
     if (key.required && items->empty())
-      fail(value, path, "the list is empty", allowed_text(key), std::string(key.meaning));
+      fail(value, path, "the list is empty", allowed_text(key),
+           fmt::format("add {}: {}", header_text(key), key.meaning));
     for (std::size_t i = 0; i < items->size(); ++i) {
       if (!(*items)[i].as<Table>()) wrong_type((*items)[i], key, joined(path, i));
       table((*items)[i], std::string(key.path) + "[]", joined(path, i));
@@ -170,8 +188,7 @@ class Checker {
   void integer(const Value& value, const Key& key, const std::string& path) const {
     const auto* whole = value.as<std::int64_t>();
     if (!whole) wrong_type(value, key, path);
-    if (!key.range.holds(static_cast<double>(*whole)))
-      fail(value, path, "the value is out of range", allowed_text(key), std::string(key.meaning));
+    if (!key.range.holds(static_cast<double>(*whole))) out_of_range(value, static_cast<double>(*whole), key, path);
   }
 
   void number(Value& value, const Key& key, const std::string& path) const {
@@ -186,16 +203,15 @@ class Checker {
       if (const auto* fault = std::get_if<UnitFault>(&read)) {
         std::string hint = fault->hint;
         if (key.type == Type::number_or_auto) hint += ", or \"auto\"";
-        fail(value, path, fault->problem, allowed_text(key), std::move(hint));
+        fail(value, path, fault->problem, allowed_number(key), std::move(hint));
       }
       number = std::get<double>(read);
     } else {
       wrong_type(value, key, path);
     }
     if (!std::isfinite(number))
-      fail(value, path, "the number is not finite", allowed_text(key), "give a finite number");
-    if (!key.range.holds(number))
-      fail(value, path, "the value is out of range", allowed_text(key), std::string(key.meaning));
+      fail(value, path, "the number is not finite", allowed_number(key), "give a finite number");
+    if (!key.range.holds(number)) out_of_range(value, number, key, path);
     value.data = number;
   }
 

@@ -57,9 +57,11 @@ void read_blocks(const Section& root, Model& model) {
   const std::vector<GeometryFault> faults = check_geometry(model);
   if (faults.empty()) return;
   const GeometryFault& f = faults.front();
-  throw sections[f.block.index()].error(
-      "polygon", fmt::format("block {}: {}", in_quotes(model.blocks[f.block.index()].name), f.what),
-      "a simple polygon that encloses an area and overlaps no other block", f.hint);
+  // An overlap names both blocks already.
+  const std::string what =
+      f.other.valid() ? f.what : fmt::format("block {}: {}", in_quotes(model.blocks[f.block.index()].name), f.what);
+  throw sections[f.block.index()].error("polygon", what,
+                                        "a simple polygon that encloses an area and overlaps no other block", f.hint);
 }
 
 }  // namespace scree::io

@@ -16,7 +16,7 @@ namespace scree::io {
 
 struct LiveBus::Connection {
   struct Close {
-    void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
+    void operator()(lcm_t* connection) const { lcm_destroy(connection); }
   };
   std::unique_ptr<lcm_t, Close> lcm;
   std::vector<lcm_subscription_t*> subscriptions;  // the library owns them

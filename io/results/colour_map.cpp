@@ -22,9 +22,10 @@ constexpr std::array<Rgb, 11> kBlueRed{{
     {5, 48, 97}, {34, 103, 172}, {67, 147, 195}, {144, 196, 221}, {209, 229, 240}, {247, 246, 246}, {253, 219, 199},
     {244, 166, 131}, {214, 96, 77}, {177, 24, 43}, {103, 0, 31}}};
 
-// Okabe and Ito 2008, told apart by colour-blind readers; black left out, two tints added.
-constexpr std::array<Rgb, 9> kDistinct{{{0, 114, 178}, {230, 159, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233},
-                                        {213, 94, 0}, {180, 170, 30}, {120, 94, 160}, {140, 110, 80}}};
+// Okabe and Ito 2008 without black, told apart by colour-blind readers; then darker ones for long lists.
+constexpr std::array<Rgb, 14> kDistinct{{{0, 114, 178}, {230, 159, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233},
+                                         {213, 94, 0}, {190, 180, 40}, {120, 94, 160}, {140, 105, 70}, {95, 95, 95},
+                                         {0, 80, 75}, {150, 20, 50}, {150, 190, 110}, {35, 45, 110}}};
 
 Colour between(std::span<const Rgb> map, double t) {
   const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(map.size() - 1);

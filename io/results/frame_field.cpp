@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::array<FieldInfo, 9> kInfo{{{"displacement", "m", false},
                                           {"speed", "m/s", false},
-                                          {"stress σxx, tension positive", "Pa", true},
-                                          {"stress σyy, tension positive", "Pa", true},
+                                          {"stress σxx", "Pa", true},
+                                          {"stress σyy", "Pa", true},
                                           {"shear stress σxy", "Pa", true},
-                                          {"larger principal stress σ1, tension positive", "Pa", true},
-                                          {"smaller principal stress σ3, tension positive", "Pa", true},
+                                          {"larger principal stress σ1", "Pa", true},
+                                          {"smaller principal stress σ3", "Pa", true},
                                           {"block", "", false},
                                           {"method", "", false}}};
 

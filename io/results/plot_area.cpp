@@ -39,7 +39,7 @@ void draw_axes(const Canvas& canvas, const PlotArea& a, const Ticks& x, const Ti
   }
   canvas.frame(a.x, a.y, a.w, a.h, kFrame, kInk);
   if (!x_label.empty()) canvas.text(a.x + 0.5 * a.w, a.y + a.h + kTick + kGap + 11.0, x_label, title);
-  canvas.text(a.x - kTick - kGap - widest(canvas, y) - 6.0, a.y + 0.5 * a.h, y_label, turned);
+  canvas.text(a.x - kTick - kGap - std::max(widest(canvas, y), a.numbers) - 6.0, a.y + 0.5 * a.h, y_label, turned);
 }
 
 double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale, const std::string& label) {

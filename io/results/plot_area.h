@@ -13,6 +13,7 @@ namespace scree::io {
 struct PlotArea {
   double x = 0.0, y = 0.0, w = 0.0, h = 0.0;
   double x0 = 0.0, x1 = 1.0, y0 = 0.0, y1 = 1.0;
+  double numbers = 0.0;  // least room for the numbers of y, so that the labels of stacked plots stand in line [pt]
 
   [[nodiscard]] double px(double data_x) const { return x + (data_x - x0) / (x1 - x0) * w; }
   [[nodiscard]] double py(double data_y) const { return y + (y1 - data_y) / (y1 - y0) * h; }

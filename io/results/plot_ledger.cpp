@@ -11,8 +11,8 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0, kUpper = 210.0, kLower = 90.0;   // page, panels [pt]
-constexpr double kTop = 30.0, kBetween = 14.0, kBottom = 38.0;    // [pt]
+constexpr double kWidth = 504.0, kUpper = 200.0, kLower = 90.0;   // page, panels [pt]
+constexpr double kTop = 40.0, kBetween = 14.0, kBottom = 38.0;    // [pt]
 constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0; // [pt]
 constexpr int kPixels = 1680;
 
@@ -152,22 +152,24 @@ void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem:
   const auto first = time.low, last = time.high;
   const double low = energy.low / unit.factor, high = energy.high / unit.factor;
   const Ticks joules = round_ticks(low, high, 6);
+  const double numbers = std::max(widest(ruler, joules), widest(ruler, power_ticks(-17, -16, 2)));
   double names = 0.0;
   for (const Curve& c : curves) names = std::max(names, ruler.text_width(c.name, kTickText));
-  const double left = 8.0 + 22.0 + std::max(widest(ruler, joules), 22.0), right = kLegendGap + kSample + 4.0 + names + 8.0;
+  const double left = 8.0 + 22.0 + numbers, right = kLegendGap + kSample + 4.0 + names + 8.0;
   const double w = kWidth - left - right;
   std::size_t sides = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) sides += i == 0 || curves[i].side != curves[i - 1].side;
   const double legend = kLine * (static_cast<double>(curves.size()) + 1.3 * static_cast<double>(sides));
   const double upper_height = std::max(kUpper, legend - kLower);  // the legend may reach down beside the lower panel
-  const PlotArea upper{left, kTop, w, upper_height, first, last, low, high};
-  const PlotArea lower{left, kTop + upper_height + kBetween, w, kLower, first, last, 0.0, 1.0};
+  const PlotArea upper{left, kTop, w, upper_height, first, last, low, high, numbers};
+  const PlotArea lower{left, kTop + upper_height + kBetween, w, kLower, first, last, 0.0, 1.0, numbers};
 
   const Canvas canvas(kWidth, lower.y + lower.h + kBottom, kPixels);
   TextStyle title{10.5};
   title.bold = true;
-  const std::string name = run.title().empty() ? std::string("Energy ledger") : run.title() + ": energy ledger";
-  canvas.text(left, kTop - 10.0, canvas.fitted(name, kWidth - left - 8.0, title), title);
+  const double room = kWidth - left - 8.0;
+  canvas.text(left, kTop - 21.0, canvas.fitted(run.title(), room, title), title);
+  canvas.text(left, kTop - 8.0, "Energy ledger", {8.5});
   const Ticks seconds = round_ticks(first, last, 7);
   draw_axes(canvas, upper, seconds, joules, "", "energy [" + unit.name + "]", true);
   clip_to(canvas, upper);

@@ -47,7 +47,8 @@ void prepare(Scene& s, std::size_t index) {
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
   const FieldInfo& field = info(s.options.field);
-  const auto [low, high] = s.options.range.value_or(colour_range(s.frame, s.options.field, s.values, s.held));
+  const bool given = s.options.range && s.options.range->first < s.options.range->second;
+  const auto [low, high] = given ? *s.options.range : colour_range(s.frame, s.options.field, s.values, s.held);
   s.scale.unit = prefixed(field.unit, std::max(std::abs(low), std::abs(high)));
   s.scale.low = low / s.scale.unit.factor;
   s.scale.high = high / s.scale.unit.factor;
@@ -62,6 +63,7 @@ void prepare(Scene& s, std::size_t index) {
 
 Colour Scene::colour(std::size_t cell) const {
   if (named()) return distinct_colour(static_cast<std::size_t>(values[cell]));
+  if (!std::isfinite(values[cell])) return {0.5, 0.5, 0.5};
   const double shown = values[cell] / scale.unit.factor;
   return scale.colour((shown - scale.low) / (scale.high - scale.low));
 }
@@ -71,6 +73,7 @@ Box shown_box(const Scene& s) {
   if (s.options.window) return *s.options.window;
   Box box{Vec2::Constant(1e300), Vec2::Constant(-1e300)};
   const auto add = [&](const Vec2& p) {
+    if (!p.allFinite()) return;  // a run that ended in numbers that are none is looked at most of all
     box.lo = box.lo.cwiseMin(p);
     box.hi = box.hi.cwiseMax(p);
   };
@@ -93,6 +96,7 @@ PlotArea placed(const Box& box, double left, double right) {
 
 void cell_path(const Canvas& canvas, const PlotArea& area, const StoredFrame& f, std::size_t cell) {
   cairo_t* c = canvas.get();
+  cairo_new_sub_path(c);
   for (auto i = static_cast<std::size_t>(f.offsets[cell]); i < static_cast<std::size_t>(f.offsets[cell + 1]); ++i) {
     const auto p = static_cast<std::size_t>(f.connectivity[i]);
     cairo_line_to(c, area.px(f.position[2 * p]), area.py(f.position[2 * p + 1]));
@@ -103,6 +107,7 @@ void cell_path(const Canvas& canvas, const PlotArea& area, const StoredFrame& f,
 void draw_model_outlines(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   for (const StoredBlock& block : s.run.blocks())
     for (std::size_t r = 0; r < block.polygon.rings(); ++r) {
+      cairo_new_sub_path(canvas.get());
       for (const Vec2& p : block.polygon.ring(r)) cairo_line_to(canvas.get(), area.px(p.x()), area.py(p.y()));
       cairo_close_path(canvas.get());
     }
@@ -111,12 +116,19 @@ void draw_model_outlines(const Canvas& canvas, const PlotArea& area, const Scene
   cairo_stroke(canvas.get());
 }
 
-/// Root of the mean area of cells that are not held, on the page [pt].
-double cell_size(const PlotArea& area, const Scene& s) {
-  double sum = 0.0, count = 0.0;
-  for (std::size_t c = 0; c < s.frame.cells(); ++c)
-    if (!s.held[c]) sum += std::abs(cell_area(s.frame, c)), count += 1.0;
-  return count > 0.0 ? std::sqrt(sum / count) * area.w / (area.x1 - area.x0) : 0.0;
+/// Root of the mean area of the cells, and of the blocks, that are not held, on the page [pt].
+std::pair<double, double> cell_and_block_size(const PlotArea& area, const Scene& s) {
+  double sum = 0.0, cells = 0.0;
+  std::set<std::int32_t> blocks;
+  for (std::size_t c = 0; c < s.frame.cells(); ++c) {
+    if (s.held[c]) continue;
+    sum += std::abs(cell_area(s.frame, c));
+    cells += 1.0;
+    blocks.insert(s.frame.block[c]);
+  }
+  if (blocks.empty()) return {0.0, 0.0};
+  const double points = area.w / (area.x1 - area.x0);
+  return {points * std::sqrt(sum / cells), points * std::sqrt(sum / static_cast<double>(blocks.size()))};
 }
 
 void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
@@ -137,7 +149,7 @@ void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 
 void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_t* c = canvas.get();
-  const double size = cell_size(area, s);
+  const auto [size, block_size] = cell_and_block_size(area, s);
   cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
   if (size > 2.0) {  // finer meshes would turn grey
@@ -153,7 +165,7 @@ void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
     cairo_line_to(c, area.px(s.frame.position[2 * q]), area.py(s.frame.position[2 * q + 1]));
   }
   canvas.ink({0.08, 0.08, 0.08});
-  cairo_set_line_width(c, std::clamp(0.05 * size, 0.3, 0.65));
+  cairo_set_line_width(c, std::clamp(0.05 * block_size, 0.3, 0.65));
   cairo_stroke(c);
 }
 
@@ -189,12 +201,17 @@ void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<E
   }
 }
 
-/// What hatching and grey lines mean, at the lower right.
+/// The sign of stress at the lower left; what hatching and grey lines mean at the lower right.
 void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   TextStyle style = kTickText;
   style.across = 1.0, style.up = 0.5;
   double x = area.x + area.w;
-  const double y = area.y + area.h + 22.0;
+  const double y = area.y + area.h + 36.0;  // below the label of x
+  if (info(s.options.field).is_signed) {
+    TextStyle left = style;
+    left.across = 0.0;
+    canvas.text(area.x, y, "tension positive", left);
+  }
   const std::string moved = "outline in the model", held = "held block";
   canvas.text(x, y, moved, style);
   x -= canvas.text_width(moved, style) + 4.0;

@@ -23,7 +23,7 @@ struct SnapshotOptions {
   std::optional<std::size_t> frame;                  // counted from 0; before `time`
   std::optional<double> time;                        // the last frame not after it [s]; neither: the last frame
   int width = 1680;                                  // of the picture [pixels]; its height follows from the model
-  std::optional<std::pair<double, double>> range;    // of the colours, in SI units; empty: from the values
+  std::optional<std::pair<double, double>> range;    // of the colours, in SI units, low < high; else from the values
   std::optional<Box> window;                         // what to show [m]; empty: everything
 };
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
@@ -70,7 +72,9 @@ TEST(Threads, explicit_run_has_the_same_hash_and_two_threads_are_faster) {
   EXPECT_EQ(big.run(1, 20).first, big.run(3, 20).first);
   std::sort(ratio.begin(), ratio.end());
   std::printf("%zu elements, two threads over one: %.2f (median of 5, best %.2f)\n", mesh.body.size(), ratio[2], ratio[4]);
-  if (omp_get_num_procs() >= 2 && std::getenv("SCREE_TIMING") != nullptr) EXPECT_GE(ratio[2], 1.5);
+  if (omp_get_num_procs() >= 2 && std::getenv("SCREE_TIMING") != nullptr) {
+    EXPECT_GE(ratio[2], 1.5);
+  }
 }
 
 TEST(Copies, of_a_state_run_twice_give_the_same_end) {
@@ -89,7 +93,7 @@ TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
     const Methods methods = standard_methods();
     State state;
     state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-    const Setup setup(scene.model, methods, state.bodies);
+    const coupling::Setup setup(scene.model, methods, state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
     state.v = state.q;
     for (const Body& b : setup.bodies()) {

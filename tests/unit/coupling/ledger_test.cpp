@@ -42,7 +42,7 @@ double closure_of_fall(bool hide) {
   const Methods methods = standard_methods();
   State state;
   state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-  const Setup setup(scene.model, methods, state.bodies);
+  const coupling::Setup setup(scene.model, methods, state.bodies);
   state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   state.v = state.q;
   for (const Body& b : setup.bodies()) {

@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "io/case/suggest.h"
+#include "io/case/unit.h"
 #include "tests/unit/io/case_read.h"
 
 namespace scree::io::test {
@@ -198,6 +200,64 @@ TEST(Case, resolved_case_says_the_same) {
     EXPECT_EQ(dump(again), dump(once)) << once.resolved;
     EXPECT_EQ(again.resolved, once.resolved);
   }
+}
+
+TEST(Case, run_longer_than_its_clock_is_refused_at_the_stage_that_exceeds_it) {
+  std::string text = bytes_of(kFolder + "good_case.toml");
+  for (int i = 1; i <= 8; ++i)  // with the 0.1 s that are there, the eighth passes 8e6 s
+    text += fmt::format("[[stage]]\nname = \"{}\"\nmethod = \"dda\"\nintegrator = \"explicit\"\nduration = 1e6\n", i);
+  const CaseError e = error_of_text(text);
+  EXPECT_EQ(e.key, "stage.8.duration") << e.what();
+  EXPECT_EQ(e.allowed, "at most 8e+06 s in all") << e.what();
+}
+
+TEST(Case, long_flat_list_of_decimals_is_not_deep) {
+  std::string list = "0.5";
+  for (int i = 0; i < 200; ++i) list += ", 0.5";
+  const CaseError e = error_of_text("block = [" + list + "]\n");
+  EXPECT_EQ(e.key, "block.0") << e.what();  // wrong, but for its type
+}
+
+TEST(Case, unit_of_the_key_may_have_a_prefix) { EXPECT_EQ(std::get<double>(in_unit("30 kPa", "MPa")), 0.03); }
+
+TEST(Case, long_names_may_differ_by_a_third_of_their_letters) {
+  EXPECT_EQ(nearest("hanging_bloc_wal", {"hanging_block_wall", "base"}), "hanging_block_wall");  // two edits
+  EXPECT_EQ(nearest("wal", {"ball"}), "");  // two edits of three letters are another name
+}
+
+TEST(CaseErrors, coordinate_out_of_place_asks_for_a_number_not_for_a_ring) {
+  const std::string text = bytes_of(kFolder + "good_case.toml");
+  for (const char* x : {"nan", "-inf", "2e9", "\"4\""}) {
+    const CaseError e = error_of_text(replaced(text, "[[0, 0], [4, 0]", fmt::format("[[0, 0], [{}, 0]", x)));
+    EXPECT_EQ(e.key, "block.0.polygon.1.0") << e.what();
+    EXPECT_EQ(e.allowed, "number [m], -1e+09 <= value <= 1e+09") << e.what();
+  }
+}
+
+TEST(CaseErrors, range_hint_says_which_way_and_what_the_key_holds) {
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"material.rock.density=-1", "give a larger value, or check that it is in kg/m3. density: Mass density."},
+      {"material.rock.density=0", "give a larger value, or check that it is in kg/m3. density: Mass density."},
+      {"material.rock.poisson=0.5", "give a smaller value. poisson: Poisson's ratio."},
+      {"material.rock.poisson=-0.1", "give a larger value. poisson: Poisson's ratio."},
+      {"run.threads=5000",
+       "give a smaller value. threads: Threads; 0 takes as many as the machine has. Results do not depend on it."}};
+  for (const auto& [option, hint] : wrong)
+    EXPECT_EQ(error_of_file(kFolder + "good_case.toml", {option}).hint, hint) << option;
+}
+
+TEST(CaseErrors, overlap_names_each_block_once) {
+  const CaseError e = error_of_file(kFaults + "overlap.toml");
+  EXPECT_EQ(e.problem, "block 'slider' overlaps block 'base' by 0.5 m2");
+}
+
+TEST(CaseErrors, wrong_type_and_unknown_table_read_as_sentences) {
+  const std::string file = kFolder + "good_case.toml";
+  EXPECT_EQ(error_of_file(kFaults + "wrong_type.toml").hint,
+            "true or false stands here. duration: Simulated time of the stage.");
+  EXPECT_EQ(error_of_file(file, {"materials.rock.young=1"}).problem,
+            "unknown key \"materials\" at the top of the case file");
+  EXPECT_EQ(error_of_file(file, {"block=[]"}).hint, "add [[block]]: A block. Blocks may touch but not overlap.");
 }
 
 TEST(Override, number_and_name_enter_lists) {

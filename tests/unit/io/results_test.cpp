@@ -318,10 +318,10 @@ TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
   std::string header, row;
   std::getline(in, header);
   std::getline(in, row);
-  EXPECT_EQ(header.substr(0, 40), "time [s],\"crest, left.x [m]\",\"crest, left");
+  EXPECT_TRUE(header.starts_with("time [s],\"crest, left.x [m]\",\"crest, left.y [m]\",")) << header;
   EXPECT_EQ(std::strtod(row.substr(row.rfind(',') + 1).c_str(), nullptr), 1.0 / 3.0);
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), 12);
-  EXPECT_EQ(text_of(run / "energy.csv").substr(0, 32), "time [s],kinetic [J],elastic [J]");
+  EXPECT_TRUE(text_of(run / "energy.csv").starts_with("time [s],kinetic [J],elastic [J],"));
 }
 
 /// Accepts exactly JSON (RFC 8259); returns where it ends, or npos.

@@ -66,8 +66,9 @@ TEST(CoverMesh, slot_separates_its_two_sides) {
         const double side = e.centroid.x() + moments(u).centroid.x();
         for (const Element& own : mesh.elements)
           for (std::int32_t c : own.cover)
-            if (c == t.cover && own.centroid.y() + moments(u).centroid.y() > 1.5)
+            if (c == t.cover && own.centroid.y() + moments(u).centroid.y() > 1.5) {
               EXPECT_EQ(side > 1.5, own.centroid.x() + moments(u).centroid.x() > 1.5);
+            }
       }
 }
 

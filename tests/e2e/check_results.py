@@ -1,0 +1,194 @@
+#!/usr/bin/python3
+"""Checks a run folder as another program sees it: layout of run.vtkhdf, units, times, ledger, tables, summary.
+
+Usage: check_results.py RUN_FOLDER [--unfinished]
+Exit code 0 when everything holds; otherwise 1, with a line for each thing that does not.
+"""
+import argparse
+import csv
+import hashlib
+import json
+import pathlib
+import sys
+
+import h5py
+import numpy as np
+
+POLYGON = 7
+CELL_FIELDS = {"block_id": 1, "element_id": 1, "material_id": 1, "method": 1, "integrator": 1, "stress": 3,
+               "principal_stress": 2}
+POINT_FIELDS = {"displacement": 3, "velocity": 3}
+GROUPS = ("history", "energy", "events", "transfers", "blocks", "frames", "provenance", "materials", "stages", "methods")
+SIGN = {"energy": 1.0, "dissipated": 1.0, "work": -1.0, "scheme": -1.0}  # closure = E - E_0 - W + D - R
+
+faults = []
+
+
+def expect(holds, what):
+    if not holds:
+        faults.append(what)
+
+
+def texts(dataset):
+    return [t.decode() for t in dataset[...]]
+
+
+def check_labels(file):
+    """Every dataset has units, a name, chunks of 64 KiB to 1 MiB, shuffle and deflate."""
+    def visit(name, item):
+        if not isinstance(item, h5py.Dataset):
+            return
+        for key in ("units", "long_name"):
+            expect(isinstance(item.attrs.get(key), str) and item.attrs[key], f"/{name} has no {key}")
+        size = int(np.prod(item.chunks)) * item.id.get_type().get_size()
+        expect(64 * 1024 <= size <= 1024 * 1024, f"/{name} has chunks of {size} bytes")
+        expect(item.shuffle and item.compression == "gzip", f"/{name} is not shuffled and deflated")
+    file.visititems(visit)
+
+
+def check_frames(file):
+    """Offsets of every frame point at rows that exist and fit together (VTKHDF 2.0)."""
+    vtk, steps = file["VTKHDF"], file["VTKHDF/Steps"]
+    expect(vtk.attrs["Type"] == b"UnstructuredGrid", "Type is not UnstructuredGrid")
+    expect(list(vtk.attrs["Version"]) == [2, 0], "Version is not 2, 0")
+    n = int(steps.attrs["NSteps"])
+    for name in ("Values", "PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"):
+        expect(len(steps[name]) == n, f"Steps/{name} has {len(steps[name])} rows, not {n}")
+    for name, item in file["frames"].items():
+        expect(len(item) == n, f"/frames/{name} has {len(item)} rows, not {n}")
+    times = steps["Values"][...]
+    expect(np.all(np.diff(times) >= 0.0), "times of the frames go back")
+    expect(np.allclose(times, file["frames/tick"][...] * 1e-12, rtol=1e-15, atol=1e-15), "times are not those of the ticks")
+
+    meshes = len(vtk["NumberOfCells"])
+    expect(len(vtk["Offsets"]) == int(vtk["NumberOfCells"][...].sum()) + meshes, "Offsets has not cells + 1 a mesh")
+    expect(len(vtk["Connectivity"]) == int(vtk["NumberOfConnectivityIds"][...].sum()), "Connectivity is not stored once a mesh")
+    expect(np.all(vtk["Types"][...] == POLYGON), "cells are not all polygons")
+    used = steps["PartOffsets"][...]
+    expect(np.array_equal(np.unique(used), np.arange(meshes)), "a mesh is stored that no frame uses")
+    blocks, methods = len(file["blocks/name"]), len(file["methods/name"])
+
+    for k in range(n):
+        part = int(used[k])
+        points, cells, ids = (int(vtk[x][part]) for x in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"))
+        first_cell = int(steps["CellOffsets"][k])
+        offsets = vtk["Offsets"][first_cell + part:first_cell + part + cells + 1]
+        first_id = int(steps["ConnectivityIdOffsets"][k])
+        connectivity = vtk["Connectivity"][first_id:first_id + ids]
+        expect(offsets[0] == 0 and offsets[-1] == ids == len(connectivity), f"frame {k}: Offsets and Connectivity do not fit")
+        expect(np.all(np.diff(offsets) >= 3), f"frame {k}: a cell has fewer than three points")
+        expect(connectivity.min() >= 0 and connectivity.max() < points, f"frame {k}: Connectivity leaves the points")
+        fields = {}
+        for name, width in CELL_FIELDS.items():
+            at = int(steps["CellDataOffsets"][name][k])
+            fields[name] = vtk["CellData"][name][at:at + cells]
+            expect(fields[name].shape == ((cells,) if width == 1 else (cells, width)), f"frame {k}: {name} has another shape")
+        for name, width in POINT_FIELDS.items():
+            at = int(steps["PointDataOffsets"][name][k])
+            fields[name] = vtk["PointData"][name][at:at + points]
+            expect(fields[name].shape == (points, width), f"frame {k}: {name} has another shape")
+        at = int(steps["PointOffsets"][k])
+        position = vtk["Points"][at:at + points]
+        expect(position.shape == (points, 3) and np.all(position[:, 2] == 0.0), f"frame {k}: points are not in the plane")
+        expect(fields["block_id"].min() >= 0 and fields["block_id"].max() < blocks, f"frame {k}: a block is not in /blocks")
+        expect(fields["method"].min() >= 0 and fields["method"].max() < methods, f"frame {k}: a method is not in /methods")
+        expect(np.all(fields["integrator"] == file["frames/integrator"][k]), f"frame {k}: integrator differs from /frames")
+        s, p = fields["stress"], fields["principal_stress"]
+        scale = max(1.0, float(np.abs(s).max()))
+        expect(np.all(p[:, 0] >= p[:, 1]), f"frame {k}: the larger principal stress is not first")
+        expect(np.allclose(p.sum(axis=1), s[:, 0] + s[:, 1], atol=1e-12 * scale), f"frame {k}: principal stresses lose the trace")
+        determinant = s[:, 0] * s[:, 1] - s[:, 2] ** 2
+        expect(np.allclose(p.prod(axis=1), determinant, atol=1e-12 * scale ** 2), f"frame {k}: principal stresses lose the determinant")
+    return times
+
+
+def check_ledger(file):
+    """The columns, by their sides, add up to the closure that the run itself computed."""
+    energy = file["energy"]
+    columns = {name: item for name, item in energy.items() if "side" in item.attrs}
+    expect(len(columns) > 0, "no ledger columns")
+    rows = len(energy["time"])
+    for name, item in energy.items():
+        expect(len(item) == rows, f"/energy/{name} has {len(item)} rows, not {rows}")
+        expect(name == "time" or item.attrs["units"] == "J", f"/energy/{name} is not in J")
+    expect(np.all(np.diff(energy["time"][...]) >= 0.0), "times of the ledger go back")
+    held = sum(c[...] for c in columns.values() if c.attrs["side"] == "energy")
+    moved = energy["moved"][...]
+    rounding = 1e-13 * (moved + np.abs(held) + 1.0)  # of sums of some twenty terms
+    expect(np.all(np.abs(held - energy["energy"][...]) <= rounding), "energy is not the sum of its columns")
+    total = sum(SIGN[c.attrs["side"]] * c[...] for c in columns.values())
+    change = total - energy["closure"][...]  # E_0, a constant
+    expect(np.all(np.abs(change - change[0]) <= rounding), "ledger columns do not add up to the closure")
+    expect(np.all(np.diff(moved) >= 0.0), "moved decreases")
+
+
+def check_histories(file, last):
+    for name, monitor in file["history"].items():
+        time = monitor["time"][...]
+        expect(np.all(np.diff(time) >= 0.0), f"times of monitor {name} go back")
+        expect(len(time) > 0 and abs(time[-1] - last) <= 1e-9 * max(1.0, last), f"monitor {name} does not reach the last frame")
+        for field in ("position", "displacement", "velocity"):
+            expect(monitor[field].shape == (len(time), 2), f"monitor {name}: {field} has another shape")
+        shift = monitor["position"][...] - monitor["displacement"][...]
+        expect(len(time) == 0 or np.allclose(shift, shift[0], atol=1e-9), f"monitor {name}: position less displacement varies")
+
+
+def check_tables(folder, file):
+    """CSV and HDF5 hold the same numbers, bit for bit."""
+    def table(name):
+        with open(folder / name, newline="", encoding="utf-8") as f:
+            rows = list(csv.reader(f))
+        expect(all(c.endswith("]") and " [" in c for c in rows[0]), f"{name}: a column has no unit")
+        return [c.rsplit(" [", 1)[0] for c in rows[0]], np.array(rows[1:], dtype=float)
+    names, numbers = table("energy.csv")
+    for i, name in enumerate(names):
+        if name in file["energy"]:
+            expect(np.array_equal(numbers[:, i], file["energy"][name][...]), f"energy.csv: {name} differs from /energy")
+    names, numbers = table("history.csv")
+    for i, name in enumerate(names):
+        monitor, _, what = name.rpartition(".")
+        field = {"x": ("position", 0), "y": ("position", 1), "ux": ("displacement", 0), "uy": ("displacement", 1),
+                 "vx": ("velocity", 0), "vy": ("velocity", 1)}.get(what)
+        if field and monitor in file["history"]:
+            expect(np.array_equal(numbers[:, i], file["history"][monitor][field[0]][:, field[1]]), f"history.csv: {name} differs from /history")
+
+
+def check_summary(folder, file, last):
+    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    expect(summary["status"] in ("done", "interrupted", "not_converged", "non_finite"), "unknown status")
+    expect(summary["final_time"] == last, "final_time is not the time of the last frame")
+    expect(int(summary["state_hash"], 16) == int(file["frames/state_hash"][-1]), "state_hash is not that of the last frame")
+    expect(summary["case_sha256"] == file["provenance"].attrs["case_sha256"], "case_sha256 differs from /provenance")
+    expect([b["name"] for b in summary["blocks"]] == texts(file["blocks/name"]), "blocks differ from /blocks")
+    expect(len(summary["transfers"]) == len(file["transfers/time"]), "transfers differ from /transfers")
+    for side, columns in summary["ledger"]["columns"].items():
+        for name in columns:
+            expect(file["energy"][name].attrs["side"] == side, f"ledger column {name} is on another side in /energy")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("run", type=pathlib.Path)
+    parser.add_argument("--unfinished", action="store_true", help="a run that was killed: no summary, histories to the last frame")
+    arguments = parser.parse_args()
+    with h5py.File(arguments.run / "run.vtkhdf", "r") as file:
+        for group in GROUPS:
+            expect(group in file, f"group /{group} is missing")
+        check_labels(file)
+        times = check_frames(file)
+        check_ledger(file)
+        check_histories(file, times[-1])
+        case = file["provenance/case"][0]
+        expect(hashlib.sha256(case).hexdigest() == file["provenance"].attrs["case_sha256"], "SHA-256 is not that of the case text")
+        if not arguments.unfinished:
+            check_tables(arguments.run, file)
+            check_summary(arguments.run, file, times[-1])
+    for fault in faults:
+        print(f"{arguments.run}: {fault}")
+    if not faults:
+        print(f"{arguments.run}: {len(times)} frames, fine")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
