@@ -28,7 +28,7 @@ void Progress::event(const coupling::Event& e) {
   if (e.kind == Kind::step_cut && cuts_shown_ == 5) line("            (further cuts are in the results only)");
 }
 
-void Progress::step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+void Progress::step(double time, const coupling::RunStats& stats, const coupling::Ledger&) {
   const Clock::time_point now = Clock::now();
   if (terminal_) {
     if (now - drawn_ < std::chrono::milliseconds(100)) return;
@@ -36,17 +36,17 @@ void Progress::step(double time, const coupling::RunStats& stats, const coupling
     return;
   }
   drawn_ = now;
-  draw(time, stats, ledger);
+  draw(time, stats);
   while (next_tenth_ * end_ <= time) next_tenth_ += 0.1;
 }
 
-void Progress::draw(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+void Progress::draw(double time, const coupling::RunStats& stats) {
   const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = time > 0.0 ? wall * (end_ - time) / time : 0.0;
   const std::string facts =
       fmt::format("{:.3f}/{:g} s  {}  {} steps  {:.0f} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_, stats.steps,
                   static_cast<double>(stats.steps) / std::max(wall, 1e-9), left,
-                  static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), ledger.relative_closure());
+                  static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), closure_);
   if (!terminal_) {
     line(facts);
     return;
@@ -57,7 +57,7 @@ void Progress::draw(double time, const coupling::RunStats& stats, const coupling
 }
 
 void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
-  draw(last.time, *last.stats, last.state->ledger);
+  draw(last.time, *last.stats);
   if (terminal_) fmt::print("\n");
   if (end.status != coupling::RunEnd::Status::done) line(end.reason);
 }

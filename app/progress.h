@@ -16,6 +16,8 @@ class Progress final : public coupling::Sink {
   Progress(bool terminal, double end_time) : terminal_(terminal), end_(end_time) {}
 
   void begin(const Model& model, const coupling::Plan& plan) override;
+  /// The ledger is complete at the instants of the history only: its closure is shown as of the last one.
+  void history(const coupling::HistoryView& history) override { closure_ = history.ledger->relative_closure(); }
   void event(const coupling::Event& event) override;
   void step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) override;
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
@@ -23,10 +25,10 @@ class Progress final : public coupling::Sink {
  private:
   using Clock = std::chrono::steady_clock;
   void line(const std::string& text);
-  void draw(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger);
+  void draw(double time, const coupling::RunStats& stats);
 
   bool terminal_;
-  double end_;
+  double end_, closure_ = 0.0;
   double next_tenth_ = 0.0;
   int cuts_shown_ = 0;
   std::string stage_;

@@ -38,14 +38,14 @@ std::string channel_name(std::string_view run, LiveKind kind) {
 
 std::string channel_pattern(std::string_view run) {
   std::string kinds;
-  for (const LiveKind kind : kLiveKinds) kinds += (kinds.empty() ? "" : "|") + std::string(name(kind));
+  for (const LiveKind kind : kLiveKinds) kinds += fmt::format("{}{}", kinds.empty() ? "" : "|", name(kind));
   return fmt::format("{}{}_({})", kPrefix, run.empty() ? "[A-Za-z0-9_-]+" : channel_run(run), kinds);
 }
 
 std::optional<LiveKind> channel_kind(std::string_view channel) {
   if (channel.size() > kMaxChannel || !channel.starts_with(kPrefix)) return std::nullopt;
   for (const LiveKind kind : kLiveKinds)
-    if (channel.ends_with("_" + std::string(name(kind)))) return kind;
+    if (channel.ends_with(fmt::format("_{}", name(kind)))) return kind;
   return std::nullopt;
 }
 

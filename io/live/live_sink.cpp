@@ -1,7 +1,8 @@
 #include "io/live/live_sink.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <cmath>
 
 #include "io/live/live_publisher.h"
 #include "io/live/take_apart.h"
@@ -10,6 +11,14 @@ namespace scree::io {
 namespace {
 
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
+constexpr int kShare = 100;  // copying frames takes at most one part in so many of the time
+
+/// Processor time of this thread: waiting for other threads of a busy machine does not count.
+std::chrono::nanoseconds cpu_time() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec);
+}
 
 /// Says when the next thing is due, at most so many a second.
 class Limiter {
@@ -28,6 +37,8 @@ class Limiter {
     next_ = now + every_;
     return true;
   }
+  /// Nothing is due before that time is over.
+  void rest(Clock::duration time) { next_ = std::max(next_, Clock::now() + time); }
 
  private:
   Limiter(Clock::duration every, bool ever) : every_(every), ever_(ever) {}
@@ -143,8 +154,10 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   if (frame.stats != nullptr) progress.stats = *frame.stats;
   if (new_stage) impl_->publisher->offer(progress);
   if (impl_->frame_limit.due()) {
+    const auto before = cpu_time();
     impl_->publisher->offer(progress);
     impl_->take_frame(frame);
+    impl_->frame_limit.rest(kShare * (cpu_time() - before));
   } else {
     impl_->publisher->skip_frame();
   }

@@ -24,11 +24,12 @@ Range range(std::span<const double> d) {
 
 std::vector<std::int16_t> steps(std::span<const double> d, double base, double scale) {
   std::vector<std::int16_t> q(d.size(), kNotFinite);
+  const double per_step = scale > 0.0 ? 1.0 / scale : 0.0;
   for (std::size_t i = 0; i < d.size(); ++i) {
     if (!std::isfinite(d[i])) continue;
-    // Rounding may pass the end of the range by one.
-    q[i] = scale > 0.0 ? static_cast<std::int16_t>(std::clamp(std::round((d[i] - base) / scale), -32767.0, 32767.0))
-                       : std::int16_t{0};
+    // std::round would be a call; rounding may pass the end of the range by one.
+    const double exact = (d[i] - base) * per_step;
+    q[i] = static_cast<std::int16_t>(std::clamp(exact + std::copysign(0.5, exact), -32767.0, 32767.0));
   }
   return q;
 }
@@ -40,6 +41,7 @@ Quantised quantise(std::span<const double> dx, std::span<const double> dy) {
   Quantised result;
   result.base = {x.middle(), y.middle()};
   result.scale = std::max(x.step(), y.step());
+  if (!std::isnormal(result.scale)) result.scale = 0.0;  // below 1e-307 m: no range at all
   result.dx = steps(dx, result.base[0], result.scale);
   result.dy = steps(dy, result.base[1], result.scale);
   return result;

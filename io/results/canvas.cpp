@@ -61,6 +61,7 @@ void Canvas::hatch_path() const {
   cairo_fill_preserve(get());
   cairo_clip(get());
   const double step = 5.0;  // [pt]
+  cairo_set_antialias(get(), CAIRO_ANTIALIAS_DEFAULT);  // whatever the fill was drawn with
   ink(kHatch);
   cairo_set_line_width(get(), 0.35);
   for (double x = -height_; x < width_; x += step) {

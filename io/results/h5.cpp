@@ -45,8 +45,12 @@ std::string cause() {
   return text.empty() ? "HDF5 gives no reason" : text;
 }
 
-/// Errors go into FileError, not to stderr.
-void quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Errors go into FileError, not to stderr. No clean-up by HDF5 at exit: every identifier here has an owner, and HDF5
+/// 1.10 crashes there over a file whose close failed on a full disk, which would hide our exit code.
+void quiet() {
+  (void)H5dont_atexit();  // fails when it was called before
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Handle access_list(const fs::path& path) {
   Handle list(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);

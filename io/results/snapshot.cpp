@@ -15,7 +15,7 @@ namespace scree::io {
 namespace {
 
 constexpr double kWidth = 504.0;                        // of the page: 7 inches [pt]
-constexpr double kTop = 40.0, kBottom = 46.0;           // title; ticks, label and key [pt]
+constexpr double kTop = 40.0, kBottom = 50.0;           // title; ticks, label and key [pt]
 constexpr double kBarGap = 10.0, kEdge = 8.0;           // [pt]
 constexpr std::size_t kMostNames = 24;                  // in a legend
 

@@ -110,12 +110,11 @@ void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
   at_.first_id = connectivity_.rows();
   at_.points = static_cast<std::int64_t>(mesh.origin.size() / 2);
   at_.cells = static_cast<std::int64_t>(mesh.cell_block.size());
-  at_.ids = static_cast<std::int64_t>(mesh.connectivity.size());
   SCREE_ASSERT(mesh.offsets.size() == mesh.cell_block.size() + 1);
 
   count_points_.append(at_.points);
   count_cells_.append(at_.cells);
-  count_ids_.append(at_.ids);
+  count_ids_.append(static_cast<std::int64_t>(mesh.connectivity.size()));
   connectivity_.append(widened(mesh.connectivity));
   offsets_.append(widened(mesh.offsets));
   types_.append(std::vector<std::uint8_t>(mesh.cell_block.size(), kPolygon));
@@ -138,10 +137,7 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
     at_.first_integrator = integrator_cell_.rows();
     integrator_cell_.append(std::vector<std::int32_t>(static_cast<std::size_t>(at_.cells), scheme));
   }
-  at_.frame = frames_;
-  at_.time = frame.time;
-  at_.first_point = points_.rows();
-  at_.first_stress = stress_.rows();
+  const std::int64_t first_point = points_.rows(), first_stress = stress_.rows();
 
   std::vector<double> moved(frame.position.begin(), frame.position.end());
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= frame.mesh->origin[i];
@@ -154,13 +150,13 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
   time_.append(frame.time);
   part_offset_.append(at_.part);
   part_count_.append(1);
-  point_offset_.append(at_.first_point);
+  point_offset_.append(first_point);
   cell_offset_.append(at_.first_cell);
   id_offset_.append(at_.first_id);
-  for (auto& [name, series] : point_field_) series.append(at_.first_point);
+  for (auto& [name, series] : point_field_) series.append(first_point);
   for (auto& [name, series] : cell_field_) {
     const bool a_frame = name == "stress" || name == "principal_stress";  // the others are stored once a mesh
-    series.append(a_frame ? at_.first_stress : name == "integrator" ? at_.first_integrator : at_.first_cell);
+    series.append(a_frame ? first_stress : name == "integrator" ? at_.first_integrator : at_.first_cell);
   }
   frame_step_.append(frame.step);
   frame_tick_.append(frame.tick);

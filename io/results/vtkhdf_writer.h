@@ -28,17 +28,11 @@ class VtkhdfWriter {
   void flush();
   void close();
 
-  /// Where the frame written last begins, and the mesh it is on, in rows of the datasets.
-  struct Where {
-    std::int64_t frame = 0;
-    double time = 0.0;
-    std::int64_t part = 0, points = 0, cells = 0, ids = 0;                  // sizes, but for part
-    std::int64_t first_point = 0, first_cell = 0, first_id = 0;             // of Points; of static cell fields; of Connectivity
-    std::int64_t first_stress = 0, first_integrator = 0;                    // of the fields a frame
-  };
-  [[nodiscard]] const Where& last() const { return at_; }
-
  private:
+  /// The mesh that frames are on now: its part, sizes, and first rows of the datasets stored once a mesh.
+  struct Mesh {
+    std::int64_t part = 0, points = 0, cells = 0, first_cell = 0, first_id = 0, first_integrator = 0;
+  };
   template <class Visitor>
   void each(Visitor&& see);
   std::int32_t method_number(const std::string& name);
@@ -47,7 +41,7 @@ class VtkhdfWriter {
   std::optional<std::uint32_t> mesh_;                   // id of the mesh stored last
   std::optional<coupling::Integrator> integrator_;      // that the present mesh was last written with
   std::map<std::string, std::int32_t> methods_;
-  Where at_;
+  Mesh at_;
   std::int64_t frames_ = 0;
 
   h5::Series<double> points_, displacement_, velocity_, stress_, principal_, time_;

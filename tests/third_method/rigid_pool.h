@@ -2,6 +2,7 @@
 // hand-over, results and streaming ask nothing of a method but what model/pool.h says.
 #pragma once
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "model/outline.h"

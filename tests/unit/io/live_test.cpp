@@ -509,8 +509,8 @@ TEST(LiveRate, sink_reads_nothing_after_the_call_and_does_not_wait) {
   sink.end({}, strip.frame);
   ASSERT_TRUE(reader.wait(20s, [](const LiveAssembly& a) { return a.frame() && a.frame()->header.time == 0.6; }));
   for (const double x : reader.frame()->position) ASSERT_TRUE(std::isfinite(x));
-  EXPECT_GT(sink.frames_skipped(), 0) << "encoding is slower than copying, so some were replaced";
-  EXPECT_LT(longest, 0.25) << "a copy of 3 MB; the bound leaves room for a loaded machine";
+  EXPECT_GT(sink.frames_skipped(), 0) << "a copy of 3 MB may not take more than a hundredth of the time";
+  EXPECT_LT(longest, 0.25) << "one copy; the bound leaves room for a loaded machine";
 }
 
 TEST(LiveFile, log_of_a_run_is_read_back) {

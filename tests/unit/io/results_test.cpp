@@ -21,6 +21,11 @@
 #include "io/results/snapshot.h"
 #include "io/results/ticks.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+/// The font library keeps its cache until the process ends, and says so nowhere.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+#endif
+
 namespace scree::io {
 namespace {
 
