@@ -19,6 +19,14 @@ void parallel_for(std::int64_t n, Body&& body) {
   for (std::int64_t i = 0; i < n; ++i) body(i);
 }
 
+/// chunk(begin, end) over [0, n) in chunks of kChunk.
+template <class Chunk>
+void parallel_for_chunks(std::int64_t n, Chunk&& chunk) {
+  const std::int64_t chunks = (n + kChunk - 1) / kChunk;
+#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
+  for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, c * kChunk + kChunk < n ? c * kChunk + kChunk : n);
+}
+
 /// Sum of chunk(begin, end) over [0, n) in chunks of kChunk: the same bits for any number of threads.
 template <class Chunk>
 double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "model/check.h"
+#include "model/parallel.h"
 
 namespace scree::nmm {
 namespace {
@@ -55,34 +55,45 @@ bool AffineMass::make(const CoverMesh& mesh, const ReferenceShape& shape, std::i
 }
 
 AffineMass::Moments3 AffineMass::projection(std::span<const double> v, bool weighted) const {
-  // Two doubles a cover and a fixed order: partial sums over chunks would be no faster below some 10^5 covers.
-  Moments3 z = Moments3::Zero();
-  for (std::size_t k = 0; k < X_.size(); ++k) {
-    if (tie_of_[k] >= 0) continue;
-    const Vec2 a = weighted ? Vec2(lumped_[k] * at(v, static_cast<std::size_t>(first_) + k))
-                            : at(v, static_cast<std::size_t>(first_) + k);
-    z.row(0) += a.transpose();
-    z.row(1) += X_[k].x() * a.transpose();
-    z.row(2) += X_[k].y() * a.transpose();
-  }
-  return z;
+  const auto count = static_cast<std::int64_t>(X_.size()), chunks = (count + kChunk - 1) / kChunk;
+  partial_.resize(static_cast<std::size_t>(chunks));
+  parallel_for_chunks(count, [&](std::int64_t begin, std::int64_t end) {
+    Moments3 z = Moments3::Zero();
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      if (tie_of_[k] >= 0) continue;
+      const Vec2 a = weighted ? Vec2(lumped_[k] * at(v, static_cast<std::size_t>(first_) + k)) : at(v, static_cast<std::size_t>(first_) + k);
+      z.row(0) += a.transpose();
+      z.row(1) += X_[k].x() * a.transpose();
+      z.row(2) += X_[k].y() * a.transpose();
+    }
+    partial_[static_cast<std::size_t>(begin / kChunk)] = z;
+  });
+  Moments3 sum = Moments3::Zero();
+  for (const Moments3& z : partial_) sum += z;
+  return sum;
 }
 
 void AffineMass::solve(std::span<const double> f, std::span<double> a) const {
   const auto first = static_cast<std::size_t>(first_);
-  for (std::size_t i = 2 * first; i < 2 * (first + X_.size()); ++i) a[i] = f[i];
+  const auto count = static_cast<std::int64_t>(X_.size());
+  parallel_for(count, [&](std::int64_t k) {
+    const std::size_t i = 2 * (first + static_cast<std::size_t>(k));
+    a[i] = f[i];
+    a[i + 1] = f[i + 1];
+  });
   for (const Tie& t : ties_)
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t d = 0; d < 2; ++d)
         a[2 * (first + static_cast<std::size_t>(t.root[k])) + d] += t.w[k] * f[2 * (first + static_cast<std::size_t>(t.cover)) + d];
   const Moments3 z = inverse_correction_ * projection(a, false);
-  for (std::size_t k = 0; k < X_.size(); ++k) {
-    if (tie_of_[k] >= 0) continue;
+  parallel_for(count, [&](std::int64_t n) {
+    const auto k = static_cast<std::size_t>(n);
+    if (tie_of_[k] >= 0) return;
     const std::size_t i = 2 * (first + k);
     const double inverse = 1.0 / lumped_[k];
     a[i] = a[i] * inverse + z(0, 0) + X_[k].x() * z(1, 0) + X_[k].y() * z(2, 0);
     a[i + 1] = a[i + 1] * inverse + z(0, 1) + X_[k].x() * z(1, 1) + X_[k].y() * z(2, 1);
-  }
+  });
   for (const Tie& t : ties_)
     for (std::size_t d = 0; d < 2; ++d) {
       double sum = 0.0;
@@ -110,7 +121,8 @@ double AffineMass::kinetic_energy(std::span<const double> v) const {
 
 void AffineMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
   const Moments3 z = hat_inverse_ * projection(v, true);
-  for (std::size_t k = 0; k < X_.size(); ++k) {
+  parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
+    const auto k = static_cast<std::size_t>(n);
     const std::size_t i = 2 * (static_cast<std::size_t>(first_) + k);
     for (std::size_t d = 0; d < 2; ++d) {
       const auto c = static_cast<Eigen::Index>(d);
@@ -118,7 +130,7 @@ void AffineMass::damp(double factor, double rate, std::span<double> v, std::span
       v[i + d] = affine + w;
       f[i + d] -= rate * lumped_[k] * w;  // P^T M_L w = 0, so M~ w = M_L w
     }
-  }
+  });
 }
 
 void AffineMass::add_weight(const Vec2& g, std::span<double> f) const {

@@ -42,6 +42,7 @@ class AffineMass {
   using Moments3 = Eigen::Matrix<double, 3, 2>;
   [[nodiscard]] Moments3 projection(std::span<const double> v, bool weighted) const;  // P^T (M_L) v
 
+  mutable std::vector<Moments3> partial_;  // of projection(), chunk by chunk
   std::int32_t first_ = 0;
   std::vector<double> lumped_, unit_;  // M_L, M~ 1
   std::vector<Vec2> X_;

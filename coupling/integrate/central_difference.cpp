@@ -41,10 +41,12 @@ void CentralDifference::evaluate(const State& state, std::vector<std::vector<dou
   contact_force_.assign(n, 0.0);
   contact_.add(contact_force_);
   total.assign(contact_force_.begin(), contact_force_.end());
+  const auto count = static_cast<std::int64_t>(n);
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    std::fill(forces[i].begin(), forces[i].end(), 0.0);
-    terms_[i]->add(state.q, seconds(state.time), forces[i]);
-    for (std::size_t k = 0; k < n; ++k) total[k] += forces[i][k];
+    std::vector<double>& f = forces[i];
+    parallel_for(count, [&](std::int64_t k) { f[static_cast<std::size_t>(k)] = 0.0; });
+    terms_[i]->add(state.q, seconds(state.time), f);
+    parallel_for(count, [&](std::int64_t k) { total[static_cast<std::size_t>(k)] += f[static_cast<std::size_t>(k)]; });
   }
 }
 
@@ -52,16 +54,23 @@ void CentralDifference::damp(State& state, double factor) {
   std::fill(damping_force_.begin(), damping_force_.end(), 0.0);
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     setup_->pool(p).damp(factor, damping_, setup_->part(std::span<double>(state.v), p), setup_->part(std::span<double>(damping_force_), p));
-  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += damping_force_[i];
+  parallel_for(static_cast<std::int64_t>(total_.size()), [&](std::int64_t i) { total_[static_cast<std::size_t>(i)] += damping_force_[static_cast<std::size_t>(i)]; });
   accelerate(state);
+}
+
+void CentralDifference::kick(State& state, double h) {
+  parallel_for(static_cast<std::int64_t>(state.v.size()), [&](std::int64_t i) { state.v[static_cast<std::size_t>(i)] += h * state.a[static_cast<std::size_t>(i)]; });
 }
 
 void CentralDifference::accelerate(State& state) const {
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
                                setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
-  for (std::size_t k = 0; k < setup_->free().size(); ++k)
-    if (setup_->free()[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  const std::vector<double>& free = setup_->free();
+  parallel_for(static_cast<std::int64_t>(free.size()), [&](std::int64_t n) {
+    const auto k = static_cast<std::size_t>(n);
+    if (free[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
+  });
 }
 
 double CentralDifference::acceleration_energy(const State& state) const { return work(state.a, total_, true); }
@@ -89,15 +98,22 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   const std::size_t nodes = setup_->free().size();
 
   // Nothing has changed yet: a step that would go too far is refused here.
-  double farthest = 0.0;
+  std::vector<std::size_t>& farthest_in = farthest_;  // by chunk, then over the chunks: the first of the largest
+  farthest_in.assign((nodes + kChunk - 1) / kChunk, 0);
+  const auto reach = [&](std::size_t k) {  // squared displacement of a node in this step
+    const double x = state.v[2 * k] + 0.5 * h * state.a[2 * k], y = state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1];
+    return h * h * (x * x + y * y);
+  };
+  parallel_for_chunks(static_cast<std::int64_t>(nodes), [&](std::int64_t begin, std::int64_t chunk_end) {
+    auto best = static_cast<std::size_t>(begin);
+    for (std::size_t k = best + 1; k < static_cast<std::size_t>(chunk_end); ++k)
+      if (!(reach(k) <= reach(best))) best = k;
+    farthest_in[static_cast<std::size_t>(begin / kChunk)] = best;
+  });
   std::size_t where = 0;
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const double u = h * std::hypot(state.v[2 * k] + 0.5 * h * state.a[2 * k], state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1]);
-    if (!(u <= farthest)) {
-      farthest = u;
-      where = k;
-    }
-  }
+  for (std::size_t k : farthest_in)
+    if (!(reach(k) <= reach(where))) where = k;
+  const double farthest = std::sqrt(reach(where));
   const auto body_at = [&] {
     const auto& bodies = setup_->bodies();
     for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -118,7 +134,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
 
   if (state.last_step != ticks_of_step) change_step(state, h);
   // Kick by half a step; driven bodies go where they are told.
-  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
+  kick(state, 0.5 * h);
   for (const Body& b : setup_->bodies()) {
     if (!b.driven) continue;
     const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
@@ -153,7 +169,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   accelerate(state);
   const std::span<double> v(state.v);
   if (damping_ > 0.0) v_before_.assign(v.begin(), v.end());
-  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += 0.5 * h * state.a[i];
+  kick(state, 0.5 * h);
   if (damping_ > 0.0) {
     damp(state, 1.0 / (1.0 + 0.5 * h * damping_));
     state.ledger.book(Column::mass_damping, -0.5 * h * (damped + work(v_before_, damping_force_, true)));

@@ -32,6 +32,7 @@ class CentralDifference final : public Mover {
  private:
   void evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total);
   [[nodiscard]] double work(std::span<const double> v, std::span<const double> f, bool free) const;
+  static void kick(State& state, double h);
   void accelerate(State& state) const;
   void damp(State& state, double factor);
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
@@ -44,6 +45,7 @@ class CentralDifference final : public Mover {
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   std::vector<std::vector<double>> force_;  // a term: its forces at the present instant
   std::vector<double> contact_force_, damping_force_, total_, v_before_;
+  std::vector<std::size_t> farthest_;
   std::vector<double> half_free_, half_driven_;  // a term: half works of the step so far
   mutable std::vector<double> partial_;
 };

@@ -1,5 +1,7 @@
 #include "coupling/integrate/force_term.h"
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 
 void InternalForce::add(std::span<const double> q, double, std::span<double> f) {
@@ -21,7 +23,7 @@ Gravity::Gravity(const Setup& setup) : weight_(2 * static_cast<std::size_t>(setu
 }
 
 void Gravity::add(std::span<const double>, double, std::span<double> f) {
-  for (std::size_t i = 0; i < weight_.size(); ++i) f[i] += weight_[i];
+  parallel_for(static_cast<std::int64_t>(weight_.size()), [&](std::int64_t i) { f[static_cast<std::size_t>(i)] += weight_[static_cast<std::size_t>(i)]; });
 }
 
 void Gravity::book(double free, double, Ledger& ledger) { ledger.book(Column::gravity, free); }

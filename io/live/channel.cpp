@@ -28,7 +28,8 @@ std::string channel_run(std::string_view run) {
   for (char& c : text)
     if (!allowed(c)) c = '-';
   if (text.size() <= kMaxRun) return text;
-  const std::string mark = fmt::format("-{:08x}", crc32({reinterpret_cast<const std::uint8_t*>(run.data()), run.size()}));
+  const std::string mark =
+      fmt::format("-{:08x}", crc32({reinterpret_cast<const std::uint8_t*>(run.data()), run.size()}));
   return text.substr(0, kMaxRun - mark.size()) + mark;
 }
 

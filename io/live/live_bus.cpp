@@ -65,7 +65,8 @@ bool LiveBus::subscribe(const std::string& pattern, Handler handler) {
   constexpr int kQueue = 1000;  // messages; the library's 30 are less than one frame of a large mesh
   handlers_.push_back(std::make_unique<Handler>(std::move(handler)));
   const auto call = [](const lcm_recv_buf_t* message, const char* channel, void* user) {
-    (*static_cast<const Handler*>(user))(channel, {static_cast<const std::uint8_t*>(message->data), message->data_size});
+    (*static_cast<const Handler*>(user))(channel,
+                                         {static_cast<const std::uint8_t*>(message->data), message->data_size});
   };
   lcm_subscription_t* subscription =
       lcm_subscribe(connection_->lcm.get(), pattern.c_str(), call, handlers_.back().get());

@@ -24,11 +24,11 @@ enum class LiveField {
 /// add displacements to the very same numbers, so that only quantisation is left between their positions.
 struct LiveMesh {
   std::int64_t id = -1;
-  std::array<double, 2> base{0.0, 0.0};                   // [m]
-  std::vector<float> origin_x, origin_y;                  // from base, a point [m]
-  std::vector<std::int32_t> offsets{0}, connectivity;     // polygon cells of points; cells + 1 offsets
-  std::vector<std::int32_t> block, material, method;      // a cell
-  std::vector<std::string> methods;                       // names that method counts
+  std::array<double, 2> base{0.0, 0.0};                // [m]
+  std::vector<float> origin_x, origin_y;               // from base, a point [m]
+  std::vector<std::int32_t> offsets{0}, connectivity;  // polygon cells of points; cells + 1 offsets
+  std::vector<std::int32_t> block, material, method;   // a cell
+  std::vector<std::string> methods;                    // names that method counts
 
   [[nodiscard]] static LiveMesh copy(const coupling::MeshView& view);
   [[nodiscard]] std::size_t points() const { return origin_x.size(); }

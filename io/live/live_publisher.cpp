@@ -54,7 +54,8 @@ std::vector<float> cell_values(const RawFrame& frame, LiveField field) {
       const std::int32_t first = mesh.offsets[c], last = mesh.offsets[c + 1];
       for (std::int32_t k = first; k < last; ++k) {
         const auto p = static_cast<std::size_t>(mesh.connectivity[static_cast<std::size_t>(k)]);
-        value += std::sqrt(frame.source[2 * p] * frame.source[2 * p] + frame.source[2 * p + 1] * frame.source[2 * p + 1]);
+        value +=
+            std::sqrt(frame.source[2 * p] * frame.source[2 * p] + frame.source[2 * p + 1] * frame.source[2 * p + 1]);
       }
       value /= std::max(1, last - first);
     }
@@ -64,10 +65,7 @@ std::vector<float> cell_values(const RawFrame& frame, LiveField field) {
 }
 
 LivePublisher::LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus)
-    : session_(microseconds_now()),
-      url_(std::move(url)),
-      identity_(std::move(identity)),
-      bus_(std::move(bus)) {
+    : session_(microseconds_now()), url_(std::move(url)), identity_(std::move(identity)), bus_(std::move(bus)) {
   now_.session = session_;
   now_.topology_id = -1;
 }
@@ -257,7 +255,8 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.end_time = progress.end_time;
   info.simulated_per_wall = simulated_per_wall_;
   info.steps_per_second = steps_per_second_;
-  info.time_left = simulated_per_wall_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / simulated_per_wall_ : -1.0;
+  info.time_left =
+      simulated_per_wall_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / simulated_per_wall_ : -1.0;
   info.steps = progress.stats.steps;
   info.cuts = progress.stats.cuts;
   info.passes = progress.stats.passes;

@@ -105,9 +105,9 @@ class LivePublisher {
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  Waiting waiting_;        // guarded
-  bool fresh_ = false;     // guarded
-  std::string warning_;    // guarded
+  Waiting waiting_;      // guarded
+  bool fresh_ = false;   // guarded
+  std::string warning_;  // guarded
   std::atomic<bool> has_warning_ = false, stopped_ = false;
   std::atomic<std::int64_t> frames_sent_ = 0, frames_skipped_ = 0, events_lost_ = 0;
 
@@ -116,7 +116,7 @@ class LivePublisher {
   bool gave_up_ = false, complained_ = false;
   std::shared_ptr<const LiveMesh> mesh_;
   Bytes encoded_mesh_;
-  header_v1_t now_{};      // of the newest thing sent
+  header_v1_t now_{};  // of the newest thing sent
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, topology_at_{}, large_at_{};
   Clock::time_point rate_from_{};

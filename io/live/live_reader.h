@@ -23,7 +23,8 @@ class LiveReader {
   /// @param why  set when the answer is null
   /// @return null when there is no network for it
   /// @throws std::invalid_argument for a URL that check_live_url refuses for a receiver
-  [[nodiscard]] static std::unique_ptr<LiveReader> open(const std::string& url, const std::string& run, std::string& why);
+  [[nodiscard]] static std::unique_ptr<LiveReader> open(const std::string& url, const std::string& run,
+                                                        std::string& why);
   /// Listens on a connection that a sink of this program uses (memq). Listen before the sink begins: memq keeps nothing
   /// for those who come later.
   LiveReader(std::shared_ptr<LiveBus> bus, const std::string& run);

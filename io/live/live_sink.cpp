@@ -29,7 +29,8 @@ class Limiter {
   [[nodiscard]] static Limiter at_rate(double rate) {
     constexpr double kDay = 86400.0;
     return Limiter(std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(rate > 1.0 / kDay ? 1.0 / rate : kDay)), rate > 0.0);
+                       std::chrono::duration<double>(rate > 1.0 / kDay ? 1.0 / rate : kDay)),
+                   rate > 0.0);
   }
   [[nodiscard]] bool due() {
     const Clock::time_point now = Clock::now();
@@ -49,10 +50,14 @@ class Limiter {
 
 std::string_view name(coupling::RunEnd::Status status) {
   switch (status) {
-    case coupling::RunEnd::Status::done: return "done";
-    case coupling::RunEnd::Status::interrupted: return "interrupted";
-    case coupling::RunEnd::Status::not_converged: return "not converged";
-    case coupling::RunEnd::Status::non_finite: return "not finite";
+    case coupling::RunEnd::Status::done:
+      return "done";
+    case coupling::RunEnd::Status::interrupted:
+      return "interrupted";
+    case coupling::RunEnd::Status::not_converged:
+      return "not converged";
+    case coupling::RunEnd::Status::non_finite:
+      return "not finite";
   }
   return "";
 }
@@ -75,8 +80,8 @@ struct LiveSink::Impl {
   }
   [[nodiscard]] header_v1_t header(double time, std::int64_t& sequence) const {
     header_v1_t h{};
-    h.utime = std::chrono::duration_cast<std::chrono::microseconds>(
-                  std::chrono::system_clock::now().time_since_epoch()).count();
+    h.utime = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+                  .count();
     h.session = publisher->session();
     h.topology_id = mesh ? mesh->id : -1;
     h.sequence = sequence++;
@@ -102,8 +107,8 @@ struct LiveSink::Impl {
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
-  RawFrame spare;                             // a buffer for the next frame
-  std::unique_ptr<LivePublisher> publisher;   // last: its thread ends first
+  RawFrame spare;                                                   // a buffer for the next frame
+  std::unique_ptr<LivePublisher> publisher;                         // last: its thread ends first
 };
 
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
@@ -170,10 +175,10 @@ void LiveSink::history(const coupling::HistoryView& history) {
       history.velocity.size() == 2 * count) {
     const auto copied = [](std::span<const double> xy) { return std::vector<double>(xy.begin(), xy.end()); };
     impl_->publisher->offer(LiveHistory{impl_->header(history.time, impl_->histories), impl_->monitors,
-                                        copied(history.position), copied(history.displacement), copied(history.velocity)});
+                                        copied(history.position), copied(history.displacement),
+                                        copied(history.velocity)});
   }
-  if (history.ledger != nullptr)
-    impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+  if (history.ledger != nullptr) impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
 }
 
 void LiveSink::event(const coupling::Event& event) {
@@ -198,8 +203,7 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->step = last.step;
   impl_->publisher->offer(impl_->progress);
   impl_->take_frame(last);
-  if (last.state != nullptr)
-    impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
+  if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
   impl_->publisher->finish();
   impl_->pass_warning();
 }

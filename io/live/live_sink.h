@@ -28,8 +28,8 @@ struct LiveRun {
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
 /// of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent before
-/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO on
-/// change and every two seconds. Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
+/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO on change and every two seconds.
+/// Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
 class LiveSink final : public coupling::Sink {
  public:
   using Warn = std::function<void(std::string)>;

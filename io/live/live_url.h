@@ -25,7 +25,8 @@ struct LiveUrl {
 ///   udpm://[GROUP:PORT][?ttl=0|1][&recv_buf_size=N]   GROUP in 224.0.0.0/4; ttl=0, the default, stays on this machine
 ///   memq://                                           within one program
 ///   file://PATH                                       an LCM log: a sender writes it anew, a receiver plays it
-/// A file that a sender would overwrite must be empty, or an LCM log, and its folder must exist; a receiver's must exist.
+/// A file that a sender would overwrite must be empty, or an LCM log, and its folder must exist; a receiver's must
+/// exist.
 /// @return what is wrong and what is accepted, in one line; empty if nothing is
 [[nodiscard]] std::optional<std::string> check_live_url(std::string_view url, LiveSide side = LiveSide::sender);
 

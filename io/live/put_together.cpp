@@ -87,11 +87,16 @@ bool LiveAssembly::take(std::string_view channel, std::span<const std::uint8_t> 
     case LiveKind::info:
       if (kind) return take_as<info_v1_t>(bytes);
       break;  // a channel of somebody else
-    case LiveKind::topo: return take_as<topo_v1_t>(bytes);
-    case LiveKind::state: return take_as<state_v1_t>(bytes);
-    case LiveKind::hist: return take_as<hist_v1_t>(bytes);
-    case LiveKind::energy: return take_as<energy_v1_t>(bytes);
-    case LiveKind::event: return take_as<event_v1_t>(bytes);
+    case LiveKind::topo:
+      return take_as<topo_v1_t>(bytes);
+    case LiveKind::state:
+      return take_as<state_v1_t>(bytes);
+    case LiveKind::hist:
+      return take_as<hist_v1_t>(bytes);
+    case LiveKind::energy:
+      return take_as<energy_v1_t>(bytes);
+    case LiveKind::event:
+      return take_as<event_v1_t>(bytes);
   }
   ++counts_.malformed;
   return false;

@@ -76,7 +76,7 @@ class LiveAssembly {
   std::shared_ptr<const LiveFrame> frame_;
   std::shared_ptr<const LiveHistory> history_;
   Pieces mesh_pieces_, frame_pieces_, history_pieces_;
-  std::vector<Bytes> mesh_bytes_;                // a piece
+  std::vector<Bytes> mesh_bytes_;  // a piece
   std::shared_ptr<LiveFrame> next_frame_;
   std::shared_ptr<LiveHistory> next_history_;
   LiveCounts counts_;

@@ -17,10 +17,14 @@ namespace {
 
 std::string_view side_name(coupling::Side side) {
   switch (side) {
-    case coupling::Side::energy: return "energy";
-    case coupling::Side::work: return "work";
-    case coupling::Side::dissipated: return "dissipated";
-    case coupling::Side::scheme: return "scheme";
+    case coupling::Side::energy:
+      return "energy";
+    case coupling::Side::work:
+      return "work";
+    case coupling::Side::dissipated:
+      return "dissipated";
+    case coupling::Side::scheme:
+      return "scheme";
   }
   return "";
 }
@@ -101,8 +105,8 @@ void send_history(const LiveHistory& history, const Send& send) {
     const std::size_t last = std::min(first + std::size_t{kMonitorsPerMessage}, history.names.size());
     out.first = static_cast<std::int32_t>(first);
     out.monitors = static_cast<std::int32_t>(last - first);
-    for (auto* list : {&out.position_x, &out.position_y, &out.displacement_x, &out.displacement_y, &out.velocity_x,
-                       &out.velocity_y})
+    for (auto* list :
+         {&out.position_x, &out.position_y, &out.displacement_x, &out.displacement_y, &out.velocity_x, &out.velocity_y})
       list->clear();
     out.name.clear();
     for (std::size_t i = first; i < last; ++i) {

@@ -98,7 +98,8 @@ std::string wire_text(std::string_view text, std::size_t most) {
   text = text.substr(0, text.find('\0'));
   std::size_t size = std::min(most, text.size());
   if (size < text.size())
-    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;  // not inside a UTF-8 character
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U)
+      --size;  // not inside a UTF-8 character
   return std::string(text.substr(0, size));
 }
 

@@ -23,8 +23,8 @@ inline constexpr std::size_t kMaxMessage = 60000;  // bytes; on loopback 60 kB a
 template <class Message>
 [[nodiscard]] std::string_view layout();
 
-/// True when the bytes after the fingerprint are exactly a message of this layout: counts not negative, texts ended by a
-/// zero and without one inside, nothing missing and nothing left over.
+/// True when the bytes after the fingerprint are exactly a message of this layout: counts not negative, texts ended by
+/// a zero and without one inside, nothing missing and nothing left over.
 [[nodiscard]] bool fits(std::string_view layout, std::span<const std::uint8_t> body);
 
 /// True when the last four bytes are the CRC-32 of those before them.

@@ -131,7 +131,7 @@ class RigidPool final : public Pool {
     Eigen::Map<Mat2>(q.data() + 6 * static_cast<std::size_t>(b) + 2) = F;
   }
   [[nodiscard]] static double spin(int b, std::span<const double> q, std::span<const double> v) {
-    const Mat2 B = gradient(b, v) * gradient(b, q).transpose();
+    const Mat2 B = gradient(b, v) * gradient(b, q).inverse();
     return 0.5 * (B(1, 0) - B(0, 1));
   }
   [[nodiscard]] const ReferenceShape& shape(int b) const { return shapes_[static_cast<std::size_t>(b)]; }

@@ -47,8 +47,11 @@ TEST(ThirdMethod, rigid_block_on_nmm_and_dda_carries_its_weight_into_both) {
   coupling::Driver run(scene.model, scene.plan, methods);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const double load = weight(scene, 3.0 * 0.8);
-  EXPECT_NEAR(normal_force_on(run, BlockId{3}, BlockId{1}) / (0.5 * load), 1.0, 1e-3);
-  EXPECT_NEAR(normal_force_on(run, BlockId{3}, BlockId{2}) / (0.5 * load), 1.0, 1e-3);
+  // Four contact points: how they share the load depends on the stiffness of the blocks below, its sum does not.
+  const double left = normal_force_on(run, BlockId{3}, BlockId{1}), right = normal_force_on(run, BlockId{3}, BlockId{2});
+  EXPECT_NEAR((left + right) / load, 1.0, 1e-3);
+  EXPECT_GT(left, 0.4 * load);
+  EXPECT_GT(right, 0.4 * load);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 
@@ -87,7 +90,7 @@ TEST(ThirdMethod, rigid_spin_keeps_edges_and_rate) {
   coupling::Driver run(scene.model, scene.plan, methods);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const BodyTotals t = totals_of(run, id);
-  EXPECT_NEAR(t.kinetic, 0.5 * 2600.0 * 2.0 * (4.0 + 1.0) / 12.0 * 9.0, 1e-8);
+  EXPECT_NEAR(t.kinetic, 0.5 * 2600.0 * 2.0 * (4.0 + 1.0) / 12.0 * 9.0, 1e-8);  // 1e-12 of it
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // Live streaming: what a reader puts together is what the run had; anything damaged is dropped; nothing stops the run.
-#include "io/live/live_sink.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -19,6 +17,7 @@
 #include "io/live/crc32.h"
 #include "io/live/live_publisher.h"
 #include "io/live/live_reader.h"
+#include "io/live/live_sink.h"
 #include "io/live/quantise.h"
 #include "io/live/split.h"
 #include "io/live/take_apart.h"
@@ -72,7 +71,8 @@ struct Strip {
       velocity.insert(velocity.end(), {std::sin(phase), -2.0 * std::cos(phase)});
     }
     stress.assign(3 * block.size(), 0.0);
-    for (std::size_t c = 0; c < block.size(); ++c) stress[3 * c] = -1000.0 * static_cast<double>(c), stress[3 * c + 1] = 500.0;
+    for (std::size_t c = 0; c < block.size(); ++c)
+      stress[3 * c] = -1000.0 * static_cast<double>(c), stress[3 * c + 1] = 500.0;
     frame.time = t;
     frame.end_time = 10.0;
     frame.step = static_cast<std::int64_t>(1000 * t);
@@ -157,11 +157,11 @@ TEST(LiveChannel, name_for_any_run_fits_and_is_clean) {
 }
 
 TEST(LiveUrl, bad_ones_are_refused_and_name_what_is_accepted) {
-  for (const char* bad : {"tcpq://127.0.0.1:7700", "", "udpm", "memq", "memq://x", "http://localhost", "udpm://127.0.0.1:7667",
-                          "udpm://239.255.76.67", "udpm://239.255.76.67:0", "udpm://239.255.76.67:99999", "udpm://no:7667",
-                          "udpm://239.255.76.67:7667?ttl=7", "udpm://239.255.76.67:7667?ttl=x",
-                          "udpm://239.255.76.67:7667?speed=2", "file://", "file:///no/such/folder/x.lcm", "file:///",
-                          "file:///tmp/x.lcm?mode=r"}) {
+  for (const char* bad :
+       {"tcpq://127.0.0.1:7700", "", "udpm", "memq", "memq://x", "http://localhost", "udpm://127.0.0.1:7667",
+        "udpm://239.255.76.67", "udpm://239.255.76.67:0", "udpm://239.255.76.67:99999", "udpm://no:7667",
+        "udpm://239.255.76.67:7667?ttl=7", "udpm://239.255.76.67:7667?ttl=x", "udpm://239.255.76.67:7667?speed=2",
+        "file://", "file:///no/such/folder/x.lcm", "file:///", "file:///tmp/x.lcm?mode=r"}) {
     const auto wrong = check_live_url(bad);
     ASSERT_TRUE(wrong) << bad;
     EXPECT_NE(wrong->find("accepted: udpm://"), std::string::npos) << *wrong;
@@ -176,7 +176,8 @@ TEST(LiveUrl, bad_ones_are_refused_and_name_what_is_accepted) {
 }
 
 TEST(LiveUrl, file_that_is_no_log_is_not_overwritten) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("scree-live-" + std::to_string(getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("scree-live-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "case.toml") << "title = 'mine'\n";
   EXPECT_TRUE(check_live_url("file://" + (folder / "case.toml").string()));
@@ -254,12 +255,14 @@ TEST(LiveRoundTrip, frame_on_memory_queue_equals_the_runs_to_quantisation) {
   sink.history({0.25, ticks(0.25), xy, xy, xy, &strip.state.ledger, &strip.stats});
   sink.frame(strip.frame);
   sink.end({coupling::RunEnd::Status::interrupted, "by hand"}, strip.frame);
-  ASSERT_TRUE(reader.wait(5s, [](const LiveAssembly& a) { return a.info() && a.info()->status != "running" && a.frame(); }));
+  ASSERT_TRUE(
+      reader.wait(5s, [](const LiveAssembly& a) { return a.info() && a.info()->status != "running" && a.frame(); }));
 
   const auto frame = reader.frame();
   ASSERT_EQ(frame->position.size(), strip.position.size());
   // Displacements span 0.5 to 1 m: a step is 1 m / 65534 at most, and the error half of it.
-  for (std::size_t i = 0; i < strip.position.size(); ++i) EXPECT_NEAR(frame->position[i], strip.position[i], 0.51 / 65534.0);
+  for (std::size_t i = 0; i < strip.position.size(); ++i)
+    EXPECT_NEAR(frame->position[i], strip.position[i], 0.51 / 65534.0);
   EXPECT_EQ(frame->header.time, 0.25);
   EXPECT_EQ(frame->header.step, 250);
   ASSERT_EQ(frame->scalar.size(), strip.block.size());
@@ -514,7 +517,8 @@ TEST(LiveRate, sink_reads_nothing_after_the_call_and_does_not_wait) {
 }
 
 TEST(LiveFile, log_of_a_run_is_read_back) {
-  const std::string path = (std::filesystem::temp_directory_path() / ("scree-" + std::to_string(getpid()) + ".lcm")).string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("scree-" + std::to_string(getpid()) + ".lcm")).string();
   Strip strip(100);
   coupling::Plan plan = plan_at(1000.0);
   plan.live.url = "file://" + path;
@@ -528,12 +532,14 @@ TEST(LiveFile, log_of_a_run_is_read_back) {
   std::string why;
   const auto reader = LiveReader::open("file://" + path + "?speed=0", "logged", why);
   ASSERT_TRUE(reader) << why;
-  EXPECT_TRUE(reader->wait(5s, [](const LiveAssembly& a) { return a.frame() && a.info() && a.info()->status == "done"; }));
+  EXPECT_TRUE(
+      reader->wait(5s, [](const LiveAssembly& a) { return a.frame() && a.info() && a.info()->status == "done"; }));
   std::filesystem::remove(path);
 }
 
 TEST(LiveFile, log_that_cannot_be_made_gives_one_warning_and_the_run_goes_on) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("scree-gone-" + std::to_string(getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("scree-gone-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   Strip strip(10);
   coupling::Plan plan = plan_at(1000.0);

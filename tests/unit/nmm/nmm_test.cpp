@@ -154,7 +154,7 @@ TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
     One one(p, 0.4);
     const Elasticity law = one.model.elasticity_of(BlockId{0});
     Mat2 e;
-    e << 1e-7, 4e-8, 4e-8, -6e-8;  // small: the patch test is of linear theory
+    e << 1e-2, 4e-3, 4e-3, -6e-3;  // constant F gives constant P at any strain
     AffineMotion m;
     m.F = Mat2::Identity() + e;
     one.pool.place(0, m, one.q, one.v);
@@ -173,11 +173,11 @@ TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
         for (int c = 0; c < 2; ++c) f[2 * std::size_t(row.node[i]) + std::size_t(c)] += row.w[i] * (P * n)[c];
     }
     one.pool.mass_solve(one.q, f, a);  // folds the ties
-    const double scale = law.p_modulus() * 1e-7 / (2.0 * 0.4);  // stress over density and cover size
+    const double scale = law.p_modulus() * 1e-2 / (2.0 * 0.4);  // stress over density and cover size
     for (double x : a) worst = std::max(worst, std::abs(x) / scale);
   }
   std::printf("patch test, 100 placements: largest residual acceleration over stress/(rho h): %.1e\n", worst);
-  EXPECT_LT(worst, 1e-7);  // P of 1e-7 strains carries 1e-16/1e-7 = 1e-9 of round-off, times 1/area of the smallest cover
+  EXPECT_LT(worst, 1e-11);  // round-off of GEOS's cut points, 1e-16 over the strain of 1e-2, times the spread of masses
 }
 
 double true_highest(const One& one) {
