@@ -31,7 +31,7 @@ TEST(FreeSpin, implicit_dda_keeps_edges_and_spin_to_1e_12) {
   scene.model.gravity = {0.0, 0.0};
   const BlockId id = scene.add("block", rectangle(0, 0, 2, 1));
   scene.model.initial_velocities.push_back({id, {0.0, 0.0}, 1.0});
-  scene.stage("dda", Integrator::implicit, 2.0 * std::numbers::pi * 2.0, 5e-3).control.max_displacement = 0.1;
+  scene.stage("dda", Integrator::implicit, 2.0 * std::numbers::pi * 2.0, 1e-2).control.max_displacement = 0.1;
   const coupling::Methods methods = coupling::standard_methods();
   coupling::Driver run(scene.model, scene.plan, methods);
   const double before = 0.5 * 2600.0 * 2.0 * 5.0 / 12.0;
@@ -39,7 +39,7 @@ TEST(FreeSpin, implicit_dda_keeps_edges_and_spin_to_1e_12) {
   const std::vector<double>& q = run.state().q;
   EXPECT_NEAR(std::hypot(q[2], q[3]), 1.0, 1e-12);
   EXPECT_NEAR(std::hypot(q[4], q[5]), 1.0, 1e-12);
-  EXPECT_NEAR(std::sqrt(totals_of(run, id).kinetic / before), 1.0, 1e-12);  // round-off adds some 2e-16 a step
+  EXPECT_NEAR(std::sqrt(totals_of(run, id).kinetic / before), 1.0, 1e-12);  // round-off adds some 4e-16 a step
 }
 
 TEST(FreeSpin, explicit_nmm_keeps_angular_momentum) {
