@@ -80,7 +80,8 @@ int cases_verify(const std::vector<std::string>& wanted, bool full, int threads)
   int failed = 0;
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      fmt::print(stderr, "error: there is no case '{}' in {}; there are: {}\n", name, library.string(), fmt::join(known, ", "));
+      fmt::print(stderr, "error: there is no case '{}' in {}; there are: {}\n", name, library.string(),
+                 fmt::join(known, ", "));
       return kUsage;
     }
     failed += verify_case(library / name, full);

@@ -13,12 +13,12 @@ enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2, kBadCase = 3, kNotConverge
 
 struct RunOptions {
   std::filesystem::path case_file;
-  std::filesystem::path out;               // empty: runs/<name of the case>
+  std::filesystem::path out;  // empty: runs/<name of the case>
   bool overwrite = false, quiet = false;
-  std::optional<std::string> live;         // stream; an empty text keeps the case's URL
-  int threads = 0;                         // 0: as the case says, else as many as the machine has
-  std::optional<double> until;             // [s]
-  std::vector<std::string> set;            // key=value
+  std::optional<std::string> live;  // stream; an empty text keeps the case's URL
+  int threads = 0;                  // 0: as the case says, else as many as the machine has
+  std::optional<double> until;      // [s]
+  std::vector<std::string> set;     // key=value
   std::string command_line;
 };
 int run(const RunOptions& options);
@@ -31,7 +31,7 @@ int schema(bool markdown);
 
 struct SnapshotCommand {
   std::filesystem::path run, out;
-  std::string at = "end";          // start, handover, end, a frame number or a time with the unit s
+  std::string at = "end";  // start, handover, end, a frame number or a time with the unit s
   std::string field = "displacement";
   bool ledger = false;
 };

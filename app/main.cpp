@@ -1,7 +1,7 @@
 // The `scree` command: reads the command line, calls the libraries, turns errors into exit codes.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
@@ -26,12 +26,17 @@ int dispatch(int argc, char** argv) {
   run_command->add_option("--out", options.out, "run folder (default runs/<case folder>)");
   run_command->add_flag("--overwrite", options.overwrite, "replace an earlier run in that folder");
   std::string live;
-  CLI::Option* live_option =
-      run_command->add_option("--live", live, "stream over LCM, to URL if one is given")->expected(0, 1)->type_name("[URL]");
-  run_command->add_option("--threads", options.threads, "threads (results do not depend on it)")->check(CLI::Range(1, 1024));
+  CLI::Option* live_option = run_command->add_option("--live", live, "stream over LCM, to URL if one is given")
+                                 ->expected(0, 1)
+                                 ->type_name("[URL]");
+  run_command->add_option("--threads", options.threads, "threads (results do not depend on it)")
+      ->check(CLI::Range(1, 1024));
   double until = 0.0;
-  CLI::Option* until_option = run_command->add_option("--until", until, "stop at this simulated time [s]")->check(CLI::PositiveNumber);
-  run_command->add_option("--set", options.set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
+  CLI::Option* until_option =
+      run_command->add_option("--until", until, "stop at this simulated time [s]")->check(CLI::PositiveNumber);
+  run_command->add_option("--set", options.set, "override a key of the case: key=value")
+      ->take_all()
+      ->type_name("KEY=VALUE");
   run_command->add_flag("--quiet", options.quiet, "print nothing but errors and warnings");
 
   std::filesystem::path case_file;

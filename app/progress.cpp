@@ -9,8 +9,8 @@ namespace scree::app {
 
 void Progress::begin(const Model& model, const coupling::Plan& plan) {
   for (const coupling::Stage& s : plan.stages) stages_.push_back(s.name);
-  line(fmt::format("{}: {} blocks, {} stages, {:g} s", model.title.empty() ? "untitled case" : model.title, model.blocks.size(),
-                   plan.stages.size(), end_));
+  line(fmt::format("{}: {} blocks, {} stages, {:g} s", model.title.empty() ? "untitled case" : model.title,
+                   model.blocks.size(), plan.stages.size(), end_));
 }
 
 void Progress::line(const std::string& text) {
@@ -43,10 +43,10 @@ void Progress::step(double time, const coupling::RunStats& stats, const coupling
 void Progress::draw(double time, const coupling::RunStats& stats) {
   const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = time > 0.0 ? wall * (end_ - time) / time : 0.0;
-  const std::string facts =
-      fmt::format("{:.3f}/{:g} s  {}  {} steps  {:.0f} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_, stats.steps,
-                  static_cast<double>(stats.steps) / std::max(wall, 1e-9), left,
-                  static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), closure_);
+  const std::string facts = fmt::format(
+      "{:.3f}/{:g} s  {}  {} steps  {:.0f} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_,
+      stats.steps, static_cast<double>(stats.steps) / std::max(wall, 1e-9), left,
+      static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), closure_);
   if (!terminal_) {
     line(facts);
     return;

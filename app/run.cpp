@@ -34,13 +34,15 @@ class Signals final : public coupling::Control {
 /// run.log: every event of the run.
 class Log final : public coupling::Sink {
  public:
-  explicit Log(const std::filesystem::path& file) : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), true)) {
+  explicit Log(const std::filesystem::path& file)
+      : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), true)) {
     log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
   }
   ~Log() override { spdlog::drop(log_->name()); }
   void event(const coupling::Event& e) override {
     const bool warn = e.kind == coupling::EventKind::warning || e.kind == coupling::EventKind::not_converged;
-    log_->log(warn ? spdlog::level::warn : spdlog::level::info, "t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind), e.text);
+    log_->log(warn ? spdlog::level::warn : spdlog::level::info, "t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind),
+              e.text);
   }
   void warn(const std::string& text) { log_->warn(text); }
   void end(const coupling::RunEnd&, const coupling::FrameView&) override { log_->flush(); }
@@ -74,7 +76,8 @@ int run(const RunOptions& options) {
       fmt::print(stderr, "error: --live={}: {}\n", c.plan.live.url, *wrong);
       return kUsage;
     }
-  const int threads = options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
+  const int threads =
+      options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
   omp_set_num_threads(threads);
 
   const std::string name = run_name(options.case_file);
@@ -105,26 +108,30 @@ int run(const RunOptions& options) {
   }
   std::unique_ptr<io::LiveSink> live;
   if (c.plan.live.enabled) {
-    live = std::make_unique<io::LiveSink>(c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance)}, [&log](const std::string& text) {
-      fmt::print(stderr, "warning: {}\n", text);
-      log.warn(text);
-    });
+    live = std::make_unique<io::LiveSink>(c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance)},
+                                          [&log](const std::string& text) {
+                                            fmt::print(stderr, "warning: {}\n", text);
+                                            log.warn(text);
+                                          });
     driver.add_sink(*live);
   }
 
   const coupling::RunEnd end = driver.run(options.until);
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()), ledger.relative_closure(),
-               ledger.moved());
+    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()),
+               ledger.relative_closure(), ledger.moved());
     fmt::print("results in {}\n", folder.path().string());
   }
   switch (end.status) {
-    case coupling::RunEnd::Status::done: return kDone;
+    case coupling::RunEnd::Status::done:
+      return kDone;
     case coupling::RunEnd::Status::interrupted:
-      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}\n", seconds(driver.state().time), folder.path().string());
+      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}\n", seconds(driver.state().time),
+                 folder.path().string());
       return kInterrupted;
-    default: break;
+    default:
+      break;
   }
   fmt::print(stderr, "error: {}\n  what was computed is in {}\n", end.reason, folder.path().string());
   return kNotConverged;
@@ -134,12 +141,14 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   const std::vector<std::string> methods = method_names();
   const io::Case c = io::read_case(case_file, set, methods);
   fmt::print("{}: {}\n", case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
-  fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(), c.model.materials.size(),
-             c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
+             c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
-    fmt::print("  motion: {:.3g} s, PGA {:.4g} m/s2, PGV {:.4g} m/s, final velocity {:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
-               f.duration, f.pga, f.pgv, f.final_velocity, f.final_displacement, f.arias);
+    fmt::print(
+        "  motion: {:.3g} s, PGA {:.4g} m/s2, PGV {:.4g} m/s, final velocity {:.2g} m/s, final displacement {:.3g} m, "
+        "Arias {:.3g} m/s\n",
+        f.duration, f.pga, f.pgv, f.final_velocity, f.final_displacement, f.arias);
   }
   const coupling::Methods standard = coupling::standard_methods();
   for (const coupling::Stage& s : c.plan.stages) {
@@ -152,7 +161,8 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
     }
     for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
     fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method,
-               s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", seconds(s.duration), cells, unknowns);
+               s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", seconds(s.duration), cells,
+               unknowns);
   }
   fmt::print("  fine\n");
   return kDone;

@@ -34,7 +34,8 @@ int snapshot(const SnapshotCommand& command) {
   io::SnapshotOptions options;
   const auto field = io::field_named(command.field);
   if (!field) {
-    fmt::print(stderr, "error: --field {}: unknown\n  allowed: {}\n", command.field, fmt::join(io::field_names(), ", "));
+    fmt::print(stderr, "error: --field {}: unknown\n  allowed: {}\n", command.field,
+               fmt::join(io::field_names(), ", "));
     return kUsage;
   }
   options.field = *field;
@@ -54,11 +55,16 @@ int snapshot(const SnapshotCommand& command) {
     const char* last = at.data() + at.size() - (is_time ? 1 : 0);
     const auto [end, fault] = std::from_chars(at.data(), last, number);
     if (fault != std::errc() || end != last || number < 0.0) {
-      fmt::print(stderr, "error: --at {}: not a place in a run\n  allowed: start, handover, end, a frame number, or a time such as 1.5s\n", at);
+      fmt::print(stderr,
+                 "error: --at {}: not a place in a run\n  allowed: start, handover, end, a frame number, or a time "
+                 "such as 1.5s\n",
+                 at);
       return kUsage;
     }
-    if (is_time) options.time = number;
-    else options.frame = static_cast<std::size_t>(number);
+    if (is_time)
+      options.time = number;
+    else
+      options.frame = static_cast<std::size_t>(number);
   }
   io::snapshot(command.run, options, out);
   fmt::print("{}\n", out.string());

@@ -16,16 +16,21 @@ constexpr const char* kMeasures =
     "blocks_moved_above, blocks_moved_below, monitor_displacement, kinetic_at_handover, ledger_closure, scheme_share, "
     "transfer_momentum_error, transfer_energy_error";
 
-io::CaseError error(const std::filesystem::path& file, const toml::source_region& at, std::string problem, std::string allowed) {
-  return {file.string(), {static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)},
+io::CaseError error(const std::filesystem::path& file, const toml::source_region& at, std::string problem,
+                    std::string allowed) {
+  return {file.string(),
+          {static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)},
           {.problem = std::move(problem), .allowed = std::move(allowed)}};
 }
 
 double moved(const Model& model, const coupling::Driver& run, std::size_t block) {
   const coupling::Body& b = run.setup().bodies()[block];
   const auto p = static_cast<std::size_t>(b.pool);
-  const Vec2 now = run.setup().pool_of(b).totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
-                                                 run.setup().part(std::span<const double>(run.state().v), p)).centre;
+  const Vec2 now = run.setup()
+                       .pool_of(b)
+                       .totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
+                               run.setup().part(std::span<const double>(run.state().v), p))
+                       .centre;
   return (now - moments(model.blocks[block].polygon).centroid).norm();
 }
 
@@ -40,7 +45,8 @@ std::vector<Quantity> read_expected(const std::filesystem::path& file) {
   }
   std::vector<Quantity> out;
   const toml::array* list = document["quantity"].as_array();
-  if (list == nullptr || list->empty()) throw error(file, document.source(), "no [[quantity]]", "at least one [[quantity]]");
+  if (list == nullptr || list->empty())
+    throw error(file, document.source(), "no [[quantity]]", "at least one [[quantity]]");
   for (const toml::node& node : *list) {
     const toml::table* t = node.as_table();
     if (t == nullptr) throw error(file, node.source(), "quantity is not a table", "[[quantity]]");
@@ -51,10 +57,13 @@ std::vector<Quantity> read_expected(const std::filesystem::path& file) {
     q.full = (*t)["tier"].value_or(std::string("quick")) == "full";
     if (const auto number = (*t)["of"].value<double>()) q.of = *number;
     if (const auto text = (*t)["of"].value<std::string>()) q.monitor = *text;
-    if (q.name.empty() || q.reason.empty() || fmt::format(" {},", kMeasures).find(" " + q.measure + ",") == std::string::npos)
-      throw error(file, t->source(), fmt::format("name, reason or measure '{}' is missing or unknown", q.measure), kMeasures);
+    if (q.name.empty() || q.reason.empty() ||
+        fmt::format(" {},", kMeasures).find(" " + q.measure + ",") == std::string::npos)
+      throw error(file, t->source(), fmt::format("name, reason or measure '{}' is missing or unknown", q.measure),
+                  kMeasures);
     const double inf = std::numeric_limits<double>::infinity();
-    const auto least = (*t)["at_least"].value<double>(), most = (*t)["at_most"].value<double>(), reference = (*t)["reference"].value<double>();
+    const auto least = (*t)["at_least"].value<double>(), most = (*t)["at_most"].value<double>(),
+               reference = (*t)["reference"].value<double>();
     q.low = least.value_or(-inf);
     q.high = most.value_or(inf);
     if (least) q.wanted = fmt::format(">= {:g}", *least);
@@ -65,7 +74,9 @@ std::vector<Quantity> read_expected(const std::filesystem::path& file) {
       q.high = *reference + tolerance;
       q.wanted = fmt::format("{:g} +- {:g}", *reference, tolerance);
     }
-    if (q.wanted.empty()) throw error(file, t->source(), "quantity '" + q.name + "' has no bound", "at_least, at_most, or reference with tolerance");
+    if (q.wanted.empty())
+      throw error(file, t->source(), "quantity '" + q.name + "' has no bound",
+                  "at_least, at_most, or reference with tolerance");
     out.push_back(std::move(q));
   }
   return out;
@@ -108,8 +119,9 @@ double measure(const Quantity& q, const Model& model, const coupling::Driver& ru
   }
   double worst = 0.0;
   for (const coupling::TransferRow& row : run.transfers())
-    worst = std::max(worst, q.measure == "transfer_energy_error" ? row.energy_error
-                                                                 : std::max({row.mass_error, row.momentum_error, row.angular_error}));
+    worst = std::max(worst, q.measure == "transfer_energy_error"
+                                ? row.energy_error
+                                : std::max({row.mass_error, row.momentum_error, row.angular_error}));
   return worst;
 }
 

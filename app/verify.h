@@ -11,7 +11,8 @@ namespace scree::app {
 
 /// One row of expected.toml ([[quantity]]):
 ///   name     what a person calls it
-///   measure  blocks_moved_above | blocks_moved_below (of = distance [m]) | monitor_displacement (of = monitor; magnitude)
+///   measure  blocks_moved_above | blocks_moved_below (of = distance [m]) | monitor_displacement (of = monitor;
+///   magnitude)
 ///            | kinetic_at_handover | ledger_closure | scheme_share | transfer_momentum_error | transfer_energy_error
 ///   at_least, at_most, or reference with tolerance (relative)
 ///   tier     quick (default) | full
@@ -36,6 +37,7 @@ class HandOverWatch final : public coupling::Sink {
   double kinetic_ = 0.0, time_ = -1.0;
 };
 
-[[nodiscard]] double measure(const Quantity& quantity, const Model& model, const coupling::Driver& run, const HandOverWatch& watch);
+[[nodiscard]] double measure(const Quantity& quantity, const Model& model, const coupling::Driver& run,
+                             const HandOverWatch& watch);
 
 }  // namespace scree::app

@@ -16,19 +16,19 @@ namespace scree::coupling {
 /// The cells of all bodies; constant while `id` does not change (it changes when a stage makes new bodies).
 struct MeshView {
   std::uint32_t id = 0;
-  std::span<const std::int32_t> offsets, connectivity;  // polygon cells of points (VTK polygons)
+  std::span<const std::int32_t> offsets, connectivity;                   // polygon cells of points (VTK polygons)
   std::span<const std::int32_t> cell_block, cell_material, cell_method;  // a cell
-  std::span<const double> origin;                       // x, y a point: where the model first had it [m]
-  std::vector<std::string> methods;                     // names that cell_method counts
+  std::span<const double> origin;    // x, y a point: where the model first had it [m]
+  std::vector<std::string> methods;  // names that cell_method counts
 };
 
 /// Statistics of the driver since the start.
 struct RunStats {
   std::int64_t steps = 0, cuts = 0, passes = 0, factorisations = 0;
-  std::int64_t contacts = 0;         // points closed now
+  std::int64_t contacts = 0;  // points closed now
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
   double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]
-  double element_steps = 0.0;        // explicit element updates made
+  double element_steps = 0.0;                                          // explicit element updates made
 };
 
 /// One instant. Points are those of the mesh, in its order.
@@ -71,7 +71,7 @@ enum class EventKind { stage_start, stage_end, transfer, step_cut, not_converged
 struct Event {
   EventKind kind = EventKind::warning;
   double time = 0.0;
-  std::string text;          // one line
+  std::string text;  // one line
   const TransferRow* transfer = nullptr;
 };
 [[nodiscard]] std::string_view name(EventKind kind);

@@ -1,7 +1,7 @@
 #include "coupling/state.h"
 
-#include <cstring>
 #include <array>
+#include <cstring>
 #include <span>
 #include <string>
 
@@ -23,10 +23,8 @@ class Hasher {
     mix(rest ^ (static_cast<std::uint64_t>(size) << 56U));
   }
   template <class T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void operator()(const char*, const T& value) {
-    bytes(&value, sizeof value);
-  }
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void operator()(const char*, const T& value) { bytes(&value, sizeof value); }
   void operator()(const char*, const std::string& text) { bytes(text.data(), text.size()); }
   template <class T>
   void operator()(const char*, const std::vector<T>& values) {

@@ -22,18 +22,18 @@ struct ContactKey {
 struct ContactMemory {
   ContactKey key;
   ContactStatus status = ContactStatus::open;
-  std::int32_t failed = 0;    // 1 once cohesion is lost
-  std::int32_t joint = -1;    // law, chosen when the pair was first seen
-  std::int32_t segment = -1;  // segment of the edge that the anchor below refers to, counted within the edge
-  double gap0 = 0.0;          // gap that counts as closed without stress (contacts closed at t = 0) [m]
-  double gap = 0.0;           // gap at the present time, less gap0 [m]
-  double stretch = 0.0;       // elongation of the tangential spring [m]
-  double anchor = 0.0;        // its anchor: fraction of the segment
-  double fn = 0.0, ft = 0.0;  // forces on the corner, along the outward normal and the direction of the edge [N]
-  double fd = 0.0, fdt = 0.0; // parts of fn and ft that are damping [N]
-  double slip = 0.0;          // accumulated |slip| [m]
-  double kn = 0.0, kt = 0.0;  // penalty stiffness [N/m]
-  double cn = 0.0, ct = 0.0;  // damping of explicit steps, normal and (while sticking) tangential [N s/m]
+  std::int32_t failed = 0;     // 1 once cohesion is lost
+  std::int32_t joint = -1;     // law, chosen when the pair was first seen
+  std::int32_t segment = -1;   // segment of the edge that the anchor below refers to, counted within the edge
+  double gap0 = 0.0;           // gap that counts as closed without stress (contacts closed at t = 0) [m]
+  double gap = 0.0;            // gap at the present time, less gap0 [m]
+  double stretch = 0.0;        // elongation of the tangential spring [m]
+  double anchor = 0.0;         // its anchor: fraction of the segment
+  double fn = 0.0, ft = 0.0;   // forces on the corner, along the outward normal and the direction of the edge [N]
+  double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
+  double slip = 0.0;           // accumulated |slip| [m]
+  double kn = 0.0, kt = 0.0;   // penalty stiffness [N/m]
+  double cn = 0.0, ct = 0.0;   // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };
 
 /// Energy and fields that a block could not take along into its present method (coupling.md 1).
@@ -47,11 +47,11 @@ struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  Tick last_step = 0;                      // length of the step before, for the shadow term
-  std::vector<BodyRecord> bodies;          // in the order of their blocks
-  std::vector<double> q, v;                // x, y a node; pool after pool, body after body (Setup has the offsets)
-  std::vector<double> a;                   // acceleration at `time`, same layout (explicit stages; else empty)
-  std::vector<ContactMemory> contacts;     // sorted by key
+  Tick last_step = 0;                   // length of the step before, for the shadow term
+  std::vector<BodyRecord> bodies;       // in the order of their blocks
+  std::vector<double> q, v;             // x, y a node; pool after pool, body after body (Setup has the offsets)
+  std::vector<double> a;                // acceleration at `time`, same layout (explicit stages; else empty)
+  std::vector<ContactMemory> contacts;  // sorted by key
   std::vector<Remainder> rest;
   Ledger ledger;
 

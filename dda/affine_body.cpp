@@ -20,9 +20,7 @@ Mat26 shi_matrix(const Vec2& r) {
   return T;
 }
 
-Mat2 step_gradient(const Vec6& D) {
-  return (Mat2() << D(3), 0.5 * D(5) - D(2), 0.5 * D(5) + D(2), D(4)).finished();
-}
+Mat2 step_gradient(const Vec6& D) { return (Mat2() << D(3), 0.5 * D(5) - D(2), 0.5 * D(5) + D(2), D(4)).finished(); }
 
 Vec6 rates_of(const Vec2& vc, const Mat2& G) {
   Vec6 rate;

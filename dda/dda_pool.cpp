@@ -10,9 +10,7 @@ namespace {
 
 constexpr std::array<double, 3> kTranslation{1.0, 0.0, 0.0};
 
-Row affine_row(int body, const Vec2& X) {
-  return {{3 * body, 3 * body + 1, 3 * body + 2}, {1.0, X.x(), X.y()}};
-}
+Row affine_row(int body, const Vec2& X) { return {{3 * body, 3 * body + 1, 3 * body + 2}, {1.0, X.x(), X.y()}}; }
 
 /// The six numbers of a body in q, and of its rates in v.
 AffineState load(int body, std::span<const double> q, std::span<const double> v) {
@@ -124,7 +122,8 @@ void DdaPool::mass_solve(std::span<const double>, std::span<const double> f, std
   }
 }
 
-double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v, std::span<const char> counted) const {
+double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v,
+                               std::span<const char> counted) const {
   double sum = 0.0;
   for (int b = 0; b < bodies(); ++b)
     if (counted[static_cast<std::size_t>(b)] != 0) {

@@ -18,8 +18,7 @@ std::optional<GeometryFault> fault_of(const Model& model, BlockId id, double ext
   };
   for (std::size_t k = 0; k < block.polygon.rings(); ++k) {
     const Ring& ring = block.polygon.ring(k);
-    if (ring.size() < 3)
-      return fault(fmt::format("a ring of {} points", ring.size()), "give at least three corners");
+    if (ring.size() < 3) return fault(fmt::format("a ring of {} points", ring.size()), "give at least three corners");
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (!ring[i].allFinite()) return fault(fmt::format("corner {} is not finite", i + 1), "give finite coordinates");
       if ((ring[(i + 1) % ring.size()] - ring[i]).norm() <= 1e-9 * extent)
@@ -28,9 +27,11 @@ std::optional<GeometryFault> fault_of(const Model& model, BlockId id, double ext
     }
   }
   if (std::string reason = invalidity(block.polygon); !reason.empty())
-    return fault("the polygon is not simple: " + reason, "list the corners in order around the block, without crossing edges, holes inside");
+    return fault("the polygon is not simple: " + reason,
+                 "list the corners in order around the block, without crossing edges, holes inside");
   const double area = moments(block.polygon).area;
-  if (!(area > 1e-12 * extent * extent)) return fault(fmt::format("its area is {:g} m2", area), "give corners that enclose an area");
+  if (!(area > 1e-12 * extent * extent))
+    return fault(fmt::format("its area is {:g} m2", area), "give corners that enclose an area");
   return std::nullopt;
 }
 

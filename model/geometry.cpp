@@ -37,7 +37,8 @@ RawMoments raw_moments(const Polygon& polygon, const Vec2& origin) {
       const double d = cross(a, b);
       r.area += d / 2.0;
       r.first += d / 6.0 * (a + b);
-      r.second += d / 24.0 * (2.0 * a * a.transpose() + 2.0 * b * b.transpose() + a * b.transpose() + b * a.transpose());
+      r.second +=
+          d / 24.0 * (2.0 * a * a.transpose() + 2.0 * b * b.transpose() + a * b.transpose() + b * a.transpose());
     }
   }
   return r;

@@ -30,9 +30,9 @@ struct Polygon {
 
 /// Integrals over a polygon.
 struct Moments {
-  double area = 0.0;            // [m2]
-  Vec2 centroid{0.0, 0.0};      // [m]
-  Mat2 second = Mat2::Zero();   // int (x-c)(x-c)^T dA about the centroid [m4]
+  double area = 0.0;           // [m2]
+  Vec2 centroid{0.0, 0.0};     // [m]
+  Mat2 second = Mat2::Zero();  // int (x-c)(x-c)^T dA about the centroid [m4]
 };
 
 /// Signed area of a ring [m2], positive counter-clockwise.
@@ -43,7 +43,8 @@ struct Moments {
 /// @source Shi 1988, simplex integration; thesis 3.3.1
 [[nodiscard]] Moments moments(const Polygon& polygon);
 
-/// Turns rings so that the outer one runs counter-clockwise and the holes clockwise. Returns the rings that were turned.
+/// Turns rings so that the outer one runs counter-clockwise and the holes clockwise. Returns the rings that were
+/// turned.
 std::vector<std::size_t> orient(Polygon& polygon);
 
 /// Image of the polygon under x -> c + F x.

@@ -22,21 +22,21 @@ struct Material {
 /// Coulomb law of a joint with penalty springs at each contact point.
 struct JointLaw {
   std::string name;
-  double friction = 0.0;                 // friction angle [rad], 0 <= phi < pi/2
-  double cohesion = 0.0;                 // [Pa]; lost after the first failure
-  double contact_length = 0.0;           // [m] of joint that a contact point stands for; cohesion acts on it
-  std::optional<double> penalty;         // normal stiffness a contact [N/m]; empty: auto, K + 4G/3 of the softer block
-  std::optional<double> shear_penalty;   // tangential stiffness a contact [N/m]; empty: as the normal one
-  double damping = 0.2;                  // of closed contacts in explicit steps, a fraction of critical
+  double friction = 0.0;                // friction angle [rad], 0 <= phi < pi/2
+  double cohesion = 0.0;                // [Pa]; lost after the first failure
+  double contact_length = 0.0;          // [m] of joint that a contact point stands for; cohesion acts on it
+  std::optional<double> penalty;        // normal stiffness a contact [N/m]; empty: auto, K + 4G/3 of the softer block
+  std::optional<double> shear_penalty;  // tangential stiffness a contact [N/m]; empty: as the normal one
+  double damping = 0.2;                 // of closed contacts in explicit steps, a fraction of critical
 };
 
 /// A block: its polygon, material and joints.
 struct Block {
   std::string name;
-  Polygon polygon;    // oriented
+  Polygon polygon;  // oriented
   MaterialId material;
-  JointId joint;                             // law of its edges; invalid: the model's default
-  std::vector<std::vector<JointId>> edges;   // law an edge, by ring and edge (edge i runs from vertex i to i+1)
+  JointId joint;                            // law of its edges; invalid: the model's default
+  std::vector<std::vector<JointId>> edges;  // law an edge, by ring and edge (edge i runs from vertex i to i+1)
 };
 
 /// A block held whole: fixed in space, or moving with a ground motion.
@@ -48,7 +48,7 @@ struct BlockSupport {
 /// A point of a block tied to where it was at the start by a spring.
 struct PointSupport {
   BlockId block;
-  Vec2 point{0.0, 0.0};           // [m], model coordinates, on the block's outline or inside
+  Vec2 point{0.0, 0.0};  // [m], model coordinates, on the block's outline or inside
   bool fix_x = true, fix_y = true;
   std::optional<double> stiffness;  // [N/m]; empty: auto, 10 (K + 4G/3)
 };
@@ -92,10 +92,10 @@ struct Model {
 
 /// One thing that is wrong with the geometry of a model, for io to place in the case file.
 struct GeometryFault {
-  BlockId block;    // the block at fault
-  BlockId other;    // a second block (overlap), else invalid
-  std::string what; // what is wrong, with coordinates
-  std::string hint; // what to change
+  BlockId block;     // the block at fault
+  BlockId other;     // a second block (overlap), else invalid
+  std::string what;  // what is wrong, with coordinates
+  std::string hint;  // what to change
 };
 
 /// Checks the polygons: at least three vertices, finite, no repeated or crossing edges, holes inside, area > 0, no two

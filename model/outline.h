@@ -20,8 +20,9 @@ template <class RowOf>
       const auto k = static_cast<std::size_t>(i);
       out.nodes.push_back(row(ring[k]));
       out.segments.push_back({start + i, start + (i + 1) % count, {static_cast<std::int32_t>(r), i}, 0.0, 1.0, cell});
-      out.corners.push_back({start + i, static_cast<std::int32_t>(r), i,
-                             interior_angle(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()])});
+      out.corners.push_back(
+          {start + i, static_cast<std::int32_t>(r), i,
+           interior_angle(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()])});
     }
   }
   return out;

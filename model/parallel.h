@@ -9,8 +9,8 @@
 
 namespace scree {
 
-inline constexpr std::int64_t kChunk = 512;        // items a partial sum
-inline constexpr std::int64_t kSerialBelow = 4096; // fewer items are not worth waking threads
+inline constexpr std::int64_t kChunk = 512;         // items a partial sum
+inline constexpr std::int64_t kSerialBelow = 4096;  // fewer items are not worth waking threads
 
 /// body(i) for i in [0, n); iterations must not share anything they write.
 template <class Body>

@@ -76,8 +76,7 @@ class Geos {
 }  // namespace
 
 struct Clipper::Impl {
-  explicit Impl(const Polygon& p)
-      : polygon(geos.polygon(p)), prepared(GEOSPrepare_r(geos.get(), polygon.get())) {}
+  explicit Impl(const Polygon& p) : polygon(geos.polygon(p)), prepared(GEOSPrepare_r(geos.get(), polygon.get())) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() { GEOSPreparedGeom_destroy_r(geos.get(), prepared); }
@@ -93,7 +92,7 @@ Clipper::Relation Clipper::relation(const Ring& cell) const {
   const auto g = impl_->geos.polygon(Polygon{cell, {}});
   if (GEOSPreparedContainsProperly_r(impl_->geos.get(), impl_->prepared, g.get()) == 1) return Relation::inside;
   return GEOSPreparedIntersects_r(impl_->geos.get(), impl_->prepared, g.get()) == 1 ? Relation::across
-                                                                                     : Relation::outside;
+                                                                                    : Relation::outside;
 }
 
 std::vector<Polygon> Clipper::intersection(const Ring& cell) const {

@@ -30,7 +30,8 @@ AffineMotion affine_fit(const Polygon& from, const Polygon& to) {
 }
 
 void Pool::drift(double h, std::span<double> q, std::span<double> v) const {
-  parallel_for(static_cast<std::int64_t>(q.size()), [&](std::int64_t i) { q[static_cast<std::size_t>(i)] += h * v[static_cast<std::size_t>(i)]; });
+  parallel_for(static_cast<std::int64_t>(q.size()),
+               [&](std::int64_t i) { q[static_cast<std::size_t>(i)] += h * v[static_cast<std::size_t>(i)]; });
 }
 
 void Pool::damp(double, double, std::span<double>, std::span<double>) const {}

@@ -30,15 +30,15 @@ struct OutlineEdge {
 /// The outline of a body as its unknowns carry it.
 struct Boundary {
   struct Segment {
-    std::int32_t a, b;       // indices into nodes; the solid lies to the left of a -> b
-    OutlineEdge edge;        // the outline edge it is part of
-    double s0, s1;           // its range of the edge, 0 to 1
-    std::int32_t cell;       // the element it bounds, counted within the pool
+    std::int32_t a, b;  // indices into nodes; the solid lies to the left of a -> b
+    OutlineEdge edge;   // the outline edge it is part of
+    double s0, s1;      // its range of the edge, 0 to 1
+    std::int32_t cell;  // the element it bounds, counted within the pool
   };
   struct Corner {
-    std::int32_t node;              // index into nodes
-    std::int32_t ring, vertex;      // outline vertex; edge `vertex` leaves it
-    double angle;                   // interior angle in the reference shape [rad]
+    std::int32_t node;          // index into nodes
+    std::int32_t ring, vertex;  // outline vertex; edge `vertex` leaves it
+    double angle;               // interior angle in the reference shape [rad]
   };
   std::vector<Row> nodes;
   std::vector<Segment> segments;  // by ring, edge, then along the edge
@@ -47,11 +47,11 @@ struct Boundary {
 
 /// A body without stress, in material coordinates about its centre of mass: what a discretisation is made from.
 struct ReferenceShape {
-  Polygon outline;                 // stress-free shape, centre of mass at the origin [m]
-  Polygon origin;                  // the same vertices where the model first had them [m]
-  double mass = 0.0;               // [kg] for unit thickness
-  double area = 0.0;               // mass / density [m2]
-  Mat2 second = Mat2::Zero();      // int rho X X^T dA [kg m2]
+  Polygon outline;             // stress-free shape, centre of mass at the origin [m]
+  Polygon origin;              // the same vertices where the model first had them [m]
+  double mass = 0.0;           // [kg] for unit thickness
+  double area = 0.0;           // mass / density [m2]
+  Mat2 second = Mat2::Zero();  // int rho X X^T dA [kg m2]
 };
 
 /// x = c + F X, velocity vc + Fdot X.
@@ -68,19 +68,19 @@ struct AffineMotion {
 /// What one body is, and how it is represented now. Rebuilds the discretisation bit for bit.
 struct BodyRecord {
   BlockId block;
-  std::string method;        // name of the pool it lives in
+  std::string method;  // name of the pool it lives in
   ReferenceShape shape;
-  double cover_size = 0.0;   // edge length of the mathematical mesh, for methods that have one [m]
+  double cover_size = 0.0;  // edge length of the mathematical mesh, for methods that have one [m]
 };
 
 /// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
 /// @source coupling.md 1
 struct Release {
-  ReferenceShape shape;   // reference of the affine body that goes on
+  ReferenceShape shape;  // reference of the affine body that goes on
   AffineMotion motion;
-  double kinetic_rest = 0.0;    // 1/2 w^T M w, w = v - affine [J]
-  double elastic_rest = 0.0;    // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
-  double elastic_cross = 0.0;   // sum A_e s:(e_e - e): zero to first order, booked [J]
+  double kinetic_rest = 0.0;          // 1/2 w^T M w, w = v - affine [J]
+  double elastic_rest = 0.0;          // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
+  double elastic_cross = 0.0;         // sum A_e s:(e_e - e): zero to first order, booked [J]
   std::vector<double> velocity_rest;  // w in the co-rotated frame, two numbers a node
   std::vector<double> stress_rest;    // s_e - s in the co-rotated frame, three numbers (xx, yy, xy) a cell
 };
@@ -96,11 +96,11 @@ struct BodyTotals {
 
 /// Cells for output: polygons of points, each point a Row.
 struct MeshPart {
-  std::vector<Row> points;              // nodes counted within the pool
-  std::vector<Vec2> origin;             // where the model first had each point [m]
-  std::vector<std::int32_t> offsets;    // cells + 1
+  std::vector<Row> points;            // nodes counted within the pool
+  std::vector<Vec2> origin;           // where the model first had each point [m]
+  std::vector<std::int32_t> offsets;  // cells + 1
   std::vector<std::int32_t> connectivity;
-  std::vector<std::int32_t> body;       // a cell: body index in the pool
+  std::vector<std::int32_t> body;  // a cell: body index in the pool
 };
 
 /// A row expressed in the unknowns d of an implicit step: dx = T d.
@@ -172,7 +172,8 @@ class Pool {
   [[nodiscard]] virtual double mass_ratio(int body) const = 0;
   /// J D^-1 J^T of a row: the acceleration of the point per unit force on it [1/kg].
   [[nodiscard]] virtual double compliance(int body, const Row& row) const = 0;
-  /// Groups of unknowns that a row touches (covers; or the whole body): contacts that share a group add up in the bound.
+  /// Groups of unknowns that a row touches (covers; or the whole body): contacts that share a group add up in the
+  /// bound.
   virtual void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const = 0;
 
   // --- implicit steps; a method without them has no dofs ---

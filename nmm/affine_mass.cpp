@@ -18,7 +18,8 @@ bool AffineMass::make(const CoverMesh& mesh, const ReferenceShape& shape, std::i
   X_ = mesh.star;
   ties_ = mesh.ties;
   tie_of_.assign(X_.size(), -1);
-  for (std::size_t t = 0; t < ties_.size(); ++t) tie_of_[static_cast<std::size_t>(ties_[t].cover)] = static_cast<std::int32_t>(t);
+  for (std::size_t t = 0; t < ties_.size(); ++t)
+    tie_of_[static_cast<std::size_t>(ties_[t].cover)] = static_cast<std::int32_t>(t);
 
   double area = 0.0;
   for (const Element& e : mesh.elements) area += e.area;
@@ -47,7 +48,8 @@ bool AffineMass::make(const CoverMesh& mesh, const ReferenceShape& shape, std::i
   inverse_correction_ = exact_inverse - hat_inverse;
   hat_inverse_ = hat_inverse;
   correction_ = hat_inverse * (hat - exact) * hat_inverse;
-  theta_ = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, exact, Eigen::EigenvaluesOnly).eigenvalues()(2);
+  theta_ =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, exact, Eigen::EigenvaluesOnly).eigenvalues()(2);
   const Eigen::Vector3d y = hat_inverse * exact.col(0);
   unit_.assign(X_.size(), 0.0);
   for (std::size_t k = 0; k < X_.size(); ++k) unit_[k] = lumped_[k] * basis(X_[k]).dot(y);
@@ -61,7 +63,8 @@ AffineMass::Moments3 AffineMass::projection(std::span<const double> v, bool weig
     Moments3 z = Moments3::Zero();
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       if (tie_of_[k] >= 0) continue;
-      const Vec2 a = weighted ? Vec2(lumped_[k] * at(v, static_cast<std::size_t>(first_) + k)) : at(v, static_cast<std::size_t>(first_) + k);
+      const Vec2 a = weighted ? Vec2(lumped_[k] * at(v, static_cast<std::size_t>(first_) + k))
+                              : at(v, static_cast<std::size_t>(first_) + k);
       z.row(0) += a.transpose();
       z.row(1) += X_[k].x() * a.transpose();
       z.row(2) += X_[k].y() * a.transpose();
@@ -84,7 +87,8 @@ void AffineMass::solve(std::span<const double> f, std::span<double> a) const {
   for (const Tie& t : ties_)
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t d = 0; d < 2; ++d)
-        a[2 * (first + static_cast<std::size_t>(t.root[k])) + d] += t.w[k] * f[2 * (first + static_cast<std::size_t>(t.cover)) + d];
+        a[2 * (first + static_cast<std::size_t>(t.root[k])) + d] +=
+            t.w[k] * f[2 * (first + static_cast<std::size_t>(t.cover)) + d];
   const Moments3 z = inverse_correction_ * projection(a, false);
   parallel_for(count, [&](std::int64_t n) {
     const auto k = static_cast<std::size_t>(n);

@@ -47,7 +47,7 @@ class AffineMass {
   std::vector<double> lumped_, unit_;  // M_L, M~ 1
   std::vector<Vec2> X_;
   std::vector<Tie> ties_;
-  std::vector<std::int32_t> tie_of_;   // a cover: its tie or -1
+  std::vector<std::int32_t> tie_of_;                              // a cover: its tie or -1
   Eigen::Matrix3d inverse_correction_ = Eigen::Matrix3d::Zero();  // M_a^-1 - S^^-1
   Eigen::Matrix3d correction_ = Eigen::Matrix3d::Zero();          // S^^-1 (S^ - M_a) S^^-1
   Eigen::Matrix3d hat_inverse_ = Eigen::Matrix3d::Zero();         // S^^-1

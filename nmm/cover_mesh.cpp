@@ -73,28 +73,35 @@ std::vector<Piece> cut_elements(const Polygon& outline, const Lattice& lattice, 
   const Box box = bounds(outline);
   const double full = lattice.triangle_area();
   const std::array<Vec2, 4> corners{lattice.oblique(box.lo), lattice.oblique(box.hi),
-                                    lattice.oblique({box.lo.x(), box.hi.y()}), lattice.oblique({box.hi.x(), box.lo.y()})};
+                                    lattice.oblique({box.lo.x(), box.hi.y()}),
+                                    lattice.oblique({box.hi.x(), box.lo.y()})};
   Vec2 lo = corners[0], hi = corners[0];
   for (const Vec2& c : corners) {
     lo = lo.cwiseMin(c);
     hi = hi.cwiseMax(c);
   }
   std::vector<Piece> pieces;
-  for (auto j = static_cast<std::int32_t>(std::floor(lo.y())); j <= static_cast<std::int32_t>(std::floor(hi.y())); ++j) {
+  for (auto j = static_cast<std::int32_t>(std::floor(lo.y())); j <= static_cast<std::int32_t>(std::floor(hi.y()));
+       ++j) {
     // Only the columns that the box covers in this row.
-    const auto i0 = static_cast<std::int32_t>(std::floor(lattice.oblique({box.lo.x(), lattice.position({0, j + 1}).y()}).x()));
-    const auto i1 = static_cast<std::int32_t>(std::floor(lattice.oblique({box.hi.x(), lattice.position({0, j}).y()}).x()));
+    const auto i0 =
+        static_cast<std::int32_t>(std::floor(lattice.oblique({box.lo.x(), lattice.position({0, j + 1}).y()}).x()));
+    const auto i1 =
+        static_cast<std::int32_t>(std::floor(lattice.oblique({box.hi.x(), lattice.position({0, j}).y()}).x()));
     for (std::int32_t i = i0; i <= i1; ++i)
       for (std::int32_t down = 0; down < 2; ++down) {
         const LatticeTriangle t{j, i, down};
         const auto nodes = Lattice::corners(t);
-        const std::array<Vec2, 3> star{lattice.position(nodes[0]), lattice.position(nodes[1]), lattice.position(nodes[2])};
+        const std::array<Vec2, 3> star{lattice.position(nodes[0]), lattice.position(nodes[1]),
+                                       lattice.position(nodes[2])};
         const Ring cell(star.begin(), star.end());
         const Clipper::Relation relation = clipper.relation(cell);
         if (relation == Clipper::Relation::outside) continue;
         std::vector<Polygon> parts;
-        if (relation == Clipper::Relation::inside) parts.push_back({cell, {}});
-        else parts = clipper.intersection(cell);
+        if (relation == Clipper::Relation::inside)
+          parts.push_back({cell, {}});
+        else
+          parts = clipper.intersection(cell);
         for (Polygon& part : parts) {
           Element e = make_element(star, std::move(part), full);
           if (e.fraction < 1e-13) continue;  // touches along a line only
@@ -227,8 +234,7 @@ std::vector<double> crossings(const Lattice* lattice, const Vec2& a, const Vec2&
   std::vector<double> t{0.0, 1.0};
   if (lattice != nullptr) {
     const Vec2 oa = lattice->oblique(a), ob = lattice->oblique(b);
-    const std::array<std::pair<double, double>, 3> families{
-        {{oa.x(), ob.x()}, {oa.y(), ob.y()}, {oa.sum(), ob.sum()}}};
+    const std::array<std::pair<double, double>, 3> families{{{oa.x(), ob.x()}, {oa.y(), ob.y()}, {oa.sum(), ob.sum()}}};
     for (const auto& [from, to] : families)
       for (double line = std::ceil(std::min(from, to)); line <= std::max(from, to); line += 1.0)
         if (std::abs(to - from) > 1e-12) t.push_back((line - from) / (to - from));
@@ -260,16 +266,15 @@ void make_boundary(const Polygon& outline, const Lattice* lattice, const std::ve
       const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()], &before = ring[(i + ring.size() - 1) % ring.size()];
       const Vec2 inward = quarter_turn() * (b - a).normalized();
       out.corners.push_back({static_cast<std::int32_t>(out.nodes.size()), static_cast<std::int32_t>(r),
-                             static_cast<std::int32_t>(i),
-                             interior_angle(before, a, b)});
+                             static_cast<std::int32_t>(i), interior_angle(before, a, b)});
       const std::vector<double> t = crossings(lattice, a, b);
       for (std::size_t k = 0; k + 1 < t.size(); ++k) {
         const Vec2 start = a + t[k] * (b - a), middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
         const std::int32_t cell = element_at(middle + 1e-3 * (t[k + 1] - t[k]) * (b - a).norm() * inward);
         const auto node = static_cast<std::int32_t>(out.nodes.size());
         out.nodes.push_back(mesh.row(cell, k == 0 ? a : start));
-        out.segments.push_back({node, node + 1,
-                                {static_cast<std::int32_t>(r), static_cast<std::int32_t>(i)}, t[k], t[k + 1], cell});
+        out.segments.push_back(
+            {node, node + 1, {static_cast<std::int32_t>(r), static_cast<std::int32_t>(i)}, t[k], t[k + 1], cell});
       }
     }
     out.segments.back().b = ring_start;

@@ -12,11 +12,11 @@ namespace scree::nmm {
 /// One connected piece of block and mesh triangle, with the triangle's three covers.
 struct Element {
   std::array<std::int32_t, 3> cover{};
-  std::array<Vec2, 3> star{};      // reference positions of the covers [m]
-  Polygon piece;                   // the material [m]
-  double area = 0.0;               // [m2]
+  std::array<Vec2, 3> star{};  // reference positions of the covers [m]
+  Polygon piece;               // the material [m]
+  double area = 0.0;           // [m2]
   Vec2 centroid{0.0, 0.0};
-  double fraction = 0.0;           // area over the triangle's area
+  double fraction = 0.0;  // area over the triangle's area
 
   /// Gradients of the three weights, one a column [1/m].
   [[nodiscard]] Eigen::Matrix<double, 2, 3> gradients() const;
@@ -35,9 +35,9 @@ struct Tie {
 struct CoverMesh {
   std::vector<Vec2> star;  // reference position of each physical cover [m]
   std::vector<Element> elements;
-  std::vector<Tie> ties;   // by cover; roots are never tied
-  Boundary boundary;       // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
-  bool onefold = false;    // one triangle around the whole block
+  std::vector<Tie> ties;  // by cover; roots are never tied
+  Boundary boundary;      // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
+  bool onefold = false;   // one triangle around the whole block
 
   /// Element that holds a point, or the nearest one.
   [[nodiscard]] std::int32_t locate(const Vec2& X) const;

@@ -27,9 +27,7 @@ class Lattice {
   Lattice(double h, const Vec2& origin) : h_(h), origin_(origin) {}
 
   [[nodiscard]] double triangle_area() const { return std::sqrt(3.0) / 4.0 * h_ * h_; }
-  [[nodiscard]] Vec2 position(const LatticeNode& n) const {
-    return origin_ + h_ * Vec2(n.i + 0.5 * n.j, kRow * n.j);
-  }
+  [[nodiscard]] Vec2 position(const LatticeNode& n) const { return origin_ + h_ * Vec2(n.i + 0.5 * n.j, kRow * n.j); }
   /// Oblique coordinates (i, j) of a point; the third line family is i + j = const.
   [[nodiscard]] Vec2 oblique(const Vec2& x) const {
     const double j = (x.y() - origin_.y()) / (kRow * h_);

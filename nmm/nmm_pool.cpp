@@ -56,7 +56,8 @@ void NmmPool::finish() {
   std::vector<std::int32_t> next(gather_start_.begin(), gather_start_.end() - 1);
   for (std::size_t e = 0; e < cover_.size(); ++e)
     for (std::size_t k = 0; k < 3; ++k)
-      gather_[static_cast<std::size_t>(next[static_cast<std::size_t>(cover_[e][k])]++)] = static_cast<std::int32_t>(3 * e + k);
+      gather_[static_cast<std::size_t>(next[static_cast<std::size_t>(cover_[e][k])]++)] =
+          static_cast<std::int32_t>(3 * e + k);
   corner_force_.resize(3 * cover_.size());
   ones_.assign(static_cast<std::size_t>(first_.back()), 1.0);
 }
@@ -124,7 +125,8 @@ void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std
   for (const auto& b : bodies_) b->mass.solve(f, a);
 }
 
-double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> v, std::span<const char> counted) const {
+double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> v,
+                               std::span<const char> counted) const {
   double sum = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     if (counted[b] != 0) sum += bodies_[b]->mass.kinetic_energy(v);
@@ -229,7 +231,8 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     const Row& row = b.mesh.boundary.nodes[static_cast<std::size_t>(corner.node)];
     Vec2 x = Vec2::Zero();
     for (std::size_t k = 0; k < 3; ++k) x += row.w[k] * node(q, row.node[k]);
-    out.shape.outline.ring(static_cast<std::size_t>(corner.ring))[static_cast<std::size_t>(corner.vertex)] = F_inverse * (x - c);
+    out.shape.outline.ring(static_cast<std::size_t>(corner.ring))[static_cast<std::size_t>(corner.vertex)] =
+        F_inverse * (x - c);
   }
 
   // What is left over: velocities M-orthogonal to affine fields, stresses about their mean.

@@ -29,7 +29,8 @@ double frequency_bound_of(const CoverMesh& mesh, const AffineMass& mass, const E
         at->gradient += w * g.col(static_cast<Eigen::Index>(k));
       }
     }
-    for (const Term& t : terms[e]) diagonal[static_cast<std::size_t>(t.cover)] += mesh.elements[e].area * t.gradient.squaredNorm();
+    for (const Term& t : terms[e])
+      diagonal[static_cast<std::size_t>(t.cover)] += mesh.elements[e].area * t.gradient.squaredNorm();
   }
   // K_e = A B^T C B has rank 3: its eigenvalues against D_e are those of A C^1/2 B D_e^-1 B^T C^1/2.
   const double c11 = law.p_modulus(), c12 = law.lambda;

@@ -36,14 +36,15 @@ struct ContactPoint {
   std::int32_t corner = -1, edge = -1, segment = -1;  // into Outlines
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
-  bool suppressed = false;  // another edge at the same convex corner is the way out
-  bool beyond = false;      // open, and its foot lies beyond a convex end of the edge: cannot close here
-  double s_low = 0.0, s_high = 0.0;  // range of the foot within which it may close [m along the segment]
+  bool suppressed = false;             // another edge at the same convex corner is the way out
+  bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
+  double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
 };
 
 /// Rate of a contact scalar at outline node velocities taken from v.
-[[nodiscard]] double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v);
+[[nodiscard]] double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row,
+                              std::span<const double> v);
 /// f += force times the row.
 void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f);
 

@@ -40,8 +40,11 @@ double friction_limit(const JointLaw& law, const ContactMemory& memory, double f
 }
 
 ContactFinder::ContactFinder(const Setup& setup, double detection)
-    : setup_(&setup), detection_(detection), touching_(1e-3 * detection),
-      search_(setup, 2.0 * detection), x_(setup.outlines().nodes.size()) {}
+    : setup_(&setup),
+      detection_(detection),
+      touching_(1e-3 * detection),
+      search_(setup, 2.0 * detection),
+      x_(setup.outlines().nodes.size()) {}
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
@@ -49,7 +52,9 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
   // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
   // little further, so that corners which meet exactly do not lose and find each other.
-  const auto beyond = [&](bool convex) { return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length); };
+  const auto beyond = [&](bool convex) {
+    return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+  };
   p.s_low = part == 0 ? -beyond(edge.convex_start) : -detection_;
   p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end) : detection_);
 }
@@ -58,8 +63,10 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Corner& c = o.corners[static_cast<std::size_t>(p.corner)];
   const Vec2& at = x_[static_cast<std::size_t>(c.node)];
-  const Vec2 forward = (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_out)].b)] - at).normalized();
-  const Vec2 backward = (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_in)].a)] - at).normalized();
+  const Vec2 forward =
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_out)].b)] - at).normalized();
+  const Vec2 backward =
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_in)].a)] - at).normalized();
   return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
 }
 
@@ -82,7 +89,8 @@ void ContactFinder::set_damping(const ContactPoint& p, ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const auto compliance = [&](std::int32_t node) {
     const Body& b = setup_->bodies()[static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(node)])];
-    return b.driven ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, o.nodes[static_cast<std::size_t>(node)]));
+    return b.driven ? 0.0
+                    : setup_->pool_of(b).compliance(b.index, setup_->local(b, o.nodes[static_cast<std::size_t>(node)]));
   };
   const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
@@ -116,13 +124,15 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
-      const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0, keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
+      const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
+                   keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
       const bool a_wins = -ma.gap * keep_a <= -mb.gap * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
 
-void ContactFinder::find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out) {
+void ContactFinder::find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start,
+                         ContactList& out) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   const std::span<const Candidate> candidates = search_.update(x_);
@@ -135,7 +145,9 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
     double nearest = 0.0;
     const Outlines::Corner& corner = o.corners[static_cast<std::size_t>(candidates[i].corner)];
     const Vec2& xP = x_[static_cast<std::size_t>(corner.node)];
-    for (; next < candidates.size() && candidates[next].corner == candidates[i].corner && candidates[next].edge == candidates[i].edge; ++next) {
+    for (; next < candidates.size() && candidates[next].corner == candidates[i].corner &&
+           candidates[next].edge == candidates[i].edge;
+         ++next) {
       const Outlines::Segment& s = o.segments[static_cast<std::size_t>(candidates[next].segment)];
       const double d = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
       if (next == i || d < nearest) {
@@ -154,7 +166,7 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
     p.segment = c.segment;
     p.node = {corner.node, s.a, s.b};
     p.key = {setup_->bodies()[static_cast<std::size_t>(corner.body)].block.value, corner.ring, corner.vertex,
-             setup_->bodies()[static_cast<std::size_t>(edge.body)].block.value, edge.ring, edge.edge};
+             setup_->bodies()[static_cast<std::size_t>(edge.body)].block.value,   edge.ring,   edge.edge};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     while (old != known.end() && old->key < p.key) ++old;
     const bool remembered = old != known.end() && old->key == p.key;
@@ -189,7 +201,8 @@ void ContactFinder::find(std::span<const double> q, std::span<const ContactMemor
     } else if (m.segment != s.part) {
       // The stretch as the old segment sees it now, then the same stretch on the new one.
       const Outlines::Segment& before = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
-      const ContactGeometry g = contact_geometry(xP, x_[static_cast<std::size_t>(before.a)], x_[static_cast<std::size_t>(before.b)]);
+      const ContactGeometry g =
+          contact_geometry(xP, x_[static_cast<std::size_t>(before.a)], x_[static_cast<std::size_t>(before.b)]);
       m.segment = s.part;
       m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
     }

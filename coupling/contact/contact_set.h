@@ -32,7 +32,8 @@ class ContactFinder {
 
   [[nodiscard]] double detection() const { return detection_; }
   /// Lists the points at q. Memory of known pairs is taken over (with the anchor carried to a new segment so that the
-  /// stretch does not jump); new pairs start open. Gaps and stretches of the present geometry are written to the memory.
+  /// stretch does not jump); new pairs start open. Gaps and stretches of the present geometry are written to the
+  /// memory.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
   void find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out);
 

@@ -137,7 +137,8 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
       ++a;
     } else if (now_.memory[b].gap < 0.0) {
       ledger.book(Column::contact_damping, -arriving.damping);
-      ledger.book(Column::contact_edges, arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
+      ledger.book(Column::contact_edges,
+                  arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
     }
   }
   while (a < before_.points.size()) lost(a++);

@@ -30,14 +30,15 @@ class ExplicitContact {
   struct Half {
     double normal = 0.0, damping = 0.0, tangential = 0.0;  // h/2 times force times rate [J]
   };
-  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const double> v) const;
+  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
+                               std::span<const double> v) const;
   void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;
 
   const Setup* setup_;
   ContactFinder finder_;
   ContactList now_, before_;
-  std::vector<Half> left_;            // a point of before_
-  std::vector<double> trial_;         // stretch before return mapping, a point of now_
+  std::vector<Half> left_;     // a point of before_
+  std::vector<double> trial_;  // stretch before return mapping, a point of now_
 };
 
 }  // namespace scree::coupling

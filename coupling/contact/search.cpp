@@ -55,7 +55,8 @@ struct Search::Impl {
     const auto segment = static_cast<std::size_t>(of);
     const std::int32_t edge = o.segments[static_cast<std::size_t>(against)].edge;
     for (const std::int32_t corner : {corner_at_start[segment], corner_at_end[segment]})
-      if (corner >= 0 && o.corners[static_cast<std::size_t>(corner)].convex) candidates.push_back({corner, edge, against});
+      if (corner >= 0 && o.corners[static_cast<std::size_t>(corner)].convex)
+        candidates.push_back({corner, edge, against});
   }
   std::vector<std::int32_t> corner_at_start, corner_at_end;  // a segment: corner at its ends, or -1
 };
@@ -91,7 +92,8 @@ std::span<const Candidate> Search::update(std::span<const Vec2> x) {
     fat.hi = hi.array() + slack;
     const btVector3 low(fat.lo.x(), fat.lo.y(), -1.0), high(fat.hi.x(), fat.hi.y(), 1.0);
     if (first) {
-      s.proxies.push_back(s.tree.createProxy(low, high, 0, reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
+      s.proxies.push_back(s.tree.createProxy(low, high, 0,
+                                             reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
                                              btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, nullptr));
     } else {
       s.tree.setAabb(s.proxies[i], low, high, nullptr);
@@ -103,7 +105,8 @@ std::span<const Candidate> Search::update(std::span<const Vec2> x) {
   s.candidates.clear();
   const btBroadphasePair* pairs = cache->getOverlappingPairArrayPtr();
   for (int i = 0; i < cache->getNumOverlappingPairs(); ++i) {
-    const std::int32_t a = DifferentBodies::index_of(pairs[i].m_pProxy0), b = DifferentBodies::index_of(pairs[i].m_pProxy1);
+    const std::int32_t a = DifferentBodies::index_of(pairs[i].m_pProxy0),
+                       b = DifferentBodies::index_of(pairs[i].m_pProxy1);
     s.add_candidates(a, b);
     s.add_candidates(b, a);
   }

@@ -11,7 +11,10 @@
 namespace scree::coupling {
 
 CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping)
-    : setup_(&setup), control_(control), damping_(damping), contact_(setup, detection),
+    : setup_(&setup),
+      control_(control),
+      damping_(damping),
+      contact_(setup, detection),
       damping_force_(2 * static_cast<std::size_t>(setup.nodes()), 0.0) {
   add_term(std::make_unique<InternalForce>(setup));
   add_term(std::make_unique<Gravity>(setup));
@@ -36,7 +39,8 @@ double CentralDifference::work(std::span<const double> v, std::span<const double
   });
 }
 
-void CentralDifference::evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total) {
+void CentralDifference::evaluate(const State& state, std::vector<std::vector<double>>& forces,
+                                 std::vector<double>& total) {
   const std::size_t n = state.q.size();
   contact_force_.assign(n, 0.0);
   contact_.add(contact_force_);
@@ -53,19 +57,25 @@ void CentralDifference::evaluate(const State& state, std::vector<std::vector<dou
 void CentralDifference::damp(State& state, double factor) {
   std::fill(damping_force_.begin(), damping_force_.end(), 0.0);
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).damp(factor, damping_, setup_->part(std::span<double>(state.v), p), setup_->part(std::span<double>(damping_force_), p));
-  parallel_for(static_cast<std::int64_t>(total_.size()), [&](std::int64_t i) { total_[static_cast<std::size_t>(i)] += damping_force_[static_cast<std::size_t>(i)]; });
+    setup_->pool(p).damp(factor, damping_, setup_->part(std::span<double>(state.v), p),
+                         setup_->part(std::span<double>(damping_force_), p));
+  parallel_for(static_cast<std::int64_t>(total_.size()), [&](std::int64_t i) {
+    total_[static_cast<std::size_t>(i)] += damping_force_[static_cast<std::size_t>(i)];
+  });
   accelerate(state);
 }
 
 void CentralDifference::kick(State& state, double h) {
-  parallel_for(static_cast<std::int64_t>(state.v.size()), [&](std::int64_t i) { state.v[static_cast<std::size_t>(i)] += h * state.a[static_cast<std::size_t>(i)]; });
+  parallel_for(static_cast<std::int64_t>(state.v.size()), [&](std::int64_t i) {
+    state.v[static_cast<std::size_t>(i)] += h * state.a[static_cast<std::size_t>(i)];
+  });
 }
 
 void CentralDifference::accelerate(State& state) const {
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
-                               setup_->part(std::span<const double>(total_), p), setup_->part(std::span<double>(state.a), p));
+                               setup_->part(std::span<const double>(total_), p),
+                               setup_->part(std::span<double>(state.a), p));
   const std::vector<double>& free = setup_->free();
   parallel_for(static_cast<std::int64_t>(free.size()), [&](std::int64_t n) {
     const auto k = static_cast<std::size_t>(n);
@@ -87,8 +97,10 @@ double CentralDifference::enter(State& state) {
   contact_.enter(state, state.step == 0);
   state.a.assign(state.q.size(), 0.0);
   evaluate(state, force_, total_);
-  if (damping_ > 0.0) damp(state, 1.0);
-  else accelerate(state);
+  if (damping_ > 0.0)
+    damp(state, 1.0);
+  else
+    accelerate(state);
   return contact_energy(contact_.list());
 }
 
@@ -126,9 +138,11 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     report.body = body_at();
     report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
     report.suggested = std::isfinite(farthest) ? control_.max_displacement / farthest : 0.0;
-    report.cause = std::isfinite(farthest)
-                       ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed", farthest, control_.max_displacement)
-                       : "a velocity is not finite: the step is above the stable one, or an element was turned inside out";
+    report.cause =
+        std::isfinite(farthest)
+            ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed", farthest,
+                          control_.max_displacement)
+            : "a velocity is not finite: the step is above the stable one, or an element was turned inside out";
     return report;
   }
 

@@ -12,8 +12,8 @@ namespace scree::coupling {
 ///   v_{n+1/2} = v_n + h/2 M^-1 F(x_n),  x_{n+1} = x_n + h v_{n+1/2},  v_{n+1} = v_{n+1/2} + h/2 M^-1 F(x_{n+1})
 /// The stored velocity is the synchronised one, so the step may change; the ledger books (h'^2 - h^2)/8 a.M.a.
 /// Every force comes through a ForceTerm or the contacts, and each books its own work.
-/// Mass-proportional damping at the rate a acts on w = v minus its affine part: w_n = w*/(1 + a h/2), force -a M w_n, which
-/// is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq. in 4.3.3) on synchronised velocities.
+/// Mass-proportional damping at the rate a acts on w = v minus its affine part: w_n = w*/(1 + a h/2), force -a M w_n,
+/// which is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq. in 4.3.3) on synchronised velocities.
 /// @source thesis 4.3, 6.5; nmm.md "Time integration"
 class CentralDifference final : public Mover {
  public:
@@ -36,7 +36,7 @@ class CentralDifference final : public Mover {
   void accelerate(State& state) const;
   void damp(State& state, double factor);
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
-  void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
+  void change_step(State& state, double h);                            // books (h^2 - h_last^2)/8 a.M.a
 
   const Setup* setup_;
   StepControl control_;

@@ -23,7 +23,8 @@ Gravity::Gravity(const Setup& setup) : weight_(2 * static_cast<std::size_t>(setu
 }
 
 void Gravity::add(std::span<const double>, double, std::span<double> f) {
-  parallel_for(static_cast<std::int64_t>(weight_.size()), [&](std::int64_t i) { f[static_cast<std::size_t>(i)] += weight_[static_cast<std::size_t>(i)]; });
+  parallel_for(static_cast<std::int64_t>(weight_.size()),
+               [&](std::int64_t i) { f[static_cast<std::size_t>(i)] += weight_[static_cast<std::size_t>(i)]; });
 }
 
 void Gravity::book(double free, double, Ledger& ledger) { ledger.book(Column::gravity, free); }

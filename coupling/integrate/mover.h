@@ -13,17 +13,17 @@ namespace scree::coupling {
 struct StepReport {
   enum class Status {
     ok,
-    too_far,        // a point would move farther than allowed: raise the limit or shorten the step
-    no_states,      // open-close iteration found no consistent contact states in the passes allowed
-    no_friction,    // friction did not settle with the contact states given
-    not_definite,   // the implicit matrix could not be factorised
-    non_finite      // a position or velocity is not a number
+    too_far,       // a point would move farther than allowed: raise the limit or shorten the step
+    no_states,     // open-close iteration found no consistent contact states in the passes allowed
+    no_friction,   // friction did not settle with the contact states given
+    not_definite,  // the implicit matrix could not be factorised
+    non_finite     // a position or velocity is not a number
   };
   Status status = Status::ok;
-  double suggested = 0.0;    // fraction of the step to try next; 0: the cut factor of the plan
-  std::int32_t body = -1;    // where it went wrong, index into Setup::bodies
-  std::string cause;         // for a status other than ok: what, where, likely cause
-  int passes = 0;            // open-close passes
+  double suggested = 0.0;  // fraction of the step to try next; 0: the cut factor of the plan
+  std::int32_t body = -1;  // where it went wrong, index into Setup::bodies
+  std::string cause;       // for a status other than ok: what, where, likely cause
+  int passes = 0;          // open-close passes
   int factorisations = 0;
 };
 

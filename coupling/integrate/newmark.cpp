@@ -51,7 +51,8 @@ void Newmark::update_ledger(State& state) {
   state.ledger.set(Column::kinetic, kinetic);
 }
 
-void Newmark::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q) const {
+void Newmark::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c,
+                        std::span<const double> q) const {
   const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
   if (b.driven) {
     out.known += c.dot(driven_move_[static_cast<std::size_t>(body)]);
@@ -91,7 +92,8 @@ void Newmark::linearise(const State& state, double h) {
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
     const Body& b = setup_->bodies()[i];
     const double t0 = seconds(state.time);
-    driven_move_[i] = b.driven ? Vec2(setup_->driven_displacement(b, t0 + h) - setup_->driven_displacement(b, t0)) : Vec2(0.0, 0.0);
+    driven_move_[i] =
+        b.driven ? Vec2(setup_->driven_displacement(b, t0 + h) - setup_->driven_displacement(b, t0)) : Vec2(0.0, 0.0);
     if (b.driven) continue;
     const auto p = static_cast<std::size_t>(b.pool);
     const Pool& pool = setup_->pool_of(b);
@@ -131,7 +133,8 @@ void Newmark::linearise(const State& state, double h) {
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const Vec2 u = position(springs_[i].row, q) - springs_[i].anchor;
     for (int d = 0; d < 2; ++d) {
-      add_point(spring_rows_[i][std::size_t(d)], springs_[i].body, springs_[i].row, d == 0 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0), q);
+      add_point(spring_rows_[i][std::size_t(d)], springs_[i].body, springs_[i].row,
+                d == 0 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0), q);
       spring_offset_[i][std::size_t(d)] = u[d];
     }
   }
@@ -152,15 +155,18 @@ void Newmark::assemble(double h) {
   const auto spring = [&](const DofRow& row, double k, double at) {
     cholesky_.add_outer(row.dof, row.h, k);
     if (k != 0.0)
-      for (std::size_t j = 0; j < row.dof.size(); ++j) rhs_[static_cast<std::size_t>(row.dof[j])] -= k * (at + row.known) * row.h[j];
+      for (std::size_t j = 0; j < row.dof.size(); ++j)
+        rhs_[static_cast<std::size_t>(row.dof[j])] -= k * (at + row.known) * row.h[j];
   };
   for (std::size_t i = 0; i < springs_.size(); ++i)
-    for (int d = 0; d < 2; ++d) spring(spring_rows_[i][std::size_t(d)], springs_[i].k[d], spring_offset_[i][std::size_t(d)]);
+    for (int d = 0; d < 2; ++d)
+      spring(spring_rows_[i][std::size_t(d)], springs_[i].k[d], spring_offset_[i][std::size_t(d)]);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const Trial& t = trial_[i];
     const ContactMemory& m = list_.memory[i];
     spring(t.normal, t.status == ContactStatus::open ? 0.0 : m.kn, m.gap);
-    spring(t.tangential, t.status == ContactStatus::stick ? m.kt : 0.0, m.status == ContactStatus::open ? 0.0 : m.stretch);
+    spring(t.tangential, t.status == ContactStatus::stick ? m.kt : 0.0,
+           m.status == ContactStatus::open ? 0.0 : m.stretch);
   }
 }
 
@@ -225,7 +231,8 @@ bool Newmark::solve_with_friction(StepReport& report) {
 }
 
 bool Newmark::may_close(std::size_t i) const {
-  // The foot must be on the edge where the step ends; of two edges at a convex corner the one that is nearer takes over.
+  // The foot must be on the edge where the step ends; of two edges at a convex corner the one that is nearer takes
+  // over.
   const ContactPoint& p = list_.points[i];
   const double foot = p.at.xi * p.at.length + trial_[i].moved;
   if (foot < p.s_low || foot > p.s_high) return false;
@@ -338,8 +345,10 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
     const Body& b = setup_->bodies()[i];
     if (b.driven) continue;
     const auto p = static_cast<std::size_t>(b.pool);
-    const auto first = static_cast<std::size_t>(first_dof_[i]), n = static_cast<std::size_t>(setup_->pool_of(b).dofs(b.index));
-    setup_->pool_of(b).retract(b.index, std::span<const double>(d_).subspan(first, n), std::span<const double>(rate).subspan(first, n),
+    const auto first = static_cast<std::size_t>(first_dof_[i]),
+               n = static_cast<std::size_t>(setup_->pool_of(b).dofs(b.index));
+    setup_->pool_of(b).retract(b.index, std::span<const double>(d_).subspan(first, n),
+                               std::span<const double>(rate).subspan(first, n),
                                setup_->part(std::span<double>(q_new_), p), setup_->part(std::span<double>(v_new_), p));
   }
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
@@ -355,9 +364,9 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
   if (!(farthest <= control_.max_displacement)) {
     report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
     report.suggested = std::isfinite(farthest) ? 0.9 * control_.max_displacement / farthest : 0.0;
-    report.cause = std::isfinite(farthest)
-                       ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed", farthest, control_.max_displacement)
-                       : "a displacement is not finite";
+    report.cause = std::isfinite(farthest) ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed",
+                                                         farthest, control_.max_displacement)
+                                           : "a displacement is not finite";
     return report;
   }
   report.body = -1;
@@ -378,7 +387,8 @@ void Newmark::book_linear(Ledger& ledger, double& spring_after, double& elastic_
   }
   for (std::size_t i = 0; i < springs_.size(); ++i)
     for (int d = 0; d < 2; ++d) {
-      const double k = springs_[i].k[d], u = spring_rows_[i][std::size_t(d)].change(d_), at = spring_offset_[i][std::size_t(d)] + u;
+      const double k = springs_[i].k[d], u = spring_rows_[i][std::size_t(d)].change(d_),
+                   at = spring_offset_[i][std::size_t(d)] + u;
       ledger.book(Column::newmark_damping, 0.5 * k * u * u);
       support_after += 0.5 * k * at * at;
     }
@@ -388,10 +398,13 @@ void Newmark::book_linear(Ledger& ledger, double& spring_after, double& elastic_
     ledger.book(Column::prescribed_motion, -(t.fn * t.normal.known + t.ft * t.tangential.known));
     // Normal: -(f dg + dU), split by what happened.
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
-    const bool counted = !list_.points[i].suppressed && !list_.points[i].beyond;  // its energy, at the start of the step
+    const bool counted =
+        !list_.points[i].suppressed && !list_.points[i].beyond;  // its energy, at the start of the step
     if (t.fn > 0.0) {
-      if (counted && g0 < 0.0) ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
-      else ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
+      if (counted && g0 < 0.0)
+        ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
+      else
+        ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
       spring_after += 0.5 * m.kn * g1 * g1;
     } else if (counted && g0 < 0.0) {
       ledger.book(Column::contact_closing, 0.5 * m.kn * g0 * g0);
@@ -419,7 +432,8 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
       const auto n = 2 * static_cast<std::size_t>(k);
       if (gravity_[n] == 0.0 && gravity_[n + 1] == 0.0) continue;
       DofRow row;
-      add_point(row, static_cast<std::int32_t>(i), Row{{k, k, k}, {1.0, 0.0, 0.0}}, {gravity_[n], gravity_[n + 1]}, state.q);
+      add_point(row, static_cast<std::int32_t>(i), Row{{k, k, k}, {1.0, 0.0, 0.0}}, {gravity_[n], gravity_[n + 1]},
+                state.q);
       work += row.change(d_);
     }
   }
@@ -440,7 +454,8 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     const Trial& t = trial_[i];
     ContactMemory& m = list_.memory[i];
     const ContactPoint& p = list_.points[i];
-    linear[i] = 0.5 * m.kn * (t.fn > 0.0 ? t.gap * t.gap : 0.0) + (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
+    linear[i] = 0.5 * m.kn * (t.fn > 0.0 ? t.gap * t.gap : 0.0) +
+                (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
     if (t.status == ContactStatus::slip) {
       const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
       m.slip += std::abs(before + t.moved - t.stretch);
@@ -462,8 +477,10 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   for (std::size_t b = 0; b < list_.memory.size(); ++b) {
     const double now = normal_energy(list_.points[b], list_.memory[b]) + tangential_energy(list_.memory[b]);
     while (a < before.size() && before[a].key < list_.memory[b].key) ledger.book(Column::springs_dropped, linear[a++]);
-    if (a < before.size() && before[a].key == list_.memory[b].key) ledger.book(Column::update_contact, now - linear[a++]);
-    else if (now != 0.0) ledger.book(Column::contact_edges, now);
+    if (a < before.size() && before[a].key == list_.memory[b].key)
+      ledger.book(Column::update_contact, now - linear[a++]);
+    else if (now != 0.0)
+      ledger.book(Column::contact_edges, now);
   }
   while (a < before.size()) ledger.book(Column::springs_dropped, linear[a++]);
   ledger.set(Column::contact_springs, contact_energy(list_));
@@ -473,7 +490,8 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   for (std::size_t p = 0; p < setup_->pools(); ++p) {
     const auto q = setup_->part(std::span<const double>(state.q), p);
     elastic_now += setup_->pool(p).internal_force(q, setup_->part(std::span<double>(q_new_), p));
-    kinetic_now += setup_->pool(p).kinetic_energy(q, setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
+    kinetic_now +=
+        setup_->pool(p).kinetic_energy(q, setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
   }
   for (const PointSpring& s : springs_) supports_now += spring_energy(s, state.q);
   ledger.set(Column::elastic, elastic_now);

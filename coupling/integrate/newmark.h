@@ -20,8 +20,8 @@ struct DofRow {
 
 ///   (2 M/h^2 + K + sum_active k h h^T) d = f_int + f_ext + 2 M v/h - sum_active k g h,  v' = 2 d/h - v
 /// Contact states are found by open-close iteration; friction of sliding points is a load of the right-hand side that
-/// follows their normal force (Anderson acceleration, GMRES for a linear iteration). Then every body is retracted through
-/// its chart. What linear forms and exact geometry differ by is booked in columns of its own.
+/// follows their normal force (Anderson acceleration, GMRES for a linear iteration). Then every body is retracted
+/// through its chart. What linear forms and exact geometry differ by is booked in columns of its own.
 /// @source nmm.md "Time integration"; thesis 3.3.2, 3.2.2, 4.5; Shi 1988
 class Newmark final : public Mover {
  public:
@@ -37,8 +37,8 @@ class Newmark final : public Mover {
   struct Trial {  // a contact point during the iteration
     DofRow normal, tangential;
     ContactStatus status = ContactStatus::open;
-    double direction = 0.0;         // sign of the friction force while slipping
-    double load = 0.0;              // normal force that its friction limit was taken from [N]
+    double direction = 0.0;  // sign of the friction force while slipping
+    double load = 0.0;       // normal force that its friction limit was taken from [N]
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
   };
   void linearise(const State& state, double h);
@@ -52,7 +52,8 @@ class Newmark final : public Mover {
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool iterate(double h, StepReport& report);
   void accept(State& state, Tick h);
-  void book_linear(Ledger& ledger, double& spring_after, double& elastic_after, double& support_after, double& kinetic_after, double h);
+  void book_linear(Ledger& ledger, double& spring_after, double& elastic_after, double& support_after,
+                   double& kinetic_after, double h);
 
   const Setup* setup_;
   StepControl control_;
@@ -63,8 +64,8 @@ class Newmark final : public Mover {
   std::vector<std::array<double, 2>> spring_offset_;
   std::vector<std::int32_t> first_dof_;  // a body; -1: driven
   std::int32_t dofs_ = 0;
-  std::vector<ImplicitBlock> blocks_;    // first_dof counts over all bodies
-  std::vector<Vec2> driven_move_;        // a body
+  std::vector<ImplicitBlock> blocks_;  // first_dof counts over all bodies
+  std::vector<Vec2> driven_move_;      // a body
   std::vector<Trial> trial_;
   std::vector<double> rhs_, base_, d_, rate_, gravity_, q_new_, v_new_;
   Cholesky cholesky_;

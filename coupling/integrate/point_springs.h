@@ -9,7 +9,7 @@
 namespace scree::coupling {
 
 struct PointSpring {
-  Row row;                // in the state's nodes
+  Row row;  // in the state's nodes
   std::int32_t body = -1;
   Vec2 anchor{0.0, 0.0};  // [m]
   Vec2 k{0.0, 0.0};       // [N/m] in x and y; 0 where free

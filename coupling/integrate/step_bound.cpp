@@ -24,7 +24,8 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (std::int32_t g : touched) sum[static_cast<std::size_t>(setup.pool_first(static_cast<std::size_t>(b.pool)) + g)] += stiffness;
+    for (std::int32_t g : touched)
+      sum[static_cast<std::size_t>(setup.pool_first(static_cast<std::size_t>(b.pool)) + g)] += stiffness;
   };
   const auto compliance = [&](std::int32_t body, const Row& row) {
     const Body& b = bodies[static_cast<std::size_t>(body)];
@@ -32,12 +33,15 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
   };
   for (std::size_t i = 0; i < contacts.points.size(); ++i) {
     const ContactPoint& p = contacts.points[i];
-    const std::array<Row, 3> row{o.nodes[static_cast<std::size_t>(p.node[0])], o.nodes[static_cast<std::size_t>(p.node[1])],
+    const std::array<Row, 3> row{o.nodes[static_cast<std::size_t>(p.node[0])],
+                                 o.nodes[static_cast<std::size_t>(p.node[1])],
                                  o.nodes[static_cast<std::size_t>(p.node[2])]};
-    const std::int32_t body_p = o.node_body[static_cast<std::size_t>(p.node[0])], body_e = o.node_body[static_cast<std::size_t>(p.node[1])];
+    const std::int32_t body_p = o.node_body[static_cast<std::size_t>(p.node[0])],
+                       body_e = o.node_body[static_cast<std::size_t>(p.node[1])];
     // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
-    const double mu = compliance(body_p, row[0]) + reach * reach * std::max(compliance(body_e, row[1]), compliance(body_e, row[2]));
+    const double mu =
+        compliance(body_p, row[0]) + reach * reach * std::max(compliance(body_e, row[1]), compliance(body_e, row[2]));
     // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) (thesis 5.3.2): as if it were stiffer.
     const double xi = setup.model().joints[static_cast<std::size_t>(contacts.memory[i].joint)].damping;
     const double shrink = std::sqrt(1.0 + xi * xi) - xi;
@@ -57,8 +61,8 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
     if (lambda <= highest) continue;
     highest = lambda;
     if (binding != nullptr)
-      *binding = fmt::format("block '{}', {:.0f} % of it by contacts and supports", setup.model().blocks[b.block.index()].name,
-                             100.0 * loaded / (own + loaded));
+      *binding = fmt::format("block '{}', {:.0f} % of it by contacts and supports",
+                             setup.model().blocks[b.block.index()].name, 100.0 * loaded / (own + loaded));
   }
   return highest > 0.0 ? 2.0 / std::sqrt(highest) : std::numeric_limits<double>::infinity();
 }

@@ -15,7 +15,7 @@ namespace scree::coupling {
 /// @param binding  receives what binds the step, if given
 /// @return the bound [s]; infinite if nothing is stiff
 /// @source contact.md "Explicit"
-[[nodiscard]] double certified_step(const Setup& setup, const ContactList& contacts, std::span<const PointSpring> springs,
-                                    std::string* binding);
+[[nodiscard]] double certified_step(const Setup& setup, const ContactList& contacts,
+                                    std::span<const PointSpring> springs, std::string* binding);
 
 }  // namespace scree::coupling

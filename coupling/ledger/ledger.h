@@ -12,14 +12,33 @@ namespace scree::coupling {
 
 enum class Column : int {
   // E: energy held
-  kinetic, elastic, contact_springs, support_springs, reservoir, shadow,
+  kinetic,
+  elastic,
+  contact_springs,
+  support_springs,
+  reservoir,
+  shadow,
   // W: work done on the system since the start
-  gravity, prescribed_motion,
+  gravity,
+  prescribed_motion,
   // D: dissipated since the start
-  friction, contact_damping, mass_damping, newmark_damping, contact_closing, springs_dropped,
+  friction,
+  contact_damping,
+  mass_damping,
+  newmark_damping,
+  contact_closing,
+  springs_dropped,
   // R: terms of the schemes themselves and of changes of definition since the start
-  elastic_trapezoid, contact_transition, contact_geometry, contact_edges, support_trapezoid, update_kinetic,
-  update_elastic, update_contact, step_change, transfer,
+  elastic_trapezoid,
+  contact_transition,
+  contact_geometry,
+  contact_edges,
+  support_trapezoid,
+  update_kinetic,
+  update_elastic,
+  update_contact,
+  step_change,
+  transfer,
   count_
 };
 inline constexpr int kColumns = static_cast<int>(Column::count_);
@@ -44,8 +63,8 @@ class Ledger {
   void book(Column column, double increment);
 
   [[nodiscard]] double operator[](Column column) const { return value_[static_cast<std::size_t>(column)]; }
-  [[nodiscard]] double energy() const;              // sum of the energy columns [J]
-  [[nodiscard]] double closure() const;             // E - E_0 - W + D - R [J]
+  [[nodiscard]] double energy() const;                   // sum of the energy columns [J]
+  [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
   /// |closure| / moved, 0 while nothing has moved.
   [[nodiscard]] double relative_closure() const;

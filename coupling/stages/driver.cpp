@@ -13,12 +13,12 @@
 namespace scree::coupling {
 namespace {
 
-double wall() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// First multiple of `every` after `now`.
-Tick next_multiple(Tick now, Tick every) { return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max(); }
+Tick next_multiple(Tick now, Tick every) {
+  return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
+}
 
 double smallest_width(const Model& model) {
   double least = std::numeric_limits<double>::infinity();
@@ -33,19 +33,26 @@ double smallest_width(const Model& model) {
 
 std::string_view name(EventKind kind) {
   switch (kind) {
-    case EventKind::stage_start: return "stage_start";
-    case EventKind::stage_end: return "stage_end";
-    case EventKind::transfer: return "transfer";
-    case EventKind::step_cut: return "step_cut";
-    case EventKind::not_converged: return "not_converged";
-    case EventKind::warning: return "warning";
+    case EventKind::stage_start:
+      return "stage_start";
+    case EventKind::stage_end:
+      return "stage_end";
+    case EventKind::transfer:
+      return "transfer";
+    case EventKind::step_cut:
+      return "step_cut";
+    case EventKind::not_converged:
+      return "not_converged";
+    case EventKind::warning:
+      return "warning";
   }
   return "unknown";
 }
 
 double auto_detection(const Model& model) { return 0.05 * smallest_width(model); }
 
-Driver::Driver(const Model& model, const Plan& plan, const Methods& methods) : model_(&model), plan_(&plan), methods_(&methods) {
+Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
+    : model_(&model), plan_(&plan), methods_(&methods) {
   detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
   for (const Stage& s : plan.stages) end_ += s.duration;
 }
@@ -88,7 +95,8 @@ void Driver::start() {
         m.Fdot = i.spin * quarter_turn();
       }
     const auto p = static_cast<std::size_t>(b.pool);
-    setup_->pool_of(b).place(b.index, m, setup_->part(std::span<double>(state_.q), p), setup_->part(std::span<double>(state_.v), p));
+    setup_->pool_of(b).place(b.index, m, setup_->part(std::span<double>(state_.q), p),
+                             setup_->part(std::span<double>(state_.v), p));
   }
   setup_->prescribe(0.0, state_.q, state_.v);
   double kinetic = 0.0;
@@ -112,9 +120,10 @@ void Driver::change_stage(std::size_t index) {
     for (const TransferRow& row : handed.rows) {
       transfers_.push_back(row);
       event(EventKind::transfer,
-            fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
-                        model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
-                        row.energy_error),
+            fmt::format(
+                "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
+                model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
+                row.energy_error),
             &row);
     }
   }
@@ -127,8 +136,8 @@ void Driver::change_stage(std::size_t index) {
   } else {
     for (const Body& b : setup_->bodies())
       if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)
-        throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only", stage.name,
-                                    model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
+        throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only",
+                                    stage.name, model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
     mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_);
   }
   const double springs = state_.ledger[Column::contact_springs];
@@ -140,7 +149,8 @@ void Driver::change_stage(std::size_t index) {
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
-    if (!b.driven) stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
+    if (!b.driven)
+      stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
 }
 
@@ -150,9 +160,10 @@ Tick Driver::largest_step(const Stage& stage) {
   const double bound = mover_->stable_step(state_, &binding);
   if (stage.dt) {
     if (*stage.dt > bound)
-      throw PlanError(fmt::format("stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
-                                  "use dt = \"auto\" or a smaller step",
-                                  stage.name, *stage.dt, bound, binding));
+      throw PlanError(fmt::format(
+          "stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
+          "use dt = \"auto\" or a smaller step",
+          stage.name, *stage.dt, bound, binding));
     return ticks(*stage.dt);
   }
   return std::max<Tick>(1, ticks(std::min(stage.safety * bound, 1.0)));
@@ -186,13 +197,17 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       continue;
     }
     ++stats_.cuts;
-    const std::string where = report.body >= 0
-                                  ? fmt::format("block '{}', ", model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
-                                  : std::string();
+    const std::string where =
+        report.body >= 0
+            ? fmt::format("block '{}', ",
+                          model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
+            : std::string();
     const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
     if (report.status == StepReport::Status::non_finite || ++cuts > step_control_.max_cuts || h <= 3) {
-      const auto status = report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
-      const std::string reason = fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
+      const auto status =
+          report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
+      const std::string reason =
+          fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
       event(EventKind::not_converged, reason);
       return {status, reason};
     }
@@ -205,8 +220,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
 
 RunEnd Driver::run_stage(std::size_t index, Tick end) {
   const Stage& stage = plan_->stages[index];
-  event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
-                                            stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
+  event(EventKind::stage_start,
+        fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
+                    stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
   look(true);
   while (state_.time < end) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);

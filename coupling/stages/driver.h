@@ -13,7 +13,8 @@
 
 namespace scree::coupling {
 
-/// A plan that cannot be carried out as it stands: an explicit step above the stable one, a method without implicit form.
+/// A plan that cannot be carried out as it stands: an explicit step above the stable one, a method without implicit
+/// form.
 struct PlanError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

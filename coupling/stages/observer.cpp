@@ -59,7 +59,8 @@ FrameView Observer::frame(const State& state, const RunStats& stats) {
     put(scree::coupling::position(points_[i], v), i, velocity_);
   }
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).stress(setup_->part(q, p), std::span<double>(stress_).subspan(3 * static_cast<std::size_t>(pool_cells_[p])));
+    setup_->pool(p).stress(setup_->part(q, p),
+                           std::span<double>(stress_).subspan(3 * static_cast<std::size_t>(pool_cells_[p])));
   FrameView f;
   f.time = seconds(state.time);
   f.tick = state.time;

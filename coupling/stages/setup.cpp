@@ -10,7 +10,8 @@
 namespace scree::coupling {
 
 Methods standard_methods() {
-  return {{"nmm", [] { return std::make_unique<nmm::NmmPool>(); }}, {"dda", [] { return std::make_unique<dda::DdaPool>(); }}};
+  return {{"nmm", [] { return std::make_unique<nmm::NmmPool>(); }},
+          {"dda", [] { return std::make_unique<dda::DdaPool>(); }}};
 }
 
 ReferenceShape reference_shape(const Model& model, BlockId block) {
@@ -110,7 +111,8 @@ void Setup::add_outline(std::int32_t body) {
       out.edges.push_back(edge);
     }
     Outlines::Edge& edge = out.edges.back();
-    out.segments.push_back({node0 + segment.a, node0 + segment.b, static_cast<std::int32_t>(out.edges.size()) - 1, edge.segments});
+    out.segments.push_back(
+        {node0 + segment.a, node0 + segment.b, static_cast<std::int32_t>(out.edges.size()) - 1, edge.segments});
     ++edge.segments;
     const bool ends = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge != segment.edge;
     if (ends) {

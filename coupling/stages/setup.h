@@ -31,9 +31,9 @@ struct Body {
 /// Outlines of all bodies, with rows in the state's nodes.
 struct Outlines {
   struct Segment {
-    std::int32_t a, b;       // outline nodes
-    std::int32_t edge;       // into edges
-    std::int32_t part;       // counted along the edge
+    std::int32_t a, b;  // outline nodes
+    std::int32_t edge;  // into edges
+    std::int32_t part;  // counted along the edge
   };
   struct Edge {
     std::int32_t body, ring, edge;

@@ -19,10 +19,12 @@ void measure(TransferRow& row, double inertia) {
   const auto relative = [](double error, double scale) { return scale > 0.0 ? std::abs(error) / scale : 0.0; };
   row.mass_error = relative(b.mass - a.mass, a.mass);
   row.momentum_error = relative((b.momentum - a.momentum).norm(), std::sqrt(2.0 * a.mass * a.kinetic));
-  const double spin_a = a.angular_momentum - cross(a.centre, a.momentum), spin_b = b.angular_momentum - cross(b.centre, b.momentum);
+  const double spin_a = a.angular_momentum - cross(a.centre, a.momentum),
+               spin_b = b.angular_momentum - cross(b.centre, b.momentum);
   row.angular_error = relative(spin_b - spin_a, std::sqrt(2.0 * inertia * a.kinetic));
-  row.energy_error = relative(b.kinetic + b.elastic + row.reservoir_kinetic + row.reservoir_elastic + row.booked - a.kinetic - a.elastic,
-                              a.kinetic + a.elastic);
+  row.energy_error = relative(
+      b.kinetic + b.elastic + row.reservoir_kinetic + row.reservoir_elastic + row.booked - a.kinetic - a.elastic,
+      a.kinetic + a.elastic);
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wi
   return records;
 }
 
-HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const std::vector<Wish>& wish, State& state) {
+HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const std::vector<Wish>& wish,
+                   State& state) {
   HandOver out;
   const std::size_t count = state.bodies.size();
   std::vector<char> changed(count, 0);
@@ -82,11 +85,15 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
     const Body &a = from.bodies()[i], &b = to.bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool);
     if (changed[i] != 0) {
-      to.pool_of(b).place(b.index, released[i].motion, to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
+      to.pool_of(b).place(b.index, released[i].motion, to.part(std::span<double>(q), p),
+                          to.part(std::span<double>(v), p));
     } else {
-      const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node), end = begin + 2 * static_cast<std::ptrdiff_t>(a.nodes);
-      std::copy(state.q.begin() + begin, state.q.begin() + end, q.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
-      std::copy(state.v.begin() + begin, state.v.begin() + end, v.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
+      const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node),
+                 end = begin + 2 * static_cast<std::ptrdiff_t>(a.nodes);
+      std::copy(state.q.begin() + begin, state.q.begin() + end,
+                q.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
+      std::copy(state.v.begin() + begin, state.v.begin() + end,
+                v.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
     }
   }
   to.prescribe(seconds(state.time), q, v);
@@ -95,7 +102,8 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.a.clear();
 
   for (ContactMemory& m : state.contacts)
-    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0) m.segment = -1;
+    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0)
+      m.segment = -1;
 
   // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
   Ledger& ledger = state.ledger;
@@ -111,8 +119,8 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
     reservoir += row.reservoir_kinetic + row.reservoir_elastic;
     ledger.book(Column::transfer, -row.booked);
     if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
-      state.rest.push_back({state.bodies[i].block, row.reservoir_kinetic, row.reservoir_elastic, released[i].velocity_rest,
-                            released[i].stress_rest});
+      state.rest.push_back({state.bodies[i].block, row.reservoir_kinetic, row.reservoir_elastic,
+                            released[i].velocity_rest, released[i].stress_rest});
   }
   ledger.set(Column::kinetic, kinetic);
   ledger.set(Column::elastic, elastic);

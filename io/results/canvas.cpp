@@ -22,7 +22,8 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 Canvas::Canvas(double width, double height, int pixels)
     : width_(width),
       height_(height),
-      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels, static_cast<int>(std::lround(height / width * pixels)))),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels,
+                                          static_cast<int>(std::lround(height / width * pixels)))),
       cairo_(cairo_create(surface_.get())) {
   cairo_scale(get(), pixels / width, pixels / width);
   ink({1.0, 1.0, 1.0});
@@ -60,7 +61,7 @@ void Canvas::hatch_path() const {
   ink(kHeld);
   cairo_fill_preserve(get());
   cairo_clip(get());
-  const double step = 5.0;  // [pt]
+  const double step = 5.0;                              // [pt]
   cairo_set_antialias(get(), CAIRO_ANTIALIAS_DEFAULT);  // whatever the fill was drawn with
   ink(kHatch);
   cairo_set_line_width(get(), 0.35);
@@ -73,7 +74,8 @@ void Canvas::hatch_path() const {
 }
 
 void Canvas::use(const TextStyle& style) const {
-  cairo_select_font_face(get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_select_font_face(get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(get(), style.size);
 }
 
@@ -110,7 +112,8 @@ void Canvas::save(const std::filesystem::path& png) const {
   cairo_surface_flush(surface_.get());
   cairo_status_t status = cairo_status(get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
-  if (status != CAIRO_STATUS_SUCCESS) throw FileError(png, std::string("cannot draw the picture: ") + cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw FileError(png, std::string("cannot draw the picture: ") + cairo_status_to_string(status));
   write_atomically(png, bytes);
 }
 

@@ -14,14 +14,15 @@ struct Colour {
   double r = 0.0, g = 0.0, b = 0.0, a = 1.0;  // 0 to 1
 };
 
-inline constexpr Colour kInk{0.13, 0.13, 0.13};   // text and frames
+inline constexpr Colour kInk{0.13, 0.13, 0.13};    // text and frames
 inline constexpr Colour kFaint{0.86, 0.86, 0.86};  // grids
 
 struct TextStyle {
-  double size = 8.0;              // [pt]
-  double across = 0.0, up = 0.0;  // anchor in the text's box: 0 left, 0.5 middle, 1 right; 0 base line, 0.5 middle, 1 top
+  double size = 8.0;  // [pt]
+  double across = 0.0,
+         up = 0.0;  // anchor in the text's box: 0 left, 0.5 middle, 1 right; 0 base line, 0.5 middle, 1 top
   bool bold = false;
-  bool turned = false;            // reads upwards; across then runs up the page
+  bool turned = false;  // reads upwards; across then runs up the page
   Colour colour = kInk;
 };
 

@@ -23,7 +23,8 @@ std::string field(const std::string& text) {
 std::vector<CsvFile::Column> history_columns(const Model& model) {
   std::vector<CsvFile::Column> columns{{"time", "s"}};
   for (const std::string& name : monitor_names(model))
-    for (const auto& [end, units] : {std::pair{".x", "m"}, {".y", "m"}, {".ux", "m"}, {".uy", "m"}, {".vx", "m/s"}, {".vy", "m/s"}})
+    for (const auto& [end, units] :
+         {std::pair{".x", "m"}, {".y", "m"}, {".ux", "m"}, {".uy", "m"}, {".vx", "m/s"}, {".vy", "m/s"}})
       columns.push_back({name + end, units});
   return columns;
 }
@@ -71,7 +72,8 @@ void CsvFile::check() const {
   if (!out_) throw FileError(path_, std::string("cannot write: ") + std::strerror(errno));
 }
 
-CsvHistories::CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy, const Model& model)
+CsvHistories::CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy,
+                           const Model& model)
     : history_(history, history_columns(model)), energy_(energy, energy_columns()) {}
 
 void CsvHistories::append(const coupling::HistoryView& view) {
@@ -83,7 +85,8 @@ void CsvHistories::append(const coupling::HistoryView& view) {
 
   row_.assign(1, view.time);
   for (int c = 0; c < coupling::kColumns; ++c) row_.push_back((*view.ledger)[static_cast<coupling::Column>(c)]);
-  row_.insert(row_.end(), {view.ledger->energy(), view.ledger->closure(), view.ledger->moved(), view.ledger->relative_closure()});
+  row_.insert(row_.end(),
+              {view.ledger->energy(), view.ledger->closure(), view.ledger->moved(), view.ledger->relative_closure()});
   energy_.row(row_);
 }
 

@@ -16,7 +16,8 @@ EventWriter::EventWriter(const h5::File& file)
     totals_[i].mass = {file, g + "mass", 1, {"kg", "mass for unit thickness" + end}};
     totals_[i].centre = {file, g + "centre", 2, {"m", "centre of mass x, y" + end}};
     totals_[i].momentum = {file, g + "momentum", 2, {"kg m/s", "momentum x, y for unit thickness" + end}};
-    totals_[i].angular_momentum = {file, g + "angular_momentum", 1, {"kg m2/s", "angular momentum about the origin" + end}};
+    totals_[i].angular_momentum = {
+        file, g + "angular_momentum", 1, {"kg m2/s", "angular momentum about the origin" + end}};
     totals_[i].kinetic = {file, g + "kinetic", 1, {"J", "kinetic energy for unit thickness" + end}};
     totals_[i].elastic = {file, g + "elastic", 1, {"J", "elastic energy for unit thickness" + end}};
   }

@@ -48,22 +48,32 @@ const FieldInfo& info(Field field) { return kInfo[static_cast<std::size_t>(field
 
 std::vector<double> cell_values(const StoredFrame& frame, Field field) {
   switch (field) {
-    case Field::displacement: return mean_magnitude(frame, frame.displacement);
-    case Field::speed: return mean_magnitude(frame, frame.velocity);
-    case Field::sxx: return component(frame.stress, 3, 0);
-    case Field::syy: return component(frame.stress, 3, 1);
-    case Field::sxy: return component(frame.stress, 3, 2);
-    case Field::s1: return component(frame.principal, 2, 0);
-    case Field::s3: return component(frame.principal, 2, 1);
-    case Field::block: return numbers(frame.block);
-    case Field::method: return numbers(frame.method);
+    case Field::displacement:
+      return mean_magnitude(frame, frame.displacement);
+    case Field::speed:
+      return mean_magnitude(frame, frame.velocity);
+    case Field::sxx:
+      return component(frame.stress, 3, 0);
+    case Field::syy:
+      return component(frame.stress, 3, 1);
+    case Field::sxy:
+      return component(frame.stress, 3, 2);
+    case Field::s1:
+      return component(frame.principal, 2, 0);
+    case Field::s3:
+      return component(frame.principal, 2, 1);
+    case Field::block:
+      return numbers(frame.block);
+    case Field::method:
+      return numbers(frame.method);
   }
   return {};
 }
 
 double cell_area(const StoredFrame& frame, std::size_t cell) {
   double twice = 0.0;
-  const auto first = static_cast<std::size_t>(frame.offsets[cell]), end = static_cast<std::size_t>(frame.offsets[cell + 1]);
+  const auto first = static_cast<std::size_t>(frame.offsets[cell]),
+             end = static_cast<std::size_t>(frame.offsets[cell + 1]);
   for (std::size_t i = first; i < end; ++i) {
     const auto a = static_cast<std::size_t>(frame.connectivity[i]);
     const auto b = static_cast<std::size_t>(frame.connectivity[i + 1 < end ? i + 1 : first]);
@@ -104,7 +114,9 @@ std::vector<std::pair<std::int64_t, std::int64_t>> outline_edges(const StoredFra
   }
   const double grid = std::max(1e-8 * extent, 1e-300);  // two points nearer than this are one
   using Spot = std::pair<std::int64_t, std::int64_t>;
-  const auto spot = [&](std::size_t p) { return Spot{std::llround(origin[2 * p] / grid), std::llround(origin[2 * p + 1] / grid)}; };
+  const auto spot = [&](std::size_t p) {
+    return Spot{std::llround(origin[2 * p] / grid), std::llround(origin[2 * p + 1] / grid)};
+  };
 
   struct Edge {
     int cells = 0;

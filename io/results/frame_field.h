@@ -13,18 +13,19 @@ namespace scree::io {
 /// How a field is drawn.
 struct FieldInfo {
   const char* label;
-  const char* unit;             // SI; empty: names, not numbers
-  bool is_signed = false;       // diverging colours about zero
+  const char* unit;        // SI; empty: names, not numbers
+  bool is_signed = false;  // diverging colours about zero
 };
 [[nodiscard]] const FieldInfo& info(Field field);
 
-/// One number a cell, in SI units (block and method: their number). Point fields: mean magnitude over the cell's points.
+/// One number a cell, in SI units (block and method: their number). Point fields: mean magnitude over the cell's
+/// points.
 [[nodiscard]] std::vector<double> cell_values(const StoredFrame& frame, Field field);
 
 /// Range of colours: [0, largest] of magnitudes, [-s, s] of signed fields with |value| <= s on 99 % of the area.
 /// Cells with `skip` are left out. Never empty: all zero gives a range about one.
-[[nodiscard]] std::pair<double, double> colour_range(const StoredFrame& frame, Field field, const std::vector<double>& values,
-                                                     const std::vector<char>& skip);
+[[nodiscard]] std::pair<double, double> colour_range(const StoredFrame& frame, Field field,
+                                                     const std::vector<double>& values, const std::vector<char>& skip);
 
 /// Edges (two points each) that only one cell of a block has: its outline. Edges are matched by where their points
 /// were in the model, so cells need not share points.

@@ -101,8 +101,8 @@ File File::create(const fs::path& path) {
   File file;
   file.path_ = path;
   const Handle access = access_list(path);
-  file.handle_ = Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"),
-                        H5Fclose);
+  file.handle_ =
+      Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
   return file;
 }
 
@@ -119,8 +119,9 @@ void File::group(const std::string& name) const {
   if (has(name)) return;
   const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path_, "make group " + name), H5Pclose);
   check(H5Pset_create_intermediate_group(links.get(), 1), path_, "make group " + name);
-  const Handle made(check(H5Gcreate2(id(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name),
-                    H5Gclose);
+  const Handle made(
+      check(H5Gcreate2(id(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name),
+      H5Gclose);
 }
 
 bool File::has(const std::string& name) const {
@@ -134,8 +135,10 @@ bool File::has(const std::string& name) const {
 void File::put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const {
   const std::string what = "write attribute " + key + " of " + name;
   const Handle object = open_object(*this, name);
-  if (check(H5Aexists(object.get(), key.c_str()), path_, what) > 0) check(H5Adelete(object.get(), key.c_str()), path_, what);
-  Handle made(check(H5Acreate2(object.get(), key.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), path_, what), H5Aclose);
+  if (check(H5Aexists(object.get(), key.c_str()), path_, what) > 0)
+    check(H5Adelete(object.get(), key.c_str()), path_, what);
+  Handle made(check(H5Acreate2(object.get(), key.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), path_, what),
+              H5Aclose);
   check(H5Awrite(made.get(), type, value), path_, what);
   if (!made.close()) fail(path_, what);
 }

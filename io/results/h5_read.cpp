@@ -52,14 +52,16 @@ std::vector<T> read(const File& file, const std::string& name, std::int64_t firs
   const Handle dataset = open_dataset(file, name);
   const Extent size = extent(file, name, dataset.get());
   if (first < 0 || count < 0 || first + count > size.rows)
-    throw FileError(file.path(), name + " has fewer rows than the frames say; the run may have been killed while writing");
+    throw FileError(file.path(),
+                    name + " has fewer rows than the frames say; the run may have been killed while writing");
   std::vector<T> rows(static_cast<std::size_t>(count * size.width));
   if (rows.empty()) return rows;
   const Handle source(check(H5Dget_space(dataset.get()), file.path(), what), H5Sclose);
   const int rank = check(H5Sget_simple_extent_ndims(source.get()), file.path(), what);
   const std::array<hsize_t, 2> start{static_cast<hsize_t>(first), 0};
   const std::array<hsize_t, 2> block{static_cast<hsize_t>(count), static_cast<hsize_t>(size.width)};
-  check(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr), file.path(), what);
+  check(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr), file.path(),
+        what);
   const Handle memory(check(H5Screate_simple(rank, block.data(), nullptr), file.path(), what), H5Sclose);
   check(H5Dread(dataset.get(), type_of<T>(), memory.get(), source.get(), H5P_DEFAULT, rows.data()), file.path(), what);
   return rows;
@@ -78,7 +80,8 @@ std::vector<std::string> read_texts(const File& file, const std::string& name) {
   const Handle type = text_type(file.path());
   const Handle space(check(H5Dget_space(dataset.get()), file.path(), "read " + name), H5Sclose);
   Texts raw{std::vector<char*>(static_cast<std::size_t>(rows), nullptr), type.get(), space.get()};
-  check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.text.data()), file.path(), "read " + name);
+  check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.text.data()), file.path(),
+        "read " + name);
   std::vector<std::string> texts;
   for (const char* text : raw.text) texts.emplace_back(text == nullptr ? "" : text);
   return texts;
@@ -89,7 +92,8 @@ std::string text_attribute(const File& file, const std::string& name, const std:
   if (check(H5Aexists_by_name(file.id(), name.c_str(), key.c_str(), H5P_DEFAULT), file.path(), what) == 0) return {};
   const Handle attribute = open_attribute(file, name, key);
   const Handle stored(check(H5Aget_type(attribute.get()), file.path(), what), H5Tclose);
-  if (check(H5Tis_variable_str(stored.get()), file.path(), what) == 0) throw FileError(file.path(), "cannot " + what + ": it is not text");
+  if (check(H5Tis_variable_str(stored.get()), file.path(), what) == 0)
+    throw FileError(file.path(), "cannot " + what + ": it is not text");
   const Handle type = text_type(file.path());
   const Handle space(check(H5Aget_space(attribute.get()), file.path(), what), H5Sclose);
   Texts raw{std::vector<char*>(1, nullptr), type.get(), space.get()};
@@ -106,7 +110,8 @@ std::int64_t integer_attribute(const File& file, const std::string& name, const 
 
 std::vector<std::string> datasets(const File& file) {
   std::vector<std::string> list;
-  check(H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, list_dataset, &list, H5O_INFO_BASIC), file.path(), "list the datasets");
+  check(H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, list_dataset, &list, H5O_INFO_BASIC), file.path(),
+        "list the datasets");
   return list;
 }
 

@@ -16,7 +16,8 @@ constexpr unsigned kDeflate = 1;            // files 4 % larger than with 4, wri
 Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize_t width, hsize_t chunk_rows,
                     const Label& label) {
   const std::string what = "make dataset " + name;
-  if (const std::size_t slash = name.rfind('/'); slash != std::string::npos && slash > 0) file.group(name.substr(0, slash));
+  if (const std::size_t slash = name.rfind('/'); slash != std::string::npos && slash > 0)
+    file.group(name.substr(0, slash));
   const int rank = width == 1 ? 1 : 2;
   const std::array<hsize_t, 2> size{0, width}, limit{H5S_UNLIMITED, width}, chunk{chunk_rows, width};
   const Handle space(check(H5Screate_simple(rank, size.data(), limit.data()), file.path(), what), H5Sclose);

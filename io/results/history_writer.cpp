@@ -8,10 +8,14 @@ namespace scree::io {
 
 std::string_view side_name(coupling::Side side) {
   switch (side) {
-    case coupling::Side::energy: return "energy";
-    case coupling::Side::work: return "work";
-    case coupling::Side::dissipated: return "dissipated";
-    case coupling::Side::scheme: return "scheme";
+    case coupling::Side::energy:
+      return "energy";
+    case coupling::Side::work:
+      return "work";
+    case coupling::Side::dissipated:
+      return "dissipated";
+    case coupling::Side::scheme:
+      return "scheme";
   }
   return "";
 }
@@ -22,7 +26,8 @@ std::vector<std::string> monitor_names(const Model& model) {
     std::string base = monitor.name.empty() || monitor.name == "." ? "monitor" : monitor.name;
     std::replace(base.begin(), base.end(), '/', '_');
     std::string name = base;
-    for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) name = base + "_" + std::to_string(n);
+    for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n)
+      name = base + "_" + std::to_string(n);
     names.push_back(name);
   }
   return names;

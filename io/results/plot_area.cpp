@@ -42,7 +42,8 @@ void draw_axes(const Canvas& canvas, const PlotArea& a, const Ticks& x, const Ti
   canvas.text(a.x - kTick - kGap - std::max(widest(canvas, y), a.numbers) - 6.0, a.y + 0.5 * a.h, y_label, turned);
 }
 
-double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale, const std::string& label) {
+double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale,
+                       const std::string& label) {
   const double top = y + (scale.above ? kArrow : 0.0), bottom = y + h - (scale.below ? kArrow : 0.0);
   const PlotArea bar{x, top, kBar, bottom - top, 0.0, 1.0, scale.low, scale.high};
   // Strips overlap by one so that no white shows between them.

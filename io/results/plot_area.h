@@ -30,13 +30,14 @@ void draw_axes(const Canvas& canvas, const PlotArea& area, const Ticks& x, const
 
 /// What a colour bar shows.
 struct ColourScale {
-  double low = 0.0, high = 1.0;  // in the unit
+  double low = 0.0, high = 1.0;       // in the unit
   bool below = false, above = false;  // values beyond the ends exist: drawn as arrows
   Unit unit;
   std::function<Colour(double)> colour;  // of 0 to 1
 };
 
 /// A standing colour bar with its ticks and label to the right of (x, y).   @return its width [pt]
-double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale, const std::string& label);
+double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale,
+                       const std::string& label);
 
 }  // namespace scree::io

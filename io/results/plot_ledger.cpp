@@ -11,9 +11,9 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0, kUpper = 200.0, kLower = 90.0;   // page, panels [pt]
-constexpr double kTop = 40.0, kBetween = 14.0, kBottom = 38.0;    // [pt]
-constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0; // [pt]
+constexpr double kWidth = 504.0, kUpper = 200.0, kLower = 90.0;    // page, panels [pt]
+constexpr double kTop = 40.0, kBetween = 14.0, kBottom = 38.0;     // [pt]
+constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0;  // [pt]
 constexpr int kPixels = 1680;
 
 struct Curve {
@@ -59,7 +59,8 @@ struct Range {
   }
 };
 
-void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<double>& x, const std::vector<double>& y) {
+void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<double>& x,
+                const std::vector<double>& y) {
   bool down = false;  // a value that is not a number interrupts the line
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(y[i])) {
@@ -69,7 +70,8 @@ void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<do
     if (down)
       cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
     else
-      cairo_move_to(canvas.get(), area.px(x[i]), area.py(y[i])), cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
+      cairo_move_to(canvas.get(), area.px(x[i]), area.py(y[i])),
+          cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
     down = true;
   }
   cairo_stroke(canvas.get());

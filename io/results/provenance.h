@@ -16,11 +16,11 @@ class File;
 
 /// What the caller knows about a run and its case.
 struct Provenance {
-  std::string version;       // of Scree
-  std::string commit;        // of the source, empty when unknown
-  std::string case_text;     // as the user wrote it
+  std::string version;    // of Scree
+  std::string commit;     // of the source, empty when unknown
+  std::string case_text;  // as the user wrote it
   std::string command_line;
-  int threads = 1;           // really used
+  int threads = 1;                                             // really used
   std::vector<std::pair<std::string, std::string>> libraries;  // more name, version pairs than known_libraries()
 };
 
@@ -37,8 +37,8 @@ struct Provenance {
 /// case, library, library_version.
 void write_provenance(const h5::File& file, const Provenance& provenance);
 
-/// /blocks/{name, material, held, ring_block, ring_offset, point}: rings of the polygons as the model first had them, ragged:
-/// ring r is point[ring_offset[r] : ring_offset[r + 1]] of block ring_block[r], outer ring first.
+/// /blocks/{name, material, held, ring_block, ring_offset, point}: rings of the polygons as the model first had them,
+/// ragged: ring r is point[ring_offset[r] : ring_offset[r + 1]] of block ring_block[r], outer ring first.
 /// /materials/{name, density, young, poisson}; /stages/{name, integrator, duration}.
 void write_model(const h5::File& file, const Model& model);
 void write_stages(const h5::File& file, const coupling::Plan& plan);

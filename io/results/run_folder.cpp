@@ -102,7 +102,8 @@ RunFolder RunFolder::create(const fs::path& path, bool overwrite) {
 RunFolder RunFolder::open(const fs::path& path) {
   RunFolder folder(path);
   std::error_code error;
-  if (!fs::is_regular_file(folder.results(), error)) throw FileError(path, "is not a run folder: there is no run.vtkhdf in it");
+  if (!fs::is_regular_file(folder.results(), error))
+    throw FileError(path, "is not a run folder: there is no run.vtkhdf in it");
   return folder;
 }
 
@@ -110,7 +111,8 @@ bool RunFolder::is_run(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return false;
   if (fs::is_regular_file(path / kNames.front(), error)) return true;
-  const std::size_t entries = static_cast<std::size_t>(std::distance(fs::directory_iterator(path, error), fs::directory_iterator()));
+  const std::size_t entries =
+      static_cast<std::size_t>(std::distance(fs::directory_iterator(path, error), fs::directory_iterator()));
   return entries > 0 && entries == run_files(path).size();
 }
 

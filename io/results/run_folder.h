@@ -20,7 +20,8 @@ class RunFolder {
   [[nodiscard]] static RunFolder create(const std::filesystem::path& path, bool overwrite);
   /// An earlier run, for reading.   @throws FileError if there is no run.vtkhdf in it
   [[nodiscard]] static RunFolder open(const std::filesystem::path& path);
-  /// True for a folder that holds run.vtkhdf, or nothing but files that runs write (a run that ended before its results).
+  /// True for a folder that holds run.vtkhdf, or nothing but files that runs write (a run that ended before its
+  /// results).
   [[nodiscard]] static bool is_run(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -56,7 +56,8 @@ void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks,
   for (const std::int64_t p : f.connectivity) good = good && inside(p, f.points());
   for (const std::int32_t b : f.block) good = good && inside(b, blocks);
   for (const std::int32_t m : f.method) good = good && inside(m, methods);
-  if (!good) throw FileError(file.path(), "frame " + std::to_string(f.index) + " does not fit together; the file is damaged");
+  if (!good)
+    throw FileError(file.path(), "frame " + std::to_string(f.index) + " does not fit together; the file is damaged");
 }
 
 /// Frame, or mesh, number k of a list of numbers.
@@ -72,7 +73,8 @@ RunReader::RunReader(const std::filesystem::path& run_folder) : data_(std::make_
   data_->title = h5::text_attribute(file, "/", "title");
   data_->times = h5::read<double>(file, "/VTKHDF/Steps/Values");
   // A run that was killed may have times without the count, or the count of the flush before: the smaller one is whole.
-  const auto whole = static_cast<std::size_t>(std::max<std::int64_t>(0, h5::integer_attribute(file, "/VTKHDF/Steps", "NSteps")));
+  const auto whole =
+      static_cast<std::size_t>(std::max<std::int64_t>(0, h5::integer_attribute(file, "/VTKHDF/Steps", "NSteps")));
   data_->times.resize(std::min(data_->times.size(), whole));
   data_->methods = h5::read_texts(file, "/methods/name");
   data_->stages = h5::read_texts(file, "/stages/name");
@@ -86,7 +88,9 @@ const std::string& RunReader::title() const { return data_->title; }
 const std::vector<double>& RunReader::times() const { return data_->times; }
 const std::vector<std::string>& RunReader::methods() const { return data_->methods; }
 const std::vector<StoredBlock>& RunReader::blocks() const { return data_->blocks; }
-std::string RunReader::provenance(const std::string& key) const { return h5::text_attribute(data_->file, "/provenance", key); }
+std::string RunReader::provenance(const std::string& key) const {
+  return h5::text_attribute(data_->file, "/provenance", key);
+}
 
 std::size_t RunReader::at_time(double time) const {
   const double tolerance = 1e-12;  // a tick of the integer time [s]
@@ -97,7 +101,8 @@ std::size_t RunReader::at_time(double time) const {
 StoredFrame RunReader::frame(std::size_t index) const {
   const h5::File& file = data_->file;
   if (index >= times().size())
-    throw FileError(file.path(), "has no frame " + std::to_string(index) + "; there are " + std::to_string(times().size()));
+    throw FileError(file.path(),
+                    "has no frame " + std::to_string(index) + "; there are " + std::to_string(times().size()));
   const std::string vtk = "/VTKHDF/", steps = "/VTKHDF/Steps/";
   StoredFrame f;
   f.index = static_cast<std::int64_t>(index);
@@ -110,14 +115,18 @@ StoredFrame RunReader::frame(std::size_t index) const {
   if (stage < data_->stages.size()) f.stage = data_->stages[stage];
 
   f.mesh = entry(file, steps + "PartOffsets", k);
-  const std::int64_t points = entry(file, vtk + "NumberOfPoints", f.mesh), cells = entry(file, vtk + "NumberOfCells", f.mesh);
-  const std::int64_t ids = entry(file, vtk + "NumberOfConnectivityIds", f.mesh), first = entry(file, steps + "CellOffsets", k);
-  f.connectivity = h5::read<std::int64_t>(file, vtk + "Connectivity", entry(file, steps + "ConnectivityIdOffsets", k), ids);
+  const std::int64_t points = entry(file, vtk + "NumberOfPoints", f.mesh),
+                     cells = entry(file, vtk + "NumberOfCells", f.mesh);
+  const std::int64_t ids = entry(file, vtk + "NumberOfConnectivityIds", f.mesh),
+                     first = entry(file, steps + "CellOffsets", k);
+  f.connectivity =
+      h5::read<std::int64_t>(file, vtk + "Connectivity", entry(file, steps + "ConnectivityIdOffsets", k), ids);
   f.offsets = h5::read<std::int64_t>(file, vtk + "Offsets", first + f.mesh, cells + 1);  // one more a mesh than cells
   f.position = in_plane(h5::read<double>(file, vtk + "Points", entry(file, steps + "PointOffsets", k), points));
 
   const auto of_points = [&](const std::string& name) {
-    return in_plane(h5::read<double>(file, vtk + "PointData/" + name, entry(file, steps + "PointDataOffsets/" + name, k), points));
+    return in_plane(
+        h5::read<double>(file, vtk + "PointData/" + name, entry(file, steps + "PointDataOffsets/" + name, k), points));
   };
   const auto of_cells = [&]<class T>(const std::string& name, std::vector<T>& out) {
     out = h5::read<T>(file, vtk + "CellData/" + name, entry(file, steps + "CellDataOffsets/" + name, k), cells);
@@ -149,7 +158,8 @@ StoredLedger RunReader::ledger() const {
   for (const std::string& name : h5::children(file, "/energy")) {
     const std::string path = "/energy/" + name, side = h5::text_attribute(file, path, "side");
     if (side.empty()) continue;
-    found.push_back({h5::integer_attribute(file, path, "order"), {name, side, h5::text_attribute(file, path, "long_name"), column(name)}});
+    found.push_back({h5::integer_attribute(file, path, "order"),
+                     {name, side, h5::text_attribute(file, path, "long_name"), column(name)}});
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [order, c] : found) ledger.columns.push_back(std::move(c));
@@ -172,8 +182,8 @@ std::vector<StoredMonitor> RunReader::monitors() const {
 std::vector<DatasetNote> RunReader::datasets() const {
   std::vector<DatasetNote> notes;
   for (const std::string& name : h5::datasets(data_->file))
-    notes.push_back({name, h5::text_attribute(data_->file, name, "units"), h5::text_attribute(data_->file, name, "long_name"),
-                     h5::extent(data_->file, name).rows});
+    notes.push_back({name, h5::text_attribute(data_->file, name, "units"),
+                     h5::text_attribute(data_->file, name, "long_name"), h5::extent(data_->file, name).rows});
   return notes;
 }
 

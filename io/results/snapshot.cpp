@@ -14,10 +14,10 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0;                        // of the page: 7 inches [pt]
-constexpr double kTop = 40.0, kBottom = 50.0;           // title; ticks, label and key [pt]
-constexpr double kBarGap = 10.0, kEdge = 8.0;           // [pt]
-constexpr std::size_t kMostNames = 24;                  // in a legend
+constexpr double kWidth = 504.0;               // of the page: 7 inches [pt]
+constexpr double kTop = 40.0, kBottom = 50.0;  // title; ticks, label and key [pt]
+constexpr double kBarGap = 10.0, kEdge = 8.0;  // [pt]
+constexpr std::size_t kMostNames = 24;         // in a legend
 
 /// Everything a drawing of one frame needs.
 struct Scene {
@@ -242,7 +242,8 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names{"displacement", "speed", "sxx", "syy", "sxy", "s1", "s3", "block", "method"};
+  static const std::vector<std::string> names{"displacement", "speed", "sxx",   "syy",   "sxy",
+                                              "s1",           "s3",    "block", "method"};
   return names;
 }
 
@@ -252,7 +253,8 @@ std::optional<Field> field_named(std::string_view name) {
   return static_cast<Field>(at - field_names().begin());
 }
 
-void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options, const std::filesystem::path& png) {
+void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options,
+              const std::filesystem::path& png) {
   const RunReader run(run_folder);
   Scene s(run, options);
   prepare(s, chosen_frame(run, options, run_folder));
@@ -281,7 +283,8 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
   cairo_restore(canvas.get());
-  draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]", false);
+  draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]",
+            false);
   draw_key(canvas, area, s);
   draw_title(canvas, area, s);
   if (s.named())

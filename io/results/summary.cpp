@@ -109,10 +109,14 @@ void write_blocks(JsonWriter& json, const Model& model, const coupling::FrameVie
 
 std::string status_name(coupling::RunEnd::Status status) {
   switch (status) {
-    case coupling::RunEnd::Status::done: return "done";
-    case coupling::RunEnd::Status::interrupted: return "interrupted";
-    case coupling::RunEnd::Status::not_converged: return "not_converged";
-    case coupling::RunEnd::Status::non_finite: return "non_finite";
+    case coupling::RunEnd::Status::done:
+      return "done";
+    case coupling::RunEnd::Status::interrupted:
+      return "interrupted";
+    case coupling::RunEnd::Status::not_converged:
+      return "not_converged";
+    case coupling::RunEnd::Status::non_finite:
+      return "non_finite";
   }
   return "";
 }

@@ -45,7 +45,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
   displacement_ = {file, vtk + "PointData/displacement", 3, {"m", "position less the position in the model"}};
   velocity_ = {file, vtk + "PointData/velocity", 3, {"m/s", "velocity"}};
   stress_ = {file, vtk + "CellData/stress", 3, {"Pa", "Cauchy stress xx, yy, xy; tension positive"}};
-  principal_ = {file, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
+  principal_ = {
+      file, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
 
   connectivity_ = {file, vtk + "Connectivity", 1, {"1", "points of the cells, mesh after mesh"}};
   offsets_ = {file, vtk + "Offsets", 1, {"1", "where the cells begin in their mesh's part of Connectivity"}};
@@ -68,7 +69,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
   id_offset_ = {file, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
   for (const char* name : {"displacement", "velocity"})
     point_field_[name] = {file, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
-  for (const char* name : {"block_id", "element_id", "material_id", "method", "integrator", "stress", "principal_stress"})
+  for (const char* name :
+       {"block_id", "element_id", "material_id", "method", "integrator", "stress", "principal_stress"})
     cell_field_[name] = {file, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   file.attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
 

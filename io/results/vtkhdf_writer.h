@@ -38,8 +38,8 @@ class VtkhdfWriter {
   std::int32_t method_number(const std::string& name);
 
   const h5::File* file_;
-  std::optional<std::uint32_t> mesh_;                   // id of the mesh stored last
-  std::optional<coupling::Integrator> integrator_;      // that the present mesh was last written with
+  std::optional<std::uint32_t> mesh_;               // id of the mesh stored last
+  std::optional<coupling::Integrator> integrator_;  // that the present mesh was last written with
   std::map<std::string, std::int32_t> methods_;
   Mesh at_;
   std::int64_t frames_ = 0;

@@ -33,7 +33,8 @@ struct Big {
       AffineMotion m;
       m.c = b.centre;
       const auto p = static_cast<std::size_t>(b.pool);
-      setup->pool_of(b).place(b.index, m, setup->part(std::span<double>(state.q), p), setup->part(std::span<double>(state.v), p));
+      setup->pool_of(b).place(b.index, m, setup->part(std::span<double>(state.q), p),
+                              setup->part(std::span<double>(state.v), p));
     }
   }
   /// Hash and seconds of `steps` steps from the start.
@@ -71,7 +72,8 @@ TEST(Threads, explicit_run_has_the_same_hash_and_two_threads_are_faster) {
   }
   EXPECT_EQ(big.run(1, 20).first, big.run(3, 20).first);
   std::sort(ratio.begin(), ratio.end());
-  std::printf("%zu elements, two threads over one: %.2f (median of 5, best %.2f)\n", mesh.body.size(), ratio[2], ratio[4]);
+  std::printf("%zu elements, two threads over one: %.2f (median of 5, best %.2f)\n", mesh.body.size(), ratio[2],
+              ratio[4]);
   if (omp_get_num_procs() >= 2 && std::getenv("SCREE_TIMING") != nullptr) {
     EXPECT_GE(ratio[2], 1.5);
   }
@@ -100,7 +102,8 @@ TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
       AffineMotion m;
       m.c = b.centre;
       const auto p = static_cast<std::size_t>(b.pool);
-      setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p), setup.part(std::span<double>(state.v), p));
+      setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
+                             setup.part(std::span<double>(state.v), p));
     }
     StepControl control;
     control.max_displacement = 0.01;

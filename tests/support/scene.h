@@ -41,8 +41,8 @@ struct Scene {
     if (fixed) model.block_supports.push_back({id, MotionId{}});
     return id;
   }
-  coupling::Stage& stage(const std::string& method, coupling::Integrator integrator, double duration, std::optional<double> dt,
-                         double cover_size = 0.5) {
+  coupling::Stage& stage(const std::string& method, coupling::Integrator integrator, double duration,
+                         std::optional<double> dt, double cover_size = 0.5) {
     coupling::Stage s;
     s.name = method + std::to_string(plan.stages.size());
     s.method = method;
@@ -60,8 +60,11 @@ struct Scene {
 inline Vec2 centre_of(const coupling::Driver& run, BlockId id) {
   const coupling::Body& b = run.setup().bodies()[id.index()];
   const auto p = static_cast<std::size_t>(b.pool);
-  return run.setup().pool_of(b).totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
-                                       run.setup().part(std::span<const double>(run.state().v), p)).centre;
+  return run.setup()
+      .pool_of(b)
+      .totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
+              run.setup().part(std::span<const double>(run.state().v), p))
+      .centre;
 }
 
 inline BodyTotals totals_of(const coupling::Driver& run, BlockId id) {

@@ -1,5 +1,5 @@
-// A third method in under 150 lines: rigid blocks, three degrees of freedom, explicit and implicit. It shows that contact,
-// hand-over, results and streaming ask nothing of a method but what model/pool.h says.
+// A third method in under 150 lines: rigid blocks, three degrees of freedom, explicit and implicit. It shows that
+// contact, hand-over, results and streaming ask nothing of a method but what model/pool.h says.
 #pragma once
 
 #include <Eigen/LU>
@@ -21,7 +21,9 @@ class RigidPool final : public Pool {
   }
   [[nodiscard]] int bodies() const override { return static_cast<int>(shapes_.size()); }
   [[nodiscard]] std::int32_t first_node(int body) const override { return 3 * body; }
-  [[nodiscard]] const Boundary& boundary(int body) const override { return boundaries_[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] const Boundary& boundary(int body) const override {
+    return boundaries_[static_cast<std::size_t>(body)];
+  }
   [[nodiscard]] Row row_at(int body, const Vec2& X) const override { return row(body, X); }
   [[nodiscard]] std::span<const double> translation(int) const override {
     static constexpr std::array<double, 3> kOnce{1.0, 0.0, 0.0};
@@ -63,7 +65,8 @@ class RigidPool final : public Pool {
       store(b, centre(b, f) / shape(b).mass, alpha * WR, a);
     }
   }
-  [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v, std::span<const char> counted) const override {
+  [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
+                                      std::span<const char> counted) const override {
     double sum = 0.0;
     for (int b = 0; b < bodies(); ++b)
       if (counted[static_cast<std::size_t>(b)] != 0) sum += totals(b, q, v).kinetic;
@@ -82,7 +85,9 @@ class RigidPool final : public Pool {
   [[nodiscard]] double compliance(int body, const Row& r) const override {
     return 1.0 / shape(body).mass + (r.w[1] * r.w[1] + r.w[2] * r.w[2]) / inertia(body);
   }
-  void bound_groups(int body, const Row&, std::vector<std::int32_t>& groups) const override { groups.assign(1, 3 * body); }
+  void bound_groups(int body, const Row&, std::vector<std::int32_t>& groups) const override {
+    groups.assign(1, 3 * body);
+  }
 
   [[nodiscard]] int dofs(int) const override { return 3; }
   [[nodiscard]] ChartRow chart_row(int body, const Row& r, std::span<const double> q) const override {
@@ -91,7 +96,8 @@ class RigidPool final : public Pool {
     const Vec2 lever = quarter_turn() * (gradient(body, q) * Vec2(w[1], w[2]));
     return {3, {3 * body, 3 * body + 1, 3 * body + 2}, {w[0], 0.0, lever.x()}, {0.0, w[0], lever.y()}};
   }
-  void linearise(int body, std::span<const double> q, std::span<const double> v, std::vector<ImplicitBlock>& blocks) const override {
+  void linearise(int body, std::span<const double> q, std::span<const double> v,
+                 std::vector<ImplicitBlock>& blocks) const override {
     ImplicitBlock& out = blocks.emplace_back();
     out.first_dof = 3 * body;
     out.M = Eigen::Vector3d(shape(body).mass, shape(body).mass, inertia(body)).asDiagonal();
@@ -99,7 +105,8 @@ class RigidPool final : public Pool {
     out.force = Eigen::Vector3d::Zero();
     out.rate = Eigen::Vector3d(centre(body, v).x(), centre(body, v).y(), spin(body, q, v));
   }
-  void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q, std::span<double> v) const override {
+  void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+               std::span<double> v) const override {
     const Mat2 R = rotation(d[2]) * gradient(body, q);
     store(body, centre(body, q) + Vec2(d[0], d[1]), R, q);
     store(body, {rate[0], rate[1]}, rate[2] * quarter_turn() * R, v);
@@ -124,8 +131,12 @@ class RigidPool final : public Pool {
 
  private:
   static Row row(int b, const Vec2& X) { return {{3 * b, 3 * b + 1, 3 * b + 2}, {1.0, X.x(), X.y()}}; }
-  static Vec2 centre(int b, std::span<const double> q) { return {q[6 * static_cast<std::size_t>(b)], q[6 * static_cast<std::size_t>(b) + 1]}; }
-  static Mat2 gradient(int b, std::span<const double> q) { return Eigen::Map<const Mat2>(q.data() + 6 * static_cast<std::size_t>(b) + 2); }
+  static Vec2 centre(int b, std::span<const double> q) {
+    return {q[6 * static_cast<std::size_t>(b)], q[6 * static_cast<std::size_t>(b) + 1]};
+  }
+  static Mat2 gradient(int b, std::span<const double> q) {
+    return Eigen::Map<const Mat2>(q.data() + 6 * static_cast<std::size_t>(b) + 2);
+  }
   static void store(int b, const Vec2& c, const Mat2& F, std::span<double> q) {
     Eigen::Map<Vec2>(q.data() + 6 * static_cast<std::size_t>(b)) = c;
     Eigen::Map<Mat2>(q.data() + 6 * static_cast<std::size_t>(b) + 2) = F;

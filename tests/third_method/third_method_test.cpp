@@ -33,7 +33,9 @@ double weight(const Scene& scene, double area) { return scene.model.materials[0]
 double normal_force_on(const coupling::Driver& run, BlockId p, BlockId e) {
   double sum = 0.0;
   for (const coupling::ContactMemory& c : run.state().contacts)
-    if ((c.key.block_p == p.value && c.key.block_e == e.value) || (c.key.block_p == e.value && c.key.block_e == p.value)) sum += c.fn;
+    if ((c.key.block_p == p.value && c.key.block_e == e.value) ||
+        (c.key.block_p == e.value && c.key.block_e == p.value))
+      sum += c.fn;
   return sum;
 }
 
@@ -48,7 +50,8 @@ TEST(ThirdMethod, rigid_block_on_nmm_and_dda_carries_its_weight_into_both) {
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const double load = weight(scene, 3.0 * 0.8);
   // Four contact points: how they share the load depends on the stiffness of the blocks below, its sum does not.
-  const double left = normal_force_on(run, BlockId{3}, BlockId{1}), right = normal_force_on(run, BlockId{3}, BlockId{2});
+  const double left = normal_force_on(run, BlockId{3}, BlockId{1}),
+               right = normal_force_on(run, BlockId{3}, BlockId{2});
   EXPECT_NEAR((left + right) / load, 1.0, 1e-3);
   EXPECT_GT(left, 0.4 * load);
   EXPECT_GT(right, 0.4 * load);
@@ -74,7 +77,8 @@ TEST(ThirdMethod, staged_run_goes_from_explicit_to_implicit_and_is_written_to_re
   }
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
   const double load = weight(scene, 3.0 * 0.8);
-  EXPECT_NEAR((normal_force_on(run, BlockId{3}, BlockId{1}) + normal_force_on(run, BlockId{3}, BlockId{2})) / load, 1.0, 0.01);
+  EXPECT_NEAR((normal_force_on(run, BlockId{3}, BlockId{1}) + normal_force_on(run, BlockId{3}, BlockId{2})) / load, 1.0,
+              0.01);
   EXPECT_TRUE(std::filesystem::exists(out / "run.vtkhdf"));
   EXPECT_GT(std::filesystem::file_size(out / "summary.json"), 100U);
   std::filesystem::remove_all(out);

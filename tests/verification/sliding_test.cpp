@@ -13,7 +13,8 @@ struct Outcome {
 };
 
 /// A 1 x 1 m block on a long fixed plane at 30 degrees, released at rest.
-Outcome slide(const std::string& method, Integrator integrator, double friction_deg, double duration, std::optional<double> dt) {
+Outcome slide(const std::string& method, Integrator integrator, double friction_deg, double duration,
+              std::optional<double> dt) {
   Scene scene(1e9, 0.2, 2600.0, friction_deg);
   const double a = 30.0 * kDegree;
   const Mat2 R = rotation(-a);
@@ -42,14 +43,15 @@ TEST_P(Sliding, incline_follows_coulomb) {
   const double t = 1.0;
   const Outcome o = slide(scheme.substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, phi, t,
                           implicit ? std::optional<double>(1e-3) : std::nullopt);
-  std::printf("%s phi %g: distance %.6f analytic %.6f error %.2e closure %.1e\n", scheme.c_str(), phi, o.distance, analytic(phi, t),
-              o.distance / analytic(phi, t) - 1.0, o.closure);
+  std::printf("%s phi %g: distance %.6f analytic %.6f error %.2e closure %.1e\n", scheme.c_str(), phi, o.distance,
+              analytic(phi, t), o.distance / analytic(phi, t) - 1.0, o.closure);
   EXPECT_NEAR(o.distance / analytic(phi, t), 1.0, 0.01);
   EXPECT_LT(o.closure, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(all, Sliding,
-                         testing::Combine(testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"), testing::Values(10.0, 20.0)));
+                         testing::Combine(testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"),
+                                          testing::Values(10.0, 20.0)));
 
 class Holding : public testing::TestWithParam<std::string> {};
 
@@ -71,18 +73,20 @@ TEST_P(Holding, incline_steeper_friction_stays) {
   const BlockId slider = scene.add("slider", transformed(rectangle(0, 0, 1, 1), Vec2(0, 0), R));
   scene.model.monitors.push_back({"centre", slider, R * Vec2(0.5, 0.5)});
   // An elastic block without any damping of its own can keep itself bouncing on its friction; rock has some.
-  scene.stage(GetParam().substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, 2.0,
-              implicit ? std::optional<double>(1e-3) : std::nullopt, 0.4).damping = 200.0;
+  scene
+      .stage(GetParam().substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, 2.0,
+             implicit ? std::optional<double>(1e-3) : std::nullopt, 0.4)
+      .damping = 200.0;
   const coupling::Methods methods = coupling::standard_methods();
   coupling::Driver run(scene.model, scene.plan, methods);
   Path path;
   run.add_sink(path);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const double settled = path.x[path.x.size() / 2], end = path.x.back();
-  std::printf("%s phi 40: settles %.2e m, creeps %.1e m in the second half, closure %.1e\n", GetParam().c_str(), settled, end - settled,
-              run.state().ledger.relative_closure());
-  EXPECT_LT(end, 2e-3);                         // gravity comes on at once: the springs swing to twice m g/2k = 2.6e-4 m
-  EXPECT_LT(std::abs(end - settled), 1e-5);     // what is left of the swing after a second
+  std::printf("%s phi 40: settles %.2e m, creeps %.1e m in the second half, closure %.1e\n", GetParam().c_str(),
+              settled, end - settled, run.state().ledger.relative_closure());
+  EXPECT_LT(end, 2e-3);                      // gravity comes on at once: the springs swing to twice m g/2k = 2.6e-4 m
+  EXPECT_LT(std::abs(end - settled), 1e-5);  // what is left of the swing after a second
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"));

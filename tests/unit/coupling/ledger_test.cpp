@@ -49,7 +49,8 @@ double closure_of_fall(bool hide) {
     AffineMotion m;
     m.c = b.centre;
     const auto p = static_cast<std::size_t>(b.pool);
-    setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p), setup.part(std::span<double>(state.v), p));
+    setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
+                           setup.part(std::span<double>(state.v), p));
   }
   StepControl control;
   control.max_displacement = 0.01;
@@ -80,7 +81,8 @@ TEST(Ledger, closes_through_a_driven_base_and_both_schemes) {
     scene.model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
     scene.add("block", rectangle(0, 0, 1, 1));
     scene.add("upper", rectangle(0.2, 1, 0.8, 1.5));
-    scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 0.8, implicit ? std::optional<double>(1e-3) : std::nullopt);
+    scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 0.8,
+                implicit ? std::optional<double>(1e-3) : std::nullopt);
     const Methods methods = standard_methods();
     Driver run(scene.model, scene.plan, methods);
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
@@ -100,7 +102,8 @@ TEST(PointSupports, hanging_block_stretches_its_springs_by_its_weight) {
       s.stiffness = 1e6;
       scene.model.point_supports.push_back(s);
     }
-    scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 0.5, implicit ? std::optional<double>(5e-3) : std::nullopt);
+    scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 0.5,
+                implicit ? std::optional<double>(5e-3) : std::nullopt);
     const Methods methods = standard_methods();
     Driver run(scene.model, scene.plan, methods);
     ASSERT_EQ(run.run().status, RunEnd::Status::done);

@@ -14,8 +14,7 @@ class Changer {
  public:
   explicit Changer(std::int64_t which) : which_(which) {}
   template <class T>
-    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-  void operator()(const char*, T& value) {
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void operator()(const char*, T& value) {
     if (count_++ == which_) reinterpret_cast<unsigned char*>(&value)[0] ^= 1U;
   }
   void operator()(const char*, std::string& text) {

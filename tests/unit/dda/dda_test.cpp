@@ -20,7 +20,8 @@ TEST(MassMatrix, kinetic_energy_equals_the_affine_one) {
   S << 2.0, 0.3, 0.3, 1.0;
   G << 0.2, -1.0, 0.7, 0.4;
   const Vec6 rate = rates_of({1.0, 2.0}, G);
-  EXPECT_NEAR(0.5 * rate.dot(mass_matrix(3.0, S) * rate), 0.5 * 3.0 * 5.0 + 0.5 * (G * S * G.transpose()).trace(), 1e-14);
+  EXPECT_NEAR(0.5 * rate.dot(mass_matrix(3.0, S) * rate), 0.5 * 3.0 * 5.0 + 0.5 * (G * S * G.transpose()).trace(),
+              1e-14);
 }
 
 TEST(InternalForce, is_minus_the_derivative_along_the_unknowns_and_none_on_rotation) {

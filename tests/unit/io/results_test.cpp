@@ -70,7 +70,8 @@ struct SmallRun {
   SmallRun() {
     model.title = "A \"small\" run\\";
     model.materials.push_back({"rock", 2600.0, 1e9, 0.2});
-    for (const auto& [name, box] : {std::pair{"base", Box{{0.0, -2.0}, {10.0, 0.0}}}, {"top", Box{{4.0, 0.0}, {6.0, 2.0}}}}) {
+    for (const auto& [name, box] :
+         {std::pair{"base", Box{{0.0, -2.0}, {10.0, 0.0}}}, {"top", Box{{4.0, 0.0}, {6.0, 2.0}}}}) {
       Block b;
       b.name = name;
       b.polygon.outer = {box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}};
@@ -122,7 +123,8 @@ struct SmallRun {
       position[2 * p + 1] = origin[2 * p + 1] + 2.0 * d;
       velocity[2 * p] = v;
     }
-    for (std::size_t c = 0; c < block.size(); ++c) stress[3 * c] = s, stress[3 * c + 1] = -3.0 * s, stress[3 * c + 2] = 0.0;
+    for (std::size_t c = 0; c < block.size(); ++c)
+      stress[3 * c] = s, stress[3 * c + 1] = -3.0 * s, stress[3 * c + 2] = 0.0;
     state.step += 10;
     state.time = ticks(time);
     stats.steps = state.step;
@@ -141,7 +143,8 @@ struct SmallRun {
     ledger.set(Column::kinetic, 3.0 * time);
     ledger.book(Column::gravity, time);
     ledger.book(Column::friction, 0.25 * time);
-    const std::array<double, 4> x{4.0, 2.0 + time, 6.0, 2.0 + time}, u{0.0, time, 0.0, time}, v{0.1, 0.2, 0.3, 1.0 / 3.0};
+    const std::array<double, 4> x{4.0, 2.0 + time, 6.0, 2.0 + time}, u{0.0, time, 0.0, time},
+        v{0.1, 0.2, 0.3, 1.0 / 3.0};
     coupling::HistoryView h;
     h.time = time, h.tick = ticks(time);
     h.position = x, h.displacement = u, h.velocity = v;
@@ -174,7 +177,8 @@ struct SmallRun {
 
 Provenance provenance() {
   Provenance p;
-  p.version = "1.2.3", p.commit = "0123abc", p.case_text = "title = \"ä\"\n", p.command_line = "scree run case.toml", p.threads = 3;
+  p.version = "1.2.3", p.commit = "0123abc", p.case_text = "title = \"ä\"\n", p.command_line = "scree run case.toml",
+  p.threads = 3;
   return p;
 }
 
@@ -229,7 +233,7 @@ TEST_F(Results, topology_is_stored_once_for_frames_that_share_it) {
   EXPECT_NE(reader.frame(2).mesh, reader.frame(3).mesh);
   std::map<std::string, std::int64_t> rows;
   for (const DatasetNote& d : reader.datasets()) rows[d.name] = d.rows;
-  EXPECT_EQ(rows["/VTKHDF/NumberOfCells"], 2);           // meshes
+  EXPECT_EQ(rows["/VTKHDF/NumberOfCells"], 2);  // meshes
   EXPECT_EQ(rows["/VTKHDF/Connectivity"], 10 + 8);
   EXPECT_EQ(rows["/VTKHDF/CellData/block_id"], 3 + 2);
   EXPECT_EQ(rows["/VTKHDF/CellData/stress"], 3 * 3 + 2 * 2);  // a frame
@@ -257,7 +261,8 @@ TEST_F(Results, ledger_columns_add_up_to_closure) {
   EXPECT_EQ(ledger.columns.front().name, "kinetic");
   for (std::size_t i = 0; i < ledger.time.size(); ++i) {
     double sum = 0.0;  // E_0 = 0
-    for (const StoredLedger::Column& c : ledger.columns) sum += (c.side == "energy" || c.side == "dissipated" ? 1.0 : -1.0) * c.value[i];
+    for (const StoredLedger::Column& c : ledger.columns)
+      sum += (c.side == "energy" || c.side == "dissipated" ? 1.0 : -1.0) * c.value[i];
     EXPECT_DOUBLE_EQ(sum, ledger.closure[i]);
   }
 }
@@ -298,7 +303,7 @@ TEST_F(Results, run_without_end_reads_back_as_of_its_last_frame) {
   small.use_triangles();
   small.history(sink, 0.0);
   sink.frame(small.frame(0.0, 0, 0.0, 0.0, 0.0));
-  small.history(sink, 0.1);  // buffered
+  small.history(sink, 0.1);                     // buffered
   fs::create_directory(other.path() / "copy");  // what a kill would leave
   fs::copy_file(folder / "run.vtkhdf", other.path() / "copy/run.vtkhdf");
   const RunReader reader(other.path() / "copy");
@@ -341,7 +346,9 @@ class JsonCheck {
 
  private:
   char now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  void space() { while (now() == ' ' || now() == '\n' || now() == '\t' || now() == '\r') ++at_; }
+  void space() {
+    while (now() == ' ' || now() == '\n' || now() == '\t' || now() == '\r') ++at_;
+  }
   bool take(char c) { return now() == c ? (++at_, true) : false; }
   bool word(const std::string& w) { return text_.compare(at_, w.size(), w) == 0 ? (at_ += w.size(), true) : false; }
   bool string() {
@@ -389,8 +396,9 @@ class JsonCheck {
 TEST_F(Results, summary_is_valid_json_with_what_was_asked) {
   const std::string text = text_of(run / "summary.json");
   EXPECT_TRUE(JsonCheck(text).valid()) << text;
-  for (const char* part : {"\"status\": \"done\"", "\"title\": \"A \\\"small\\\" run\\\\\"", "\"final_time\": 2", "\"kinetic_before\": 12.5",
-                           "\"case_sha256\": \"", "\"state_hash\": \"", "\"relative_closure\": ", "\"scheme_share\": 0", "\"method\": \"dda\"",
+  for (const char* part : {"\"status\": \"done\"", "\"title\": \"A \\\"small\\\" run\\\\\"", "\"final_time\": 2",
+                           "\"kinetic_before\": 12.5", "\"case_sha256\": \"", "\"state_hash\": \"",
+                           "\"relative_closure\": ", "\"scheme_share\": 0", "\"method\": \"dda\"",
                            "\"peak_memory_bytes\": ", "\"energy_error\": 1e-15"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   // The block moved by (0.2, 0.4), the base not at all.
@@ -400,7 +408,8 @@ TEST_F(Results, summary_is_valid_json_with_what_was_asked) {
 
 TEST(Json, text_with_controls_and_bad_bytes_is_escaped) {
   EXPECT_EQ(json_quoted("a\"b\\c\nd\x01\xc3\xa4"), "\"a\\\"b\\\\c\\nd\\u0001\xc3\xa4\"");
-  EXPECT_EQ(json_quoted("\xff\xc0\xaf\xed\xa0\x80"), "\"\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\"");  // none is UTF-8
+  EXPECT_EQ(json_quoted("\xff\xc0\xaf\xed\xa0\x80"),
+            "\"\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\"");  // none is UTF-8
   EXPECT_EQ(json_number(std::nan("")), "null");
   EXPECT_EQ(std::stod(json_number(0.1 + 0.2)), 0.1 + 0.2);
 }
@@ -563,7 +572,7 @@ TEST_F(Results, snapshot_of_signed_stress_has_blue_for_compression) {
   options.field = Field::sxx;
   snapshot(run, options, scratch->path() / "compression.png");  // last frame: -4 MPa
   options.time = 0.5;
-  snapshot(run, options, scratch->path() / "tension.png");      // 0.5 MPa
+  snapshot(run, options, scratch->path() / "tension.png");  // 0.5 MPa
   const Picture compression(scratch->path() / "compression.png"), tension(scratch->path() / "tension.png");
   const std::array<int, 3> blue{5, 48, 97}, red{103, 0, 31};
   EXPECT_GT(compression.share(blue), 10.0 * compression.share(red));
@@ -596,7 +605,8 @@ TEST_F(Results, ledger_plot_draws_a_line_a_column_that_is_not_zero) {
   plot_ledger(run, png);
   const Picture picture(png);
   EXPECT_EQ(picture.width, 1680);
-  for (const std::array<int, 3>& colour : {std::array{0, 114, 178}, {230, 159, 0}, {0, 158, 115}}) EXPECT_GT(picture.share(colour), 5e-4);
+  for (const std::array<int, 3>& colour : {std::array{0, 114, 178}, {230, 159, 0}, {0, 158, 115}})
+    EXPECT_GT(picture.share(colour), 5e-4);
   EXPECT_LT(picture.share({204, 121, 167}), 1e-5);  // a fourth column would have this one
 }
 

@@ -62,7 +62,8 @@ TEST(ElasticResponse, piola_stress_is_the_gradient_of_the_energy) {
       const double h = 1e-6;
       plus.data()[i] += h;
       minus.data()[i] -= h;
-      const double slope = (elastic_response(law, plus, s0).energy - elastic_response(law, minus, s0).energy) / (2.0 * h);
+      const double slope =
+          (elastic_response(law, plus, s0).energy - elastic_response(law, minus, s0).energy) / (2.0 * h);
       EXPECT_NEAR(P.data()[i], slope, 1e-9);  // central difference: h^2 and round-off/h
     }
     const Mat2 torque = P * F.transpose();

@@ -58,7 +58,8 @@ TEST(CoverMesh, slot_separates_its_two_sides) {
   const CoverMesh mesh = make_cover_mesh(shape_of(u, 1.0).outline, 0.5);
   int doubled = 0;
   for (std::size_t i = 0; i < mesh.star.size(); ++i)
-    for (std::size_t j = i + 1; j < mesh.star.size(); ++j) doubled += (mesh.star[i] - mesh.star[j]).norm() < 1e-9 ? 1 : 0;
+    for (std::size_t j = i + 1; j < mesh.star.size(); ++j)
+      doubled += (mesh.star[i] - mesh.star[j]).norm() < 1e-9 ? 1 : 0;
   EXPECT_GE(doubled, 3);
   for (const Tie& t : mesh.ties)
     for (const Element& e : mesh.elements)
@@ -166,13 +167,14 @@ TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
       // Traction integrated with the weights at the middle: exact, the weights are linear along a segment.
       const CoverMesh& mesh = one.pool.mesh(0);
       const Ring& ring = one.shape.outline.ring(static_cast<std::size_t>(s.edge.ring));
-      const Vec2 &A = ring[static_cast<std::size_t>(s.edge.edge)], &B = ring[(static_cast<std::size_t>(s.edge.edge) + 1) % ring.size()];
+      const Vec2 &A = ring[static_cast<std::size_t>(s.edge.edge)],
+                 &B = ring[(static_cast<std::size_t>(s.edge.edge) + 1) % ring.size()];
       const Vec2 d = (s.s1 - s.s0) * (B - A), n = -quarter_turn() * d;
       const Row row = mesh.row(s.cell, A + 0.5 * (s.s0 + s.s1) * (B - A));
       for (std::size_t i = 0; i < 3; ++i)
         for (int c = 0; c < 2; ++c) f[2 * std::size_t(row.node[i]) + std::size_t(c)] += row.w[i] * (P * n)[c];
     }
-    one.pool.mass_solve(one.q, f, a);  // folds the ties
+    one.pool.mass_solve(one.q, f, a);                           // folds the ties
     const double scale = law.p_modulus() * 1e-2 / (2.0 * 0.4);  // stress over density and cover size
     for (double x : a) worst = std::max(worst, std::abs(x) / scale);
   }
@@ -253,7 +255,8 @@ TEST(Release, affine_part_and_remainder_carry_everything) {
   const double affine = 0.5 * r.shape.mass * r.motion.vc.squaredNorm() +
                         0.5 * (r.motion.Fdot * r.shape.second * r.motion.Fdot.transpose()).trace();
   EXPECT_NEAR(affine + r.kinetic_rest, before.kinetic, 1e-12 * before.kinetic);
-  const double elastic = r.shape.area * elastic_response(one.model.elasticity_of(BlockId{0}), r.motion.F, Mat2::Zero()).energy;
+  const double elastic =
+      r.shape.area * elastic_response(one.model.elasticity_of(BlockId{0}), r.motion.F, Mat2::Zero()).energy;
   EXPECT_NEAR(elastic + r.elastic_rest + r.elastic_cross, before.elastic, 1e-12 * before.elastic);
   EXPECT_GT(r.kinetic_rest, 0.0);
   EXPECT_GT(r.elastic_rest, 0.0);
