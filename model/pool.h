@@ -30,10 +30,10 @@ struct OutlineEdge {
 /// The outline of a body as its unknowns carry it.
 struct Boundary {
   struct Segment {
-    std::int32_t a, b;  // indices into nodes; the solid lies to the left of a -> b
-    OutlineEdge edge;   // the outline edge it is part of
-    double s0, s1;      // its range of the edge, 0 to 1
-    std::int32_t cell;  // the element it bounds, counted within the pool
+    std::int32_t a = 0, b = 0;  // indices into nodes; the solid lies to the left of a -> b
+    OutlineEdge edge;           // the outline edge it is part of
+    double s0 = 0.0, s1 = 1.0;  // its range of the edge, 0 to 1
+    std::int32_t cell = 0;      // the element it bounds, counted within the pool
   };
   struct Corner {
     std::int32_t node;          // index into nodes

@@ -228,7 +228,7 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
     const Tick target = std::min({frame, history, end});
-    const RunEnd result = advance_to(stage, target);
+    RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
     look(target == frame || target == end);
   }

@@ -37,8 +37,8 @@ class Driver {
 
  private:
   void start();
-  void change_stage(std::size_t stage);
-  RunEnd run_stage(std::size_t stage, Tick end);
+  void change_stage(std::size_t index);
+  RunEnd run_stage(std::size_t index, Tick end);
   RunEnd advance_to(const Stage& stage, Tick target);
   [[nodiscard]] Tick largest_step(const Stage& stage);
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr);

@@ -36,10 +36,10 @@ struct Outlines {
     std::int32_t part;  // counted along the edge
   };
   struct Edge {
-    std::int32_t body, ring, edge;
-    std::int32_t first_segment, segments;
-    bool convex_start, convex_end;  // interior angle at its ends below pi
-    JointId joint;                  // its own law; may be invalid
+    std::int32_t body = -1, ring = 0, edge = 0;
+    std::int32_t first_segment = 0, segments = 0;
+    bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
+    JointId joint;                                  // its own law; may be invalid
   };
   struct Corner {
     std::int32_t node, body, ring, vertex;

@@ -4,7 +4,9 @@
 # usage: live_netns.sh SCREE CASE
 set -u
 [ $# = 2 ] || { echo "usage: $0 SCREE CASE"; exit 2; }
-arguments=("$@")
+# shellcheck disable=SC2034
+arguments=("$@")  # for the second start, inside the namespace
+# shellcheck source=/dev/null
 . "$(dirname "$0")/live_namespace.sh" lcm-logger python3
 ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback interface"
 
