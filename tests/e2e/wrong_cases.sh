@@ -7,7 +7,7 @@ cases=$2/tests/fault/cases
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$cases"/*.toml "$work"
-rm "$work/good.toml"
+rm -f "$work/good.toml"
 python3 - "$work" <<'END'
 import sys
 with open(sys.argv[1] + "/deep_header.toml", "w") as f: f.write("[" + ".".join("a" * 200000) + "]\n")
