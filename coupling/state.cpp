@@ -19,7 +19,7 @@ class Hasher {
       mix(word);
     }
     std::uint64_t rest = size;
-    std::memcpy(&rest, p, size);
+    if (size > 0) std::memcpy(&rest, p, size);
     mix(rest ^ (static_cast<std::uint64_t>(size) << 56U));
   }
   template <class T>
