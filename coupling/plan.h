@@ -34,6 +34,7 @@ struct Stage {
   Tick duration = 0;
   double cover_size = 0.0;  // NMM mesh [m]
   double damping = 0.0;     // mass-proportional, on velocities less their affine part; explicit [1/s]
+  bool rest = false;        // motion is taken out: explicit at peaks of kinetic energy, implicit after every step
   StepControl control;
 };
 

@@ -11,10 +11,10 @@ namespace scree::coupling {
 
 enum class ContactStatus : std::int32_t { open, slip, stick };
 
-/// A corner of one block against an outline edge of another: the identity of a contact, whatever the methods.
+/// A vertex of one block against an outline edge of another: the identity of a contact, whatever the methods.
 struct ContactKey {
-  std::int32_t block_p = -1, ring_p = 0, vertex = 0;  // the corner
-  std::int32_t block_e = -1, ring_e = 0, edge = 0;    // the edge
+  std::int32_t block_p = -1, ring_p = 0, vertex = 0, part = 0;  // the corner; part > 0: a mesh node along edge `vertex`
+  std::int32_t block_e = -1, ring_e = 0, edge = 0;              // the edge
   auto operator<=>(const ContactKey&) const = default;
 };
 
@@ -25,15 +25,16 @@ struct ContactMemory {
   std::int32_t failed = 0;     // 1 once cohesion is lost
   std::int32_t joint = -1;     // law, chosen when the pair was first seen
   std::int32_t segment = -1;   // segment of the edge that the anchor below refers to, counted within the edge
-  double gap0 = 0.0;           // gap that counts as closed without stress (contacts closed at t = 0) [m]
+  double gap0 = 0.0;           // gap that counts as closed without stress (closed at t = 0, changed share) [m]
   double gap = 0.0;            // gap at the present time, less gap0 [m]
   double stretch = 0.0;        // elongation of the tangential spring [m]
   double anchor = 0.0;         // its anchor: fraction of the segment
   double fn = 0.0, ft = 0.0;   // forces on the corner, along the outward normal and the direction of the edge [N]
   double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
   double slip = 0.0;           // accumulated |slip| [m]
-  double kn = 0.0, kt = 0.0;   // penalty stiffness [N/m]
-  double cn = 0.0, ct = 0.0;   // damping of explicit steps, normal and (while sticking) tangential [N s/m]
+  std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
+  double share = 0.0;          // length of joint that the point stands for [m]
+  double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
 };
 
 /// Energy and fields that a block could not take along into its present method (coupling.md 1).
@@ -48,6 +49,7 @@ struct State {
   std::int64_t step = 0;
   std::int32_t stage = 0;
   Tick last_step = 0;                   // length of the step before, for the shadow term
+  double relaxing = 0.0;                // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;       // in the order of their blocks
   std::vector<double> q, v;             // x, y a node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;                // acceleration at `time`, same layout (explicit stages; else empty)
@@ -72,6 +74,7 @@ void State::visit(Visitor&& see) {
   see("step", step);
   see("stage", stage);
   see("last_step", last_step);
+  see("relaxing", relaxing);
   see.size("bodies", bodies);
   for (BodyRecord& b : bodies) {
     see("body.block", b.block.value);
@@ -91,6 +94,7 @@ void State::visit(Visitor&& see) {
     see("contact.block_p", c.key.block_p);
     see("contact.ring_p", c.key.ring_p);
     see("contact.vertex", c.key.vertex);
+    see("contact.part", c.key.part);
     see("contact.block_e", c.key.block_e);
     see("contact.ring_e", c.key.ring_e);
     see("contact.edge", c.key.edge);
@@ -107,10 +111,10 @@ void State::visit(Visitor&& see) {
     see("contact.fd", c.fd);
     see("contact.fdt", c.fdt);
     see("contact.slip", c.slip);
+    see("contact.facing", c.facing);
+    see("contact.share", c.share);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
-    see("contact.cn", c.cn);
-    see("contact.ct", c.ct);
   }
   see.size("rest", rest);
   for (Remainder& r : rest) {

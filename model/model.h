@@ -19,15 +19,18 @@ struct Material {
   double poisson = 0.0;  // 0 <= nu < 0.5
 };
 
-/// Coulomb law of a joint with penalty springs at each contact point.
+/// Coulomb law of a joint with springs at each contact point. Stiffness is either per area (a point carries its share
+/// of the overlap) or, as a penalty, the same for every point; neither given: auto, per area.
 struct JointLaw {
   std::string name;
-  double friction = 0.0;                // friction angle [rad], 0 <= phi < pi/2
-  double cohesion = 0.0;                // [Pa]; lost after the first failure
-  double contact_length = 0.0;          // [m] of joint that a contact point stands for; cohesion acts on it
-  std::optional<double> penalty;        // normal stiffness a contact [N/m]; empty: auto, K + 4G/3 of the softer block
-  std::optional<double> shear_penalty;  // tangential stiffness a contact [N/m]; empty: as the normal one
-  double damping = 0.2;                 // of closed contacts in explicit steps, a fraction of critical
+  double friction = 0.0;                   // friction angle [rad], 0 <= phi < pi/2
+  double cohesion = 0.0;                   // [Pa]; lost after the first failure
+  double contact_length = 0.0;             // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
+  std::optional<double> normal_stiffness;  // [Pa/m]
+  std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one
+  std::optional<double> penalty;           // normal stiffness of a contact point [N/m]
+  std::optional<double> shear_penalty;     // tangential stiffness of a contact point [N/m]; empty: as the normal one
+  double damping = 0.2;                    // of closed contacts in explicit steps, a fraction of critical
 };
 
 /// A block: its polygon, material and joints.

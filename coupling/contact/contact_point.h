@@ -1,10 +1,10 @@
-// One contact point: a corner P of one body against a segment 1 -> 2 of another, with the rows of gap and stretch.
+// One contact point: a vertex P of one body against a segment 1 -> 2 of another, with the rows of gap and stretch.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "coupling/stages/setup.h"
+#include "coupling/contact/joint_springs.h"
 
 namespace scree::coupling {
 
@@ -33,13 +33,19 @@ using ContactRow = std::array<Vec2, 3>;
 /// A contact that the law may see, at one instant.
 struct ContactPoint {
   ContactKey key;
-  std::int32_t corner = -1, edge = -1, segment = -1;  // into Outlines
+  std::int32_t vertex = -1, edge = -1, segment = -1;  // into Outlines
+  std::int32_t joint = -1;                            // law between the edges
+  std::int32_t from = -1;                             // its point in the list it was found from; -1: new
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
+  bool facing = false;                 // part of an edge-edge contact
   bool suppressed = false;             // another edge at the same convex corner is the way out
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
+  Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
+  double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
+  double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };
 
 /// Rate of a contact scalar at outline node velocities taken from v.

@@ -2,18 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace scree::coupling {
 namespace {
-
-/// Plane modulus K + 4G/3 of the softer block [Pa]: times unit thickness, the guideline's scale (thesis eq. 7.56).
-double softer_modulus(const Model& model, BlockId a, BlockId b) {
-  const auto modulus = [&](BlockId id) {
-    const Material& m = model.material_of(id);
-    return m.young * (1.0 - m.poisson) / ((1.0 + m.poisson) * (1.0 - 2.0 * m.poisson));
-  };
-  return std::min(modulus(a), modulus(b));
-}
 
 /// Distance from a point to the segment, and the fraction nearest to it.
 double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -23,28 +15,146 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
+constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other,
+constexpr double kStillFaces = 0.9848;    // and closed ones do so up to 10 degrees
+constexpr double kBoundMargin = 0.1;      // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
-
-double normal_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b) {
-  return law.penalty ? *law.penalty : softer_modulus(model, a, b);
-}
-
-double tangential_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b) {
-  return law.shear_penalty ? *law.shear_penalty : normal_stiffness(model, law, a, b);
-}
-
-double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {
-  const double cohesion = memory.failed != 0 ? 0.0 : law.cohesion * law.contact_length;
-  return cohesion + fn * std::tan(law.friction);
-}
 
 ContactFinder::ContactFinder(const Setup& setup, double detection)
     : setup_(&setup),
       detection_(detection),
       touching_(1e-3 * detection),
       search_(setup, 2.0 * detection),
-      x_(setup.outlines().nodes.size()) {}
+      springs_(setup),
+      x_(setup.outlines().nodes.size()),
+      direction_(setup.outlines().edges.size()),
+      known_first_(setup.outlines().vertices.size() + 1) {}
+
+ContactKey ContactFinder::key_of(std::int32_t vertex, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
+  const Outlines::Edge &own = o.edges[static_cast<std::size_t>(s.edge)], &e = o.edges[static_cast<std::size_t>(edge)];
+  const auto block = [&](std::int32_t body) { return setup_->bodies()[static_cast<std::size_t>(body)].block.value; };
+  return {block(own.body), own.ring, own.edge, s.part, block(e.body), e.ring, e.edge};
+}
+
+void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& out) const {
+  const Outlines& o = setup_->outlines();
+  out.points.clear();
+  out.memory.clear();
+  const auto edge_of = [&](std::int32_t block, std::int32_t ring, std::int32_t edge) {
+    const auto at = std::lower_bound(o.edges.begin(), o.edges.end(), std::tuple(block, ring, edge),
+                                     [&](const Outlines::Edge& e, const auto& key) {
+                                       const auto body = static_cast<std::size_t>(e.body);
+                                       return std::tuple(setup_->bodies()[body].block.value, e.ring, e.edge) < key;
+                                     });
+    return static_cast<std::int32_t>(at - o.edges.begin());
+  };
+  for (const ContactMemory& m : memory) {
+    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(edge_of(m.key.block_p, m.key.ring_p, m.key.vertex))];
+    if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
+    ContactPoint p;
+    p.key = m.key;
+    p.vertex = own.first_segment + m.key.part;
+    p.edge = edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
+    out.points.push_back(p);
+    out.memory.push_back(m);
+  }
+}
+
+ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segment) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
+  return contact_geometry(x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node)],
+                          x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+}
+
+std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
+  if (e.segments == 1) return e.first_segment;
+  const Vec2& along = direction_[static_cast<std::size_t>(edge)];
+  const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
+  const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
+    return s < along.dot(x_[static_cast<std::size_t>(segment.a)]);
+  });
+  // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
+  const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
+  auto best = first;
+  double nearest = 0.0;
+  for (auto s = first; s != last; ++s) {
+    const double d = distance_to(x, x_[static_cast<std::size_t>(s->a)], x_[static_cast<std::size_t>(s->b)]);
+    if (s != first && d >= nearest) continue;
+    nearest = d;
+    best = s;
+  }
+  return static_cast<std::int32_t>(best - o.segments.begin());
+}
+
+bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& known) const {
+  const double against = -direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]);
+  if (against < kStillFaces || against > kFaces) return against > kFaces;
+  const Outlines& o = setup_->outlines();
+  const auto was = [&](std::int32_t vertex, std::int32_t edge) {
+    for (std::int32_t i = known_first_[static_cast<std::size_t>(vertex)];
+         i < known_first_[static_cast<std::size_t>(vertex) + 1]; ++i) {
+      const ContactMemory& m = known.memory[static_cast<std::size_t>(i)];
+      if (known.points[static_cast<std::size_t>(i)].edge == edge)
+        return m.facing != 0 && m.status != ContactStatus::open;
+    }
+    return false;
+  };
+  const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
+  return was(ea.first_segment, b) || was(ea.end_vertex, b) || was(eb.first_segment, a) || was(eb.end_vertex, a);
+}
+
+void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+  if (!v.convex || facing(v.edge_in, edge, known)) return;
+  // The law and width of the side that turns towards the edge.
+  const Vec2& t = direction_[static_cast<std::size_t>(edge)];
+  const bool out_faces =
+      direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
+  pairs_.push_back({vertex, edge, out_faces ? v.edge_out : v.edge_in, 0.0});
+}
+
+void ContactFinder::collect(const ContactList& known) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t e = 0; e < o.edges.size(); ++e) {
+    const auto node = [&](std::int32_t v) {
+      return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
+    };
+    direction_[e] = (x_[node(o.edges[e].end_vertex)] - x_[node(o.edges[e].first_segment)]).normalized();
+  }
+  std::fill(known_first_.begin(), known_first_.end(), 0);
+  for (const ContactPoint& p : known.points) ++known_first_[static_cast<std::size_t>(p.vertex) + 1];
+  for (std::size_t v = 1; v < known_first_.size(); ++v) known_first_[v] += known_first_[v - 1];
+
+  pairs_.clear();
+  for (const auto& [a, b] : search_.update(x_)) {
+    if (facing(a, b, known)) {
+      const Vec2 along =
+          (direction_[static_cast<std::size_t>(a)] - direction_[static_cast<std::size_t>(b)]).normalized();
+      for (const OverlapPoint& p : overlap_.divide(o, x_, a, b, along, springs_.per_area(springs_.law_of(a, b))))
+        pairs_.push_back({p.vertex, p.edge, p.edge == b ? a : b, p.share});
+    } else {
+      try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
+      try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end());
+  // A vertex between two edges in line may face one edge with both.
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < pairs_.size(); ++i) {
+    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge)
+      pairs_[kept].share += pairs_[i].share;
+    else
+      pairs_[++kept] = pairs_[i];
+  }
+  if (!pairs_.empty()) pairs_.resize(kept + 1);
+}
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
@@ -53,7 +163,7 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
   // little further, so that corners which meet exactly do not lose and find each other.
   const auto beyond = [&](bool convex) {
-    return !convex ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+    return !convex || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
   p.s_low = part == 0 ? -beyond(edge.convex_start) : -detection_;
   p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end) : detection_);
@@ -61,31 +171,16 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Corner& c = o.corners[static_cast<std::size_t>(p.corner)];
-  const Vec2& at = x_[static_cast<std::size_t>(c.node)];
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  const Vec2& at = x_[static_cast<std::size_t>(v.node)];
   const Vec2 forward =
-      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_out)].b)] - at).normalized();
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(p.vertex)].b)] - at).normalized();
   const Vec2 backward =
-      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(c.segment_in)].a)] - at).normalized();
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(v.segment_in)].a)] - at).normalized();
   return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
 }
 
-std::int32_t ContactFinder::law_of(const ContactPoint& p) const {
-  const Outlines& o = setup_->outlines();
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
-  if (edge.joint.valid()) return edge.joint.value;
-  // Else the law of the corner's own edge that faces this one.
-  const Outlines::Corner& c = o.corners[static_cast<std::size_t>(p.corner)];
-  const auto direction = [&](std::int32_t s) {
-    const Outlines::Segment& segment = o.segments[static_cast<std::size_t>(s)];
-    return (x_[static_cast<std::size_t>(segment.b)] - x_[static_cast<std::size_t>(segment.a)]).normalized();
-  };
-  const bool out_faces = direction(c.segment_out).dot(p.at.t) < direction(c.segment_in).dot(p.at.t);
-  const JointId own = o.edges[static_cast<std::size_t>(out_faces ? c.edge_out : c.edge_in)].joint;
-  return own.valid() ? own.value : setup_->model().default_joint.value;
-}
-
-void ContactFinder::set_damping(const ContactPoint& p, ContactMemory& m) const {
+void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const auto compliance = [&](std::int32_t node) {
     const Body& b = setup_->bodies()[static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(node)])];
@@ -94,19 +189,103 @@ void ContactFinder::set_damping(const ContactPoint& p, ContactMemory& m) const {
   };
   const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
-  m.cn = 2.0 * fraction * std::sqrt(m.kn / mu);
-  m.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
+  p.cn = 2.0 * fraction * std::sqrt(m.kn / mu);
+  p.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
+}
+
+void ContactFinder::inherit(const ContactList& known, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  gone_.assign(known.points.size(), 1);
+  fresh_.clear();
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    if (out.points[i].from >= 0)
+      gone_[static_cast<std::size_t>(out.points[i].from)] = 0;
+    else
+      fresh_.push_back(static_cast<std::int32_t>(i));
+  }
+  if (fresh_.empty()) return;
+  const auto adjacent = [&](std::int32_t vertex, std::int32_t edge) {
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+    return v.edge_in == edge || v.edge_out == edge;
+  };
+  const auto in_line = [&](std::int32_t a, std::int32_t b) {
+    const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
+    return (ea.end_vertex == eb.first_segment || eb.end_vertex == ea.first_segment) &&
+           direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]) > kStillFaces;
+  };
+  std::size_t left = 0;  // the closed ones among those gone
+  for (std::size_t i = 0; i < gone_.size(); ++i)
+    if (gone_[i] != 0 && known.memory[i].status != ContactStatus::open) gone_[left++] = static_cast<std::int32_t>(i);
+  gone_.resize(left);
+  for (const std::int32_t f : fresh_) {
+    ContactPoint& p = out.points[static_cast<std::size_t>(f)];
+    double nearest = detection_;
+    for (std::size_t g = 0; g < gone_.size(); ++g) {
+      if (gone_[g] < 0) continue;
+      const ContactPoint& was = known.points[static_cast<std::size_t>(gone_[g])];
+      const bool sides = p.facing && known.memory[static_cast<std::size_t>(gone_[g])].facing != 0 &&
+                         adjacent(was.vertex, p.edge) && adjacent(p.vertex, was.edge);
+      if (!sides && !(was.vertex == p.vertex && in_line(was.edge, p.edge))) continue;
+      const auto at = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(was.vertex)].node);
+      const double d = (x_[at] - x_[static_cast<std::size_t>(p.node[0])]).norm();
+      if (d > nearest || (p.from >= 0 && d == nearest)) continue;
+      nearest = d;
+      p.from = gone_[g];
+    }
+    for (std::int32_t& g : gone_)
+      if (g == p.from) g = -1;
+  }
+}
+
+void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
+                         ContactMemory& m) const {
+  const Outlines& o = setup_->outlines();
+  const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
+  if (old != nullptr)
+    m = *old;
+  else
+    m.joint = p.joint;
+  m.key = p.key;
+  const bool closed = m.status != ContactStatus::open;
+  if (!closed || m.facing == static_cast<std::int32_t>(p.facing)) {
+    m.facing = static_cast<std::int32_t>(p.facing);
+    m.share = p.springs.share;
+    m.kn = p.springs.kn;
+    m.kt = p.springs.kt;
+  }
+  set_damping(p, m);
+  if (at_start && old == nullptr && std::abs(p.at.gap) <= touching_) m.gap0 = p.at.gap;
+  // Once open, a contact that began without stress at some depth keeps no more of it than it has now.
+  if (!closed && old != nullptr) m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
+  m.gap = p.at.gap - m.gap0;
+  if (!closed) {
+    m.segment = part;
+    m.anchor = p.at.xi;
+    m.stretch = 0.0;
+    return;
+  }
+  if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
+    m.segment = part;
+    m.anchor = p.at.xi - m.stretch / p.at.length;
+  } else if (m.segment != part || before->key != p.key) {
+    // The stretch as the old place sees it now, then the same stretch on the new one.
+    const ContactGeometry g =
+        geometry(before->vertex, o.edges[static_cast<std::size_t>(before->edge)].first_segment + m.segment);
+    m.segment = part;
+    m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
+  }
+  // Always from the anchor, so that finding twice at one place gives the same bits.
+  m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
 void ContactFinder::pair_edges(ContactList& list) const {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < list.points.size(); ++i)
-    for (std::size_t j = i + 1; j < list.points.size() && list.points[j].corner == list.points[i].corner; ++j) {
+    for (std::size_t j = i + 1; j < list.points.size() && list.points[j].vertex == list.points[i].vertex; ++j) {
       const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
                            &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
-      if (a.body != b.body || a.ring != b.ring) continue;
-      const bool follows = a.edge + 1 == b.edge && a.convex_end;
-      const bool closes_ring = a.edge == 0 && b.edge > 1 && a.convex_start && b.convex_end;
+      const bool follows = a.end_vertex == b.first_segment && a.convex_end;
+      const bool closes_ring = b.end_vertex == a.first_segment && b.convex_end;
       if (!follows && !closes_ring) continue;
       for (const auto& [of, other] : {std::pair(i, j), std::pair(j, i)}) {
         std::int32_t(&partner)[2] = list.points[of].partner;
@@ -131,88 +310,85 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
     }
 }
 
-void ContactFinder::find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start,
-                         ContactList& out) {
+void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
-  const std::span<const Candidate> candidates = search_.update(x_);
+  collect(known);
   out.points.clear();
-  out.memory.clear();
-  auto old = known.begin();
-  for (std::size_t i = 0; i < candidates.size();) {
-    // The nearest segment of one edge.
-    std::size_t next = i, best = i;
-    double nearest = 0.0;
-    const Outlines::Corner& corner = o.corners[static_cast<std::size_t>(candidates[i].corner)];
-    const Vec2& xP = x_[static_cast<std::size_t>(corner.node)];
-    for (; next < candidates.size() && candidates[next].corner == candidates[i].corner &&
-           candidates[next].edge == candidates[i].edge;
-         ++next) {
-      const Outlines::Segment& s = o.segments[static_cast<std::size_t>(candidates[next].segment)];
-      const double d = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-      if (next == i || d < nearest) {
-        nearest = d;
-        best = next;
-      }
-    }
-    const Candidate& c = candidates[best];
-    i = next;
-    if (nearest > 2.0 * detection_) continue;
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(c.segment)];
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(c.edge)];
+  std::size_t old = 0;
+  for (const Pair& pair : pairs_) {
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
+    const Vec2& xP = x_[static_cast<std::size_t>(v.node)];
     ContactPoint p;
-    p.corner = c.corner;
-    p.edge = c.edge;
-    p.segment = c.segment;
-    p.node = {corner.node, s.a, s.b};
-    p.key = {setup_->bodies()[static_cast<std::size_t>(corner.body)].block.value, corner.ring, corner.vertex,
-             setup_->bodies()[static_cast<std::size_t>(edge.body)].block.value,   edge.ring,   edge.edge};
+    p.vertex = pair.vertex;
+    p.edge = pair.edge;
+    p.segment = segment_under(xP, pair.edge);
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
+    const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    if (nearest > 2.0 * detection_) continue;
+    const auto before = [&](const ContactPoint& a) {
+      return std::pair(a.vertex, a.edge) < std::pair(pair.vertex, pair.edge);
+    };
+    while (old < known.points.size() && before(known.points[old])) ++old;
+    if (old < known.points.size() && known.points[old].vertex == pair.vertex && known.points[old].edge == pair.edge)
+      p.from = static_cast<std::int32_t>(old);
+    const bool closed = p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+    p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-    while (old != known.end() && old->key < p.key) ++old;
-    const bool remembered = old != known.end() && old->key == p.key;
-    const bool closed = remembered && old->status != ContactStatus::open;
+    p.facing = pair.share > 0.0;
     set_range(p, closed);
     const double foot = p.at.xi * p.at.length;
-    p.beyond = foot < p.s_low || foot > p.s_high;
+    p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
     if (p.beyond && closed) continue;
-    if (!closed && (nearest > detection_ || !admissible(p))) continue;
-
-    ContactMemory m;
-    if (remembered) {
-      m = *old;
-    } else {
-      m.key = p.key;
-      m.joint = law_of(p);
-      const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
-      m.kn = normal_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
-      m.kt = tangential_stiffness(setup_->model(), law, BlockId{p.key.block_p}, BlockId{p.key.block_e});
-      set_damping(p, m);
-      if (at_start && std::abs(p.at.gap) <= touching_) m.gap0 = p.at.gap;
+    if (!closed && (nearest > detection_ || (!p.facing && !admissible(p)))) continue;
+    p.key = key_of(p.vertex, p.edge);
+    const JointId law = springs_.law_of(pair.own, pair.edge);
+    p.joint = law.value;
+    p.springs = springs_.springs(law, pair.own, pair.edge,
+                                 p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
+    if (p.facing && springs_.per_area(law)) {
+      const auto length = [&](std::int32_t segment) {
+        const Outlines::Segment& own = o.segments[static_cast<std::size_t>(segment)];
+        return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
+      };
+      const double most = 0.5 * (length(v.segment_in) + length(p.vertex));
+      p.margin = kBoundMargin * most / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    if (m.segment < 0) set_damping(p, m);  // a body changed its method, and with it the mass behind the contact
-    m.gap = p.at.gap - m.gap0;
-    if (!closed) {
-      m.segment = s.part;
-      m.anchor = p.at.xi;
-      m.stretch = 0.0;
-    } else if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
-      m.segment = s.part;
-      m.anchor = p.at.xi - m.stretch / p.at.length;
-    } else if (m.segment != s.part) {
-      // The stretch as the old segment sees it now, then the same stretch on the new one.
-      const Outlines::Segment& before = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
-      const ContactGeometry g =
-          contact_geometry(xP, x_[static_cast<std::size_t>(before.a)], x_[static_cast<std::size_t>(before.b)]);
-      m.segment = s.part;
-      m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
-    }
-    // Always from the anchor, so that finding twice at one place gives the same bits.
-    if (closed) m.stretch = (p.at.xi - m.anchor) * p.at.length;
     out.points.push_back(p);
-    out.memory.push_back(m);
+  }
+  inherit(known, out);
+  out.memory.resize(out.points.size());
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    ContactPoint& p = out.points[i];
+    out.memory[i] = ContactMemory{};
+    const auto from = static_cast<std::size_t>(p.from);
+    fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
+         out.memory[i]);
   }
   pair_edges(out);
   suppress_second_edges(out);
+}
+
+double ContactFinder::adopt_kinds(ContactList& list) const {
+  double change = 0.0;
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    ContactMemory& m = list.memory[i];
+    if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
+    const bool presses = !p.suppressed && m.gap < 0.0;
+    const double gap = presses ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
+    if (presses) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
+    change += 0.5 * (p.springs.kt * stretch * stretch - m.kt * m.stretch * m.stretch);
+    m.gap0 += m.gap - gap;
+    m.gap = gap;
+    m.stretch = stretch;
+    m.anchor = p.at.xi - stretch / p.at.length;
+    m.facing = static_cast<std::int32_t>(p.facing);
+    m.share = p.springs.share;
+    m.kn = p.springs.kn;
+    m.kt = p.springs.kt;
+  }
+  return change;
 }
 
 }  // namespace scree::coupling

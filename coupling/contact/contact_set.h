@@ -6,16 +6,11 @@
 #include <vector>
 
 #include "coupling/contact/contact_point.h"
+#include "coupling/contact/edge_overlap.h"
+#include "coupling/contact/joint_springs.h"
 #include "coupling/contact/search.h"
 
 namespace scree::coupling {
-
-/// Penalty stiffness of a contact between two blocks under a law [N/m]; auto: K + 4G/3 of the softer block.
-[[nodiscard]] double normal_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b);
-[[nodiscard]] double tangential_stiffness(const Model& model, const JointLaw& law, BlockId a, BlockId b);
-
-/// Coulomb's limit of the tangential force [N]: c * contact length (until the first failure) + f_n tan phi.
-[[nodiscard]] double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn);
 
 /// Points and memories in the order of their keys, one memory a point.
 struct ContactList {
@@ -23,32 +18,61 @@ struct ContactList {
   std::vector<ContactMemory> memory;
 };
 
-/// Finds contact points. Every corner with an interior angle below pi is tried against every edge of other bodies;
-/// the nearest segment of an edge carries the point. Decisions rest on exact geometry and on the memory alone.
+/// Finds contact points. Edges that face each other share their overlap among the vertices on both sides (edge-edge);
+/// where they do not, every corner with an interior angle below pi is tried against every edge (angle-edge). The
+/// nearest segment of an edge carries the point. Decisions rest on exact geometry and on the memory alone.
+/// @source contact.md "Contact points"; thesis 3.2.2, 2.4.3
 class ContactFinder {
  public:
   /// @param detection  pairs nearer than this are listed, open or closed [m]
   ContactFinder(const Setup& setup, double detection);
 
   [[nodiscard]] double detection() const { return detection_; }
-  /// Lists the points at q. Memory of known pairs is taken over (with the anchor carried to a new segment so that the
-  /// stretch does not jump); new pairs start open. Gaps and stretches of the present geometry are written to the
-  /// memory.
+  /// Points of a state without geometry, for find() to start from.
+  void restore(std::span<const ContactMemory> memory, ContactList& out) const;
+  /// Lists the points at q. A point that was known before takes its memory over (with the anchor carried to a new
+  /// segment so that the stretch does not jump) and says so in `from`; where a vertex leaves an overlap and one of the
+  /// other side takes its place, or passes to the next edge in line, the memory passes as well. New points start open.
+  /// A share that changes while a contact stays of its kind keeps gap and stretch, and with them the traction.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
-  void find(std::span<const double> q, std::span<const ContactMemory> known, bool at_start, ContactList& out);
+  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out);
+  /// Gives closed points that changed between edge-edge and angle-edge the stiffness of their new kind; force and state
+  /// stay, gap0 and anchor move.
+  /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
+  [[nodiscard]] double adopt_kinds(ContactList& list) const;
 
  private:
-  void set_range(ContactPoint& p, bool closed) const;
+  struct Pair {  // a vertex against an edge
+    std::int32_t vertex, edge;
+    std::int32_t own;  // the edge of the vertex that faces it
+    double share;      // 0: angle-edge
+    auto operator<=>(const Pair&) const = default;
+  };
+  void collect(const ContactList& known);
+  [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const ContactList& known) const;
+  void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
+  [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
+  [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
+  [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
-  [[nodiscard]] std::int32_t law_of(const ContactPoint& p) const;
-  void set_damping(const ContactPoint& p, ContactMemory& m) const;
+  void set_range(ContactPoint& p, bool closed) const;
+  void set_damping(ContactPoint& p, const ContactMemory& m) const;
+  void inherit(const ContactList& known, ContactList& out);
+  void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
+            ContactMemory& m) const;
   void pair_edges(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;
 
   const Setup* setup_;
   double detection_, touching_;
   Search search_;
-  std::vector<Vec2> x_;  // outline nodes
+  JointSprings springs_;
+  EdgeOverlap overlap_;
+  std::vector<Vec2> x_;          // outline nodes
+  std::vector<Vec2> direction_;  // of every edge, from its first to its last vertex
+  std::vector<Pair> pairs_;
+  std::vector<std::int32_t> known_first_;   // a vertex: its first point in the list known, and the end
+  std::vector<std::int32_t> fresh_, gone_;  // points without memory, and closed memory without a point
 };
 
 }  // namespace scree::coupling

@@ -15,7 +15,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
     return;
   }
   const double spring = -m.kn * m.gap;
-  m.fn = std::max(0.0, spring - m.cn * rate);  // damping never pulls
+  m.fn = std::max(0.0, spring - p.cn * rate);  // damping never pulls
   m.fd = m.fn - spring;
   if (m.status == ContactStatus::open) {  // closes here: the spring begins at the foot
     m.anchor = p.at.xi;
@@ -35,14 +35,16 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
   }
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
   const double spring_t = -m.kt * m.stretch, cap = friction_limit(law, m, m.fn);
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - m.ct * shear, -cap, cap) : spring_t;
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * shear, -cap, cap) : spring_t;
   m.fdt = m.ft - spring_t;
 }
 
 }  // namespace
 
 void ExplicitContact::enter(State& state, bool at_start) {
-  finder_.find(state.q, state.contacts, at_start, now_);
+  finder_.restore(state.contacts, before_);
+  finder_.find(state.q, before_, at_start, now_);
+  (void)finder_.adopt_kinds(now_);  // the energy returned below has it
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
     if (m.kn > 0.0 && m.fn == 0.0 && m.status == ContactStatus::open && m.gap < 0.0)
@@ -90,8 +92,12 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (fa != 0.0 || fb != 0.0) {
     const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
     ledger.book(Column::contact_geometry, left_[before].normal + arriving.normal - trapezoid);
-    // Closed at both ends: trapezoid and energy cancel. Closing: -k d g_n/2, opening: +k d g_{n+1}/2.
-    if (fa == 0.0 || fb == 0.0) ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
+    // Closed at both ends: trapezoid and energy cancel but for the change of the share. Closing: -k d g_n/2, opening:
+    // +k d g_{n+1}/2.
+    if (fa == 0.0 || fb == 0.0)
+      ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
+    else
+      ledger.book(Column::contact_share, 0.5 * a.gap * b.gap * (b.kn - a.kn));
   }
   if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
   const double de = trial_[after] - a.stretch, ta = a.ft - a.fdt, tb = b.ft - b.fdt;
@@ -102,12 +108,13 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
     return;
   }
   ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (ta + tb) * de);
+  ledger.book(Column::contact_share, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
 void ExplicitContact::arrive(double h, std::span<const double> q, std::span<const double> v, State& state) {
   std::swap(now_, before_);
-  finder_.find(q, before_.memory, false, now_);
+  finder_.find(q, before_, false, now_);
   trial_.resize(now_.points.size());
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
@@ -115,33 +122,34 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
     trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
     const ContactPoint& p = now_.points[i];
     double rate = 0.0, shear = 0.0;
-    if (m.gap < 0.0 && m.cn > 0.0) {
+    if (m.gap < 0.0 && p.cn > 0.0) {
       rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
       shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
     apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], p, rate, shear, m);
   }
-  std::size_t a = 0;
   Ledger& ledger = state.ledger;
-  const auto lost = [&](std::size_t i) {  // the pair ended: its springs are gone
-    ledger.book(Column::contact_damping, -left_[i].damping);
-    ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
-    ledger.book(Column::springs_dropped,
-                normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
-  };
+  kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {
-    while (a < before_.points.size() && before_.points[a].key < now_.points[b].key) lost(a++);
     const Half arriving = half_work(h, now_.points[b], now_.memory[b], v);
-    if (a < before_.points.size() && before_.points[a].key == now_.points[b].key) {
+    if (now_.points[b].from >= 0) {
+      const auto a = static_cast<std::size_t>(now_.points[b].from);
+      kept_[a] = 1;
       book_pair(a, b, arriving, ledger);
-      ++a;
     } else if (now_.memory[b].gap < 0.0) {
       ledger.book(Column::contact_damping, -arriving.damping);
       ledger.book(Column::contact_edges,
                   arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
     }
   }
-  while (a < before_.points.size()) lost(a++);
+  for (std::size_t i = 0; i < before_.points.size(); ++i) {
+    if (kept_[i] != 0) continue;  // else the pair ended: its springs are gone
+    ledger.book(Column::contact_damping, -left_[i].damping);
+    ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
+    ledger.book(Column::springs_dropped,
+                normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
+  }
+  ledger.book(Column::contact_share, finder_.adopt_kinds(now_));
   state.contacts = now_.memory;
   ledger.set(Column::contact_springs, contact_energy(now_));
 }

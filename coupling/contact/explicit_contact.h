@@ -38,6 +38,7 @@ class ExplicitContact {
   ContactFinder finder_;
   ContactList now_, before_;
   std::vector<Half> left_;     // a point of before_
+  std::vector<char> kept_;     // 1: the point of before_ goes on in now_
   std::vector<double> trial_;  // stretch before return mapping, a point of now_
 };
 

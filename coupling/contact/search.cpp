@@ -48,34 +48,16 @@ struct Search::Impl {
   btDbvtBroadphase tree;
   std::vector<btBroadphaseProxy*> proxies;
   std::vector<Box> fat;
-  std::vector<Candidate> candidates;
-
-  void add_candidates(std::int32_t of, std::int32_t against) {
-    const Outlines& o = setup->outlines();
-    const auto segment = static_cast<std::size_t>(of);
-    const std::int32_t edge = o.segments[static_cast<std::size_t>(against)].edge;
-    for (const std::int32_t corner : {corner_at_start[segment], corner_at_end[segment]})
-      if (corner >= 0 && o.corners[static_cast<std::size_t>(corner)].convex)
-        candidates.push_back({corner, edge, against});
-  }
-  std::vector<std::int32_t> corner_at_start, corner_at_end;  // a segment: corner at its ends, or -1
+  std::vector<EdgePair> pairs;
 };
 
-Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(setup, reach)) {
-  const Outlines& o = setup.outlines();
-  impl_->corner_at_start.assign(o.segments.size(), -1);
-  impl_->corner_at_end.assign(o.segments.size(), -1);
-  for (std::size_t c = 0; c < o.corners.size(); ++c) {
-    impl_->corner_at_start[static_cast<std::size_t>(o.corners[c].segment_out)] = static_cast<std::int32_t>(c);
-    impl_->corner_at_end[static_cast<std::size_t>(o.corners[c].segment_in)] = static_cast<std::int32_t>(c);
-  }
-}
+Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(setup, reach)) {}
 
 Search::~Search() {
   for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
 }
 
-std::span<const Candidate> Search::update(std::span<const Vec2> x) {
+std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
   Impl& s = *impl_;
   const Outlines& o = s.setup->outlines();
   const bool first = s.proxies.empty();
@@ -99,20 +81,21 @@ std::span<const Candidate> Search::update(std::span<const Vec2> x) {
       s.tree.setAabb(s.proxies[i], low, high, nullptr);
     }
   }
-  if (!moved) return s.candidates;
+  if (!moved) return s.pairs;
   s.tree.calculateOverlappingPairs(nullptr);
   btOverlappingPairCache* cache = s.tree.getOverlappingPairCache();
-  s.candidates.clear();
-  const btBroadphasePair* pairs = cache->getOverlappingPairArrayPtr();
+  s.pairs.clear();
+  const btBroadphasePair* found = cache->getOverlappingPairArrayPtr();
   for (int i = 0; i < cache->getNumOverlappingPairs(); ++i) {
-    const std::int32_t a = DifferentBodies::index_of(pairs[i].m_pProxy0),
-                       b = DifferentBodies::index_of(pairs[i].m_pProxy1);
-    s.add_candidates(a, b);
-    s.add_candidates(b, a);
+    const auto edge = [&](const btBroadphaseProxy* proxy) {
+      return o.segments[static_cast<std::size_t>(DifferentBodies::index_of(proxy))].edge;
+    };
+    const auto [a, b] = std::minmax({edge(found[i].m_pProxy0), edge(found[i].m_pProxy1)});
+    s.pairs.push_back({a, b});
   }
-  std::sort(s.candidates.begin(), s.candidates.end());
-  s.candidates.erase(std::unique(s.candidates.begin(), s.candidates.end()), s.candidates.end());
-  return s.candidates;
+  std::sort(s.pairs.begin(), s.pairs.end());
+  s.pairs.erase(std::unique(s.pairs.begin(), s.pairs.end()), s.pairs.end());
+  return s.pairs;
 }
 
 }  // namespace scree::coupling

@@ -1,4 +1,4 @@
-// Contact search: which corners may touch which edges. Bullet's dynamic bounding-volume tree keeps the boxes.
+// Contact search: which edges may touch. Bullet's dynamic bounding-volume tree keeps the boxes.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace scree::coupling {
 
-/// A corner near a segment of another body.
-struct Candidate {
-  std::int32_t corner, edge, segment;  // indices into Outlines
-  auto operator<=>(const Candidate&) const = default;
+/// Two edges of different bodies that have segments near each other.
+struct EdgePair {
+  std::int32_t a, b;  // into Outlines::edges, a < b
+  auto operator<=>(const EdgePair&) const = default;
 };
 
 /// Keeps a fattened box a boundary segment in btDbvtBroadphase (double precision) and moves it only when the segment
-/// leaves it. The candidates are a superset of all pairs nearer than `reach`; what depends on a box's history is
+/// leaves it. The pairs are a superset of all nearer than `reach`; what depends on a box's history is
 /// sorted out by the exact distance afterwards, so results never depend on the tree.
 class Search {
  public:
@@ -28,8 +28,8 @@ class Search {
   ~Search();
 
   /// @param x  positions of the outline nodes, in their order
-  /// @return candidates sorted by corner, edge, segment; valid until the next call
-  std::span<const Candidate> update(std::span<const Vec2> x);
+  /// @return pairs in order, each once; valid until the next call
+  std::span<const EdgePair> update(std::span<const Vec2> x);
 
  private:
   struct Impl;

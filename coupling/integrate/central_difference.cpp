@@ -10,10 +10,12 @@
 
 namespace scree::coupling {
 
-CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping)
+CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping,
+                                     bool rest)
     : setup_(&setup),
       control_(control),
       damping_(damping),
+      rest_(rest),
       contact_(setup, detection),
       damping_force_(2 * static_cast<std::size_t>(setup.nodes()), 0.0) {
   add_term(std::make_unique<InternalForce>(setup));
@@ -189,17 +191,34 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     state.ledger.book(Column::mass_damping, -0.5 * h * (damped + work(v_before_, damping_force_, true)));
   }
   setup_->prescribe(end, state.q, state.v);
+  if (rest_) relax(state);
   state.last_step = ticks_of_step;
   ++state.step;
   return report;
 }
 
-void CentralDifference::update_ledger(State& state) {
+double CentralDifference::kinetic_energy(const State& state) const {
   double kinetic = 0.0;
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     kinetic += setup_->pool(p).kinetic_energy(setup_->part(std::span<const double>(state.q), p),
                                               setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
-  state.ledger.set(Column::kinetic, kinetic);
+  return kinetic;
+}
+
+void CentralDifference::relax(State& state) const {
+  const double kinetic = kinetic_energy(state);
+  if (kinetic >= state.relaxing) {
+    state.relaxing = kinetic;
+    return;
+  }
+  state.ledger.book(Column::rest_damping, kinetic);
+  std::fill(state.v.begin(), state.v.end(), 0.0);
+  setup_->prescribe(seconds(state.time), state.q, state.v);
+  state.relaxing = 0.0;
+}
+
+void CentralDifference::update_ledger(State& state) {
+  state.ledger.set(Column::kinetic, kinetic_energy(state));
   // Within a stage the shadow follows the acceleration; only a change of the step is booked.
   const double h = seconds(state.last_step);
   state.ledger.set(Column::shadow, -h * h / 8.0 * acceleration_energy(state));
@@ -209,12 +228,29 @@ void CentralDifference::leave(State& state) {
   update_ledger(state);
   change_step(state, 0.0);
   state.last_step = 0;
+  state.relaxing = 0.0;
   state.a.clear();
 }
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {
   std::vector<PointSpring> springs = point_springs(*setup_, state);
+  const ContactList& list = contact_.list();
+  bound_.clear();
+  for (std::size_t i = 0; i < list.points.size(); ++i)
+    bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
   return certified_step(*setup_, contact_.list(), springs, binding);
+}
+
+bool CentralDifference::step_still_stable() const {
+  const ContactList& list = contact_.list();
+  // A contact that ended only leaves slack; one that is new or has grown stiffer is not covered.
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    while (at < bound_.size() && bound_[at].key < list.points[i].key) ++at;
+    if (at == bound_.size() || bound_[at].key != list.points[i].key) return false;
+    if (std::max(list.memory[i].kn, list.memory[i].kt) > bound_[at].stiffness) return false;
+  }
+  return true;
 }
 
 }  // namespace scree::coupling

@@ -18,13 +18,16 @@ namespace scree::coupling {
 class CentralDifference final : public Mover {
  public:
   /// @param damping  a [1/s]
-  CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping);
+  /// @param rest     kinetic damping: all velocities are dropped when the kinetic energy has passed a peak
+  CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping,
+                    bool rest = false);
 
   double enter(State& state) override;
   StepReport step(State& state, Tick h) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
+  [[nodiscard]] bool step_still_stable() const override;
 
   /// Adds a force beside the standard ones (internal, gravity, point supports).
   void add_term(std::unique_ptr<ForceTerm> term);
@@ -36,11 +39,14 @@ class CentralDifference final : public Mover {
   void accelerate(State& state) const;
   void damp(State& state, double factor);
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
-  void change_step(State& state, double h);                            // books (h^2 - h_last^2)/8 a.M.a
+  [[nodiscard]] double kinetic_energy(const State& state) const;
+  void relax(State& state) const;
+  void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
 
   const Setup* setup_;
   StepControl control_;
   double damping_;
+  bool rest_;
   ExplicitContact contact_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   std::vector<std::vector<double>> force_;  // a term: its forces at the present instant
@@ -48,6 +54,11 @@ class CentralDifference final : public Mover {
   std::vector<std::size_t> farthest_;
   std::vector<double> half_free_, half_driven_;  // a term: half works of the step so far
   mutable std::vector<double> partial_;
+  struct Bound {
+    ContactKey key;
+    double stiffness;  // [N/m]
+  };
+  std::vector<Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };
 
 }  // namespace scree::coupling

@@ -44,6 +44,8 @@ class Mover {
   virtual void update_ledger(State& state) = 0;
   /// Largest stable step [s] and what binds it; infinite for implicit schemes.
   virtual double stable_step(const State& state, std::string* binding) = 0;
+  /// False once contacts have changed by more than the last stable_step() allowed for.
+  [[nodiscard]] virtual bool step_still_stable() const { return true; }
 };
 
 }  // namespace scree::coupling

@@ -17,8 +17,8 @@ double DofRow::change(std::span<const double> d) const {
   return sum;
 }
 
-Newmark::Newmark(const Setup& setup, const StepControl& control, double detection)
-    : setup_(&setup), control_(control), finder_(setup, detection) {
+Newmark::Newmark(const Setup& setup, const StepControl& control, double detection, bool rest)
+    : setup_(&setup), control_(control), rest_(rest), finder_(setup, detection) {
   for (const Body& b : setup.bodies()) {
     first_dof_.push_back(b.driven ? -1 : dofs_);
     if (!b.driven) dofs_ += setup.pool_of(b).dofs(b.index);
@@ -32,7 +32,9 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
 
 double Newmark::enter(State& state) {
   springs_ = point_springs(*setup_, state);
-  finder_.find(state.q, state.contacts, state.step == 0, list_);
+  finder_.restore(state.contacts, before_);
+  finder_.find(state.q, before_, state.step == 0, list_);
+  (void)finder_.adopt_kinds(list_);  // the energy returned below has it
   state.contacts = list_.memory;
   state.a.clear();
   state.last_step = 0;
@@ -470,19 +472,27 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     m.fd = m.fdt = 0.0;
     m.ft = t.ft;
   }
-  const std::vector<ContactMemory> before = list_.memory;
-  finder_.find(state.q, before, false, list_);
-  state.contacts = list_.memory;
-  std::size_t a = 0;
+  std::swap(list_, before_);
+  finder_.find(state.q, before_, false, list_);
   for (std::size_t b = 0; b < list_.memory.size(); ++b) {
-    const double now = normal_energy(list_.points[b], list_.memory[b]) + tangential_energy(list_.memory[b]);
-    while (a < before.size() && before[a].key < list_.memory[b].key) ledger.book(Column::springs_dropped, linear[a++]);
-    if (a < before.size() && before[a].key == list_.memory[b].key)
-      ledger.book(Column::update_contact, now - linear[a++]);
-    else if (now != 0.0)
-      ledger.book(Column::contact_edges, now);
+    const ContactPoint& p = list_.points[b];
+    ContactMemory m = list_.memory[b];
+    const double now = normal_energy(p, m) + tangential_energy(m);
+    if (p.from < 0) {
+      if (now != 0.0) ledger.book(Column::contact_edges, now);
+      continue;
+    }
+    const auto a = static_cast<std::size_t>(p.from);
+    m.kn = before_.memory[a].kn;
+    m.kt = before_.memory[a].kt;
+    const double with_old_share = normal_energy(p, m) + tangential_energy(m);
+    ledger.book(Column::update_contact, with_old_share - linear[a]);
+    ledger.book(Column::contact_share, now - with_old_share);
+    linear[a] = 0.0;
   }
-  while (a < before.size()) ledger.book(Column::springs_dropped, linear[a++]);
+  for (const double left : linear) ledger.book(Column::springs_dropped, left);  // of contacts that ended
+  ledger.book(Column::contact_share, finder_.adopt_kinds(list_));
+  state.contacts = list_.memory;
   ledger.set(Column::contact_springs, contact_energy(list_));
 
   double elastic_now = 0.0, kinetic_now = 0.0, supports_now = 0.0;
@@ -501,6 +511,12 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   if (!springs_.empty()) {
     ledger.set(Column::support_springs, supports_now);
     ledger.book(Column::update_contact, supports_now - supports);
+  }
+  if (rest_) {
+    ledger.book(Column::rest_damping, kinetic_now);
+    ledger.set(Column::kinetic, 0.0);
+    std::fill(state.v.begin(), state.v.end(), 0.0);
+    setup_->prescribe(seconds(state.time), state.q, state.v);
   }
 }
 

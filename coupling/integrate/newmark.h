@@ -25,7 +25,8 @@ struct DofRow {
 /// @source nmm.md "Time integration"; thesis 3.3.2, 3.2.2, 4.5; Shi 1988
 class Newmark final : public Mover {
  public:
-  Newmark(const Setup& setup, const StepControl& control, double detection);
+  /// @param rest  velocities are dropped after every step: a static solution, reached by steps of the dynamic one
+  Newmark(const Setup& setup, const StepControl& control, double detection, bool rest = false);
 
   double enter(State& state) override;
   StepReport step(State& state, Tick h) override;
@@ -57,8 +58,9 @@ class Newmark final : public Mover {
 
   const Setup* setup_;
   StepControl control_;
+  bool rest_;
   ContactFinder finder_;
-  ContactList list_;
+  ContactList list_, before_;
   std::vector<PointSpring> springs_;
   std::vector<std::array<DofRow, 2>> spring_rows_;
   std::vector<std::array<double, 2>> spring_offset_;

@@ -45,7 +45,7 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
     // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) (thesis 5.3.2): as if it were stiffer.
     const double xi = setup.model().joints[static_cast<std::size_t>(contacts.memory[i].joint)].damping;
     const double shrink = std::sqrt(1.0 + xi * xi) - xi;
-    const double k = std::max(contacts.memory[i].kn, contacts.memory[i].kt) / (shrink * shrink);
+    const double k = (std::max(contacts.memory[i].kn, contacts.memory[i].kt) + p.margin) / (shrink * shrink);
     load(body_p, std::span(row).first(1), k * mu);
     load(body_e, std::span(row).last(2), k * mu);
   }

@@ -132,13 +132,13 @@ void Driver::change_stage(std::size_t index) {
   // A point may not pass through the detection distance in one step.
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   if (stage.integrator == Integrator::explicit_) {
-    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, stage.damping);
+    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, stage.damping, stage.rest);
   } else {
     for (const Body& b : setup_->bodies())
       if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)
         throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only",
                                     stage.name, model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
-    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_);
+    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, stage.rest);
   }
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
@@ -172,15 +172,11 @@ Tick Driver::largest_step(const Stage& stage) {
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   const bool implicit = stage.integrator == Integrator::implicit;
   Tick most = largest_step(stage);
-  std::size_t listed = state_.contacts.size();
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   while (state_.time < target) {
     if (control_ != nullptr && control_->stop_requested()) return {RunEnd::Status::interrupted, "stopped on request"};
-    if (!implicit && state_.contacts.size() != listed) {  // other contacts, another bound
-      listed = state_.contacts.size();
-      most = largest_step(stage);
-    }
+    if (!mover_->step_still_stable()) most = largest_step(stage);
     const Tick remaining = target - state_.time, cap = std::min(most, attempt_cap);
     const Tick h = remaining / ((remaining + cap - 1) / cap);  // equal parts of what remains
     const double begin = wall();

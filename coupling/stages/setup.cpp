@@ -84,46 +84,48 @@ void Setup::add_outline(std::int32_t body) {
   const Boundary& boundary = pool_of(b).boundary(b.index);
   Outlines& out = outlines_;
   const auto node0 = static_cast<std::int32_t>(out.nodes.size());
-  const auto corner0 = out.corners.size();
   for (const Row& row : boundary.nodes) {
     out.nodes.push_back(global(b, row));
     out.node_body.push_back(body);
   }
-  // Convex by less than a hair counts as straight: a corner of 180 degrees is no corner.
-  for (const Boundary::Corner& c : boundary.corners)
-    out.corners.push_back({node0 + c.node, body, c.ring, c.vertex, -1, -1, -1, -1, c.angle < std::numbers::pi - 1e-6});
-  // Corners are ordered by ring and vertex, segments by ring and edge; edge i leaves vertex i.
-  std::size_t corner = corner0;
+  std::size_t corner = 0, ring_edge = 0, ring_segment = 0;  // the first edge and segment of the ring
   for (std::size_t s = 0; s < boundary.segments.size(); ++s) {
     const Boundary::Segment& segment = boundary.segments[s];
-    const bool starts = s == 0 || boundary.segments[s - 1].edge != segment.edge;
-    if (starts) {
-      corner = corner0 + (out.edges.empty() || out.edges.back().body != body ? 0 : corner - corner0 + 1);
+    const bool new_ring = s == 0 || boundary.segments[s - 1].edge.ring != segment.edge.ring;
+    const bool new_edge = new_ring || boundary.segments[s - 1].edge != segment.edge;
+    const auto index = static_cast<std::int32_t>(out.segments.size());
+    if (new_ring) {
+      ring_edge = out.edges.size();
+      ring_segment = out.segments.size();
+    }
+    if (new_edge) {
+      // Corners come in the order of edges: edge i leaves vertex i. Convex by less than a hair counts as straight.
+      const bool convex = boundary.corners[corner++].angle < std::numbers::pi - 1e-6;
+      if (!new_ring) {
+        out.edges.back().end_vertex = index;
+        out.edges.back().convex_end = convex;
+      }
       Outlines::Edge edge{};
       edge.body = body;
       edge.ring = segment.edge.ring;
       edge.edge = segment.edge.edge;
-      edge.first_segment = static_cast<std::int32_t>(out.segments.size());
-      edge.convex_start = out.corners[corner].convex;
+      edge.first_segment = index;
+      edge.convex_start = convex;
       edge.joint = model_->joint_of(b.block, static_cast<std::size_t>(edge.ring), static_cast<std::size_t>(edge.edge));
-      out.corners[corner].segment_out = edge.first_segment;
-      out.corners[corner].edge_out = static_cast<std::int32_t>(out.edges.size());
       out.edges.push_back(edge);
     }
+    const auto of = static_cast<std::int32_t>(out.edges.size()) - 1;
     Outlines::Edge& edge = out.edges.back();
-    out.segments.push_back(
-        {node0 + segment.a, node0 + segment.b, static_cast<std::int32_t>(out.edges.size()) - 1, edge.segments});
+    out.segments.push_back({node0 + segment.a, node0 + segment.b, of, edge.segments});
+    out.vertices.push_back(
+        {node0 + segment.a, body, index - 1, new_edge ? of - 1 : of, of, edge.segments == 0 && edge.convex_start});
     ++edge.segments;
-    const bool ends = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge != segment.edge;
-    if (ends) {
-      const bool closes = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge.ring != segment.edge.ring;
-      std::size_t next = corner + 1;
-      if (closes)
-        for (next = corner0; out.corners[next].ring != edge.ring;) ++next;
-      edge.convex_end = out.corners[next].convex;
-      out.corners[next].segment_in = static_cast<std::int32_t>(out.segments.size()) - 1;
-      out.corners[next].edge_in = static_cast<std::int32_t>(out.edges.size()) - 1;
-    }
+    const bool closes = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge.ring != segment.edge.ring;
+    if (!closes) continue;
+    edge.end_vertex = static_cast<std::int32_t>(ring_segment);
+    edge.convex_end = out.edges[ring_edge].convex_start;
+    out.vertices[ring_segment].segment_in = index;
+    out.vertices[ring_segment].edge_in = of;
   }
 }
 

@@ -38,20 +38,23 @@ struct Outlines {
   struct Edge {
     std::int32_t body = -1, ring = 0, edge = 0;
     std::int32_t first_segment = 0, segments = 0;
+    std::int32_t end_vertex = -1;                   // the vertex after its last segment
     bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
     JointId joint;                                  // its own law; may be invalid
   };
-  struct Corner {
-    std::int32_t node, body, ring, vertex;
-    std::int32_t segment_in, segment_out;  // the segments that meet there
+  /// Start of a segment, with the same index as the segment that leaves it: a corner of the outline (part 0), or a
+  /// node where a mesh divides an edge.
+  struct Vertex {
+    std::int32_t node, body;
+    std::int32_t segment_in;  // the segment that ends here
     std::int32_t edge_in, edge_out;
-    bool convex;
+    bool convex;  // a corner with an interior angle below pi
   };
   std::vector<Row> nodes;
   std::vector<std::int32_t> node_body;
   std::vector<Segment> segments;
   std::vector<Edge> edges;
-  std::vector<Corner> corners;  // by block, ring, vertex
+  std::vector<Vertex> vertices;  // by block, ring, edge, part
 };
 
 /// Constant during a stage.

@@ -101,6 +101,10 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.v = std::move(v);
   state.a.clear();
 
+  // Vertices of a mesh go with it; corners stay, and so does what they remember.
+  std::erase_if(state.contacts, [&](const ContactMemory& m) {
+    return m.key.part > 0 && changed[static_cast<std::size_t>(m.key.block_p)] != 0;
+  });
   for (ContactMemory& m : state.contacts)
     if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0)
       m.segment = -1;

@@ -13,11 +13,17 @@ JointLaw joint_law(const Section::Named& named) {
   law.friction = s.number("friction_deg") * std::numbers::pi / 180.0;
   law.cohesion = s.number("cohesion");
   if (s.has("contact_length")) law.contact_length = s.number("contact_length");
-  if (law.cohesion > 0.0 && !s.has("contact_length"))
-    throw s.error("contact_length", "the joint has cohesion but no contact_length", "number [m], > 0",
-                  "give the length of joint that one contact point stands for, such as half the length of an edge");
-  law.penalty = s.number_or_auto("penalty");
-  law.shear_penalty = s.number_or_auto("shear_penalty");
+  law.normal_stiffness = s.number_or_auto("normal_stiffness");
+  law.shear_stiffness = s.number_or_auto("shear_stiffness");
+  if (s.has("penalty")) law.penalty = s.number("penalty");
+  if (s.has("shear_penalty")) law.shear_penalty = s.number("shear_penalty");
+  if (law.penalty && (law.normal_stiffness || law.shear_stiffness))
+    throw s.error("penalty", "the joint has a stiffness per area and a penalty per contact",
+                  "normal_stiffness and shear_stiffness [Pa/m], or penalty and shear_penalty [N/m]",
+                  "keep one of the two: joints that share their overlap take a stiffness per area");
+  if (law.shear_penalty && !law.penalty)
+    throw s.error("shear_penalty", "a shear_penalty without a penalty", "penalty and shear_penalty [N/m] together",
+                  "give the penalty as well, or use shear_stiffness [Pa/m]");
   law.damping = s.number("damping");
   return law;
 }

@@ -71,6 +71,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.safety = s.number("safety");
   stage.duration = ticks(s.number("duration"));
   stage.damping = s.number("damping");
+  stage.rest = s.boolean("rest");
   stage.control.max_passes = s.integer("max_passes");
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);

@@ -41,12 +41,18 @@ constexpr Key kKeys[] = {
     {"joint.NAME.friction_deg", Type::number, "deg", kFriction, "", true, "", "Friction angle."},
     {"joint.NAME.cohesion", Type::number, "Pa", kNotNegative, "0.0", false, "",
      "Cohesion; lost where the joint first opens or slips."},
+    {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
+     "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + 4G/3)/d "
+     "of the stiffer side, d the width of the block normal to the edge."},
+    {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
+     "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",
-     "Length of joint that one contact point stands for; cohesion acts on it. Needed where cohesion is not zero."},
-    {"joint.NAME.penalty", Type::number_or_auto, "N/m", kPositive, "\"auto\"", false, "",
-     "Normal stiffness of a contact. \"auto\" is K + 4G/3 of the softer of the two blocks."},
-    {"joint.NAME.shear_penalty", Type::number_or_auto, "N/m", kPositive, "\"auto\"", false, "",
-     "Tangential stiffness of a contact. \"auto\" is the normal stiffness."},
+     "Length of joint that a corner against an edge stands for. Without it, a tenth of the root of the smaller block's "
+     "area."},
+    {"joint.NAME.penalty", Type::number, "N/m", kPositive, "", false, "",
+     "Normal stiffness of every contact point, in place of a stiffness per area."},
+    {"joint.NAME.shear_penalty", Type::number, "N/m", kPositive, "", false, "",
+     "Tangential stiffness of every contact point. Without it, the penalty."},
     {"joint.NAME.damping", Type::number, "", kFraction, "0.2", false, "",
      "Damping of closed contacts in explicit steps, a fraction of critical."},
 
@@ -113,6 +119,9 @@ constexpr Key kKeys[] = {
     {"stage[].damping", Type::number, "1/s", kNotNegative, "0.0", false, "",
      "Mass-proportional damping of explicit steps, on velocities less their affine part, so that sliding is not "
      "slowed."},
+    {"stage[].rest", Type::boolean, "", kAny, "false", false, "",
+     "Bring the model to rest: explicit steps drop all velocities when the kinetic energy has passed a peak, implicit "
+     "ones after every step (a static solution). Meant for gravity before a motion starts."},
     {"stage[].max_passes", Type::integer, "", kPasses, "12", false, "",
      "Open-close passes of an implicit step before it is cut."},
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",

@@ -1,0 +1,42 @@
+#include "coupling/contact/edge_overlap.h"
+
+#include <algorithm>
+
+namespace scree::coupling {
+
+void EdgeOverlap::add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against,
+                      const Vec2& along, bool middle) {
+  const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
+  const auto put = [&](std::int32_t vertex) {
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node);
+    kinks_.push_back({along.dot(x[node]), {vertex, against, 0.0}});
+  };
+  put(e.first_segment);
+  if (middle)
+    for (std::int32_t k = 1; k < e.segments; ++k) put(e.first_segment + k);
+  put(e.end_vertex);
+}
+
+std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a,
+                                                  std::int32_t b, const Vec2& along, bool middle) {
+  kinks_.clear();
+  points_.clear();
+  add(o, x, a, b, along, middle);
+  const std::size_t of_a = kinks_.size();
+  add(o, x, b, a, along, middle);
+  const double low = std::max(kinks_.front().s, kinks_.back().s), high = std::min(kinks_[of_a - 1].s, kinks_[of_a].s);
+  if (!(high > low)) return points_;
+  std::erase_if(kinks_, [&](const Kink& k) { return k.s < low || k.s > high; });
+  std::sort(kinks_.begin(), kinks_.end(),
+            [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.point.vertex < q.point.vertex; });
+  for (std::size_t i = 0; i + 1 < kinks_.size(); ++i) {
+    const double half = 0.5 * (kinks_[i + 1].s - kinks_[i].s);
+    kinks_[i].point.share += half;
+    kinks_[i + 1].point.share += half;
+  }
+  for (const Kink& k : kinks_)
+    if (k.point.share > 0.0) points_.push_back(k.point);
+  return points_;
+}
+
+}  // namespace scree::coupling
