@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <memory>
+#include <numbers>
 
 #include "app/commands.h"
 #include "app/progress.h"
@@ -60,6 +61,16 @@ std::vector<std::string> method_names() {
 std::string run_name(const std::filesystem::path& case_file) {
   const std::filesystem::path full = std::filesystem::absolute(case_file);
   return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
+}
+
+void print(const CuttingReport& r) {
+  fmt::print("  cutting: {} blocks of {:.6g} m2 from {} lines, snapped to {:g} m\n", r.blocks, r.area, r.lines, r.snap);
+  fmt::print("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
+             r.crack_length, r.cracks_trimmed, r.least_width, r.trimmed_length);
+  fmt::print("    slivers: {} joined to a neighbour{}\n", r.slivers_joined,
+             r.slivers_left > 0 ? fmt::format(", {} without a neighbour kept", r.slivers_left) : "");
+  fmt::print("    least area {:.4g} m2, least edge {:.4g} m, least angle {:.4g} deg\n", r.least_area, r.least_edge,
+             r.least_angle * 180.0 / std::numbers::pi);
 }
 
 }  // namespace
@@ -143,6 +154,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   fmt::print("{}: {}\n", case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
   fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
              c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
     fmt::print(

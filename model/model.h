@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/discontinuity.h"
 #include "model/elasticity.h"
 #include "model/geometry.h"
 #include "model/ground_motion.h"
@@ -82,6 +83,10 @@ struct Model {
   std::vector<Monitor> monitors;
   std::vector<GroundMotion> motions;
   std::vector<InitialVelocity> initial_velocities;
+  // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
+  std::vector<JointLine> joint_lines;
+  std::vector<Crack> cracks;
+  std::optional<CuttingReport> cutting;
 
   [[nodiscard]] const Material& material_of(BlockId b) const { return materials[blocks[b.index()].material.index()]; }
   [[nodiscard]] Elasticity elasticity_of(BlockId b) const {

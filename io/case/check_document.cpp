@@ -33,7 +33,8 @@ std::string about(const Key& key) { return fmt::format("{}: {}", last_part(key.p
 /// What a single number of the key may be: a coordinate of a point, where the key holds points.
 std::string allowed_number(const Key& key) {
   Key one = key;
-  if (key.type == Type::point || key.type == Type::ring || key.type == Type::rings) one.type = Type::number;
+  if (key.type == Type::point || key.type == Type::line || key.type == Type::ring || key.type == Type::rings)
+    one.type = Type::number;
   return allowed_text(one);
 }
 
@@ -91,6 +92,8 @@ class Checker {
 
   [[nodiscard]] static std::optional<Value> default_of(const Key& key, Place place) {
     if (key.type == Type::table) {
+      for (const Key& inner : schema())  // a table that asks for something is there or not
+        if (inner.required && parent_of(inner.path) == key.path) return std::nullopt;
       Value empty{place, Table{}};
       Checker("").table(empty, key.path, "");
       return empty;
@@ -137,8 +140,10 @@ class Checker {
         return names(value, key, path);
       case Type::point:
         return point(value, key, path);
+      case Type::line:
+        return points(value, key, path, 2);
       case Type::ring:
-        return ring(value, key, path);
+        return points(value, key, path, 3);
       case Type::rings:
         return rings(value, key, path);
     }
@@ -247,19 +252,21 @@ class Checker {
     for (std::size_t i = 0; i < 2; ++i) number((*items)[i], key, joined(path, i));
   }
 
-  void ring(Value& value, const Key& key, const std::string& path) const {
+  void points(Value& value, const Key& key, const std::string& path, std::size_t least) const {
     auto* items = value.as<Array>();
     if (!items) wrong_type(value, key, path);
     for (std::size_t i = 0; i < items->size(); ++i) point((*items)[i], key, joined(path, i));
-    if (items->size() < 3)
-      fail(value, path, fmt::format("a ring of {} points encloses nothing", items->size()), allowed_text(key),
-           std::string(key.meaning));
+    if (items->size() < least)
+      fail(value, path,
+           least == 3 ? fmt::format("a ring of {} points encloses nothing", items->size())
+                      : fmt::format("a line of {} points has no length", items->size()),
+           allowed_text(key), std::string(key.meaning));
   }
 
   void rings(Value& value, const Key& key, const std::string& path) const {
     auto* items = value.as<Array>();
     if (!items) wrong_type(value, key, path);
-    for (std::size_t i = 0; i < items->size(); ++i) ring((*items)[i], key, joined(path, i));
+    for (std::size_t i = 0; i < items->size(); ++i) points((*items)[i], key, joined(path, i), 3);
   }
 
   std::string_view file_;

@@ -43,8 +43,11 @@ Block read_block(const Section& s, const Model& model) {
 
 }  // namespace
 
-void read_blocks(const Section& root, Model& model) {
+void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model) {
   const std::vector<Section> sections = root.list("block");
+  if (sections.empty() && !root.has("domain"))
+    throw root.error("block", "the case has no block", "at least one [[block]], or a [domain]",
+                     "add [[block]] with a polygon, or [domain] with an outline that joints cut into blocks");
   std::set<std::string> names;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const Section& s = sections[i];
@@ -54,14 +57,26 @@ void read_blocks(const Section& root, Model& model) {
     const InitialVelocity start{BlockId{static_cast<std::int32_t>(i)}, s.point("velocity"), s.number("spin")};
     if (start.velocity != Vec2::Zero() || start.spin != 0.0) model.initial_velocities.push_back(start);
   }
+  if (root.has("domain")) read_domain(root.table("domain"), folder, model);
+  for (std::size_t i = sections.size(); i < model.blocks.size(); ++i)
+    if (names.count(model.blocks[i].name) > 0)
+      for (const Section& s : sections)
+        if (s.text("name") == model.blocks[i].name)
+          throw s.error("name", "a block that the domain is cut into has the same name", "a name for each block",
+                        "rename this block, or give domain.prefix");
+
   const std::vector<GeometryFault> faults = check_geometry(model);
   if (faults.empty()) return;
   const GeometryFault& f = faults.front();
   // An overlap names both blocks already.
   const std::string what =
       f.other.valid() ? f.what : fmt::format("block {}: {}", in_quotes(model.blocks[f.block.index()].name), f.what);
-  throw sections[f.block.index()].error("polygon", what,
-                                        "a simple polygon that encloses an area and overlaps no other block", f.hint);
+  const char* allowed = "a simple polygon that encloses an area and overlaps no other block";
+  for (const BlockId b : {f.block, f.other})
+    if (b.valid() && b.index() < sections.size()) throw sections[b.index()].error("polygon", what, allowed, f.hint);
+  throw root.table("domain").error("least_width", "a block of the domain is too small or too narrow: " + what,
+                                   "a width above the narrowest blocks to be kept",
+                                   "raise least_width or snap; `scree check` prints those in use");
 }
 
 }  // namespace scree::io

@@ -14,8 +14,11 @@ namespace scree::io {
 
 /// Title, plane, gravity, materials and joint laws.
 void read_laws(const Section& root, Model& model);
-/// Blocks with their edges and initial velocities; the geometry is checked.   @pre read_laws
-void read_blocks(const Section& root, Model& model);
+/// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.
+/// @param folder  that relative paths start from     @pre read_laws
+void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model);
+/// Appends the blocks of [domain], its lines and cracks.   @pre read_laws
+void read_domain(const Section& domain, const std::filesystem::path& folder, Model& model);
 /// Ground motions from their files.   @param folder  that relative paths start from
 void read_motions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Supports and monitors.   @pre read_blocks, read_motions
@@ -38,5 +41,12 @@ template <class T>
                                      const std::vector<std::string>& known);
 [[nodiscard]] std::int32_t find_name(const Section& section, std::string_view key, std::size_t item,
                                      std::string_view what, const std::vector<std::string>& known);
+
+/// Indices of the names that an item of a list means: the one that equals it, else all that match its pattern, in which
+/// `*` stands for any characters.   @throws CaseError where there is none
+[[nodiscard]] std::vector<std::int32_t> find_names(const Section& section, std::string_view key, std::size_t item,
+                                                   std::string_view what, const std::vector<std::string>& known);
+/// True where the whole name fits the pattern.
+[[nodiscard]] bool matches(std::string_view pattern, std::string_view name);
 
 }  // namespace scree::io

@@ -29,12 +29,14 @@ std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& mode
     const std::size_t count = r.texts("blocks").size();
     if (count == 0)
       throw r.error("blocks", "the list of blocks is empty", "names of blocks", "name the blocks, or remove the rule");
-    for (std::size_t i = 0; i < count; ++i) {
-      rule.blocks.emplace_back(find_name(r, "blocks", i, "block", known));
-      if (!named.insert(rule.blocks.back()).second)
-        throw r.error("blocks", i, "the block has a method already", "each block once in method_of",
-                      "remove one of the two");
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::int32_t b : find_names(r, "blocks", i, "block", known)) {
+        rule.blocks.emplace_back(b);
+        if (!named.insert(rule.blocks.back()).second)
+          throw r.error("blocks", i,
+                        fmt::format("block {} has a method already", in_quotes(known[static_cast<std::size_t>(b)])),
+                        "each block once in method_of", "remove one of the two");
+      }
     (void)find_name(r, "method", "method", methods);
     rule.method = r.text("method");
     rules.push_back(std::move(rule));

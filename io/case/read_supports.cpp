@@ -39,7 +39,30 @@ void check_point(const Section& s, const Model& model, BlockId block, const Vec2
                             box.hi.y()));
 }
 
+/// The one block that holds the point under a key.
+BlockId block_at(const Section& s, std::string_view key, const Model& model) {
+  const Vec2 point = s.point(key);
+  std::vector<std::size_t> holding;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const Box box = bounds(model.blocks[b].polygon);
+    const double near = 1e-6 * (box.hi - box.lo).maxCoeff();
+    if ((point.array() < box.lo.array() - near).any() || (point.array() > box.hi.array() + near).any()) continue;
+    if (on_block(model.blocks[b].polygon, point)) holding.push_back(b);
+  }
+  if (holding.empty())
+    throw s.error(key, "the point is in no block", "a point inside a block",
+                  "check the point, or give block = \"NAME\"");
+  if (holding.size() > 1)
+    throw s.error(key,
+                  fmt::format("the point lies on the boundary of blocks {} and {}",
+                              in_quotes(model.blocks[holding[0]].name), in_quotes(model.blocks[holding[1]].name)),
+                  "a point inside one block", "move the point, or say which with block = \"NAME\"");
+  return BlockId{static_cast<std::int32_t>(holding.front())};
+}
+
+/// The one block that block or at names.
 BlockId block_of(const Section& s, const Model& model) {
+  if (!s.has("block")) return block_at(s, "at", model);
   return BlockId{find_name(s, "block", "block", names_of(model.blocks))};
 }
 
@@ -49,22 +72,30 @@ struct Held {
   std::size_t item;
 };
 std::vector<Held> held_blocks(const Section& s, const Model& model) {
-  if (s.has("block") == s.has("blocks"))
-    throw s.error(s.has("block") ? "blocks" : "block",
-                  s.has("block") ? "block and blocks are both given" : "the support names no block",
-                  "either block or blocks", "write block = \"NAME\", or blocks = [\"NAME\", ...]");
-  if (s.has("block")) return {{block_of(s, model), 0}};
+  if (!s.has("blocks")) return {{block_of(s, model), 0}};
   std::vector<Held> held;
   const std::vector<std::string> known = names_of(model.blocks);
   for (std::size_t i = 0; i < s.texts("blocks").size(); ++i)
-    held.push_back({BlockId{find_name(s, "blocks", i, "block", known)}, i});
+    for (const std::int32_t b : find_names(s, "blocks", i, "block", known)) held.push_back({BlockId{b}, i});
   if (held.empty())
     throw s.error("blocks", "the list of blocks is empty", "names of blocks", "name the blocks that are held");
   return held;
 }
 
+/// One of block, blocks and at.
+void check_naming(const Section& s) {
+  std::vector<std::string> given;
+  for (const char* key : {"block", "blocks", "at"})
+    if (s.has(key)) given.emplace_back(key);
+  const char *allowed = "one of block, blocks and at",
+             *hint = "write block = \"NAME\", blocks = [\"NAME\", ...] or at = [x, y]";
+  if (given.empty()) throw s.error("block", "the support names no block", allowed, hint);
+  if (given.size() > 1)
+    throw s.error(given[1], fmt::format("{} and {} are both given", given[0], given[1]), allowed, hint);
+}
+
 void hold_point(const Section& s, Model& model) {
-  if (!s.has("block"))
+  if (s.has("blocks"))
     throw s.error("point", "a point belongs to one block", "block = \"NAME\" beside point",
                   "write one support a block");
   if (s.has("motion"))
@@ -91,8 +122,8 @@ void hold_whole(const Section& s, const std::vector<std::string>& motions, Model
       const std::string problem =
           fmt::format("block {} is held twice", in_quotes(model.blocks[held.block.index()].name));
       const char *allowed = "one support for a whole block", *hint = "remove one of the two supports";
-      throw s.has("block") ? s.error("block", problem, allowed, hint)
-                           : s.error("blocks", held.item, problem, allowed, hint);
+      throw s.has("blocks") ? s.error("blocks", held.item, problem, allowed, hint)
+                            : s.error(s.has("block") ? "block" : "at", problem, allowed, hint);
     }
     model.block_supports.push_back(support);
   }
@@ -103,14 +134,17 @@ void hold_whole(const Section& s, const std::vector<std::string>& motions, Model
 void read_supports(const Section& root, Model& model) {
   std::vector<std::string> motions;
   for (const Section::Named& named : root.named("motion")) motions.push_back(named.name);
-  for (const Section& s : root.list("support")) s.has("point") ? hold_point(s, model) : hold_whole(s, motions, model);
+  for (const Section& s : root.list("support")) {
+    check_naming(s);
+    s.has("point") ? hold_point(s, model) : hold_whole(s, motions, model);
+  }
 }
 
 void read_monitors(const Section& root, Model& model) {
   std::map<std::int32_t, int> count;  // monitors of a block so far
   std::set<std::string> names;
   for (const Section& s : root.list("monitor")) {
-    Monitor monitor{"", block_of(s, model), s.point("point")};
+    Monitor monitor{"", s.has("block") ? block_of(s, model) : block_at(s, "point", model), s.point("point")};
     check_point(s, model, monitor.block, monitor.point);
     const int number = ++count[monitor.block.value];
     monitor.name =

@@ -10,6 +10,10 @@ constexpr Range kFraction{.low = 0.0, .high = 1.0};
 constexpr Range kPoisson{.low = 0.0, .high = 0.5, .high_open = true};
 constexpr Range kFriction{.low = 0.0, .high = 90.0, .high_open = true};
 constexpr Range kTurn{.low = -360.0, .high = 360.0};
+constexpr Range kHalfTurn{.low = 0.0, .high = 180.0};
+constexpr Range kDipDeviation{.low = 0.0, .high = 45.0};
+constexpr Range kChords{.low = 1.0, .high = 10000.0};
+constexpr Range kSeed{.low = 0.0, .high = 2147483647.0};
 constexpr Range kSafety{.low = 0.0, .high = 1.0, .low_open = true};
 constexpr Range kPasses{.low = 1.0, .high = 1000.0};
 constexpr Range kFrameRate{.low = 0.0, .high = 1000.0, .low_open = true};
@@ -71,7 +75,8 @@ constexpr Key kKeys[] = {
     {"motion.NAME.baseline", Type::choice, "", kAny, "\"none\"", false, "none|constant",
      "Correction: \"constant\" takes a constant off the acceleration, so that the motion ends at rest."},
 
-    {"block", Type::table_list, "", kAny, "", true, "", "A block. Blocks may touch but not overlap."},
+    {"block", Type::table_list, "", kAny, "", false, "",
+     "A block. Blocks may touch but not overlap. At least one, unless there is a domain."},
     {"block[].name", Type::name, "", kAny, "", true, "", "Name, given once only."},
     {"block[].polygon", Type::ring, "m", kCoordinate, "", true, "",
      "Corners in order around the block, either way round; the first is not repeated at the end."},
@@ -84,10 +89,99 @@ constexpr Key kKeys[] = {
     {"block[].velocity", Type::point, "m/s", kAny, "[0.0, 0.0]", false, "", "Initial velocity of the centroid."},
     {"block[].spin", Type::number, "rad/s", kAny, "0.0", false, "", "Initial angular velocity, counter-clockwise."},
 
+    {"domain", Type::table, "", kAny, "", false, "",
+     "A domain that is cut into blocks by joint sets, traces and arcs. Lines that end inside a block do not cut it; "
+     "they "
+     "are kept as cracks."},
+    {"domain.outline", Type::ring, "m", kCoordinate, "", false, "",
+     "Corners in order around the domain, either way round; the first is not repeated at the end. Either this or "
+     "outline_file."},
+    {"domain.outline_file", Type::text, "", kAny, "", false, "",
+     "Text file with the outline as one line of points x, y; here the first point is repeated at the end. Form and "
+     "path "
+     "as domain.trace.file."},
+    {"domain.holes", Type::rings, "m", kCoordinate, "[]", false, "",
+     "Openings such as tunnels, each a list of corners."},
+    {"domain.material", Type::name, "", kAny, "", true, "", "Name of the material outside regions."},
+    {"domain.joint", Type::name, "", kAny, "(model.default_joint)", false, "",
+     "Joint law of block edges that lie on no joint."},
+    {"domain.prefix", Type::name, "", kAny, "\"block\"", false, "",
+     "Blocks are named PREFIX-1, PREFIX-2, ..., in a region NAME-1, NAME-2, ..., from the lowest corner up, then from "
+     "left to right."},
+    {"domain.snap", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
+     "Grid on which lines are noded. \"auto\" is the power of ten at or above 1e-9 of the extent."},
+    {"domain.least_width", Type::number_or_auto, "m", kNotNegative, "\"auto\"", false, "",
+     "Blocks with a smaller width (area over half the perimeter) join the neighbour with the longest shared edge, one "
+     "of "
+     "the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
+    {"domain.least_area", Type::number, "m2", kNotNegative, "0.0", false, "",
+     "Blocks with a smaller area join the neighbour with the longest shared edge."},
+    {"domain.region", Type::table_list, "", kAny, "", false, "",
+     "A part of the domain with another material; its outline separates blocks. Regions may touch but not overlap."},
+    {"domain.region[].name", Type::name, "", kAny, "", true, "", "Name, given once only; its blocks are NAME-k."},
+    {"domain.region[].polygon", Type::ring, "m", kCoordinate, "", true, "",
+     "Corners in order; what lies outside the domain does not count."},
+    {"domain.region[].material", Type::name, "", kAny, "(domain.material)", false, "", "Name of a material."},
+    {"domain.region[].joint", Type::name, "", kAny, "(domain.joint)", false, "",
+     "Joint law of the region's outline, and of edges of its blocks that lie on no joint."},
+    {"domain.region[].cut", Type::boolean, "", kAny, "true", false, "",
+     "With false joints end at the region: it stays one block, a base for example."},
+    {"domain.joint_set", Type::table_list, "", kAny, "", false, "",
+     "A family of parallel joints. What varies is drawn from a generator with a seed: the same lines on every "
+     "machine. Distributions: normal and lognormal with the standard deviation, uniform with half its width as "
+     "deviation, exponential without one. Draws that are not positive are repeated."},
+    {"domain.joint_set[].joint", Type::name, "", kAny, "", true, "", "Joint law of the lines."},
+    {"domain.joint_set[].dip_deg", Type::number, "deg", kHalfTurn, "", true, "",
+     "Direction of the lines, counter-clockwise from +x."},
+    {"domain.joint_set[].dip_deviation_deg", Type::number, "deg", kDipDeviation, "0.0", false, "", "Its deviation."},
+    {"domain.joint_set[].dip_distribution", Type::choice, "", kAny, "\"normal\"", false, "normal|uniform",
+     "Its distribution."},
+    {"domain.joint_set[].spacing", Type::number, "m", kPositive, "", true, "",
+     "Distance between lines, normal to the mean dip."},
+    {"domain.joint_set[].spacing_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
+    {"domain.joint_set[].spacing_distribution", Type::choice, "", kAny, "\"normal\"", false,
+     "normal|uniform|exponential|lognormal", "Its distribution."},
+    {"domain.joint_set[].length", Type::number, "m", kPositive, "(lines run through)", false, "",
+     "Length of the traces of a line."},
+    {"domain.joint_set[].length_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
+    {"domain.joint_set[].length_distribution", Type::choice, "", kAny, "\"normal\"", false,
+     "normal|uniform|exponential|lognormal", "Its distribution."},
+    {"domain.joint_set[].gap", Type::number, "m", kNotNegative, "0.0", false, "",
+     "Rock bridge between the traces of a line; goes with length."},
+    {"domain.joint_set[].gap_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
+    {"domain.joint_set[].gap_distribution", Type::choice, "", kAny, "\"normal\"", false,
+     "normal|uniform|exponential|lognormal", "Its distribution."},
+    {"domain.joint_set[].stagger", Type::number, "", kFraction, "0.0", false, "",
+     "Shift of the traces from line to line, a fraction of length + gap; 0.5 as in masonry. Where length or gap varies "
+     "lines begin at random instead."},
+    {"domain.joint_set[].origin", Type::point, "m", kCoordinate, "(lower left of the outline)", false, "",
+     "A point on a line, where a trace begins."},
+    {"domain.joint_set[].region", Type::ring, "m", kCoordinate, "(everywhere)", false, "",
+     "Corners of a polygon in which the lines exist."},
+    {"domain.joint_set[].seed", Type::integer, "", kSeed, "(number of the set, from 1)", false, "",
+     "Seed of the generator."},
+    {"domain.trace", Type::table_list, "", kAny, "", false, "", "A discontinuity as a line of points."},
+    {"domain.trace[].points", Type::line, "m", kCoordinate, "", false, "", "Points in order. Either this or file."},
+    {"domain.trace[].file", Type::text, "", kAny, "", false, "",
+     "Text file with columns x, y [m], separated by comma, semicolon or space; a blank line begins another trace, so "
+     "does another name or number in a third column; # begins a comment; one line of headings may come first. Relative "
+     "to the case file."},
+    {"domain.trace[].joint", Type::name, "", kAny, "", true, "", "Joint law of the line."},
+    {"domain.arc", Type::table_list, "", kAny, "", false, "", "A discontinuity as chords of a circular arc."},
+    {"domain.arc[].centre", Type::point, "m", kCoordinate, "", true, "", "Centre of the circle."},
+    {"domain.arc[].radius", Type::number, "m", kPositive, "", true, "", "Its radius."},
+    {"domain.arc[].from_deg", Type::number, "deg", kTurn, "0.0", false, "",
+     "Where the arc begins, counter-clockwise from +x."},
+    {"domain.arc[].to_deg", Type::number, "deg", kTurn, "360.0", false, "", "Where it ends."},
+    {"domain.arc[].chords", Type::integer, "", kChords, "36", false, "", "Number of chords."},
+    {"domain.arc[].joint", Type::name, "", kAny, "", true, "", "Joint law of the line."},
+
     {"support", Type::table_list, "", kAny, "", false, "",
      "What holds blocks: whole blocks fixed or moving with the ground, or points on springs."},
-    {"support[].block", Type::name, "", kAny, "", false, "", "Name of the block. Either this or blocks."},
-    {"support[].blocks", Type::names, "", kAny, "", false, "", "Names of several blocks that are held whole."},
+    {"support[].block", Type::name, "", kAny, "", false, "", "Name of the block. Either this or blocks or at."},
+    {"support[].blocks", Type::names, "", kAny, "", false, "",
+     "Names of several blocks that are held whole; * stands for any characters: \"base-*\"."},
+    {"support[].at", Type::point, "m", kCoordinate, "", false, "", "A point inside the block, in place of its name."},
     {"support[].fix", Type::choice, "", kAny, "\"all\"", false, "all|x|y",
      "Directions that are held. A whole block is held in all."},
     {"support[].point", Type::point, "m", kCoordinate, "", false, "",
@@ -98,7 +192,7 @@ constexpr Key kKeys[] = {
     {"support[].motion", Type::name, "", kAny, "", false, "", "Name of a ground motion that the whole block follows."},
 
     {"monitor", Type::table_list, "", kAny, "", false, "", "A point whose history is written."},
-    {"monitor[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
+    {"monitor[].block", Type::name, "", kAny, "(the block that holds the point)", false, "", "Name of the block."},
     {"monitor[].point", Type::point, "m", kCoordinate, "", true, "",
      "The point where the model starts, on the outline of the block or inside."},
     {"monitor[].name", Type::name, "", kAny, "(BLOCK#1, BLOCK#2, ...)", false, "",
@@ -127,7 +221,8 @@ constexpr Key kKeys[] = {
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
      "Largest displacement in a step. \"auto\" is a hundredth of the width of the smallest block."},
     {"stage[].method_of", Type::table_list, "", kAny, "", false, "", "Blocks that use another method in this stage."},
-    {"stage[].method_of[].blocks", Type::names, "", kAny, "", true, "", "Names of the blocks."},
+    {"stage[].method_of[].blocks", Type::names, "", kAny, "", true, "",
+     "Names of the blocks; * stands for any characters."},
     {"stage[].method_of[].method", Type::name, "", kAny, "", true, "", "Their method."},
 
     {"output", Type::table, "", kAny, "", false, "", "What is written and how often."},

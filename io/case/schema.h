@@ -21,6 +21,7 @@ enum class Type {
   choice,  // text out of a list
   names,   // list of texts
   point,   // [x, y]
+  line,    // list of at least two points
   ring,    // list of at least three points
   rings    // list of rings
 };

@@ -78,6 +78,8 @@ std::string allowed_text(const Key& key) {
       return "list of names";
     case Type::point:
       return "[x, y]" + unit_text(key) + range;
+    case Type::line:
+      return "list of at least 2 points [x, y]" + unit_text(key) + range;
     case Type::ring:
       return "list of at least 3 points [x, y]" + unit_text(key) + range;
     case Type::rings:

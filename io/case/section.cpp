@@ -75,6 +75,7 @@ void Section::settle_value(std::string_view key, Value value) const {
   table_->as<Table>()->push_back({std::string(key), table_->place, std::move(value)});
 }
 void Section::settle(std::string_view key, double number) const { settle_value(key, {table_->place, number}); }
+void Section::settle(std::string_view key, std::int64_t whole) const { settle_value(key, {table_->place, whole}); }
 void Section::settle(std::string_view key, const std::string& text) const { settle_value(key, {table_->place, text}); }
 
 CaseError Section::error(std::string_view key, std::string problem, std::string allowed, std::string hint) const {

@@ -39,6 +39,7 @@ class Section {
 
   /// Writes a default that the reader worked out into the document, for the resolved case.
   void settle(std::string_view key, double number) const;
+  void settle(std::string_view key, std::int64_t whole) const;
   void settle(std::string_view key, const std::string& text) const;
 
   /// An error at the value of a key, at an item of it, or at the table itself where the key is absent.

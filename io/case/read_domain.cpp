@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "io/case/line_file.h"
+#include "io/case/read_parts.h"
+#include "io/case/suggest.h"
+#include "model/block_cutting.h"
+
+namespace scree::io {
+namespace {
+
+/// What a domain is read from, with the sections that faults belong to.
+class DomainReader {
+ public:
+  DomainReader(const Section& section, const std::filesystem::path& folder, const Model& model)
+      : s_(section),
+        folder_(folder),
+        materials_(names_of(model.materials)),
+        joints_(names_of(model.joints)),
+        regions_(section.list("region")),
+        sets_(section.list("joint_set")),
+        traces_(section.list("trace")),
+        arcs_(section.list("arc")) {}
+
+  Domain read() {
+    Domain d;
+    d.outline.outer = outline();
+    d.outline.holes = s_.rings("holes");
+    d.prefix = s_.text("prefix");
+    d.material = MaterialId{find_name(s_, "material", "material", materials_)};
+    if (s_.has("joint")) d.joint = joint(s_);
+    d.snap = s_.number_or_auto("snap");
+    d.least_width = s_.number_or_auto("least_width");
+    d.least_area = s_.number("least_area");
+    std::set<std::string> names{d.prefix};
+    for (const Section& r : regions_) {
+      if (!names.insert(r.text("name")).second)
+        throw r.error("name", "another region, or domain.prefix, has the same name", "a name for each region",
+                      "choose another name");
+      d.regions.push_back(region(r, d));
+    }
+    for (std::size_t i = 0; i < sets_.size(); ++i) d.network.sets.push_back(joint_set(sets_[i], i));
+    for (const Section& t : traces_) read_trace(t, d.network);
+    for (const Section& a : arcs_)
+      d.network.arcs.push_back({a.point("centre"), a.number("radius"), a.number("from_deg"), a.number("to_deg"),
+                                a.integer("chords"), joint(a)});
+    if (const auto fault = check_domain(d)) throw error(*fault);
+    orient(d.outline);
+    for (Region& r : d.regions) {
+      Polygon ring{r.outline, {}};
+      orient(ring);
+      r.outline = ring.outer;
+    }
+    return d;
+  }
+
+ private:
+  [[nodiscard]] JointId joint(const Section& s) const { return JointId{find_name(s, "joint", "joint", joints_)}; }
+
+  Ring outline() const {
+    if (s_.has("outline") == s_.has("outline_file"))
+      throw s_.error(s_.has("outline") ? "outline_file" : "outline",
+                     s_.has("outline") ? "outline and outline_file are both given" : "the domain has no outline",
+                     "either outline or outline_file", "write outline = [[x, y], [x, y], [x, y], ...]");
+    if (s_.has("outline")) return s_.ring("outline");
+    const std::filesystem::path file = path(s_, "outline_file");
+    const std::vector<FileLine> lines = lines_of(s_, "outline_file");
+    const auto fail = [&](int row, std::string problem, std::string hint) {
+      throw CaseError(file.string(), {row, 1},
+                      {std::move(problem), "domain.outline_file", "",
+                       "one line of points, the first repeated at the end", std::move(hint)});
+    };
+    if (lines.size() > 1)
+      fail(lines[1].rows[0], "another line begins here", "keep one line, without blank lines in it");
+    Ring ring = lines[0].points;
+    const Vec2 first = ring.front(), last = ring.back();
+    if (ring.size() < 4 || first != last)
+      fail(lines[0].rows.back(),
+           fmt::format("the outline is open: it ends at ({:g}, {:g}), {:.4g} m from its first point ({:g}, {:g})",
+                       last.x(), last.y(), (last - first).norm(), first.x(), first.y()),
+           "repeat the first point in a last row, exactly, or add the points that are missing");
+    ring.pop_back();
+    return ring;
+  }
+
+  [[nodiscard]] std::filesystem::path path(const Section& s, std::string_view key) const {
+    return folder_ / s.text(key);
+  }
+  /// A file that cannot be read is a fault of the key that names it; wrong rows are faults of the file.
+  [[nodiscard]] std::vector<FileLine> lines_of(const Section& s, std::string_view key) const {
+    try {
+      return read_lines(path(s, key));
+    } catch (const CaseError& e) {
+      if (e.line > 0) throw;
+      throw s.error(key, e.problem + ": " + in_quotes(path(s, key).string(), 400), "path of a text file with points",
+                    "paths start from the folder of the case file; " + e.hint);
+    }
+  }
+
+  [[nodiscard]] Region region(const Section& r, const Domain& d) const {
+    Region out;
+    out.name = r.text("name");
+    out.outline = r.ring("polygon");
+    out.material = d.material;
+    if (r.has("material")) out.material = MaterialId{find_name(r, "material", "material", materials_)};
+    if (r.has("joint")) out.joint = joint(r);
+    out.cut = r.boolean("cut");
+    return out;
+  }
+
+  [[nodiscard]] static Spread spread(const Section& s, const std::string& mean, const std::string& deviation,
+                                     const std::string& distribution) {
+    const std::string& kind = s.text(distribution);
+    Spread out{s.number(mean), s.number(deviation),
+               kind == "normal"        ? Distribution::normal
+               : kind == "uniform"     ? Distribution::uniform
+               : kind == "exponential" ? Distribution::exponential
+                                       : Distribution::lognormal};
+    if (out.distribution == Distribution::exponential && out.deviation > 0.0)
+      throw s.error(deviation, "an exponential distribution has no deviation of its own", "no deviation",
+                    fmt::format("remove it: the deviation is {} itself", mean));
+    return out;
+  }
+  /// The same for a quantity that is positive.
+  [[nodiscard]] static Spread positive_spread(const Section& s, const std::string& key) {
+    const std::string deviation = key + "_deviation";
+    Spread out = spread(s, key, deviation, key + "_distribution");
+    if (out.distribution == Distribution::uniform && out.deviation > out.mean)
+      throw s.error(deviation, fmt::format("half the width of the distribution is more than {} itself", key),
+                    fmt::format("0 <= value <= {:g}", out.mean), "values must be positive");
+    if (out.varies() && !(out.mean > 0.0))
+      throw s.error(key, fmt::format("{} varies about nothing", key), "number [m], > 0",
+                    fmt::format("give {}, or remove its deviation and distribution", key));
+    return out;
+  }
+
+  [[nodiscard]] JointSet joint_set(const Section& s, std::size_t index) const {
+    JointSet set;
+    set.joint = joint(s);
+    set.dip_deg = spread(s, "dip_deg", "dip_deviation_deg", "dip_distribution");
+    set.spacing = positive_spread(s, "spacing");
+    set.gap = positive_spread(s, "gap");
+    if (s.has("length")) {
+      set.length = positive_spread(s, "length");
+    } else {
+      for (const char* key : {"gap", "length_deviation", "stagger"})
+        if (s.number(key) > 0.0)
+          throw s.error(key, "the lines run through: they have no traces", "a value beside length",
+                        "add length, the length of a trace, or remove this");
+    }
+    set.stagger = s.number("stagger");
+    if (s.has("origin")) set.origin = s.point("origin");
+    if (s.has("region")) set.region = s.ring("region");
+    if (!s.has("seed")) s.settle("seed", static_cast<std::int64_t>(index) + 1);
+    set.seed = static_cast<std::uint64_t>(s.integer("seed"));
+    return set;
+  }
+
+  void read_trace(const Section& t, JointNetwork& network) {
+    if (t.has("points") == t.has("file"))
+      throw t.error(t.has("points") ? "file" : "points",
+                    t.has("points") ? "points and file are both given" : "the trace has no points",
+                    "either points or file", "write points = [[x, y], [x, y]]");
+    const JointId law = joint(t);
+    if (t.has("points")) {
+      network.traces.push_back({t.ring("points"), law});
+      origin_.push_back({&t, {}, 0});
+      return;
+    }
+    for (FileLine& line : lines_of(t, "file")) {
+      network.traces.push_back({std::move(line.points), law});
+      origin_.push_back({&t, path(t, "file").string(), line.rows.front()});
+    }
+  }
+
+  [[nodiscard]] CaseError error(const DomainFault& f) const {
+    using Part = DomainFault::Part;
+    const auto at = [&](const Section& s, std::string_view key) { return s.error(key, f.what, f.allowed, f.hint); };
+    switch (f.part) {
+      case Part::outline:
+        return at(s_, s_.has("outline") ? "outline" : "outline_file");
+      case Part::hole:
+        return s_.error("holes", f.index, f.what, f.allowed, f.hint);
+      case Part::region:
+        return at(regions_[f.index], "polygon");
+      case Part::set_spacing:
+        return at(sets_[f.index], "spacing");
+      case Part::set_region:
+        return at(sets_[f.index], "region");
+      case Part::trace:
+        if (const TraceOrigin& o = origin_[f.index]; !o.file.empty())
+          return {o.file, {o.row, 1}, {f.what, "", "", f.allowed, f.hint}};
+        return at(*origin_[f.index].section, "points");
+      case Part::arc:
+        return at(arcs_[f.index], "to_deg");
+      case Part::snap:
+        break;
+    }
+    return at(s_, "snap");
+  }
+
+  struct TraceOrigin {
+    const Section* section;
+    std::string file;  // empty: the points are in the case
+    int row;
+  };
+
+  const Section& s_;
+  const std::filesystem::path& folder_;
+  std::vector<std::string> materials_, joints_;
+  std::vector<Section> regions_, sets_, traces_, arcs_;
+  std::vector<TraceOrigin> origin_;  // of each trace of the network
+};
+
+}  // namespace
+
+void read_domain(const Section& section, const std::filesystem::path& folder, Model& model) {
+  const Domain domain = DomainReader(section, folder, model).read();
+  Cutting cutting;
+  try {
+    cutting = cut_blocks(domain);
+  } catch (const CuttingError& e) {
+    throw section.error("snap", std::string("the lines cannot be cut into blocks: ") + e.what(),
+                        "\"auto\" or a grid well below the least distance of joints",
+                        "give another snap, or larger spacings");
+  }
+  const auto first = static_cast<std::int32_t>(model.blocks.size());
+  for (Block& b : cutting.blocks) model.blocks.push_back(std::move(b));
+  for (Crack& c : cutting.cracks) c.block = BlockId{c.block.value + first};
+  model.cracks = std::move(cutting.cracks);
+  model.joint_lines = std::move(cutting.lines);
+  model.cutting = cutting.report;
+}
+
+}  // namespace scree::io

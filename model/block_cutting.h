@@ -1,0 +1,36 @@
+// A domain cut into blocks by its discontinuities.
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "model/discontinuity.h"
+#include "model/domain.h"
+#include "model/model.h"
+
+namespace scree {
+
+/// Blocks in a fixed order: by their lowest (then leftmost) corner, where their outlines also begin.
+struct Cutting {
+  std::vector<Block> blocks;     // named PREFIX-k, or REGION-k in a region, k counted from 1 in this order
+  std::vector<Crack> cracks;     // blocks count from 0 in `blocks`
+  std::vector<JointLine> lines;  // drawn
+  CuttingReport report;
+};
+
+/// The blocks do not fill the domain: a network too fine for the grid.
+struct CuttingError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Nodes all lines on the snapped grid, drops dead ends (kept as cracks unless shorter than least_width), polygonises,
+/// joins slivers (below least_area or least_width) to the neighbour with the longest shared edge, preferring those of
+/// the same region, and straightens: a corner where two edges lie on one line and have one law goes.
+///   Law of an edge: that of the joint it lies on; on a region's outline the region's; else none, so that the block's
+///   (region's or domain's) or the model's default holds; none on the outline of the domain.
+/// The result is the same bit for bit on every run, and does not depend on the order of traces, arcs and sets, unless
+/// lines lie on top of each other: then the first gives its law.
+/// @pre check_domain finds nothing     @throws CuttingError     @source model.md, "Blocks"
+[[nodiscard]] Cutting cut_blocks(const Domain& domain);
+
+}  // namespace scree

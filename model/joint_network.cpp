@@ -1,0 +1,181 @@
+#include "model/joint_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace scree {
+namespace {
+
+/// Circle around the area that a set fills, in the set's axes: along the mean dip and along its normal.
+struct Window {
+  Vec2 origin, along, normal;
+  double s, t;  // centre of the circle, from the origin
+  double radius;
+};
+
+Window window_of(const JointSet& set, const Polygon& domain) {
+  const Box whole = bounds(domain), box = set.region ? bounds({*set.region, {}}) : whole;
+  Window w;
+  w.origin = set.origin.value_or(whole.lo);
+  w.along = direction_deg(set.dip_deg.mean);
+  w.normal = {-w.along.y(), w.along.x()};
+  const Vec2 to_centre = 0.5 * (box.lo + box.hi) - w.origin;
+  w.s = w.along.dot(to_centre);
+  w.t = w.normal.dot(to_centre);
+  w.radius = 0.5 * (box.hi - box.lo).norm();
+  return w;
+}
+
+/// Distances t_k of the lines from the origin within the window, with their numbers k.
+struct Offset {
+  double t;
+  std::int64_t k;
+};
+std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random) {
+  std::vector<Offset> out;
+  const double low = w.t - w.radius, high = w.t + w.radius;
+  if (!set.spacing.varies()) {
+    const auto first = static_cast<std::int64_t>(std::ceil(low / set.spacing.mean));
+    for (std::int64_t k = first; static_cast<double>(k) * set.spacing.mean <= high; ++k)
+      out.push_back({static_cast<double>(k) * set.spacing.mean, k});
+    return out;
+  }
+  double t = 0.0;
+  for (std::int64_t k = 0; t <= high; t += set.spacing.draw_positive(random), ++k)
+    if (t >= low) out.push_back({t, k});
+  t = -set.spacing.draw_positive(random);
+  for (std::int64_t k = -1; t >= low; t -= set.spacing.draw_positive(random), --k)
+    if (t <= high) out.push_back({t, k});
+  return out;
+}
+
+/// Traces along a line of half length `half`, as intervals of the distance from its pivot.
+struct Interval {
+  double from, to;
+};
+std::vector<Interval> intervals(const JointSet& set, double foot, std::int64_t k, double half, Random& random) {
+  if (!set.length) return {{-half, half}};
+  std::vector<Interval> out;
+  const double period = set.length->mean + set.gap.mean;
+  if (!set.length->varies() && !set.gap.varies()) {
+    const double start = foot + static_cast<double>(k) * set.stagger * period;
+    auto j = static_cast<std::int64_t>(std::floor((-half - start) / period));
+    for (; start + static_cast<double>(j) * period < half; ++j) {
+      const double from = start + static_cast<double>(j) * period;
+      out.push_back({from, from + set.length->mean});
+    }
+    return out;
+  }
+  double s = -half - random.uniform() * period;
+  while (s < half) {
+    const double length = set.length->draw_positive(random);
+    out.push_back({s, s + length});
+    s += length;
+    if (set.gap.mean > 0.0) s += set.gap.draw_positive(random);
+  }
+  return out;
+}
+
+void append(std::vector<JointLine>& lines, const Segment& piece, const Polygon& domain, JointId joint,
+            JointLine::Kind kind, std::size_t source) {
+  for (const Segment& s : clipped(piece, domain))
+    lines.push_back({s.a, s.b, joint, kind, static_cast<std::int32_t>(source)});
+}
+
+void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t index, const Polygon& domain) {
+  const Window w = window_of(set, domain);
+  Random random(set.seed);
+  for (const Offset& offset : offsets(set, w, random)) {
+    const Vec2 pivot = w.origin + offset.t * w.normal + w.s * w.along;
+    const Vec2 along = direction_deg(set.dip_deg.draw(random));
+    const double half = 1.1 * w.radius;  // the window and a margin for lines turned about their pivot
+    for (const Interval& i : intervals(set, -w.s, offset.k, half, random)) {
+      const Segment whole{pivot + i.from * along, pivot + i.to * along};
+      if (!set.region) {
+        append(lines, whole, domain, set.joint, JointLine::Kind::joint_set, index);
+        continue;
+      }
+      for (const Segment& s : clipped(whole, {*set.region, {}}))
+        append(lines, s, domain, set.joint, JointLine::Kind::joint_set, index);
+    }
+  }
+}
+
+}  // namespace
+
+Vec2 direction_deg(double angle_deg) {
+  const double turn = std::fmod(angle_deg, 360.0), quarter = turn / 90.0;
+  if (quarter == std::floor(quarter)) {
+    const Vec2 axes[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+    return axes[(static_cast<int>(quarter) % 4 + 4) % 4];
+  }
+  const double angle = turn * std::numbers::pi / 180.0;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+std::vector<Vec2> chord_points(const Arc& arc) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= arc.chords; ++i)
+    points.emplace_back(arc.centre +
+                        arc.radius * direction_deg(arc.from_deg + (arc.to_deg - arc.from_deg) * i / arc.chords));
+  return points;
+}
+
+std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon) {
+  const Vec2 d = segment.b - segment.a;
+  const double length = d.norm();
+  std::vector<double> cuts{0.0, 1.0};
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const Ring& ring = polygon.ring(r);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 e = ring[(i + 1) % ring.size()] - ring[i], to = ring[i] - segment.a;
+      const double det = cross(d, e);
+      if (std::abs(det) <= 1e-14 * length * e.norm()) {  // parallel: the corners are enough
+        for (const Vec2& corner : {ring[i], ring[(i + 1) % ring.size()]})
+          cuts.push_back((corner - segment.a).dot(d) / (length * length));
+        continue;
+      }
+      const double u = cross(to, d) / det;
+      if (u >= -1e-12 && u <= 1.0 + 1e-12) cuts.push_back(cross(to, e) / det);
+    }
+  }
+  std::erase_if(cuts, [](double t) { return !(t >= 0.0 && t <= 1.0); });
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<Interval> kept;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i + 1] - cuts[i] <= 1e-13) continue;
+    if (!contains(polygon, segment.a + 0.5 * (cuts[i] + cuts[i + 1]) * d)) continue;
+    if (!kept.empty() && cuts[i] - kept.back().to <= 1e-12)
+      kept.back().to = cuts[i + 1];
+    else
+      kept.push_back({cuts[i], cuts[i + 1]});
+  }
+  const auto at = [&](double t) -> Vec2 { return t == 0.0 ? segment.a : t == 1.0 ? segment.b : segment.a + t * d; };
+  std::vector<Segment> out;
+  for (const Interval& i : kept) out.push_back({at(i.from), at(i.to)});
+  return out;
+}
+
+double expected_traces(const JointSet& set, const Polygon& domain) {
+  const Window w = window_of(set, domain);
+  const double lines = 2.0 * (w.radius + std::abs(w.t)) / set.spacing.mean + 1.0;  // drawn up to the window too
+  if (!set.length) return lines;
+  return lines * (2.2 * w.radius / (set.length->mean + set.gap.mean) + 1.0);
+}
+
+std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain) {
+  std::vector<JointLine> lines;
+  const auto polyline = [&](const std::vector<Vec2>& points, JointId joint, JointLine::Kind kind, std::size_t source) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      append(lines, Segment{points[i], points[i + 1]}, domain, joint, kind, source);
+  };
+  for (std::size_t i = 0; i < network.traces.size(); ++i)
+    polyline(network.traces[i].points, network.traces[i].joint, JointLine::Kind::trace, i);
+  for (std::size_t i = 0; i < network.arcs.size(); ++i)
+    polyline(chord_points(network.arcs[i]), network.arcs[i].joint, JointLine::Kind::arc, i);
+  for (std::size_t i = 0; i < network.sets.size(); ++i) append(lines, network.sets[i], i, domain);
+  return lines;
+}
+
+}  // namespace scree

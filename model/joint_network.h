@@ -1,0 +1,79 @@
+// Discontinuities of a rock mass as line segments: joint sets, traces, arcs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/geometry.h"
+#include "model/ids.h"
+#include "model/random.h"
+
+namespace scree {
+
+/// A family of parallel joints.
+///   Line k passes through origin + t_k n, n the normal of the mean dip; t_0 = 0, and t_k - t_(k-1) is a spacing.
+///   Along a line traces of a length alternate with gaps (rock bridges). Where neither varies, a trace of line k begins
+///   at its foot point origin + t_k n moved by k stagger (length + gap); where one does, the first begins at random.
+struct JointSet {
+  Spread dip_deg;                // [deg] counter-clockwise from +x
+  Spread spacing;                // [m], > 0, normal to the mean dip
+  std::optional<Spread> length;  // of a trace [m]; empty: lines run through
+  Spread gap;                    // between traces of a line [m]
+  double stagger = 0.0;          // shift from line to line, a fraction of length + gap; 0.5 as in masonry
+  std::optional<Vec2> origin;    // a line passes through it [m]; empty: the lower left corner of the domain
+  std::optional<Ring> region;    // [m]; lines exist only inside; empty: everywhere
+  JointId joint;                 // law of the lines
+  std::uint64_t seed = 1;
+};
+
+struct Trace {
+  std::vector<Vec2> points;  // [m], at least two
+  JointId joint;
+};
+
+/// A circular arc of chords, counter-clockwise where to > from.
+struct Arc {
+  Vec2 centre{0.0, 0.0};  // [m]
+  double radius = 0.0;    // [m], > 0
+  double from_deg = 0.0, to_deg = 360.0;
+  int chords = 36;
+  JointId joint;
+};
+
+struct JointNetwork {
+  std::vector<Trace> traces;
+  std::vector<Arc> arcs;
+  std::vector<JointSet> sets;
+};
+
+/// A straight piece of a discontinuity, within the domain.
+struct JointLine {
+  enum class Kind : std::int32_t { trace, arc, joint_set };
+  Vec2 from{0.0, 0.0}, to{0.0, 0.0};  // [m]
+  JointId joint;
+  Kind kind = Kind::trace;
+  std::int32_t source = 0;  // which trace, arc or joint set, from 0
+};
+
+/// Unit vector at an angle, exact at multiples of 90 degrees.
+[[nodiscard]] Vec2 direction_deg(double angle_deg);
+
+/// The chord ends of an arc; the last equals the first for a full circle.
+[[nodiscard]] std::vector<Vec2> chord_points(const Arc& arc);
+
+struct Segment {
+  Vec2 a{0.0, 0.0}, b{0.0, 0.0};
+};
+/// Pieces of a segment inside a polygon, in order from a to b; pieces that only touch the boundary may be left out.
+[[nodiscard]] std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon);
+
+/// About how many traces a set draws in a domain, for refusing absurd ones before drawing.
+[[nodiscard]] double expected_traces(const JointSet& set, const Polygon& domain);
+
+/// All lines: traces, arcs, then sets, in the order given, cut off at the domain's boundary.
+/// @pre mean spacing and length > 0     @source model.md, "Blocks"
+[[nodiscard]] std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain);
+
+}  // namespace scree

@@ -1,0 +1,62 @@
+// Lines as a planar graph: nodes where they meet, edges that know which lines they lie on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/geometry.h"
+#include "model/ids.h"
+
+namespace scree {
+
+/// A straight line that goes into the graph.
+struct SourceLine {
+  enum class Role { outline, region, discontinuity };  // the outline and its holes; the edge of a region; a joint
+  Vec2 a{0.0, 0.0}, b{0.0, 0.0};
+  Role role = Role::discontinuity;
+  JointId law;
+  std::int32_t priority = 0;  // of lines on top of each other the lowest gives its law
+};
+
+struct GraphEdge {
+  std::int32_t a = 0, b = 0;        // vertices, a < b
+  std::int32_t boundary = -1;       // the source with role outline or region that the edge lies on; -1: none
+  std::int32_t discontinuity = -1;  // the source that is a joint; -1: none
+};
+
+struct LineGraph {
+  double grid = 0.0;             // [m]
+  std::vector<Vec2> snapped;     // vertices on the grid, sorted by y, then x: the graph is planar with these
+  std::vector<Vec2> vertices;    // the same, each where its lines meet in full precision, at most a grid width away
+  std::vector<GraphEdge> edges;  // sorted
+
+  /// The vertex at a point of the grid.   @pre there is one
+  [[nodiscard]] std::int32_t vertex_at(const Vec2& point) const;
+};
+
+/// Nodes the lines on a grid (snap rounding by GEOS), so that edges meet in vertices only.
+///   `vertices` equal `snapped` until place_vertices. Coordinates depend on the order of the lines in the last bit only
+///   where three or more meet; the caller sorts them.
+/// @param grid  [m]     @source Hobby 1999, snap rounding
+[[nodiscard]] LineGraph node_lines(const std::vector<SourceLine>& sources, double grid);
+
+/// Moves every vertex from the grid to where its lines meet: a corner of the outline or a region, else the intersection
+/// of the two lines that cross most squarely, else the end of a line. Blocks then tile the domain to rounding, and cut
+/// edges are straight; on the grid each would bend by half a grid width at every node. A vertex stays on the grid where
+/// it would move further than a grid width, or an edge is shorter than eight of them: the topology cannot change.
+void place_vertices(LineGraph& graph, const std::vector<SourceLine>& sources);
+
+/// A face of the graph: rings of vertices, the outer one first and counter-clockwise, holes clockwise.
+struct Face {
+  std::vector<std::vector<std::int32_t>> rings;
+  Vec2 inside{0.0, 0.0};  // a point in it
+};
+
+/// Bounded faces of the graph, and the edges that bound none or the same one on both sides (dead ends and bridges).
+struct Faces {
+  std::vector<Face> faces;
+  std::vector<GraphEdge> dead;
+};
+[[nodiscard]] Faces faces_of(const LineGraph& graph);
+
+}  // namespace scree
