@@ -254,7 +254,13 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     m.kt = p.springs.kt;
   }
   set_damping(p, m);
-  if (at_start && old == nullptr && std::abs(p.at.gap) <= touching_) m.gap0 = p.at.gap;
+  if (at_start && old == nullptr && !p.beyond && std::abs(p.at.gap) <= touching_) {
+    m.gap0 = p.at.gap;
+    m.status = ContactStatus::stick;  // closed, without force
+    m.segment = part;
+    m.anchor = p.at.xi;
+    return;
+  }
   // Once open, a contact that began without stress at some depth keeps no more of it than it has now.
   if (!closed && old != nullptr) m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
   m.gap = p.at.gap - m.gap0;
@@ -351,8 +357,8 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
         const Outlines::Segment& own = o.segments[static_cast<std::size_t>(segment)];
         return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
       };
-      const double most = 0.5 * (length(v.segment_in) + length(p.vertex));
-      p.margin = kBoundMargin * most / p.springs.share * std::max(p.springs.kn, p.springs.kt);
+      p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
+      p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     out.points.push_back(p);
   }
@@ -375,6 +381,8 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
+    // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
+    if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
     const bool presses = !p.suppressed && m.gap < 0.0;
     const double gap = presses ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
     if (presses) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);

@@ -262,18 +262,24 @@ int Newmark::switch_states(bool only_worst) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_.memory[i];
     if (list_.points[i].suppressed) continue;
+    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     ContactStatus to = t.status;
     double violation = 0.0, direction = t.direction;
     if (t.status == ContactStatus::open) {
       if (t.gap < 0.0 && may_close(i)) {
-        to = ContactStatus::stick;
+        // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
+        // lifted by its own tangential spring, and never settle.
         violation = -m.kn * t.gap;
+        const double ft = -m.kt * ((m.status == ContactStatus::open ? 0.0 : m.stretch) + t.moved);
+        const bool slips = std::abs(ft) > friction_limit(law, m, violation);
+        to = slips ? ContactStatus::slip : ContactStatus::stick;
+        direction = ft < 0.0 ? -1.0 : 1.0;
       }
     } else if (t.gap > 0.0) {
       to = ContactStatus::open;
       violation = m.kn * t.gap;
     } else if (t.status == ContactStatus::stick) {
-      const double cap = friction_limit(setup_->model().joints[static_cast<std::size_t>(m.joint)], m, t.fn);
+      const double cap = friction_limit(law, m, t.fn);
       if (std::abs(t.ft) > cap) {
         to = ContactStatus::slip;
         violation = std::abs(t.ft) - cap;
