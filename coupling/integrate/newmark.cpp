@@ -41,7 +41,10 @@ double Newmark::enter(State& state) {
   return contact_energy(list_);
 }
 
-void Newmark::leave(State& state) { update_ledger(state); }
+void Newmark::leave(State& state) {
+  update_ledger(state);
+  state.last_step = 0;  // no shadow of ours
+}
 
 double Newmark::stable_step(const State&, std::string*) { return std::numeric_limits<double>::infinity(); }
 
