@@ -1,107 +1,18 @@
 #include "io/case/record.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
-#include <charconv>
-#include <cmath>
-#include <string>
-
-#include "io/case/case_error.h"
 #include "io/case/text_file.h"
 
 namespace scree::io {
-namespace {
 
-constexpr std::size_t kLargestRecord = std::size_t{64} << 20;  // bytes
-constexpr const char* kForm = "two columns: time [s], acceleration";
-
-struct Field {
-  std::string_view text;
-  int column;  // from 1
-};
-
-/// Fields of a line without its comment. Commas and semicolons separate, so does white space.
-std::vector<Field> fields_of(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  std::vector<Field> fields;
-  const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  std::size_t i = 0;
-  bool after_comma = false;
-  while (i < line.size()) {
-    if (space(line[i])) {
-      ++i;
-    } else if (line[i] == ',' || line[i] == ';') {
-      if (after_comma || fields.empty())
-        fields.push_back({line.substr(i, 0), static_cast<int>(i) + 1});  // an empty field
-      after_comma = true;
-      ++i;
-    } else {
-      std::size_t end = i;
-      while (end < line.size() && !space(line[end]) && line[end] != ',' && line[end] != ';') ++end;
-      fields.push_back({line.substr(i, end - i), static_cast<int>(i) + 1});
-      after_comma = false;
-      i = end;
-    }
-  }
-  return fields;
-}
-
-bool number(std::string_view text, double& value) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec == std::errc::result_out_of_range) value = std::nan("");  // a number, but not a finite one of ours
-  return read.ec != std::errc::invalid_argument && read.ptr == text.data() + text.size();
-}
-
-}  // namespace
-
-Record read_record(const std::filesystem::path& file, double factor) {
-  const std::string name = file.string();
-  std::string text = read_text_file(file, "record", kLargestRecord);
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-
-  Record record;
-  int line = 0;
-  bool heading_may_come = true;
-  while (!rest.empty()) {
-    ++line;
-    const std::size_t end = rest.find('\n');
-    const std::vector<Field> fields = fields_of(rest.substr(0, end));
-    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-    if (fields.empty()) continue;
-    const auto fail = [&](const Field& at, std::string problem, std::string allowed, std::string hint) {
-      throw CaseError(name, {line, at.column},
-                      {std::move(problem), "", in_quotes(at.text), std::move(allowed), std::move(hint)});
-    };
-    double t = 0.0, a = 0.0;
-    const bool first_is_number = number(fields[0].text, t);
-    if (heading_may_come && !first_is_number) {
-      heading_may_come = false;
-      continue;
-    }
-    heading_may_come = false;
-    if (!first_is_number)
-      fail(fields[0], "this is not a number", kForm, "decimals have a point; comments begin with #");
-    if (fields.size() != 2)
-      fail(fields.size() < 2 ? fields[0] : fields[2], fmt::format("the row has {} columns", fields.size()), kForm,
-           "decimals have a point, not a comma; keep one row a line");
-    if (!number(fields[1].text, a))
-      fail(fields[1], "this is not a number", kForm, "decimals have a point; comments begin with #");
-    if (!std::isfinite(t)) fail(fields[0], "the time is not finite", "a finite number [s]", "remove the row");
-    if (!std::isfinite(a) || !std::isfinite(a * factor))
-      fail(fields[1], "the acceleration is not finite", "a finite number", "remove the row");
-    if (!record.time.empty() && !(t > record.time.back()))
-      fail(fields[0], fmt::format("the time does not increase: {:g} s comes after {:g} s", t, record.time.back()),
-           fmt::format("> {:g}", record.time.back()), "sort the rows, and keep one of those with equal times");
-    record.time.push_back(t);
-    record.acceleration.push_back(a * factor);
-  }
-  if (record.time.size() < 2)
-    throw CaseError(
-        name, {std::max(line, 1), 1},
-        {fmt::format("the record has {} rows of numbers", record.time.size()), "", "", "at least two rows", kForm});
-  return record;
+Record read_record(const std::filesystem::path& file, Gaps gaps) {
+  constexpr std::size_t kLargestRecord = std::size_t{64} << 20;  // bytes
+  const std::string text = read_text_file(file, "record", kLargestRecord);
+  std::string kind = file.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return kind == ".at2" ? read_at2(text, file.string()) : read_columns(text, file.string(), gaps);
 }
 
 }  // namespace scree::io
