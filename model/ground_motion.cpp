@@ -52,11 +52,11 @@ MotionFacts GroundMotion::facts() const {
   for (double v : v_) f.pgv = std::max(f.pgv, std::abs(v));
   f.final_velocity = v_.back();
   f.final_displacement = d_.back();
-  double integral = 0.0;  // of a^2
+  double integral = 0.0;  // of a^2, by the trapezoidal rule where the acceleration is linear (see MotionFacts)
   for (std::size_t i = 1; i < time_.size(); ++i) {
     const double h = time_[i] - time_[i - 1], a0 = a_[i - 1];
     const double a1 = setting_.between == Between::linear ? a_[i] : a0;
-    integral += h * (a0 * a0 + a0 * a1 + a1 * a1) / 3.0;
+    integral += h * (a0 * a0 + a1 * a1) / 2.0;
     // Where the acceleration passes zero within a step the velocity peaks there, by the triangle up to that point.
     if (a0 * a1 < 0.0) f.pgv = std::max(f.pgv, std::abs(v_[i - 1] + a0 * h * (a0 / (a0 - a1)) / 2.0));
   }

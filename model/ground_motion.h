@@ -16,14 +16,16 @@ enum class Between {
   constant  // stays until the next sample: v += a0 h, d += v h + a0 h^2/2 (thesis eq. 8.1)
 };
 
-/// Facts that an engineer reads off a record.
+/// Facts that an engineer reads off a record. The Arias intensity is the sum over the samples that catalogues print: of
+/// a record without content above its Nyquist frequency that is the integral itself, while straight lines between the
+/// samples lose some (1.5 % of El Centro 1940 at 0.01 s).
 struct MotionFacts {
   double duration = 0.0;            // from the first sample to the last [s]
   double pga = 0.0;                 // peak |acceleration| [m/s2]
   double pgv = 0.0;                 // peak |velocity| [m/s], within the steps too
   double final_velocity = 0.0;      // [m/s]
-  double final_displacement = 0.0;  // [m]
-  double arias = 0.0;               // pi/(2 g) int a^2 dt [m/s], g = kStandardGravity
+  double final_displacement = 0.0;  // at the last sample [m]
+  double arias = 0.0;               // pi/(2 g) sum (a0^2 + a1^2) h/2 [m/s], g = kStandardGravity; a1 = a0 if constant
 };
 
 /// A motion along a straight line: at rest before the first sample, moving on at the final velocity after the last
