@@ -12,10 +12,11 @@
 namespace scree {
 namespace {
 
-constexpr std::size_t kLeastSamples = 5;  // a quadratic leaves something of five
-constexpr double kNothing = 1e-9;         // of the record; rounding leaves less
+constexpr double kNothing = 1e-9;  // of the record; rounding leaves less
 
 int terms_of(Baseline degree) { return static_cast<int>(degree); }  // none 0, constant 1, ...
+/// With fewer samples little else than the polynomial could be left.
+std::size_t least_samples(Baseline degree) { return static_cast<std::size_t>(terms_of(degree)) + 2; }
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
@@ -91,7 +92,7 @@ Samples correct_baseline(Samples record, Baseline degree, Between between) {
   if (terms == 0) return record;
   const std::vector<double>& time = record.time;
   const auto n = static_cast<Eigen::Index>(time.size());
-  SCREE_ASSERT(n >= terms);
+  SCREE_ASSERT(time.size() >= least_samples(degree));
   const double middle = 0.5 * (time.front() + time.back()), half = 0.5 * (time.back() - time.front());
 
   // Legendre polynomials of s in [-1, 1]: powers of t would be near dependent. Columns: accelerations, velocities.
@@ -155,9 +156,10 @@ Samples process(Samples record, const RecordProcessing& how) {
                             "give the step of the record, or a part of it");
     record = resample(record, *how.resample, how.between);
   }
-  if (how.baseline != Baseline::none && record.time.size() < kLeastSamples)
+  if (how.baseline != Baseline::none && record.time.size() < least_samples(how.baseline))
     throw ProcessingError("baseline", fmt::format("only {} samples are left", record.time.size()),
-                          fmt::format("\"none\", or at least {} samples", kLeastSamples), "keep more of the record");
+                          fmt::format("\"none\", or at least {} samples", least_samples(how.baseline)),
+                          "keep more of the record");
   if (!(how.taper >= 0.0 && 2.0 * how.taper <= duration))
     throw ProcessingError("taper", fmt::format("the tapers at both ends overlap in a record of {:.6g} s", duration),
                           fmt::format("0 to {:.6g} s", 0.5 * duration), "usual are a few percent of the record");

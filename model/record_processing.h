@@ -40,7 +40,7 @@ struct ProcessingError : std::invalid_argument {
 /// else leave the ground moving. Scaling commutes with the rest, so it comes last.
 /// @pre finite accelerations
 /// @throws ProcessingError  times outside the record, nothing kept, a step longer than the record or ten million times
-///         shorter, tapers that overlap, fewer than five samples for a baseline, nothing left to scale to the peak
+///         shorter, tapers that overlap, too few samples for the baseline, nothing left to scale to the peak
 [[nodiscard]] Samples process(Samples record, const RecordProcessing& how);
 
 /// Acceleration at a time of the record, between two samples as they are joined.
@@ -62,7 +62,7 @@ struct ProcessingError : std::invalid_argument {
 ///   v(T) = 0,   sum_i w_i v_i^2 -> min,   v the velocity of a - p from rest,   w_i half the steps beside sample i
 /// so that for a constant p = v_0(T)/T. Integration is that of the motion, so a polynomial drift of the degree that is
 /// added to the samples changes nothing in the result.
-/// @pre more samples than the degree
+/// @pre at least three samples more than the degree
 /// @source Berg and Housner 1961, Bull. Seism. Soc. Am. 51(2), 175-189 (parabolic base line, least mean square of the
 ///         velocity); deviation: v(T) = 0 is imposed, since a base would else move on for ever after the record
 [[nodiscard]] Samples correct_baseline(Samples record, Baseline degree, Between between);

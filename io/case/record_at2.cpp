@@ -40,7 +40,8 @@ class At2 {
     if (record_.acceleration.size() != count_)
       fail(count_spot_,
            fmt::format("the header announces {} values, the file holds {}", count_, record_.acceleration.size()),
-           "as many values as NPTS says", "the file is cut or was edited: get it again, or correct NPTS");
+           fmt::format("{} values after the header", count_),
+           "the file is cut or was edited: get it again, or correct NPTS");
     return std::move(record_);
   }
 

@@ -243,7 +243,7 @@ TEST(Process, impossible_settings_are_refused_by_name) {
                      {"resample", [](auto& h) { h.resample = 0.0; }},
                      {"taper", [](auto& h) { h.taper = 0.51; }},
                      {"taper", [](auto& h) { h.taper = -0.1; }},
-                     {"baseline", [](auto& h) { h.until = 0.06, h.from = 0.01, h.baseline = Baseline::linear; }}};
+                     {"baseline", [](auto& h) { h.until = 0.06, h.from = 0.01, h.baseline = Baseline::quadratic; }}};
   for (const auto& w : wrong) {
     RecordProcessing how;
     w.set(how);
