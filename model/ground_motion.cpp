@@ -18,7 +18,8 @@ Integrals integrate(const std::vector<double>& time, const std::vector<double>& 
   return out;
 }
 
-GroundMotion::GroundMotion(std::vector<double> time, std::vector<double> acceleration, Vec2 direction, Setting setting)
+GroundMotion::GroundMotion(std::vector<double> time, std::vector<double> acceleration, const Vec2& direction,
+                           Setting setting)
     : time_(std::move(time)), a_(std::move(acceleration)), direction_(direction), setting_(std::move(setting)) {
   if (time_.size() < 2 || time_.size() != a_.size())
     throw std::invalid_argument("GroundMotion: at least two samples, as many accelerations as times");

@@ -44,9 +44,9 @@ class GroundMotion {
   /// @param time [s], strictly increasing, at least two   @param acceleration [m/s2], as many
   /// @param direction  of positive accelerations, of length 1
   /// @throws std::invalid_argument for other samples
-  GroundMotion(std::vector<double> time, std::vector<double> acceleration, Vec2 direction)
+  GroundMotion(std::vector<double> time, std::vector<double> acceleration, const Vec2& direction)
       : GroundMotion(std::move(time), std::move(acceleration), direction, Setting()) {}
-  GroundMotion(std::vector<double> time, std::vector<double> acceleration, Vec2 direction, Setting setting);
+  GroundMotion(std::vector<double> time, std::vector<double> acceleration, const Vec2& direction, Setting setting);
 
   /// @param t simulated time [s]
   [[nodiscard]] Vec2 displacement(double t) const;  // [m]

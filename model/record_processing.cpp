@@ -41,12 +41,12 @@ Interval kept_part(const Samples& record, const RecordProcessing& how) {
 
 }  // namespace
 
-ProcessingError::ProcessingError(const char* setting_, std::string problem_, std::string allowed_, std::string hint_)
-    : std::invalid_argument(fmt::format("{}: {}; allowed: {}; {}", setting_, problem_, allowed_, hint_)),
-      setting(setting_),
-      problem(std::move(problem_)),
-      allowed(std::move(allowed_)),
-      hint(std::move(hint_)) {}
+ProcessingError::ProcessingError(const char* of, std::string wrong, std::string right, std::string advice)
+    : std::invalid_argument(fmt::format("{}: {}; allowed: {}; {}", of, wrong, right, advice)),
+      setting(of),
+      problem(std::move(wrong)),
+      allowed(std::move(right)),
+      hint(std::move(advice)) {}
 
 double acceleration_at(const Samples& record, double t, Between between) {
   const std::vector<double>&time = record.time, &a = record.acceleration;

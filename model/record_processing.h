@@ -31,7 +31,7 @@ struct RecordProcessing {
 
 /// A record that cannot be processed so.
 struct ProcessingError : std::invalid_argument {
-  ProcessingError(const char* setting_, std::string problem_, std::string allowed_, std::string hint_);
+  ProcessingError(const char* of, std::string wrong, std::string right, std::string advice);
   const char* setting;  // the member of RecordProcessing that is at fault
   std::string problem, allowed, hint;
 };
