@@ -56,9 +56,12 @@ TEST(At2, numbers_run_together_split_at_their_sign) {
 
 TEST(At2, line_ends_marks_and_blank_lines_are_fine) {
   const std::vector<double> numbers = {1.0, 2.0, 3.0, 4.0};
+  const std::string plain = kTitle + kUnits + kCounts + " 1. 2.\n\n 3.\t4.\n\n";
   std::string windows;
-  for (const char c : kTitle + kUnits + kCounts + " 1. 2.\n\n 3.\t4.\n\n")
-    windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : plain) {
+    if (c == '\n') windows += '\r';
+    windows += c;
+  }
   EXPECT_EQ(read(windows).acceleration, numbers);
   EXPECT_EQ(read(windows + "\x1A\r\n").acceleration, numbers);  // end of a file of DOS
   EXPECT_EQ(read("\xEF\xBB\xBF" + kCounts + "1. 2. 3. 4.").acceleration, numbers);
@@ -76,8 +79,7 @@ TEST(At2, unit_is_read_from_its_line) {
                      {"IN UNITS OF GAL", "cm/s2"},
                      {"UNITS: (m/s2)", "m/s2"},
                      {"no word of it", ""}};
-  for (const auto& u : units)
-    EXPECT_EQ(read(std::string(u.line) + "\n" + kCounts + "1. 2. 3. 4.").unit, u.unit) << u.line;
+  for (const auto& u : units) EXPECT_EQ(read(fmt::format("{}\n{}1. 2. 3. 4.", u.line, kCounts)).unit, u.unit) << u.line;
 }
 
 TEST(At2, errors_have_line_column_and_value) {

@@ -22,10 +22,9 @@ CaseError error_of(const std::string& text) {
 
 TEST(RecordColumns, separators_comments_and_headings_are_read) {
   const Record expected{{0.0, 0.5, 1.0}, {1.0, -2.0, 3e-1}};
+  const std::string with_mark = std::string("\xEF\xBB\xBF") + "0,1\n0.5,-2\n1,0.3";
   for (const char* text : {"0,1\n0.5,-2\n1,3e-1\n", "t;a\n0;1\n0.5;-2\n1;.3\n", "# a\n0 1\n 0.5\t-2 # b\n\n1 0.3",
-                           "time [s], acceleration [g]\r\n0, 1\r\n0.5, -2\r\n1, +0.3\r\n",
-                           "\xEF\xBB\xBF"
-                           "0,1\n0.5,-2\n1,0.3"}) {
+                           "time [s], acceleration [g]\r\n0, 1\r\n0.5, -2\r\n1, +0.3\r\n", with_mark.c_str()}) {
     const Record r = read(text);
     EXPECT_EQ(r.time, expected.time) << text;
     EXPECT_EQ(r.acceleration, expected.acceleration) << text;
@@ -104,12 +103,14 @@ TEST(RecordColumns, gaps_are_accepted_where_they_are_bridged) {
 }
 
 class RecordFile : public testing::Test {
- protected:
+ public:
   RecordFile() { std::filesystem::create_directories(folder_); }
   ~RecordFile() override {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
   }
+
+ protected:
   std::filesystem::path put(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
