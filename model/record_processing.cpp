@@ -74,7 +74,7 @@ Samples window(const Samples& record, double from, double until, Between between
 Samples resample(const Samples& record, double dt, Between between) {
   SCREE_ASSERT(dt > 0.0);
   const double begin = record.time.front(), duration = record.time.back() - begin;
-  // 1e-9: a duration of 0.3 s holds three steps of 0.1 s although 0.3/0.1 is larger than 3.
+  // 1e-9: a duration of 0.28 s holds 28 steps of 0.01 s although 0.28/0.01 is larger than 28.
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / dt * (1.0 - 1e-9))));
   Samples out;
   out.time.reserve(steps + 1);

@@ -90,15 +90,20 @@ TEST(Baseline, of_the_constant_is_the_final_velocity_over_the_duration) {
 
 // Any other polynomial of the degree that also ends at rest leaves more mean square velocity.
 TEST(Baseline, mean_square_of_the_velocity_is_least) {
+  const auto irregular = [](const std::function<double(double)>& a) {
+    Samples s = sampled(a, 0.0, 1.0, 200);
+    for (double& t : s.time) t += t * t;
+    return s;
+  };
   for (const Between between : kBetween)
     for (const Baseline degree : {Baseline::linear, Baseline::quadratic}) {
-      const Samples best = correct_baseline(sampled(shock, 0.0, 1.0, 200), degree, between);
+      const Samples best = correct_baseline(irregular(shock), degree, between);
       const double least = mean_square_velocity(best, between);
       for (int k = 1; k < static_cast<int>(degree); ++k)
         for (const double size : {-1e-2, 1e-2}) {
-          Samples other = best;
-          const Samples term = correct_baseline(sampled([&](double t) { return power(t, k); }, 0.0, 1.0, 200),
-                                                Baseline::constant, between);
+          Samples other = best, term = best;
+          for (std::size_t i = 0; i < term.time.size(); ++i) term.acceleration[i] = power(term.time[i], k);
+          term = correct_baseline(std::move(term), Baseline::constant, between);
           for (std::size_t i = 0; i < other.time.size(); ++i) other.acceleration[i] += size * term.acceleration[i];
           EXPECT_NEAR(facts_of(other, between).final_velocity, 0.0, 1e-15);
           EXPECT_GT(mean_square_velocity(other, between), least * (1.0 + 1e-9));
@@ -183,8 +188,9 @@ TEST(Resample, converges_with_the_square_of_the_step) {
 }
 
 TEST(Resample, steps_divide_the_duration) {
+  ASSERT_GT(0.28 / 0.01, 28.0);
+  EXPECT_EQ(resample(sampled(shock, 0.0, 0.28, 10), 0.01, Between::linear).time.size(), 29u);
   const Samples s = sampled(shock, 0.0, 0.3, 10);
-  EXPECT_EQ(resample(s, 0.1, Between::linear).time.size(), 4u);  // 0.3/0.1 rounds to above 3
   const Samples uneven = resample(s, 0.07, Between::linear);
   ASSERT_EQ(uneven.time.size(), 6u);
   EXPECT_NEAR(uneven.time[1], 0.06, 1e-16);
