@@ -158,9 +158,11 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
     fmt::print(
-        "  motion: {:.3g} s, PGA {:.4g} m/s2, PGV {:.4g} m/s, final velocity {:.2g} m/s, final displacement {:.3g} m, "
-        "Arias {:.3g} m/s\n",
-        f.duration, f.pga, f.pgv, f.final_velocity, f.final_displacement, f.arias);
+        "  motion '{}': {} samples, {:.6g} s from {:g} s on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
+        "velocity "
+        "{:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
+        m.setting().name, m.times().size(), f.duration, m.setting().start, f.pga, f.pga / kStandardGravity, f.pgv,
+        f.final_velocity, f.final_displacement, f.arias);
   }
   const coupling::Methods standard = coupling::standard_methods();
   for (const coupling::Stage& s : c.plan.stages) {

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
 
 #include "io/case/read_parts.h"
 #include "io/case/record.h"
+#include "model/record_processing.h"
 
 namespace scree::io {
 namespace {
@@ -28,20 +30,65 @@ std::filesystem::path record_path(const Section& s, const std::filesystem::path&
   return std::filesystem::path(records) / file.substr(kRecords.size());
 }
 
-double unit_factor(const std::string& unit) {
-  constexpr double kStandardGravity = 9.80665;  // [m/s2]
-  return unit == "g" ? kStandardGravity : unit == "cm/s2" ? 0.01 : 1.0;
-}
-
 /// A file that cannot be read is a fault of the key that names it; wrong rows are faults of the file.
 Record record_of(const Section& s, const std::filesystem::path& folder) {
   const std::filesystem::path file = record_path(s, folder);
   try {
-    return read_record(file, unit_factor(s.text("unit")) * s.number("scale"));
+    return read_record(file, s.has("resample") ? Gaps::accept : Gaps::refuse);
   } catch (const CaseError& e) {
     if (e.line > 0) throw;
-    throw s.error("file", e.problem + ": " + in_quotes(file.string(), 400), "path of a text file with two columns",
+    throw s.error("file", e.problem + ": " + in_quotes(file.string(), 400),
+                  "path of a PEER .AT2 file, or of a text file with two columns",
                   "paths start from the folder of the case file; " + e.hint);
+  }
+}
+
+/// From the numbers of the file to m/s2.
+double unit_factor(const Section& s, const Record& record) {
+  if (!record.unit.empty()) {
+    if (!s.has("unit")) s.settle("unit", record.unit);
+    if (s.text("unit") != record.unit)
+      throw s.error("unit", fmt::format("the file says that its accelerations are in {}", record.unit),
+                    fmt::format("\"{}\"", record.unit), "remove the unit here, or correct the header of the file");
+  } else if (!s.has("unit")) {
+    throw s.error("unit", "the file does not say its unit, and no unit is given", "\"m/s2\", \"g\" or \"cm/s2\"",
+                  "add unit = \"g\" if the accelerations are in g");
+  }
+  const std::string& unit = s.text("unit");
+  return unit == "g" ? kStandardGravity : unit == "cm/s2" ? 0.01 : 1.0;
+}
+
+RecordProcessing processing_of(const Section& s) {
+  const auto optional = [&s](const char* key) {
+    return s.has(key) ? std::optional<double>(s.number(key)) : std::nullopt;
+  };
+  if (s.has("pga") && s.has("scale"))
+    throw s.error("pga", "the size of the motion is given twice", "pga or scale", "remove one of the two");
+  if (!s.has("pga") && !s.has("scale")) s.settle("scale", 1.0);
+  RecordProcessing how;
+  how.from = optional("from");
+  how.until = optional("until");
+  how.resample = optional("resample");
+  const std::string& baseline = s.text("baseline");
+  how.baseline = baseline == "constant"    ? Baseline::constant
+                 : baseline == "linear"    ? Baseline::linear
+                 : baseline == "quadratic" ? Baseline::quadratic
+                                           : Baseline::none;
+  how.taper = s.number("taper");
+  how.pga = optional("pga");
+  how.scale = optional("scale").value_or(1.0);
+  how.between = s.text("integration") == "constant" ? Between::constant : Between::linear;
+  return how;
+}
+
+/// The record as the case wants it, in m/s2.
+Samples samples_of(const Section& s, Record record, const RecordProcessing& how) {
+  const double factor = unit_factor(s, record);
+  for (double& a : record.acceleration) a *= factor;
+  try {
+    return process({std::move(record.time), std::move(record.acceleration)}, how);
+  } catch (const ProcessingError& e) {  // settings are named like their keys
+    throw s.error(e.setting, e.problem, e.allowed, e.hint);
   }
 }
 
@@ -74,13 +121,15 @@ void read_motions(const Section& root, const std::filesystem::path& folder, Mode
   for (const Section::Named& named : root.named("motion")) {
     const Section& s = named.section;
     const Vec2 direction = direction_of(s);
-    Record record = record_of(s, folder);
-    GroundMotion motion(std::move(record.time), std::move(record.acceleration), direction);
-    if (s.text("baseline") == "constant") motion.correct_baseline();
+    const RecordProcessing how = processing_of(s);
+    Samples samples = samples_of(s, record_of(s, folder), how);
+    GroundMotion motion(std::move(samples.time), std::move(samples.acceleration), direction,
+                        {s.number("start"), how.between, named.name});
     const MotionFacts facts = motion.facts();
-    if (!std::isfinite(facts.final_displacement) || !std::isfinite(facts.pgv))
-      throw s.error("file", "the motion is not finite once integrated", "accelerations of an earthquake",
-                    "check unit and scale");
+    for (const double fact : {facts.pga, facts.pgv, facts.final_displacement, facts.arias})
+      if (!std::isfinite(fact))
+        throw s.error("file", "the motion is not finite once integrated", "accelerations of an earthquake",
+                      "check unit, scale and pga");
     model.motions.push_back(std::move(motion));
   }
 }

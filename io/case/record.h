@@ -1,21 +1,41 @@
-// A recorded acceleration in two columns of a text file.
+// A recorded acceleration in a text file.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace scree::io {
 
 struct Record {
   std::vector<double> time;          // [s], strictly increasing, at least two
-  std::vector<double> acceleration;  // [m/s2], as many
+  std::vector<double> acceleration;  // as many, finite, in the unit of the file
+  std::string unit{};                // "g", "cm/s2" or "m/s2" where the file says it, else empty
 };
 
-/// Reads time [s] and acceleration, separated by comma, semicolon or white space. '#' begins a comment; one line of
-/// headings may come before the numbers.
-/// @param factor  from the numbers of the second column to m/s2 (unit and scale)
-/// @throws CaseError with file, line and column: unreadable, no number, not finite, not two columns, time that does not
-///         increase, fewer than two rows
-[[nodiscard]] Record read_record(const std::filesystem::path& file, double factor);
+/// What to do where the samples do not follow at equal steps.
+enum class Gaps { refuse, accept };
+
+/// Reads a file as PEER .AT2 if it is called so (in any letter case), as columns otherwise.
+/// @throws CaseError without line and column: unreadable; with them: what read_at2 and read_columns throw
+[[nodiscard]] Record read_record(const std::filesystem::path& file, Gaps gaps);
+
+/// Time [s] and acceleration in two columns, separated by comma, semicolon or white space. '#' begins a comment; one
+/// line of headings may come before the numbers. A step is a gap where it differs from the median step by more than
+/// what rounding of the times explains (a unit of their last decimal, at most half a step) and by more than 0.1 %.
+/// @param text  of the file     @param name  of the file, for errors
+/// @throws CaseError with line and column: no number, not finite, not two columns, time that does not increase, a gap,
+///         fewer than two rows
+[[nodiscard]] Record read_columns(std::string_view text, const std::string& name, Gaps gaps);
+
+/// A PEER strong motion record: lines of title, one of which says "IN UNITS OF G" (or cm/s/s, gal, m/s/s in their usual
+/// spellings), then "NPTS=  3930, DT= .00500 SEC" or "3930 0.00500 NPTS, DT", then NPTS numbers in rows of any length.
+/// Numbers run together split at their sign: 1.234-5.678 are two; exponents may be Fortran's (1.5D-3, 1.5-103).
+/// @param text  of the file     @param name  of the file, for errors
+/// @throws CaseError with line and column: no header, wrong NPTS or DT, velocities, unknown unit, no number, not
+///         finite, other than NPTS numbers
+/// @source PEER strong motion database, .AT2; the two forms of the header are those of its old and its NGA files
+[[nodiscard]] Record read_at2(std::string_view text, const std::string& name);
 
 }  // namespace scree::io

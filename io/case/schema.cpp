@@ -19,6 +19,7 @@ constexpr Range kPasses{.low = 1.0, .high = 1000.0};
 constexpr Range kFrameRate{.low = 0.0, .high = 1000.0, .low_open = true};
 constexpr Range kThreads{.low = 0.0, .high = 1024.0};
 constexpr Range kCoordinate{.low = -1e9, .high = 1e9};
+constexpr Range kStart{.low = 0.0, .high = 1e6};
 constexpr Range kTime{.low = 1e-12, .high = 1e6};  // one tick to 11 days: sums of stages stay within 64-bit ticks
 
 // path, type, unit, range, fallback, required, choices, meaning
@@ -62,18 +63,37 @@ constexpr Key kKeys[] = {
 
     {"motion", Type::named_tables, "", kAny, "", false, "", "A recorded ground motion; supports refer to it by NAME."},
     {"motion.NAME.file", Type::text, "", kAny, "", true, "",
-     "Two columns, time [s] and acceleration, separated by comma, semicolon or space; # begins a comment; one line of "
-     "headings may come first. Relative to the case file; a leading \"$SCREE_RECORDS/\" is replaced by that "
-     "environment variable."},
-    {"motion.NAME.unit", Type::choice, "", kAny, "", true, "m/s2|g|cm/s2",
-     "Unit of the accelerations in the file; g is 9.80665 m/s2."},
-    {"motion.NAME.scale", Type::number, "", kAny, "1.0", false, "", "Factor on the accelerations."},
+     "A PEER record if it is called .AT2. Otherwise two columns, time [s] and acceleration, separated by comma, "
+     "semicolon or space; # begins a comment; one line of headings may come first; the times follow at equal steps. "
+     "Relative to the case file; a leading \"$SCREE_RECORDS/\" is replaced by that environment variable."},
+    {"motion.NAME.unit", Type::choice, "", kAny, "(as the file says)", false, "m/s2|g|cm/s2",
+     "Unit of the accelerations in the file; g is 9.80665 m/s2. Needed where the file does not say it, as .AT2 does."},
+    {"motion.NAME.start", Type::number, "s", kStart, "0.0", false, "",
+     "Simulated time at which the first sample that is kept acts. Before it the ground rests; after the last sample it "
+     "moves on at its final velocity."},
+    {"motion.NAME.from", Type::number, "s", kAny, "(first sample)", false, "",
+     "Where the part of the record begins that is kept, in the time of the record (.AT2 counts from 0)."},
+    {"motion.NAME.until", Type::number, "s", kAny, "(last sample)", false, "",
+     "Where the part of the record ends that is kept, in the time of the record."},
+    {"motion.NAME.resample", Type::number, "s", kPositive, "(as recorded)", false, "",
+     "Step of new samples, read off the lines between the recorded ones and rounded down to a part of the duration. "
+     "Also accepts records whose steps are not equal."},
+    {"motion.NAME.baseline", Type::choice, "", kAny, "\"none\"", false, "none|constant|linear|quadratic",
+     "Drift that is taken off: the polynomial in time, of degree 0, 1 or 2 in the acceleration, that leaves the ground "
+     "at rest at the end and the mean square of its velocity least."},
+    {"motion.NAME.taper", Type::number, "s", kNotNegative, "0.0", false, "",
+     "Length at either end over which half a cosine bell leads the acceleration from and to zero. The baseline is "
+     "corrected before and once more after it."},
+    {"motion.NAME.pga", Type::number, "m/s2", kPositive, "", false, "",
+     "Peak of the acceleration that the motion is scaled to, after all else. Either this or scale."},
+    {"motion.NAME.scale", Type::number, "", kAny, "(1)", false, "", "Factor on the accelerations."},
+    {"motion.NAME.integration", Type::choice, "", kAny, "\"linear\"", false, "linear|constant",
+     "Acceleration between samples: straight from one to the next, or staying until the next. Either is integrated "
+     "exactly at any time, whatever the time steps."},
     {"motion.NAME.direction", Type::point, "", kAny, "(along x)", false, "",
      "Direction of positive accelerations; only its direction counts. Either this or direction_deg."},
     {"motion.NAME.direction_deg", Type::number, "deg", kTurn, "(along x)", false, "",
      "Direction of positive accelerations, counter-clockwise from +x."},
-    {"motion.NAME.baseline", Type::choice, "", kAny, "\"none\"", false, "none|constant",
-     "Correction: \"constant\" takes a constant off the acceleration, so that the motion ends at rest."},
 
     {"block", Type::table_list, "", kAny, "", false, "",
      "A block. Blocks may touch but not overlap. At least one, unless there is a domain."},

@@ -37,7 +37,8 @@ void dump_model(Dump& d, const Model& m) {
   for (const InitialVelocity& x : m.initial_velocities)
     d.line("start {} {} {}", x.block.value, Dump::of(x.velocity), x.spin);
   for (const GroundMotion& g : m.motions) {
-    d.line("motion {}", Dump::of(g.direction()));
+    d.line("motion {} {} start {} {}", g.setting().name, Dump::of(g.direction()), g.setting().start,
+           g.setting().between == Between::linear ? "linear" : "constant");
     for (std::size_t i = 0; i < g.times().size(); ++i) d.line("  {} {}", g.times()[i], g.accelerations()[i]);
   }
 }

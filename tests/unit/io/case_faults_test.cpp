@@ -60,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(WrongFiles, folder_holds_no_file_without_a_test) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kFaults)) count += entry.path().extension() == ".toml";
+  for (const auto& entry : std::filesystem::directory_iterator(kFaults))  // record_*: record_faults_test.cpp
+    count += entry.path().extension() == ".toml" && !entry.path().filename().string().starts_with("record_");
   EXPECT_EQ(count, 10u);
 }
 

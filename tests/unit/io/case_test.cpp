@@ -1,7 +1,9 @@
 // A case file as a model and a plan: numbers, defaults, names, orientation, overrides, the resolved case.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <numbers>
+#include <optional>
 
 #include "io/case/suggest.h"
 #include "io/case/unit.h"
@@ -163,7 +165,21 @@ TEST(Case, motion_is_scaled_directed_and_corrected) {
   EXPECT_NEAR(m.motions[1].accelerations()[1], 0.002, 1e-18);
 }
 
+/// Puts the variable back as it was, for the tests that read shared records.
+struct RecordsVariable {
+  RecordsVariable() {
+    if (const char* value = std::getenv("SCREE_RECORDS")) before = value;
+  }
+  RecordsVariable(const RecordsVariable&) = delete;
+  RecordsVariable& operator=(const RecordsVariable&) = delete;
+  ~RecordsVariable() {
+    if (before) setenv("SCREE_RECORDS", before->c_str(), 1);
+  }
+  std::optional<std::string> before{};
+};
+
 TEST(Case, motion_file_is_found_through_the_variable) {
+  const RecordsVariable kept;
   ASSERT_EQ(setenv("SCREE_RECORDS", kFolder.c_str(), 1), 0);
   const std::vector<std::string> set = {"motion.pulse.file=\"$SCREE_RECORDS/pulse.csv\""};
   EXPECT_EQ(dump(read("full_case.toml", set)), dump(read("full_case.toml")));

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "model/elasticity.h"
-#include "model/ground_motion.h"
 #include "model/model.h"
 #include "model/planar.h"
 
@@ -77,22 +76,6 @@ TEST(ElasticResponse, strain_of_kirchhoff_inverts_the_law) {
   e << 0.01, -0.004, -0.004, 0.02;
   const Mat2 kirchhoff = law.stress(e) * (Mat2::Identity() + e);
   EXPECT_NEAR((strain_of_kirchhoff(law, kirchhoff) - e).norm(), 0.0, 1e-15);
-}
-
-TEST(GroundMotion, linear_acceleration_is_integrated_exactly_at_any_time) {
-  const GroundMotion m({0.0, 1.0, 3.0}, {0.0, 2.0, -2.0}, {1.0, 0.0});  // a = 2t, then 4 - 2t
-  EXPECT_NEAR(m.velocity(0.5).x(), 0.25, 1e-15);
-  EXPECT_NEAR(m.displacement(0.5).x(), 0.125 / 3.0, 1e-15);
-  EXPECT_NEAR(m.velocity(2.0).x(), 2.0, 1e-15);
-  EXPECT_NEAR(m.velocity(3.0).x(), 1.0, 1e-15);
-  EXPECT_NEAR(m.displacement(5.0).x(), m.displacement(3.0).x() + 2.0, 1e-14);
-  EXPECT_EQ(m.displacement(-1.0).x(), 0.0);
-}
-
-TEST(GroundMotion, baseline_correction_ends_at_rest) {
-  GroundMotion m({0.0, 1.0, 3.0}, {0.0, 2.0, -1.0}, {1.0, 0.0});
-  m.correct_baseline();
-  EXPECT_NEAR(m.facts().final_velocity, 0.0, 1e-15);
 }
 
 TEST(CheckGeometry, overlap_is_found_and_touching_is_fine) {
