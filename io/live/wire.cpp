@@ -55,7 +55,7 @@ class Walker {
 }  // namespace
 
 // clang-format off
-template <> std::string_view layout<info_v1_t>()   { return "H" "ssssssssss" "8888" "8888" "8888888" "888" "4"; }
+template <> std::string_view layout<info_v1_t>()   { return "H" "ssssssssss" "8888" "8888" "8888888" "888" "888ss" "4"; }
 template <> std::string_view layout<mesh_v1_t>()   { return "8" "88" "n4a4a" "n4b4b4b4b" "n4c" "nsd" "4"; }
 template <> std::string_view layout<topo_v1_t>()   { return "H" "444" "4" "n1a" "4"; }
 template <> std::string_view layout<state_v1_t>()  { return "H" "4444" "888" "4n2a2a" "4n4b" "4"; }
