@@ -28,8 +28,9 @@ struct LiveRun {
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
 /// of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent before
-/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO on change and every two seconds.
-/// Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
+/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO with the first frame of a mesh and
+/// every 1.5 s, and with it once more the newest of everything else, so that a viewer may come at any time. Sending has
+/// a thread of its own. Messages and channels: io/lcmtypes, channel.h.
 class LiveSink final : public coupling::Sink {
  public:
   using Warn = std::function<void(std::string)>;
@@ -44,7 +45,6 @@ class LiveSink final : public coupling::Sink {
   ~LiveSink() override;
 
   void begin(const Model& model, const coupling::Plan& plan) override;
-  void topology(const coupling::MeshView& mesh) override;
   void frame(const coupling::FrameView& frame) override;
   void history(const coupling::HistoryView& history) override;
   void event(const coupling::Event& event) override;
