@@ -1,7 +1,6 @@
 #include "io/live/live_publisher.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <scree/info_v1_t.hpp>
 #include <utility>
 
+#include "io/live/signals_blocked.h"
 #include "io/live/take_apart.h"
 
 namespace scree::io {
@@ -24,22 +24,6 @@ std::int64_t microseconds_now() {
 double seconds_between(LivePublisher::Clock::time_point from, LivePublisher::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
-
-/// Signals are for the thread that runs the simulation.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 }  // namespace
 
