@@ -281,11 +281,17 @@ std::vector<std::string> render(const Dashboard& run, int columns_there, int lin
   std::size_t room = height > lines.size() + 1 ? height - lines.size() - 1 : 0;
   for (Section& s : sections)
     if (s.wish > 0 && room >= 1 + s.least) s.given = s.least, room -= 1 + s.least;
-  for (bool more = true; more && room > 0;) {
-    more = false;
-    for (Section& s : sections)
-      if (s.given > 0 && s.given < s.wish && room > 0) ++s.given, --room, more = true;
-  }
+  // In turn, lists first up to a few lines each, so that the ledger is whole before they are.
+  constexpr std::size_t kFew = 8;
+  for (const std::size_t most_of_lists : {kFew, height})
+    for (bool more = true; more && room > 0;) {
+      more = false;
+      for (std::size_t i = 0; i < sections.size(); ++i) {
+        Section& s = sections[i];
+        const std::size_t wish = i == 0 ? s.wish : std::min(s.wish, most_of_lists);
+        if (s.given > 0 && s.given < wish && room > 0) ++s.given, --room, more = true;
+      }
+    }
   const auto add = [&](Lines&& section) {
     lines.emplace_back();
     lines.insert(lines.end(), section.begin(), section.end());
