@@ -177,7 +177,8 @@ void LivePublisher::send_all(Waiting& work) {
   now_.time = work.progress.time;
   now_.step = work.progress.stats.steps;
   if (work.has_frame) now_.stage = work.frame.header.stage;
-  const bool keyframe_due = now >= keyframe_at_, info_due = now >= info_at_ || work.last;
+  const bool keyframe_due = now >= keyframe_at_, new_stage = work.progress.stage_name != info_stage_;
+  const bool info_due = now >= info_at_ || new_stage || work.last;
   if (keyframe_due) keyframe_at_ = now + kKeyframeEvery;
   if (info_due) info_at_ = now + kInfoEvery;
   if (!up) {
@@ -288,6 +289,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.contact_depth_at = wire_text(progress.contact.depth_at);
   info.contact_force_at = wire_text(progress.contact.force_at);
   send(LiveKind::info, seal(info));
+  info_stage_ = progress.stage_name;
 }
 
 void LivePublisher::send(LiveKind kind, const Bytes& bytes) {

@@ -133,7 +133,8 @@ class LivePublisher {
   std::vector<Bytes> last_frame_, last_history_;  // messages, to be sent again
   Bytes last_energy_;
   std::deque<Bytes> last_events_;
-  header_v1_t now_{};  // of the newest thing sent
+  header_v1_t now_{};       // of the newest thing sent
+  std::string info_stage_;  // that the last INFO named
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};
   Clock::time_point rate_from_{};

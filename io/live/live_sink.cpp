@@ -70,6 +70,7 @@ struct LiveSink::Impl {
   Impl(const coupling::LivePlan& plan, LiveRun run, Warn its_warn, std::shared_ptr<LiveBus> its_bus)
       : url(its_bus ? its_bus->url() : parse_live_url(plan.url, LiveSide::sender)),
         who{std::move(run.name), {}, std::move(run.version), std::move(run.case_hash), run.field},
+        until(run.until),
         warn(std::move(its_warn)),
         bus(std::move(its_bus)),
         frame_limit(Limiter::at_rate(plan.rate)),
@@ -98,11 +99,13 @@ struct LiveSink::Impl {
     mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(*view.mesh, view.position));
     publisher->offer(mesh);
   }
+  void set_end(double plan_end) { progress.end_time = until ? std::min(*until, plan_end) : plan_end; }
   [[nodiscard]] LiveContact worst_contact(const coupling::State& state) const;
   void take_frame(const coupling::FrameView& view);
 
   LiveUrl url;
   LiveIdentity who;
+  std::optional<double> until;  // [s]
   Warn warn;
   std::shared_ptr<LiveBus> bus;
   Limiter frame_limit, history_limit, progress_limit;
@@ -112,6 +115,7 @@ struct LiveSink::Impl {
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
+  std::optional<LiveHistory> last_history;                          // newer than what was offered
   RawFrame spare;                                                   // a buffer for the next frame
   std::unique_ptr<LivePublisher> publisher;                         // last: its thread ends first
 };
@@ -171,7 +175,7 @@ void LiveSink::begin(const Model& model, const coupling::Plan& plan) {
   for (const Block& block : model.blocks) impl_->blocks.push_back(block.name);
   Tick end = 0;
   for (const coupling::Stage& stage : plan.stages) end += stage.duration;
-  impl_->progress.end_time = seconds(end);
+  impl_->set_end(seconds(end));
   impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
   impl_->publisher->offer(impl_->progress);
   impl_->publisher->start();
@@ -184,7 +188,7 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   LiveProgress& progress = impl_->progress;
   const bool new_stage = progress.stage_name != frame.stage_name;
   progress.time = frame.time;
-  if (frame.end_time > 0.0) progress.end_time = frame.end_time;
+  if (frame.end_time > 0.0) impl_->set_end(frame.end_time);
   progress.stage_name = frame.stage_name;
   progress.integrator = frame.integrator == coupling::Integrator::explicit_ ? "explicit" : "implicit";
   if (frame.stats != nullptr) progress.stats = *frame.stats;
@@ -202,16 +206,23 @@ void LiveSink::frame(const coupling::FrameView& frame) {
 }
 
 void LiveSink::history(const coupling::HistoryView& history) {
-  if (!impl_->history_limit.due()) return;
   const std::size_t count = impl_->monitors.size();
+  const bool due = impl_->history_limit.due();
   if (count > 0 && history.position.size() == 2 * count && history.displacement.size() == 2 * count &&
       history.velocity.size() == 2 * count) {
     const auto copied = [](std::span<const double> xy) { return std::vector<double>(xy.begin(), xy.end()); };
-    impl_->publisher->offer(LiveHistory{impl_->header(history.time, impl_->histories), impl_->monitors,
-                                        copied(history.position), copied(history.displacement),
-                                        copied(history.velocity)});
+    LiveHistory now{impl_->header(history.time, impl_->histories), impl_->monitors, copied(history.position),
+                    copied(history.displacement), copied(history.velocity)};
+    if (due)
+      impl_->publisher->offer(std::move(now));
+    else
+      impl_->last_history = std::move(now);  // goes out if the run ends here
   }
-  if (history.ledger != nullptr) impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+  if (due) {
+    impl_->last_history.reset();
+    if (history.ledger != nullptr)
+      impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+  }
 }
 
 void LiveSink::event(const coupling::Event& event) {
@@ -237,6 +248,7 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->stage = last.stage;
   impl_->publisher->offer(impl_->progress);
   impl_->take_frame(last);
+  if (impl_->last_history) impl_->publisher->offer(std::move(*impl_->last_history));
   if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
   impl_->publisher->finish();
   impl_->pass_warning();

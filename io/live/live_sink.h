@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "coupling/sink.h"
@@ -17,13 +18,15 @@ struct LiveRun {
   std::string version;    // of the program
   std::string case_hash;  // SHA-256 of the case text, or empty
   LiveField field = LiveField::speed;
+  std::optional<double> until;  // the run stops here, before the end of its plan [s]
 
   LiveRun(std::string its_name, std::string its_version = {}, std::string its_case_hash = {},
-          LiveField its_field = LiveField::speed)
+          LiveField its_field = LiveField::speed, std::optional<double> its_until = {})
       : name(std::move(its_name)),
         version(std::move(its_version)),
         case_hash(std::move(its_case_hash)),
-        field(its_field) {}
+        field(its_field),
+        until(its_until) {}
 };
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame

@@ -112,7 +112,7 @@ Lines head(const Dashboard& run, std::size_t width) {
   lines.push_back(text + 12 > width ? shown(facts.substr(1) + wait, width)
                                     : fmt::format("[{}]{}{}", bar(fraction, width - 2 - text, '#', '.'), facts, wait));
   lines.push_back(pair("stage", join({run.stage, run.integrator}, ", "),
-                       join({run.rate ? fmt::format("{:.3g} s/s", *run.rate) : "",
+                       join({run.rate ? fmt::format("rate {:.3g} s/s", *run.rate) : "",
                              run.step_rate ? fmt::format("{:.4g} steps/s", *run.step_rate) : ""},
                             ", "),
                        width));
