@@ -80,14 +80,14 @@ bool complete(const io::Dashboard& run, double since_info) {
 
 int watch_live(const WatchOptions& options, const std::string& url) {
   take_signals();
+  const Clock::time_point start = Clock::now();
   std::string why;
   auto reader = io::LiveReader::open(url, options.run, why);
   if (!reader) {
     fmt::print(stderr, "error: {}\n", why);
     return kFiles;
   }
-  io::LiveDashboard source(std::move(reader), url);
-  const Clock::time_point start = Clock::now();
+  io::LiveDashboard source(std::move(reader), url, start);
   const auto passed = [](Clock::time_point since) {
     return std::chrono::duration<double>(Clock::now() - since).count();
   };

@@ -116,14 +116,14 @@ void LivePublisher::offer(LiveProgress progress) {
   waiting_.progress = std::move(progress);
 }
 
-void LivePublisher::offer(Bytes event) {
+void LivePublisher::offer(Bytes event, bool milestone) {
   {
     const std::lock_guard lock(mutex_);
     if (waiting_.events.size() >= kMaxEvents || stopped_) {
       ++events_lost_;
       return;
     }
-    waiting_.events.push_back(std::move(event));
+    waiting_.events.push_back({std::move(event), milestone});
     fresh_ = true;
   }
   wake_.notify_one();
@@ -192,10 +192,11 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.history) last_history_.clear();
   if (work.energy) last_energy_.clear();
   if (keyframe_due) send_again();  // what is replaced below is not sent twice
-  for (Bytes& event : work.events) {
-    send(LiveKind::event, event);
-    last_events_.push_back(std::move(event));
-    if (last_events_.size() > kEventsAgain) last_events_.pop_front();
+  for (Event& event : work.events) {
+    send(LiveKind::event, event.bytes);
+    std::deque<Bytes>& kept = event.milestone ? last_milestones_ : last_events_;
+    kept.push_back(std::move(event.bytes));
+    if (kept.size() > kEventsAgain) kept.pop_front();
   }
   if (work.has_frame) {
     LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame, identity_.field)};
@@ -228,6 +229,7 @@ void LivePublisher::send_again() {
   for (Bytes& bytes : last_frame_) again(LiveKind::state, bytes);
   for (Bytes& bytes : last_history_) again(LiveKind::hist, bytes);
   if (!last_energy_.empty()) again(LiveKind::energy, last_energy_);
+  for (Bytes& bytes : last_milestones_) again(LiveKind::event, bytes);
   for (Bytes& bytes : last_events_) again(LiveKind::event, bytes);
 }
 
@@ -242,8 +244,11 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   const double wall = seconds_between(rate_from_, now);
   // The last INFO may follow the one before at once; and a step that takes longer than a second is measured whole.
   if (wall > 0.5 && progress.stats.steps > rate_steps_) {
+    constexpr double kMemory = 5.0;  // s
     simulated_per_wall_ = (progress.time - rate_time_) / wall;
     steps_per_second_ = static_cast<double>(progress.stats.steps - rate_steps_) / wall;
+    const double share = steady_rate_ > 0.0 ? std::min(1.0, wall / kMemory) : 1.0;
+    steady_rate_ += share * (simulated_per_wall_ - steady_rate_);
     rate_from_ = now;
     rate_time_ = progress.time;
     rate_steps_ = progress.stats.steps;
@@ -271,8 +276,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.end_time = progress.end_time;
   info.simulated_per_wall = simulated_per_wall_;
   info.steps_per_second = steps_per_second_;
-  info.time_left =
-      simulated_per_wall_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / simulated_per_wall_ : -1.0;
+  info.time_left = steady_rate_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / steady_rate_ : -1.0;
   info.steps = progress.stats.steps;
   info.cuts = progress.stats.cuts;
   info.passes = progress.stats.passes;

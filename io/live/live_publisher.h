@@ -60,7 +60,7 @@ class LivePublisher {
   /// TOPO, and with it the newest STATE, HIST, ENERGY and events, for late viewers: below the two seconds that such a
   /// viewer may wait, since it also takes time to open its connection.
   static constexpr auto kKeyframeEvery = std::chrono::milliseconds(1500);
-  static constexpr std::size_t kEventsAgain = 10;  // the newest ones, in every keyframe
+  static constexpr std::size_t kEventsAgain = 10;  // newest ones of each weight in every keyframe
   static constexpr auto kRetryAfter = std::chrono::seconds(5);
   static constexpr auto kPace = std::chrono::milliseconds(2);  // between large messages on a network
 
@@ -80,7 +80,9 @@ class LivePublisher {
   void offer(const header_v1_t& header, const coupling::Ledger& ledger);
   void offer(LiveProgress progress);
   /// Events queue up.
-  void offer(Bytes event);
+  /// @param milestone  one of few, such as a stage: cuts and transfers by the hundred do not crowd it out of the
+  /// keyframes
+  void offer(Bytes event, bool milestone);
 
   /// The one warning of this publisher, once, when there is one: why nothing can be sent.
   [[nodiscard]] std::optional<std::string> take_warning();
@@ -92,13 +94,17 @@ class LivePublisher {
   void skip_frame() { ++frames_skipped_; }
 
  private:
+  struct Event {
+    Bytes bytes;
+    bool milestone = false;
+  };
   struct Waiting {
     std::shared_ptr<const LiveMesh> mesh;
     RawFrame frame;
     bool has_frame = false;
     std::optional<LiveHistory> history;
     std::optional<Bytes> energy;
-    std::vector<Bytes> events;
+    std::vector<Event> events;
     LiveProgress progress;
     bool last = false;
   };
@@ -132,13 +138,14 @@ class LivePublisher {
   Bytes encoded_mesh_;
   std::vector<Bytes> last_frame_, last_history_;  // messages, to be sent again
   Bytes last_energy_;
-  std::deque<Bytes> last_events_;
+  std::deque<Bytes> last_events_, last_milestones_;
   header_v1_t now_{};       // of the newest thing sent
   std::string info_stage_;  // that the last INFO named
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};
   Clock::time_point rate_from_{};
   double rate_time_ = 0.0, simulated_per_wall_ = 0.0, steps_per_second_ = 0.0;
+  double steady_rate_ = 0.0;  // simulated_per_wall_ smoothed over a few seconds
   std::int64_t rate_steps_ = 0;
   std::thread thread_;
 };

@@ -226,7 +226,8 @@ void LiveSink::history(const coupling::HistoryView& history) {
 }
 
 void LiveSink::event(const coupling::Event& event) {
-  impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event));
+  const bool milestone = event.kind != coupling::EventKind::step_cut && event.kind != coupling::EventKind::transfer;
+  impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event), milestone);
 }
 
 void LiveSink::step(double time, const coupling::RunStats& stats, const coupling::Ledger&) {

@@ -218,14 +218,32 @@ Lines monitors(const Dashboard& run, std::size_t width, std::size_t height) {
   return lines;
 }
 
-Lines events(const Dashboard& run, std::size_t width, std::size_t height) {
-  const std::size_t rows = std::min(run.events.size(), height - 1);
-  Lines lines{shown(
-      rows < run.events.size() ? fmt::format("EVENTS (the last {} of {})", rows, run.events.size()) : "EVENTS", width)};
-  for (const Dashboard::Event& e : std::span(run.events).last(rows)) {
-    std::string kind = e.kind;
+/// Events as they are shown: step cuts, and transfers, that follow one another are one.
+struct Happening {
+  const Dashboard::Event* last = nullptr;
+  int times = 0;
+};
+std::vector<Happening> happenings(const std::vector<Dashboard::Event>& events) {
+  std::vector<Happening> result;
+  for (const Dashboard::Event& e : events) {
+    const bool of_many = e.kind == "step_cut" || e.kind == "transfer";
+    if (of_many && !result.empty() && result.back().last->kind == e.kind)
+      result.back() = {&e, result.back().times + 1};
+    else
+      result.push_back({&e, 1});
+  }
+  return result;
+}
+
+Lines events(const std::vector<Happening>& all, std::size_t width, std::size_t height) {
+  const std::size_t rows = std::min(all.size(), height - 1);
+  Lines lines{rows < all.size() ? fmt::format("EVENTS (the last {} of {})", rows, all.size()) : "EVENTS"};
+  for (const auto& [e, times] : std::span(all).last(rows)) {
+    std::string kind = e->kind;
     std::replace(kind.begin(), kind.end(), '_', ' ');
-    lines.push_back(shown(right(fmt::format("{:.3f} s", e.time), 12) + "  " + left(kind, 13) + " " + e.text, width));
+    const std::string often = times > 1 ? fmt::format("{} in a row, the last: ", times) : "";
+    lines.push_back(
+        shown(right(fmt::format("{:.3f} s", e->time), 12) + "  " + left(kind, 13) + " " + often + e->text, width));
   }
   return lines;
 }
@@ -277,7 +295,8 @@ std::vector<std::string> render(const Dashboard& run, int columns_there, int lin
   std::array<Section, 3> sections;  // energy, monitors, events: what comes first goes last
   if (run.ledger) sections[0] = {energy_wish(*run.ledger), 1 + kSides.size()};
   if (!run.monitors.empty()) sections[1] = {1 + run.monitors.size(), 2};
-  if (!run.events.empty()) sections[2] = {1 + run.events.size(), 2};
+  const std::vector<Happening> happened = happenings(run.events);
+  if (!happened.empty()) sections[2] = {1 + happened.size(), 2};
   std::size_t room = height > lines.size() + 1 ? height - lines.size() - 1 : 0;
   for (Section& s : sections)
     if (s.wish > 0 && room >= 1 + s.least) s.given = s.least, room -= 1 + s.least;
@@ -298,7 +317,7 @@ std::vector<std::string> render(const Dashboard& run, int columns_there, int lin
   };
   if (sections[0].given > 0) add(energy(*run.ledger, width, sections[0].given));
   if (sections[1].given > 0) add(monitors(run, width, sections[1].given));
-  if (sections[2].given > 0) add(events(run, width, sections[2].given));
+  if (sections[2].given > 0) add(events(happened, width, sections[2].given));
   if (lines.size() > height - 1) lines.resize(height - 1);
   lines.push_back(foot(run, width));
   for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);

@@ -6,7 +6,8 @@
 
 namespace scree::io {
 
-LiveDashboard::LiveDashboard(std::unique_ptr<LiveReader> reader, std::string source) : reader_(std::move(reader)) {
+LiveDashboard::LiveDashboard(std::unique_ptr<LiveReader> reader, std::string source, Clock::time_point start)
+    : reader_(std::move(reader)), start_(start), heard_(Clock::now()) {
   now_.source = std::move(source);
   now_.received.emplace();
 }
@@ -83,6 +84,7 @@ const Dashboard& LiveDashboard::refresh() {
     ledger.moved = energy->moved;
     ledger.relative_closure = energy->relative_closure;
     now_.time = std::max(now_.time, ledger.time);
+    now_.steps = std::max(*now_.steps, energy->header.step);
   }
   now_.monitors.clear();
   if (const auto history = reader_->history(); history && is_of_it(history->header)) {

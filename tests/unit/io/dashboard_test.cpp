@@ -53,7 +53,7 @@ Dashboard full() {
                                  5e-16};
   run.monitors_time = 1.49;
   for (int i = 0; i < 12; ++i) run.monitors.push_back({"m" + std::to_string(i), 10.0 + i, 2.0, 3.0, 4.0, 0.0, -0.25});
-  for (int i = 0; i < 30; ++i) run.events.push_back({0.05 * i, "step_cut", "cut " + std::to_string(i)});
+  for (int i = 0; i < 30; ++i) run.events.push_back({0.05 * i, "warning", "word " + std::to_string(i)});
   Dashboard::Received received;
   received.messages = 123;
   received.malformed = 4;
@@ -133,7 +133,7 @@ TEST(Dashboard, every_size_is_kept_to_and_has_its_foot) {
 TEST(Dashboard, terminal_of_80_by_24_shows_all_sections_and_says_what_is_left_out) {
   const auto lines = render(full(), 80, 24);
   const std::string all = text(lines);
-  for (const char* part : {"energy held", "work done on it", "dissipated", "of the schemes", "m0 ", "cut 29",
+  for (const char* part : {"energy held", "work done on it", "dissipated", "of the schemes", "m0 ", "word 29",
                            "smaller)", " of 12)", " of 30)"})
     EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
   EXPECT_EQ(lines.size(), 24U);
@@ -148,6 +148,20 @@ TEST(Dashboard, small_terms_give_way_first) {
   EXPECT_NE(most.find("(and 1 smaller)"), std::string::npos) << most;
   EXPECT_EQ(most.find("contact damping"), std::string::npos) << most;
   EXPECT_NE(most.find("friction"), std::string::npos) << most;
+}
+
+TEST(Dashboard, step_cuts_in_a_row_take_one_line) {
+  Dashboard run = full();
+  run.events.clear();
+  run.events.push_back({0.0, "stage_start", "first"});
+  for (int i = 1; i <= 7; ++i) run.events.push_back({0.1 * i, "step_cut", "cut " + std::to_string(i)});
+  run.events.push_back({0.8, "stage_start", "second"});
+  run.events.push_back({0.9, "step_cut", "cut 8"});
+  const auto lines = render(run, 100, 60);
+  EXPECT_EQ(line_with(lines, "0.700 s"), "     0.700 s  step cut      7 in a row, the last: cut 7");
+  EXPECT_EQ(line_with(lines, "0.900 s"), "     0.900 s  step cut      cut 8");
+  EXPECT_EQ(text(lines).find("cut 6"), std::string::npos);
+  EXPECT_EQ(line_with(lines, "EVENTS"), "EVENTS");
 }
 
 TEST(Dashboard, text_from_the_network_cannot_steer_the_terminal) {

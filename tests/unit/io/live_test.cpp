@@ -327,6 +327,7 @@ TEST(LiveKeyframes, viewer_that_comes_late_gets_everything_while_the_run_stands_
   const coupling::Plan plan = plan_at(1000.0);
   LiveSink sink(plan.live, {"late"}, {}, recorder.bus);
   sink.begin(model_with_monitors(2), plan);
+  sink.event({coupling::EventKind::stage_start, 0.0, "only", nullptr});
   for (int i = 0; i < 15; ++i) sink.event({coupling::EventKind::step_cut, 0.0, std::to_string(i), nullptr});
   sink.frame(strip.frame);
   const std::vector<double> xy(4, 1.5);
@@ -346,8 +347,9 @@ TEST(LiveKeyframes, viewer_that_comes_late_gets_everything_while_the_run_stands_
   ASSERT_TRUE(late.info());
   EXPECT_EQ(late.info()->status, "running");
   const auto events = late.take_events();
-  ASSERT_EQ(events.size(), LivePublisher::kEventsAgain);
-  EXPECT_EQ(events.front().text, "5");
+  ASSERT_EQ(events.size(), 1 + LivePublisher::kEventsAgain);
+  EXPECT_EQ(events.front().text, "only") << "cuts do not crowd out a stage";
+  EXPECT_EQ(events[1].text, "5");
   EXPECT_EQ(events.back().text, "14");
   sink.end({}, strip.frame);
 }
