@@ -1,10 +1,10 @@
 #include "io/live/live_sink.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "io/live/live_publisher.h"
 #include "io/live/take_apart.h"
@@ -160,7 +160,7 @@ void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   publisher->offer(spare);
 }
 
-LiveSink::LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
+LiveSink::LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
     : impl_(std::make_unique<Impl>(plan, std::move(run), std::move(warn), std::move(bus))) {
   impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
 }

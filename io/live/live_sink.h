@@ -14,19 +14,11 @@ namespace scree::io {
 
 /// Who is streaming. A name alone will do.
 struct LiveRun {
-  std::string name;       // of the run; in the channels as channel_run(name)
-  std::string version;    // of the program
-  std::string case_hash;  // SHA-256 of the case text, or empty
+  std::string name = {};       // of the run; in the channels as channel_run(name)
+  std::string version = {};    // of the program
+  std::string case_hash = {};  // SHA-256 of the case text, or empty
   LiveField field = LiveField::speed;
-  std::optional<double> until;  // the run stops here, before the end of its plan [s]
-
-  LiveRun(std::string its_name, std::string its_version = {}, std::string its_case_hash = {},
-          LiveField its_field = LiveField::speed, std::optional<double> its_until = {})
-      : name(std::move(its_name)),
-        version(std::move(its_version)),
-        case_hash(std::move(its_case_hash)),
-        field(its_field),
-        until(its_until) {}
+  std::optional<double> until = {};  // the run stops here, before the end of its plan [s]
 };
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
@@ -43,7 +35,7 @@ class LiveSink final : public coupling::Sink {
   ///              for a log file, which it gives up.
   /// @param bus   a connection to share with a reader of the same program (memq); null: opened from plan.url
   /// @throws std::invalid_argument with the text of check_live_url(plan.url)
-  LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
+  LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
   /// Sends what is waiting: at most one mesh and one frame.
   ~LiveSink() override;
 

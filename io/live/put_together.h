@@ -54,9 +54,9 @@ class LiveAssembly {
   template <class Message>
   bool take_as(std::span<const std::uint8_t> bytes);
   Verdict put(info_v1_t&& message);
-  Verdict put(topo_v1_t&& message);
-  Verdict put(state_v1_t&& message);
-  Verdict put(hist_v1_t&& message);
+  Verdict put(topo_v1_t&& in);
+  Verdict put(state_v1_t&& in);
+  Verdict put(hist_v1_t&& in);
   Verdict put(energy_v1_t&& message);
   Verdict put(event_v1_t&& message);
   void forget();

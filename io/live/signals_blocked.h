@@ -1,7 +1,7 @@
 // Signals are for the thread that runs the program: threads of the live stream do not take them.
 #pragma once
 
-#include <signal.h>
+#include <csignal>
 
 namespace scree::io {
 

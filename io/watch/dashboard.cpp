@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 #include "model/check.h"
@@ -279,15 +278,15 @@ std::string shown(std::string_view text, std::size_t most) {
   return out;
 }
 
-std::vector<std::string> render(const Dashboard& run, int columns_there, int lines_there) {
-  SCREE_ASSERT(columns_there >= 40 && lines_there >= 10);
-  const auto width = static_cast<std::size_t>(columns_there), height = static_cast<std::size_t>(lines_there);
+std::vector<std::string> render(const Dashboard& run, int width, int height) {
+  SCREE_ASSERT(width >= 40 && height >= 10);
+  const auto across = static_cast<std::size_t>(width), down = static_cast<std::size_t>(height);
   if (run.run.empty()) {
     const double waited = run.received ? run.received->waited : 0.0;
-    return {shown("scree watch", width),
-            shown(fmt::format("waiting for a run on {}, {}", run.source, duration(waited)), width), foot(run, width)};
+    return {shown("scree watch", across),
+            shown(fmt::format("waiting for a run on {}, {}", run.source, duration(waited)), across), foot(run, across)};
   }
-  Lines lines = head(run, width);
+  Lines lines = head(run, across);
 
   struct Section {
     std::size_t wish = 0, least = 0, given = 0;  // lines with the title, without the empty line above
@@ -297,12 +296,12 @@ std::vector<std::string> render(const Dashboard& run, int columns_there, int lin
   if (!run.monitors.empty()) sections[1] = {1 + run.monitors.size(), 2};
   const std::vector<Happening> happened = happenings(run.events);
   if (!happened.empty()) sections[2] = {1 + happened.size(), 2};
-  std::size_t room = height > lines.size() + 1 ? height - lines.size() - 1 : 0;
+  std::size_t room = down > lines.size() + 1 ? down - lines.size() - 1 : 0;
   for (Section& s : sections)
     if (s.wish > 0 && room >= 1 + s.least) s.given = s.least, room -= 1 + s.least;
   // In turn, lists first up to a few lines each, so that the ledger is whole before they are.
   constexpr std::size_t kFew = 8;
-  for (const std::size_t most_of_lists : {kFew, height})
+  for (const std::size_t most_of_lists : {kFew, down})
     for (bool more = true; more && room > 0;) {
       more = false;
       for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -315,11 +314,11 @@ std::vector<std::string> render(const Dashboard& run, int columns_there, int lin
     lines.emplace_back();
     lines.insert(lines.end(), section.begin(), section.end());
   };
-  if (sections[0].given > 0) add(energy(*run.ledger, width, sections[0].given));
-  if (sections[1].given > 0) add(monitors(run, width, sections[1].given));
-  if (sections[2].given > 0) add(events(happened, width, sections[2].given));
-  if (lines.size() > height - 1) lines.resize(height - 1);
-  lines.push_back(foot(run, width));
+  if (sections[0].given > 0) add(energy(*run.ledger, across, sections[0].given));
+  if (sections[1].given > 0) add(monitors(run, across, sections[1].given));
+  if (sections[2].given > 0) add(events(happened, across, sections[2].given));
+  if (lines.size() > down - 1) lines.resize(down - 1);
+  lines.push_back(foot(run, across));
   for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
   return lines;
 }

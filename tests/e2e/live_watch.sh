@@ -61,7 +61,8 @@ wait_for early '1 malformed'
 
 lcm-logger --quiet --lcm-url="$url" "$work/log" > "$work/logger.txt" 2>&1 &
 logger=$!
-"$scree" run "$case_file" --live --quiet --out "$work/run" > "$work/out.txt" 2> "$work/err.txt" &
+# A finer mesh: a run that outlasts all that follows.
+"$scree" run "$case_file" --set stage.shock.cover_size=0.4 --live --quiet --out "$work/run" > "$work/out.txt" 2> "$work/err.txt" &
 run=$!
 
 # simulated_time PANE: as the screen has it, empty where there is none
@@ -104,7 +105,7 @@ wait_for large 'exit code 130'
 [ "$(terminal display-message -p -t large '#{alternate_on} #{cursor_flag}')" = '0 1' ] || fail "the terminal is not put back"
 
 # The run is asked to stop: the viewer shows that and ends.
-kill -INT "$run"
+kill -INT "$run" || fail "the run was over before it was asked to stop"
 wait "$run"
 code=$?
 run=
