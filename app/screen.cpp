@@ -27,24 +27,25 @@ TerminalSize terminal_size() {
   return {std::clamp<int>(size.ws_col, 40, 500), std::clamp<int>(size.ws_row, 10, 200)};
 }
 
-Screen::Screen() { put("\033[?1049h\033[?25l\033[2J"); }
+// Alternate screen, no cursor, no wrapping.
+Screen::Screen() { put("\033[?1049h\033[?25l\033[?7l\033[2J"); }
 
-Screen::~Screen() { put("\033[0m\033[?25h\033[?1049l"); }
+Screen::~Screen() { put("\033[0m\033[?7h\033[?25h\033[?1049l"); }
 
-void Screen::draw(const std::vector<std::string>& lines, int width) const {
+void Screen::draw(const std::vector<std::string>& lines, TerminalSize size) const {
   std::string text = "\033[H";
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto characters = std::count_if(lines[i].begin(), lines[i].end(),
-                                          [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    if (i == 0) {
-      text += "\033[7m" + lines[i] +
-              std::string(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, width - characters)), ' ') + "\033[0m";
-    } else {
-      text += "\r\n" + lines[i];
-      if (characters < width) text += "\033[K";  // in the last column it would erase the last character
-    }
+    const auto length = static_cast<int>(std::count_if(lines[i].begin(), lines[i].end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // characters of UTF-8
+    }));
+    const auto rest = static_cast<std::size_t>(std::max(0, size.width - length));
+    if (i == 0)
+      text += "\033[7m" + lines[i] + std::string(rest, ' ') + "\033[0m";
+    else
+      text += "\r\n" + lines[i] + (rest > 0 ? "\033[K" : "");  // in the last column it would erase the last character
   }
-  put(text + "\033[J");
+  if (lines.size() < static_cast<std::size_t>(size.height)) text += "\r\n\033[J";
+  put(text);
 }
 
 }  // namespace scree::app

@@ -20,8 +20,9 @@ class Screen {
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
-  /// Shows these lines, the first one in reverse.   @pre no longer than the terminal is wide, no control characters
-  void draw(const std::vector<std::string>& lines, int width) const;
+  /// Shows these lines, the first one in reverse; what is longer than the terminal is wide does not wrap.
+  /// @pre no control characters
+  void draw(const std::vector<std::string>& lines, TerminalSize size) const;
 };
 
 }  // namespace scree::app

@@ -42,7 +42,7 @@ class Display {
   void show(const io::Dashboard& run) {
     if (screen_) {
       const TerminalSize size = terminal_size();
-      screen_->draw(io::render(run, size.width, size.height), size.width);
+      screen_->draw(io::render(run, size.width, size.height), size);
     } else if (Clock::now() >= next_) {
       next_ = Clock::now() + std::chrono::seconds(1);
       line(run);

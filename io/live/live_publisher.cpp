@@ -191,7 +191,11 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.has_frame) last_frame_.clear();
   if (work.history) last_history_.clear();
   if (work.energy) last_energy_.clear();
-  if (keyframe_due) send_again();  // what is replaced below is not sent twice
+  if (keyframe_due) {
+    send_again();  // what is replaced below is not sent twice
+    const Clock::time_point sent = Clock::now();
+    keyframe_at_ = std::max(keyframe_at_, sent + 3 * (sent - now));
+  }
   for (Event& event : work.events) {
     send(LiveKind::event, event.bytes);
     std::deque<Bytes>& kept = event.milestone ? last_milestones_ : last_events_;
