@@ -641,8 +641,10 @@ TEST(LiveDamage, forged_lengths_under_a_right_crc_are_dropped) {
 
   std::mt19937 random(11);
   std::set<LiveKind> taken;
-  for (const auto& [channel, bytes] : messages)
-    for (const auto& [mesh_channel, mesh] : meshes) {
+  for (const auto& message : messages)
+    for (const auto& mesh : meshes) {
+      const std::string& channel = message.first;
+      const Bytes& bytes = message.second;
       LiveAssembly assembly;
       std::int64_t dropped = 0;
       const auto forge = [&](Bytes bad) {
@@ -650,7 +652,7 @@ TEST(LiveDamage, forged_lengths_under_a_right_crc_are_dropped) {
         // Each forgery meets a mesh; one that passes for a later session makes the assembly forget it.
         if (!assembly.mesh() || assembly.frame()) {
           assembly = LiveAssembly{};
-          assembly.take(mesh_channel, mesh);
+          assembly.take(mesh.first, mesh.second);
         }
         if (assembly.take(channel, bad))  // it hit a number; must not crash (run under asan)
           taken.insert(*channel_kind(channel));
