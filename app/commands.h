@@ -29,6 +29,16 @@ int cases_list();
 int cases_verify(const std::vector<std::string>& names, bool full, int threads);
 int schema(bool markdown);
 
+struct WatchOptions {
+  std::string source;             // URL, run folder or name of a run; empty: any run on the default URL
+  std::string run;                // name of the run to follow; empty: the one that started last
+  bool once = false;              // one screen, then end
+  double timeout = 10.0;          // give up after so long without a message [s]; 0: never
+  std::optional<double> seconds;  // watch so long at most [s]
+};
+/// kDone when the run ended or the time is up, kFiles when nothing is to be seen, kInterrupted on Ctrl-C.
+int watch(const WatchOptions& options);
+
 struct SnapshotCommand {
   std::filesystem::path run, out;
   std::string at = "end";  // start, handover, end, a frame number or a time with the unit s

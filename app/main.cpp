@@ -65,6 +65,22 @@ int dispatch(int argc, char** argv) {
   snapshot_command->add_option("--field", picture.field, "displacement, speed, sxx, syy, sxy, s1, s3, block, method");
   snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");
 
+  WatchOptions look;
+  double look_for = 0.0;
+  CLI::App* watch_command = app.add_subcommand("watch", "watch a run that streams (run --live), or see a stored one");
+  watch_command
+      ->add_option("source", look.source,
+                   "run folder, name of a run, or URL: udpm://GROUP:PORT, file://LOG (default: any run on the "
+                   "default URL)")
+      ->type_name("RUN|URL");
+  watch_command->add_option("--run", look.run, "of the runs on that URL the one with this name")->type_name("NAME");
+  watch_command->add_flag("--once", look.once, "print one screen and end");
+  watch_command->add_option("--timeout", look.timeout, "give up after so many seconds of silence; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  CLI::Option* for_option =
+      watch_command->add_option("--for", look_for, "end after so many seconds")->check(CLI::PositiveNumber);
+
   bool markdown = false;
   CLI::App* schema_command = app.add_subcommand("schema", "every key of a case file");
   schema_command->add_flag("--markdown", markdown, "as Markdown");
@@ -82,6 +98,8 @@ int dispatch(int argc, char** argv) {
   if (*list_command) return cases_list();
   if (*verify_command) return cases_verify(names, full, threads);
   if (*snapshot_command) return snapshot(picture);
+  if (*for_option) look.seconds = look_for;
+  if (*watch_command) return watch(look);
   if (*schema_command) return schema(markdown);
   return kUsage;
 }

@@ -119,11 +119,12 @@ int run(const RunOptions& options) {
   }
   std::unique_ptr<io::LiveSink> live;
   if (c.plan.live.enabled) {
-    live = std::make_unique<io::LiveSink>(c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance)},
-                                          [&log](const std::string& text) {
-                                            fmt::print(stderr, "warning: {}\n", text);
-                                            log.warn(text);
-                                          });
+    live = std::make_unique<io::LiveSink>(
+        c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance), io::LiveField::speed, options.until},
+        [&log](const std::string& text) {
+          fmt::print(stderr, "warning: {}\n", text);
+          log.warn(text);
+        });
     driver.add_sink(*live);
   }
 

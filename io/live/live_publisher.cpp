@@ -1,7 +1,6 @@
 #include "io/live/live_publisher.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <scree/info_v1_t.hpp>
 #include <utility>
 
+#include "io/live/signals_blocked.h"
 #include "io/live/take_apart.h"
 
 namespace scree::io {
@@ -24,22 +24,6 @@ std::int64_t microseconds_now() {
 double seconds_between(LivePublisher::Clock::time_point from, LivePublisher::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
-
-/// Signals are for the thread that runs the simulation.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 }  // namespace
 
@@ -132,14 +116,14 @@ void LivePublisher::offer(LiveProgress progress) {
   waiting_.progress = std::move(progress);
 }
 
-void LivePublisher::offer(Bytes event) {
+void LivePublisher::offer(Bytes event, bool milestone) {
   {
     const std::lock_guard lock(mutex_);
     if (waiting_.events.size() >= kMaxEvents || stopped_) {
       ++events_lost_;
       return;
     }
-    waiting_.events.push_back(std::move(event));
+    waiting_.events.push_back({std::move(event), milestone});
     fresh_ = true;
   }
   wake_.notify_one();
@@ -160,7 +144,7 @@ void LivePublisher::run() {
     while (!work.last) {
       {
         std::unique_lock lock(mutex_);
-        wake_.wait_until(lock, std::min(info_at_, topology_at_), [this] { return fresh_; });
+        wake_.wait_until(lock, std::min(info_at_, keyframe_at_), [this] { return fresh_; });
         fresh_ = false;
         work.mesh = waiting_.mesh;
         std::swap(work.frame, waiting_.frame);
@@ -187,13 +171,15 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.mesh != mesh_) {
     mesh_ = work.mesh;
     encoded_mesh_.clear();
-    topology_at_ = now;
+    last_frame_.clear();  // of the mesh before
+    keyframe_at_ = now;
   }
   now_.time = work.progress.time;
   now_.step = work.progress.stats.steps;
   if (work.has_frame) now_.stage = work.frame.header.stage;
-  const bool topology_due = now >= topology_at_, info_due = now >= info_at_ || work.last;
-  if (topology_due) topology_at_ = now + kTopologyEvery;
+  const bool keyframe_due = now >= keyframe_at_, new_stage = work.progress.stage_name != info_stage_;
+  const bool info_due = now >= info_at_ || new_stage || work.last;
+  if (keyframe_due) keyframe_at_ = now + kKeyframeEvery;
   if (info_due) info_at_ = now + kInfoEvery;
   if (!up) {
     if (work.has_frame) ++frames_skipped_;
@@ -201,19 +187,54 @@ void LivePublisher::send_all(Waiting& work) {
     return;
   }
 
-  if (topology_due) send_topology();
-  for (const Bytes& event : work.events) send(LiveKind::event, event);
+  if (keyframe_due) send_topology();
+  if (work.has_frame) last_frame_.clear();
+  if (work.history) last_history_.clear();
+  if (work.energy) last_energy_.clear();
+  if (keyframe_due) {
+    send_again();  // what is replaced below is not sent twice
+    const Clock::time_point sent = Clock::now();
+    keyframe_at_ = std::max(keyframe_at_, sent + 3 * (sent - now));
+  }
+  for (Event& event : work.events) {
+    send(LiveKind::event, event.bytes);
+    std::deque<Bytes>& kept = event.milestone ? last_milestones_ : last_events_;
+    kept.push_back(std::move(event.bytes));
+    if (kept.size() > kEventsAgain) kept.pop_front();
+  }
   if (work.has_frame) {
     LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame, identity_.field)};
     frame.header.utime = microseconds_now();
     std::swap(frame.position, work.frame.position);
-    send_frame(frame, [this](const Bytes& bytes) { send(LiveKind::state, bytes); });
+    send_frame(frame, [this](Bytes bytes) {
+      send(LiveKind::state, bytes);
+      last_frame_.push_back(std::move(bytes));
+    });
     std::swap(frame.position, work.frame.position);  // the buffer goes round
     if (bus_) ++frames_sent_;
   }
-  if (work.history) send_history(*work.history, [this](const Bytes& bytes) { send(LiveKind::hist, bytes); });
-  if (work.energy) send(LiveKind::energy, *work.energy);
+  if (work.history)
+    send_history(*work.history, [this](Bytes bytes) {
+      send(LiveKind::hist, bytes);
+      last_history_.push_back(std::move(bytes));
+    });
+  if (work.energy) {
+    send(LiveKind::energy, *work.energy);
+    last_energy_ = std::move(*work.energy);
+  }
   if (info_due) send_info(work.progress);
+}
+
+void LivePublisher::send_again() {
+  const auto again = [this](LiveKind kind, Bytes& bytes) {
+    stamp(bytes, microseconds_now());
+    send(kind, bytes);
+  };
+  for (Bytes& bytes : last_frame_) again(LiveKind::state, bytes);
+  for (Bytes& bytes : last_history_) again(LiveKind::hist, bytes);
+  if (!last_energy_.empty()) again(LiveKind::energy, last_energy_);
+  for (Bytes& bytes : last_milestones_) again(LiveKind::event, bytes);
+  for (Bytes& bytes : last_events_) again(LiveKind::event, bytes);
 }
 
 void LivePublisher::send_topology() {
@@ -225,9 +246,13 @@ void LivePublisher::send_topology() {
 void LivePublisher::send_info(const LiveProgress& progress) {
   const Clock::time_point now = Clock::now();
   const double wall = seconds_between(rate_from_, now);
-  if (wall > 0.5) {  // the last INFO may follow the one before at once
+  // The last INFO may follow the one before at once; and a step that takes longer than a second is measured whole.
+  if (wall > 0.5 && progress.stats.steps > rate_steps_) {
+    constexpr double kMemory = 5.0;  // s
     simulated_per_wall_ = (progress.time - rate_time_) / wall;
     steps_per_second_ = static_cast<double>(progress.stats.steps - rate_steps_) / wall;
+    const double share = steady_rate_ > 0.0 ? std::min(1.0, wall / kMemory) : 1.0;
+    steady_rate_ += share * (simulated_per_wall_ - steady_rate_);
     rate_from_ = now;
     rate_time_ = progress.time;
     rate_steps_ = progress.stats.steps;
@@ -255,8 +280,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.end_time = progress.end_time;
   info.simulated_per_wall = simulated_per_wall_;
   info.steps_per_second = steps_per_second_;
-  info.time_left =
-      simulated_per_wall_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / simulated_per_wall_ : -1.0;
+  info.time_left = steady_rate_ > 0.0 ? std::max(0.0, progress.end_time - progress.time) / steady_rate_ : -1.0;
   info.steps = progress.stats.steps;
   info.cuts = progress.stats.cuts;
   info.passes = progress.stats.passes;
@@ -267,7 +291,13 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.frames_sent = frames_sent_;
   info.frames_skipped = frames_skipped_;
   info.events_lost = events_lost_;
+  info.contact_time = progress.contact.time;
+  info.contact_depth = progress.contact.depth;
+  info.contact_force = progress.contact.force;
+  info.contact_depth_at = wire_text(progress.contact.depth_at);
+  info.contact_force_at = wire_text(progress.contact.force_at);
   send(LiveKind::info, seal(info));
+  info_stage_ = progress.stage_name;
 }
 
 void LivePublisher::send(LiveKind kind, const Bytes& bytes) {
@@ -289,7 +319,7 @@ bool LivePublisher::connected() {
   std::string why;
   bus_ = LiveBus::open(url_.lcm, LiveSide::sender, why);
   if (bus_) {
-    topology_at_ = info_at_ = {};
+    keyframe_at_ = info_at_ = {};
     return true;
   }
   complain(why);

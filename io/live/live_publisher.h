@@ -1,10 +1,12 @@
 // The thread that encodes and sends. The run hands things over under a lock that is only ever held to swap buffers, so
-// neither encoding nor the network can keep it waiting.
+// neither encoding nor the network can keep it waiting. It goes by the clock on the wall, whatever the run does
+// meanwhile: during a step of a minute a viewer still hears that the run lives, and one that comes then sees it all.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -25,12 +27,20 @@ struct RawFrame {
   std::vector<double> source;    // what the field is made of: velocity (x, y a point) or stress (xx, yy, xy a cell)
 };
 
+/// The worst of the closed contacts at one instant.
+struct LiveContact {
+  double time = -1.0;               // [s]; negative: none looked at yet
+  double depth = 0.0, force = 0.0;  // deepest penetration [m], largest force [N]
+  std::string depth_at, force_at;   // whose; empty when nothing is closed
+};
+
 /// Where the run is, for INFO.
 struct LiveProgress {
   double time = 0.0, end_time = 0.0;  // simulated [s]
   std::string stage_name, integrator;
   std::string status = "running", reason;
   coupling::RunStats stats;
+  LiveContact contact;
 };
 
 /// What one INFO repeats from the start of the run.
@@ -47,7 +57,11 @@ class LivePublisher {
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t kMaxEvents = 1000;  // waiting; more are counted as lost
   static constexpr auto kInfoEvery = std::chrono::seconds(1);
-  static constexpr auto kTopologyEvery = std::chrono::seconds(2);
+  /// TOPO, and with it the newest STATE, HIST, ENERGY and events, for late viewers: well below the two seconds that
+  /// such a viewer may wait, since it also takes time to open its connection. A mesh that takes longer than a quarter
+  /// of this to send (7 MB, 200,000 points) comes more seldom: it leaves three quarters of the time to frames.
+  static constexpr auto kKeyframeEvery = std::chrono::milliseconds(1000);
+  static constexpr std::size_t kEventsAgain = 10;  // newest ones of each weight in every keyframe
   static constexpr auto kRetryAfter = std::chrono::seconds(5);
   static constexpr auto kPace = std::chrono::milliseconds(2);  // between large messages on a network
 
@@ -67,7 +81,9 @@ class LivePublisher {
   void offer(const header_v1_t& header, const coupling::Ledger& ledger);
   void offer(LiveProgress progress);
   /// Events queue up.
-  void offer(Bytes event);
+  /// @param milestone  one of few, such as a stage: cuts and transfers by the hundred do not crowd it out of the
+  /// keyframes
+  void offer(Bytes event, bool milestone);
 
   /// The one warning of this publisher, once, when there is one: why nothing can be sent.
   [[nodiscard]] std::optional<std::string> take_warning();
@@ -79,13 +95,17 @@ class LivePublisher {
   void skip_frame() { ++frames_skipped_; }
 
  private:
+  struct Event {
+    Bytes bytes;
+    bool milestone = false;
+  };
   struct Waiting {
     std::shared_ptr<const LiveMesh> mesh;
     RawFrame frame;
     bool has_frame = false;
     std::optional<LiveHistory> history;
     std::optional<Bytes> energy;
-    std::vector<Bytes> events;
+    std::vector<Event> events;
     LiveProgress progress;
     bool last = false;
   };
@@ -93,6 +113,7 @@ class LivePublisher {
   void run();
   void send_all(Waiting& work);
   void send_topology();
+  void send_again();
   void send_info(const LiveProgress& progress);
   void send(LiveKind kind, const Bytes& bytes);
   [[nodiscard]] bool connected();
@@ -116,11 +137,16 @@ class LivePublisher {
   bool gave_up_ = false, complained_ = false;
   std::shared_ptr<const LiveMesh> mesh_;
   Bytes encoded_mesh_;
-  header_v1_t now_{};  // of the newest thing sent
+  std::vector<Bytes> last_frame_, last_history_;  // messages, to be sent again
+  Bytes last_energy_;
+  std::deque<Bytes> last_events_, last_milestones_;
+  header_v1_t now_{};       // of the newest thing sent
+  std::string info_stage_;  // that the last INFO named
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
-  Clock::time_point retry_at_{}, info_at_{}, topology_at_{}, large_at_{};
+  Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};
   Clock::time_point rate_from_{};
   double rate_time_ = 0.0, simulated_per_wall_ = 0.0, steps_per_second_ = 0.0;
+  double steady_rate_ = 0.0;  // simulated_per_wall_ smoothed over a few seconds
   std::int64_t rate_steps_ = 0;
   std::thread thread_;
 };

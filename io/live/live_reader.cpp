@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "io/live/channel.h"
+#include "io/live/signals_blocked.h"
 
 namespace scree::io {
 
@@ -40,6 +41,7 @@ struct LiveReader::Impl {
 LiveReader::LiveReader(std::shared_ptr<LiveBus> bus, const std::string& run)
     : impl_(std::make_unique<Impl>(std::move(bus))) {
   Impl* impl = impl_.get();
+  const SignalsBlocked inherited_by_the_threads;  // the library's own too: a signal would end its wait with an error
   const bool listening = impl->bus->subscribe(
       channel_pattern(run),
       [impl](std::string_view channel, std::span<const std::uint8_t> bytes) { impl->take(channel, bytes); });

@@ -1,8 +1,10 @@
 #include "io/live/live_sink.h"
 
-#include <time.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 
 #include "io/live/live_publisher.h"
 #include "io/live/take_apart.h"
@@ -68,6 +70,7 @@ struct LiveSink::Impl {
   Impl(const coupling::LivePlan& plan, LiveRun run, Warn its_warn, std::shared_ptr<LiveBus> its_bus)
       : url(its_bus ? its_bus->url() : parse_live_url(plan.url, LiveSide::sender)),
         who{std::move(run.name), {}, std::move(run.version), std::move(run.case_hash), run.field},
+        until(run.until),
         warn(std::move(its_warn)),
         bus(std::move(its_bus)),
         frame_limit(Limiter::at_rate(plan.rate)),
@@ -90,29 +93,60 @@ struct LiveSink::Impl {
     h.time = time;
     return h;
   }
-  void take_mesh(const coupling::MeshView& view) {
-    mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(view));
+  /// Offers the mesh of a frame, if it is another one than before: maps and displacements count from there.
+  void take_mesh(const coupling::FrameView& view) {
+    if (view.mesh == nullptr || (mesh && mesh->id == std::int64_t{view.mesh->id})) return;
+    mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(*view.mesh, view.position));
     publisher->offer(mesh);
   }
+  void set_end(double plan_end) { progress.end_time = until ? std::min(*until, plan_end) : plan_end; }
+  [[nodiscard]] LiveContact worst_contact(const coupling::State& state) const;
   void take_frame(const coupling::FrameView& view);
 
   LiveUrl url;
   LiveIdentity who;
+  std::optional<double> until;  // [s]
   Warn warn;
   std::shared_ptr<LiveBus> bus;
   Limiter frame_limit, history_limit, progress_limit;
   std::shared_ptr<const LiveMesh> mesh;
-  std::vector<std::string> monitors;
+  std::vector<std::string> monitors, blocks;  // names
   LiveProgress progress;
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
+  std::optional<LiveHistory> last_history;                          // newer than what was offered
   RawFrame spare;                                                   // a buffer for the next frame
   std::unique_ptr<LivePublisher> publisher;                         // last: its thread ends first
 };
 
+LiveContact LiveSink::Impl::worst_contact(const coupling::State& state) const {
+  const coupling::ContactMemory *deepest = nullptr, *strongest = nullptr;
+  const auto force = [](const coupling::ContactMemory& c) { return std::hypot(c.fn, c.ft); };
+  for (const coupling::ContactMemory& c : state.contacts) {
+    if (c.status == coupling::ContactStatus::open) continue;
+    if (deepest == nullptr || c.gap < deepest->gap) deepest = &c;
+    if (strongest == nullptr || force(c) > force(*strongest)) strongest = &c;
+  }
+  const auto who_is = [this](std::int32_t block) {
+    const auto b = static_cast<std::size_t>(block);
+    return block >= 0 && b < blocks.size() && !blocks[b].empty() ? blocks[b] : fmt::format("block {}", block);
+  };
+  const auto where = [&](const coupling::ContactKey& k) {
+    return fmt::format("{} corner {} on {} edge {}", who_is(k.block_p), k.vertex, who_is(k.block_e), k.edge);
+  };
+  LiveContact worst;
+  worst.time = seconds(state.time);
+  if (deepest == nullptr) return worst;
+  worst.depth = std::max(0.0, -deepest->gap);
+  worst.depth_at = where(deepest->key);
+  worst.force = force(*strongest);
+  worst.force_at = where(strongest->key);
+  return worst;
+}
+
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
-  if (view.mesh != nullptr && (!mesh || mesh->id != std::int64_t{view.mesh->id})) take_mesh(*view.mesh);
+  take_mesh(view);
   const auto source = who.field == LiveField::speed ? view.velocity : view.stress;
   const std::size_t wanted = !mesh ? 0 : who.field == LiveField::speed ? 2 * mesh->points() : 3 * mesh->cells();
   if (!mesh || view.position.size() != 2 * mesh->points() || source.size() != wanted) {
@@ -126,7 +160,7 @@ void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   publisher->offer(spare);
 }
 
-LiveSink::LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
+LiveSink::LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
     : impl_(std::make_unique<Impl>(plan, std::move(run), std::move(warn), std::move(bus))) {
   impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
 }
@@ -135,16 +169,17 @@ LiveSink::~LiveSink() = default;
 
 void LiveSink::begin(const Model& model, const coupling::Plan& plan) {
   impl_->who.title = model.title;
+  impl_->monitors.clear();
+  impl_->blocks.clear();
   for (const Monitor& monitor : model.monitors) impl_->monitors.push_back(monitor.name);
+  for (const Block& block : model.blocks) impl_->blocks.push_back(block.name);
   Tick end = 0;
   for (const coupling::Stage& stage : plan.stages) end += stage.duration;
-  impl_->progress.end_time = seconds(end);
+  impl_->set_end(seconds(end));
   impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
   impl_->publisher->offer(impl_->progress);
   impl_->publisher->start();
 }
-
-void LiveSink::topology(const coupling::MeshView& mesh) { impl_->take_mesh(mesh); }
 
 void LiveSink::frame(const coupling::FrameView& frame) {
   impl_->pass_warning();
@@ -153,13 +188,15 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   LiveProgress& progress = impl_->progress;
   const bool new_stage = progress.stage_name != frame.stage_name;
   progress.time = frame.time;
-  if (frame.end_time > 0.0) progress.end_time = frame.end_time;
+  if (frame.end_time > 0.0) impl_->set_end(frame.end_time);
   progress.stage_name = frame.stage_name;
   progress.integrator = frame.integrator == coupling::Integrator::explicit_ ? "explicit" : "implicit";
   if (frame.stats != nullptr) progress.stats = *frame.stats;
   if (new_stage) impl_->publisher->offer(progress);
+  impl_->take_mesh(frame);  // also of a frame that is not sent
   if (impl_->frame_limit.due()) {
     const auto before = cpu_time();
+    if (frame.state != nullptr) progress.contact = impl_->worst_contact(*frame.state);
     impl_->publisher->offer(progress);
     impl_->take_frame(frame);
     impl_->frame_limit.rest(kShare * (cpu_time() - before));
@@ -169,30 +206,37 @@ void LiveSink::frame(const coupling::FrameView& frame) {
 }
 
 void LiveSink::history(const coupling::HistoryView& history) {
-  if (!impl_->history_limit.due()) return;
   const std::size_t count = impl_->monitors.size();
+  const bool due = impl_->history_limit.due();
   if (count > 0 && history.position.size() == 2 * count && history.displacement.size() == 2 * count &&
       history.velocity.size() == 2 * count) {
     const auto copied = [](std::span<const double> xy) { return std::vector<double>(xy.begin(), xy.end()); };
-    impl_->publisher->offer(LiveHistory{impl_->header(history.time, impl_->histories), impl_->monitors,
-                                        copied(history.position), copied(history.displacement),
-                                        copied(history.velocity)});
+    LiveHistory now{impl_->header(history.time, impl_->histories), impl_->monitors, copied(history.position),
+                    copied(history.displacement), copied(history.velocity)};
+    if (due)
+      impl_->publisher->offer(std::move(now));
+    else
+      impl_->last_history = std::move(now);  // goes out if the run ends here
   }
-  if (history.ledger != nullptr) impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+  if (due) {
+    impl_->last_history.reset();
+    if (history.ledger != nullptr)
+      impl_->publisher->offer(impl_->header(history.time, impl_->ledgers), *history.ledger);
+  }
 }
 
 void LiveSink::event(const coupling::Event& event) {
-  impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event));
+  const bool milestone = event.kind != coupling::EventKind::step_cut && event.kind != coupling::EventKind::transfer;
+  impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event), milestone);
 }
 
-void LiveSink::step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) {
+void LiveSink::step(double time, const coupling::RunStats& stats, const coupling::Ledger&) {
   if (!impl_->progress_limit.due()) return;
   impl_->pass_warning();
   impl_->step = stats.steps;
   impl_->progress.time = time;
   impl_->progress.stats = stats;
   impl_->publisher->offer(impl_->progress);
-  impl_->publisher->offer(impl_->header(time, impl_->ledgers), ledger);
 }
 
 void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
@@ -200,9 +244,12 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->progress.reason = end.reason;
   impl_->progress.time = last.time;
   if (last.stats != nullptr) impl_->progress.stats = *last.stats;
+  if (last.state != nullptr) impl_->progress.contact = impl_->worst_contact(*last.state);
   impl_->step = last.step;
+  impl_->stage = last.stage;
   impl_->publisher->offer(impl_->progress);
   impl_->take_frame(last);
+  if (impl_->last_history) impl_->publisher->offer(std::move(*impl_->last_history));
   if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
   impl_->publisher->finish();
   impl_->pass_warning();

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "coupling/sink.h"
@@ -13,23 +14,18 @@ namespace scree::io {
 
 /// Who is streaming. A name alone will do.
 struct LiveRun {
-  std::string name;       // of the run; in the channels as channel_run(name)
-  std::string version;    // of the program
-  std::string case_hash;  // SHA-256 of the case text, or empty
+  std::string name = {};       // of the run; in the channels as channel_run(name)
+  std::string version = {};    // of the program
+  std::string case_hash = {};  // SHA-256 of the case text, or empty
   LiveField field = LiveField::speed;
-
-  LiveRun(std::string its_name, std::string its_version = {}, std::string its_case_hash = {},
-          LiveField its_field = LiveField::speed)
-      : name(std::move(its_name)),
-        version(std::move(its_version)),
-        case_hash(std::move(its_case_hash)),
-        field(its_field) {}
+  std::optional<double> until = {};  // the run stops here, before the end of its plan [s]
 };
 
 /// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
 /// of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent before
-/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO on change and every two seconds.
-/// Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
+/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO with the first frame of a mesh and
+/// every second, and with it once more the newest of everything else, so that a viewer may come at any time. Sending
+/// has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
 class LiveSink final : public coupling::Sink {
  public:
   using Warn = std::function<void(std::string)>;
@@ -39,12 +35,11 @@ class LiveSink final : public coupling::Sink {
   ///              for a log file, which it gives up.
   /// @param bus   a connection to share with a reader of the same program (memq); null: opened from plan.url
   /// @throws std::invalid_argument with the text of check_live_url(plan.url)
-  LiveSink(coupling::LivePlan plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
+  LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
   /// Sends what is waiting: at most one mesh and one frame.
   ~LiveSink() override;
 
   void begin(const Model& model, const coupling::Plan& plan) override;
-  void topology(const coupling::MeshView& mesh) override;
   void frame(const coupling::FrameView& frame) override;
   void history(const coupling::HistoryView& history) override;
   void event(const coupling::Event& event) override;

@@ -34,11 +34,18 @@ std::optional<LiveMesh> decode_mesh(std::span<const std::uint8_t> bytes, std::si
   mesh.base = {in->base[0], in->base[1]};
   mesh.origin_x = std::move(in->origin_x);
   mesh.origin_y = std::move(in->origin_y);
+  mesh.start_x = std::move(in->start_x);
+  mesh.start_y = std::move(in->start_y);
   mesh.connectivity = std::move(in->connectivity);
   mesh.block = std::move(in->block);
   mesh.material = std::move(in->material);
   mesh.method = std::move(in->method);
   mesh.methods = std::move(in->methods);
+  const auto finite = [](const std::vector<double>& list) {
+    return std::all_of(list.begin(), list.end(), [](double x) { return std::isfinite(x); });
+  };
+  if (!finite(mesh.start_x) || !finite(mesh.start_y)) return std::nullopt;
+  mesh.find_bodies();
   return mesh;
 }
 
@@ -119,6 +126,13 @@ LiveAssembly::Verdict LiveAssembly::put(energy_v1_t&& message) {
 }
 
 LiveAssembly::Verdict LiveAssembly::put(event_v1_t&& message) {
+  // The newest ones come again and again for late viewers. Numbers are dense, so what is far below the highest is old.
+  const std::int64_t number = message.header.sequence;
+  if (number <= events_floor_ || !events_known_.insert(number).second) return Verdict::taken;
+  while (events_known_.size() > kMaxEvents) {
+    events_floor_ = *events_known_.begin();
+    events_known_.erase(events_known_.begin());
+  }
   if (events_.size() == kMaxEvents) events_.pop_front();
   events_.push_back(std::move(message));
   ++counts_.events;
@@ -151,38 +165,82 @@ LiveAssembly::Verdict LiveAssembly::put(topo_v1_t&& in) {
 
 LiveAssembly::Verdict LiveAssembly::put(state_v1_t&& in) {
   if (!mesh_ || mesh_->id != in.header.topology_id) return Verdict::early;
-  const std::int64_t total_points = in.total_points, total_cells = in.total_cells;
-  if (total_points != static_cast<std::int64_t>(mesh_->points()) ||
-      total_cells != static_cast<std::int64_t>(mesh_->cells()) || in.header.sequence < 0 ||
-      in.chunks != chunks_for(4 * (total_points + total_cells)) || in.chunk < 0 || in.chunk >= in.chunks ||
-      in.first_point != split_at(total_points, in.chunk, in.chunks) ||
-      in.points != split_at(total_points, in.chunk + 1, in.chunks) - in.first_point ||
-      in.first_cell != split_at(total_cells, in.chunk, in.chunks) ||
-      in.cells != split_at(total_cells, in.chunk + 1, in.chunks) - in.first_cell || !std::isfinite(in.base[0]) ||
-      !std::isfinite(in.base[1]) || !std::isfinite(in.scale) || in.scale < 0.0)
+  const auto most = [](std::size_t size) { return static_cast<std::int32_t>(size); };  // a decoded count: fits
+  if (in.total_maps < 0 || in.total_maps > most(mesh_->bodies()) || in.total_points < 0 ||
+      in.total_points > most(mesh_->points()) || in.total_cells != most(mesh_->cells()) || in.header.sequence < 0 ||
+      in.chunks != frame_chunks(in.total_maps, in.total_points, in.total_cells) || in.chunk < 0 ||
+      in.chunk >= in.chunks)
+    return Verdict::malformed;
+  const auto is_part = [&](std::int32_t total, std::int32_t first, std::int32_t count) {
+    return first == split_at(total, in.chunk, in.chunks) && count == split_at(total, in.chunk + 1, in.chunks) - first;
+  };
+  if (!is_part(in.total_maps, in.first_map, in.maps) || !is_part(in.total_points, in.first_point, in.points) ||
+      !is_part(in.total_cells, in.first_cell, in.cells) || !all_in(in.body, 0, most(mesh_->bodies())) ||
+      !std::isfinite(in.base[0]) || !std::isfinite(in.base[1]) || !std::isfinite(in.scale) || in.scale < 0.0)
     return Verdict::malformed;
   if (in.header.sequence < frame_pieces_.key || (frame_ && in.header.sequence <= frame_->header.sequence))
     return Verdict::taken;  // late or twice: a newer frame is there
   if (in.header.sequence > frame_pieces_.key) {
     if (next_frame_) ++counts_.incomplete;
-    next_frame_ = std::make_shared<LiveFrame>();
-    next_frame_->mesh = mesh_;
-    next_frame_->position.resize(2 * mesh_->points());
+    next_frame_ = std::make_unique<FrameParts>();
+    next_frame_->body.resize(static_cast<std::size_t>(in.total_maps));
+    next_frame_->map.resize(static_cast<std::size_t>(in.total_maps));
+    next_frame_->loose.resize(2 * static_cast<std::size_t>(in.total_points));
     next_frame_->scalar.resize(mesh_->cells());
   }
+  FrameParts* next = next_frame_.get();
+  if (next == nullptr) return Verdict::taken;  // chunks of a frame that was refused
+  if (next->body.size() != static_cast<std::size_t>(in.total_maps) ||
+      next->loose.size() != 2 * static_cast<std::size_t>(in.total_points))
+    return Verdict::malformed;
   if (!frame_pieces_.add(in.header.sequence, in.chunk, in.chunks)) return Verdict::taken;
+  for (std::size_t i = 0; i < in.body.size(); ++i) {
+    const std::size_t m = static_cast<std::size_t>(in.first_map) + i;
+    next->body[m] = in.body[i];
+    next->map[m] = {in.ux[i], in.uy[i], in.xx[i], in.xy[i], in.yx[i], in.yy[i]};
+  }
   for (std::size_t i = 0; i < in.dx.size(); ++i) {
     const std::size_t p = static_cast<std::size_t>(in.first_point) + i;
-    next_frame_->position[2 * p] = mesh_->x(p) + restore(in.base[0], in.scale, in.dx[i]);
-    next_frame_->position[2 * p + 1] = mesh_->y(p) + restore(in.base[1], in.scale, in.dy[i]);
+    next->loose[2 * p] = restore(in.base[0], in.scale, in.dx[i]);
+    next->loose[2 * p + 1] = restore(in.base[1], in.scale, in.dy[i]);
   }
-  std::copy(in.scalar.begin(), in.scalar.end(), next_frame_->scalar.begin() + in.first_cell);
+  std::copy(in.scalar.begin(), in.scalar.end(), next->scalar.begin() + in.first_cell);
   if (frame_pieces_.missing > 0) return Verdict::taken;
-  next_frame_->header = in.header;
-  frame_ = std::move(next_frame_);
-  next_frame_ = nullptr;
+  const std::unique_ptr<FrameParts> whole = std::move(next_frame_);
+  std::shared_ptr<const LiveFrame> frame = put_together(std::move(*whole), in.header);
+  if (!frame) return Verdict::malformed;
+  frame_ = std::move(frame);
   ++counts_.frames;
   return Verdict::taken;
+}
+
+std::shared_ptr<const LiveFrame> LiveAssembly::put_together(FrameParts&& parts, const header_v1_t& header) const {
+  auto frame = std::make_shared<LiveFrame>();
+  frame->header = header;
+  frame->mesh = mesh_;
+  frame->scalar = std::move(parts.scalar);
+  frame->position.resize(2 * mesh_->points());
+  std::vector<char> done(mesh_->points(), 0);
+  for (std::size_t m = 0; m < parts.body.size(); ++m) {
+    if (m > 0 && parts.body[m] <= parts.body[m - 1]) return nullptr;  // increasing: none twice
+    const std::span<const std::int32_t> points = mesh_->points_of(static_cast<std::size_t>(parts.body[m]));
+    for (const std::int32_t point : points) {
+      const auto p = static_cast<std::size_t>(point);
+      const auto [x, y] = parts.map[m].place(*mesh_, static_cast<std::size_t>(points.front()), p);
+      frame->position[2 * p] = x;
+      frame->position[2 * p + 1] = y;
+      done[p] = 1;
+    }
+  }
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < done.size(); ++p) {
+    if (done[p] != 0) continue;
+    if (next == parts.loose.size()) return nullptr;
+    frame->position[2 * p] = mesh_->start_x[p] + parts.loose[next];
+    frame->position[2 * p + 1] = mesh_->start_y[p] + parts.loose[next + 1];
+    next += 2;
+  }
+  return next == parts.loose.size() ? frame : nullptr;
 }
 
 LiveAssembly::Verdict LiveAssembly::put(hist_v1_t&& in) {

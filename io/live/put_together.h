@@ -9,7 +9,9 @@
 #include <scree/info_v1_t.hpp>
 #include <scree/state_v1_t.hpp>
 #include <scree/topo_v1_t.hpp>
+#include <set>
 
+#include "io/live/affine_map.h"
 #include "io/live/channel.h"
 #include "io/live/live_data.h"
 #include "io/live/wire.h"
@@ -42,7 +44,7 @@ class LiveAssembly {
   [[nodiscard]] std::shared_ptr<const LiveHistory> history() const { return history_; }
   [[nodiscard]] std::shared_ptr<const LiveMesh> mesh() const { return mesh_; }
   [[nodiscard]] std::shared_ptr<const LiveFrame> frame() const { return frame_; }
-  /// Events since the last call, in order of arrival.
+  /// Events since the last call, each once, in order of arrival.
   [[nodiscard]] std::vector<event_v1_t> take_events();
   [[nodiscard]] const LiveCounts& counts() const { return counts_; }
 
@@ -52,12 +54,22 @@ class LiveAssembly {
   template <class Message>
   bool take_as(std::span<const std::uint8_t> bytes);
   Verdict put(info_v1_t&& message);
-  Verdict put(topo_v1_t&& message);
-  Verdict put(state_v1_t&& message);
-  Verdict put(hist_v1_t&& message);
+  Verdict put(topo_v1_t&& in);
+  Verdict put(state_v1_t&& in);
+  Verdict put(hist_v1_t&& in);
   Verdict put(energy_v1_t&& message);
   Verdict put(event_v1_t&& message);
   void forget();
+
+  /// A frame that is still coming: maps and displacements of the loose points.
+  struct FrameParts {
+    std::vector<std::int32_t> body;
+    std::vector<AffineMap> map;
+    std::vector<double> loose;  // x, y a point [m]
+    std::vector<float> scalar;
+  };
+  /// Null when maps and loose points do not make up the mesh.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> put_together(FrameParts&& parts, const header_v1_t& header) const;
 
   /// A thing whose pieces are still coming.
   struct Pieces {
@@ -72,12 +84,14 @@ class LiveAssembly {
   std::optional<info_v1_t> info_;
   std::optional<energy_v1_t> energy_;
   std::deque<event_v1_t> events_;
+  std::set<std::int64_t> events_known_;  // numbers, the newest kMaxEvents
+  std::int64_t events_floor_ = -1;       // this and all below count as known
   std::shared_ptr<const LiveMesh> mesh_;
   std::shared_ptr<const LiveFrame> frame_;
   std::shared_ptr<const LiveHistory> history_;
   Pieces mesh_pieces_, frame_pieces_, history_pieces_;
   std::vector<Bytes> mesh_bytes_;  // a piece
-  std::shared_ptr<LiveFrame> next_frame_;
+  std::unique_ptr<FrameParts> next_frame_;
   std::shared_ptr<LiveHistory> next_history_;
   LiveCounts counts_;
 };

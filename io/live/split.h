@@ -15,6 +15,11 @@ inline constexpr std::int32_t kMonitorsPerMessage = 256;  // with names of 100 b
   return static_cast<std::int32_t>(std::max<std::int64_t>(1, (bytes + kChunkPayload - 1) / kChunkPayload));
 }
 
+/// Chunks of a frame.
+[[nodiscard]] constexpr std::int32_t frame_chunks(std::int64_t maps, std::int64_t points, std::int64_t cells) {
+  return chunks_for(28 * maps + 4 * points + 4 * cells);
+}
+
 /// Where chunk k of n begins in a list of `total`; split_at(total, n, n) is total.   @pre 0 <= k <= n, n > 0
 [[nodiscard]] constexpr std::int32_t split_at(std::int64_t total, std::int64_t k, std::int64_t n) {
   return static_cast<std::int32_t>(total * k / n);

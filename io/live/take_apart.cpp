@@ -8,6 +8,7 @@
 #include <scree/state_v1_t.hpp>
 #include <scree/topo_v1_t.hpp>
 
+#include "io/live/affine_map.h"
 #include "io/live/quantise.h"
 #include "io/live/split.h"
 #include "model/check.h"
@@ -39,6 +40,8 @@ Bytes encode_mesh(const LiveMesh& mesh) {
   out.points = static_cast<std::int32_t>(mesh.points());
   out.origin_x = mesh.origin_x;
   out.origin_y = mesh.origin_y;
+  out.start_x = mesh.start_x;
+  out.start_y = mesh.start_y;
   out.cells = static_cast<std::int32_t>(mesh.cells());
   for (std::size_t c = 0; c < mesh.cells(); ++c) out.corners.push_back(mesh.offsets[c + 1] - mesh.offsets[c]);
   out.block = mesh.block;
@@ -68,30 +71,50 @@ void send_mesh(const header_v1_t& header, const Bytes& mesh, const Send& send) {
 void send_frame(const LiveFrame& frame, const Send& send) {
   const LiveMesh& mesh = *frame.mesh;
   SCREE_ASSERT(frame.position.size() == 2 * mesh.points() && frame.scalar.size() == mesh.cells());
+  std::vector<std::int32_t> bodies;
+  std::vector<AffineMap> maps;
+  std::vector<char> loose(mesh.points(), 1);
+  for (std::size_t b = 0; b < mesh.bodies(); ++b)
+    if (const auto map = affine_map(mesh, b, frame.position)) {
+      bodies.push_back(static_cast<std::int32_t>(b));
+      maps.push_back(*map);
+      for (const std::int32_t p : mesh.points_of(b)) loose[static_cast<std::size_t>(p)] = 0;
+    }
+  std::vector<double> dx, dy;
+  for (std::size_t p = 0; p < mesh.points(); ++p)
+    if (loose[p] != 0) {
+      dx.push_back(frame.position[2 * p] - mesh.start_x[p]);
+      dy.push_back(frame.position[2 * p + 1] - mesh.start_y[p]);
+    }
+
   state_v1_t out{};
   out.header = frame.header;
-  out.total_points = static_cast<std::int32_t>(mesh.points());
+  out.total_maps = static_cast<std::int32_t>(maps.size());
+  out.total_points = static_cast<std::int32_t>(dx.size());
   out.total_cells = static_cast<std::int32_t>(mesh.cells());
-  out.chunks = chunks_for(4 * (std::int64_t{out.total_points} + out.total_cells));
-  std::vector<double> dx, dy;
+  out.chunks = frame_chunks(out.total_maps, out.total_points, out.total_cells);
   for (out.chunk = 0; out.chunk < out.chunks; ++out.chunk) {
-    out.first_point = split_at(out.total_points, out.chunk, out.chunks);
-    out.points = split_at(out.total_points, out.chunk + 1, out.chunks) - out.first_point;
-    out.first_cell = split_at(out.total_cells, out.chunk, out.chunks);
-    out.cells = split_at(out.total_cells, out.chunk + 1, out.chunks) - out.first_cell;
-    dx.clear();
-    dy.clear();
-    for (std::int32_t i = 0; i < out.points; ++i) {
-      const auto p = static_cast<std::size_t>(out.first_point + i);
-      dx.push_back(frame.position[2 * p] - mesh.x(p));
-      dy.push_back(frame.position[2 * p + 1] - mesh.y(p));
+    const auto part = [&](std::int32_t total, std::int32_t& first, std::int32_t& count) {
+      first = split_at(total, out.chunk, out.chunks);
+      count = split_at(total, out.chunk + 1, out.chunks) - first;
+      return std::pair(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    };
+    const auto [map, map_count] = part(out.total_maps, out.first_map, out.maps);
+    out.body.assign(bodies.begin() + out.first_map, bodies.begin() + out.first_map + out.maps);
+    for (auto* list : {&out.ux, &out.uy, &out.xx, &out.xy, &out.yx, &out.yy}) list->clear();
+    for (const AffineMap& m : std::span(maps).subspan(map, map_count)) {
+      out.ux.push_back(m.ux), out.uy.push_back(m.uy);
+      out.xx.push_back(m.xx), out.xy.push_back(m.xy);
+      out.yx.push_back(m.yx), out.yy.push_back(m.yy);
     }
-    Quantised q = quantise(dx, dy);
+    const auto [point, point_count] = part(out.total_points, out.first_point, out.points);
+    Quantised q = quantise(std::span(dx).subspan(point, point_count), std::span(dy).subspan(point, point_count));
     out.base[0] = q.base[0];
     out.base[1] = q.base[1];
     out.scale = q.scale;
     out.dx = std::move(q.dx);
     out.dy = std::move(q.dy);
+    (void)part(out.total_cells, out.first_cell, out.cells);
     out.scalar.assign(frame.scalar.begin() + out.first_cell, frame.scalar.begin() + out.first_cell + out.cells);
     send(seal(out));
   }

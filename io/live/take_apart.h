@@ -9,7 +9,7 @@
 
 namespace scree::io {
 
-using Send = std::function<void(const Bytes& message)>;
+using Send = std::function<void(Bytes message)>;
 
 /// An encoded mesh_v1_t.
 [[nodiscard]] Bytes encode_mesh(const LiveMesh& mesh);

@@ -32,6 +32,9 @@ template <class Message>
 /// Writes the CRC into the last four bytes.   @pre at least four
 void write_crc(Bytes& bytes);
 
+/// Puts another utime into the header of a sealed message, for one that is sent again.   @pre the message has a header
+void stamp(Bytes& bytes, std::int64_t utime);
+
 /// A text that fits a message: cut to `most` bytes (whole UTF-8 characters), and at a zero byte.
 [[nodiscard]] std::string wire_text(std::string_view text, std::size_t most = 200);
 

@@ -82,6 +82,8 @@ void ResultsSink::event(const coupling::Event& event) {
 
 void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
+  files().file.attribute("/provenance", "status", status_name(end.status));  // a run that was killed has none
+  files().file.attribute("/provenance", "reason", end.reason);
   files().close();
   write_atomically(folder_.summary(), files().summary.text(end, last));
   files_.reset();

@@ -1,6 +1,7 @@
 #include "io/results/run_reader.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "io/results/h5_read.h"
 #include "io/results/run_folder.h"
@@ -177,6 +178,23 @@ std::vector<StoredMonitor> RunReader::monitors() const {
     monitors.push_back({name, time, pairs("position"), pairs("displacement"), pairs("velocity")});
   }
   return monitors;
+}
+
+std::vector<StoredEvent> RunReader::events() const {
+  const h5::File& file = data_->file;
+  const auto time = h5::read<double>(file, "/events/time");
+  const std::vector<std::string> kind = h5::read_texts(file, "/events/kind"),
+                                 text = h5::read_texts(file, "/events/text");
+  // The times are written last, as those of the ledger.
+  if (kind.size() < time.size() || text.size() < time.size()) throw FileError(file.path(), "/events is damaged");
+  std::vector<StoredEvent> events;
+  for (std::size_t i = 0; i < time.size(); ++i) events.push_back({time[i], kind[i], text[i]});
+  return events;
+}
+
+double RunReader::end_time() const {
+  const auto durations = h5::read<double>(data_->file, "/stages/duration");
+  return std::accumulate(durations.begin(), durations.end(), 0.0);
 }
 
 std::vector<DatasetNote> RunReader::datasets() const {

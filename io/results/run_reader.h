@@ -41,6 +41,11 @@ struct StoredMonitor {
   std::vector<double> time, position, displacement, velocity;  // x, y a time
 };
 
+struct StoredEvent {
+  double time = 0.0;  // [s]
+  std::string kind, text;
+};
+
 struct StoredBlock {
   std::string name;
   bool held = false;  // fixed or driven as a whole
@@ -71,8 +76,11 @@ class RunReader {
   [[nodiscard]] StoredFrame frame(std::size_t index) const;
   [[nodiscard]] StoredLedger ledger() const;
   [[nodiscard]] std::vector<StoredMonitor> monitors() const;
+  [[nodiscard]] std::vector<StoredEvent> events() const;
+  [[nodiscard]] double end_time() const;  // of the whole plan [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
-  /// Attribute of /provenance, such as version, commit, case_sha256, command_line; empty where there is none.
+  /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and
+  /// reason; empty where there is none.
   [[nodiscard]] std::string provenance(const std::string& key) const;
 
  private:

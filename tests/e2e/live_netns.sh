@@ -1,6 +1,6 @@
 #!/bin/bash
-# A run streams over real multicast, in a network namespace: a logger of LCM itself receives it, and the run opens no
-# socket that receives.
+# A run streams over real multicast, in a network namespace: a logger of LCM itself receives all six kinds of message,
+# none above 60 kB; the run opens no socket that receives, and computes what it computes without.
 # usage: live_netns.sh SCREE CASE
 set -u
 [ $# = 2 ] || { echo "usage: $0 SCREE CASE"; exit 2; }
@@ -44,5 +44,10 @@ sleep 0.3
 kill -INT "$logger"
 wait "$logger"
 logger=
-python3 "$(dirname "$0")/live_log.py" "$work/log" --need INFO TOPO STATE ENERGY EVENT --largest 60000 || fail "the log, above"
+python3 "$(dirname "$0")/live_log.py" "$work/log" --need INFO TOPO STATE HIST ENERGY EVENT --largest 60000 || fail "the log, above"
+
+"$scree" run "$case_file" --quiet --until 0.05 --out "$work/off" || fail "the run without streaming"
+hash() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$1/summary.json"; }
+[ "$(hash "$work/run")" = "$(hash "$work/off")" ] || fail "streaming changed the state"
+echo "ok: state $(hash "$work/off") with and without streaming"
 echo "ok: $samples looks at the sockets while streaming"

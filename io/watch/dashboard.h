@@ -1,0 +1,88 @@
+// What `scree watch` shows of a run, and how it looks as text. Knows neither networks nor files nor terminals.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scree::io {
+
+struct DashboardTerm {
+  std::string name, side;  // side: energy, work, dissipated, scheme
+  double value = 0.0;      // [J]
+};
+
+struct DashboardLedger {
+  double time = 0.0;                 // [s]
+  std::vector<DashboardTerm> terms;  // in the order of the ledger
+  double closure = 0.0;              // [J]
+  double moved = 0.0;                // [J]
+  double relative_closure = 0.0;     // |closure| / moved
+};
+
+struct DashboardContact {
+  double depth = 0.0;  // deepest penetration [m]
+  double force = 0.0;  // largest force [N]
+  std::string depth_at, force_at;
+};
+
+struct DashboardMonitor {
+  std::string name;
+  double x = 0.0, y = 0.0;    // position [m]
+  double ux = 0.0, uy = 0.0;  // displacement [m]
+  double vx = 0.0, vy = 0.0;  // velocity [m/s]
+};
+
+struct DashboardEvent {
+  double time = 0.0;  // [s]
+  std::string kind, text;
+};
+
+/// What came over LCM.
+struct DashboardReceived {
+  std::int64_t messages = 0, malformed = 0, other = 0, incomplete = 0, events_lost = 0, frames = 0;
+  double waited = 0.0;               // since the watcher began to listen [s]
+  double silent = 0.0;               // since the last message [s]
+  std::optional<double> mesh_after;  // the whole mesh was there so long after the watcher began [s]
+};
+
+/// A run as a watcher knows it. Texts may hold anything: the screen shows them cut and without control characters.
+struct Dashboard {
+  using Term = DashboardTerm;
+  using Ledger = DashboardLedger;
+  using Contact = DashboardContact;
+  using Monitor = DashboardMonitor;
+  using Event = DashboardEvent;
+  using Received = DashboardReceived;
+
+  std::string source;  // URL or folder
+  std::string run;     // name; empty: nothing is known yet
+  std::string title, version, status, reason, stage, integrator;
+  double time = 0.0, end_time = 0.0;  // simulated [s]
+  std::optional<double> rate;         // simulated seconds a second
+  std::optional<double> step_rate;    // steps a second
+  std::optional<double> time_left;    // wall time [s]
+  std::optional<std::int64_t> steps, cuts, passes, contacts, blocks, cells, unknowns;
+  std::optional<double> frame_time;  // of the newest complete frame [s]
+  std::optional<Contact> contact;    // empty: not known
+  std::optional<Ledger> ledger;
+  double monitors_time = 0.0;  // [s]
+  std::vector<Monitor> monitors;
+  std::vector<Event> events;         // oldest first
+  std::optional<Received> received;  // empty: a stored run
+};
+
+/// The whole screen: at most `height` lines of at most `width` columns, without line ends or control characters.
+/// Sections that do not fit are shortened and say so; the last line is the foot.
+/// @pre width >= 40, height >= 10
+[[nodiscard]] std::vector<std::string> render(const Dashboard& run, int width, int height);
+
+/// One line for logs: time, stage, rate, energy, closure.
+[[nodiscard]] std::string render_line(const Dashboard& run);
+
+/// A text as it may be shown: at most so many characters, the last one '~' where something was cut; control
+/// characters and bytes that are not UTF-8 become '?'. (Every character counts as one column.)
+[[nodiscard]] std::string shown(std::string_view text, std::size_t most);
+
+}  // namespace scree::io
