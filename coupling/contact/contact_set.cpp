@@ -284,6 +284,48 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
+void ContactFinder::interpolate(const ContactList& known, ContactList& out) const {
+  const auto divided_anew = [](const ContactMemory& m) { return m.segment < 0 && m.status != ContactStatus::open; };
+  if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
+  const Outlines& o = setup_->outlines();
+  const auto of_edge = [&](std::int32_t vertex, std::int32_t edge) {
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+    return v.edge_in == edge || v.edge_out == edge;
+  };
+  for (std::size_t f = 0; f < out.points.size(); ++f) {
+    const ContactPoint& p = out.points[f];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    if (p.from >= 0 || !p.facing || v.edge_in != v.edge_out) continue;
+    // Nearest remembered points of the two edges, before and behind.
+    struct Neighbour {
+      double distance = 0.0;
+      const ContactMemory* memory = nullptr;
+    } side[2];
+    for (std::size_t i = 0; i < out.points.size(); ++i) {
+      const ContactPoint& n = out.points[i];
+      if (n.from < 0 || out.memory[i].status == ContactStatus::open) continue;
+      const bool same = n.edge == p.edge && of_edge(n.vertex, v.edge_out);
+      if (!same && !(n.edge == v.edge_out && of_edge(n.vertex, p.edge))) continue;
+      const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
+      Neighbour& found = side[s < 0.0 ? 0 : 1];
+      if (found.memory == nullptr || std::abs(s) < found.distance) found = {std::abs(s), &out.memory[i]};
+    }
+    if (side[0].memory == nullptr) side[0] = side[1];
+    if (side[0].memory == nullptr) continue;
+    if (side[1].memory == nullptr) side[1] = side[0];
+    const ContactMemory &a = *side[0].memory, &b = *side[1].memory;
+    const double whole = side[0].distance + side[1].distance, w = whole > 0.0 ? side[0].distance / whole : 0.5;
+    ContactMemory& m = out.memory[f];
+    m.status = ContactStatus::stick;
+    m.failed = w < 0.5 ? a.failed : b.failed;
+    m.gap0 = (1.0 - w) * a.gap0 + w * b.gap0;
+    m.slip = (1.0 - w) * a.slip + w * b.slip;
+    m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
+    m.gap = p.at.gap - m.gap0;
+    m.anchor = p.at.xi - m.stretch / p.at.length;
+  }
+}
+
 void ContactFinder::pair_edges(ContactList& list) const {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < list.points.size(); ++i)
@@ -371,6 +413,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
          out.memory[i]);
   }
+  interpolate(known, out);
   pair_edges(out);
   suppress_second_edges(out);
 }

@@ -60,6 +60,9 @@ class ContactFinder {
   void inherit(const ContactList& known, ContactList& out);
   void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
             ContactMemory& m) const;
+  /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
+  /// from the remembered points on either side.
+  void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;
 

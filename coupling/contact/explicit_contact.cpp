@@ -45,10 +45,10 @@ void ExplicitContact::enter(State& state, bool at_start) {
   finder_.restore(state.contacts, before_);
   finder_.find(state.q, before_, at_start, now_);
   (void)finder_.adopt_kinds(now_);  // the energy returned below has it
+  // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
-    if (m.kn > 0.0 && m.fn == 0.0 && m.status == ContactStatus::open && m.gap < 0.0)
-      apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
+    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
   }
   state.contacts = now_.memory;
 }

@@ -14,7 +14,7 @@ class ExplicitContact {
  public:
   ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {}
 
-  /// Finds the points of a state and evaluates nothing: forces are those of the memory.
+  /// Finds the points of a state and the forces of their springs.
   void enter(State& state, bool at_start);
   /// f += forces of the memory.
   void add(std::span<double> f) const;
