@@ -79,7 +79,8 @@ struct SmallRun {
       b.material = MaterialId{0};
       model.blocks.push_back(b);
     }
-    model.joints.push_back({"rough", 0.5, 1e3});
+    model.joints.emplace_back();
+    model.joints.back().name = "rough";
     model.joint_lines.push_back({{4.0, 1.0}, {6.0, 1.5}, JointId{0}, JointLine::Kind::joint_set, 3});
     model.cracks.push_back({{4.0, 1.0}, {5.0, 1.25}, JointId{0}, BlockId{1}});
     model.block_supports.push_back({BlockId{0}, MotionId{}});
