@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                           "no joint of that name", "\"rough\"", "did you mean \"rough\"?"},
                     Wrong{"domain_too_many_lines.toml", 15, 11, "domain.joint_set.0.spacing", "1e-06", "lines",
                           "at most", "units"},
-                    Wrong{"domain_overlaps_block.toml", 22, 11, "block.0.polygon", "[[9.0, 0.0]", "overlaps block",
+                    Wrong{"domain_overlaps_block.toml", 20, 11, "block.0.polygon", "[[9.0, 0.0]", "overlaps block",
                           "overlaps no other", "only touch"},
                     Wrong{"empty.toml", 1, 1, "", "", "empty", "[[block]]", "scree schema"},
                     Wrong{"not_toml.toml", 14, 8, "", "", "not TOML", "TOML 1.0", "quotation marks"}),
