@@ -8,6 +8,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "model/planar.h"
+
 namespace scree {
 namespace {
 
@@ -373,6 +375,15 @@ Domain random_network(std::uint64_t seed) {
     d.network.sets.push_back(set);
   }
   add_trace(d, {{1, 20}, {20, 25}, {40, 8}, {60, 12}}, kWeak);
+  if (seed % 2 == 0) {
+    Region base;
+    base.name = "base";
+    base.outline = {{-2, -1}, {74, 0}, {73, 6.6}, {30, 7.3}, {13.7, 19.9}, {-2, 21}};
+    base.material = MaterialId{1};
+    base.cut = seed % 4 == 0;
+    d.regions.push_back(base);
+  }
+  if (seed % 3 == 0) d.outline.holes.push_back({{10, 24}, {9, 26.5}, {11.1, 28}, {13.3, 26.5}, {12.7, 24.1}});
   return d;
 }
 
@@ -383,8 +394,14 @@ TEST(CutBlocks, fifty_random_networks_tile_the_domain_and_repeat_bit_for_bit) {
     ASSERT_FALSE(check_domain(d).has_value());
     const Cutting c = cut_blocks(d);
     blocks += c.blocks.size();
-    const double whole = signed_area(d.outline.outer);
+    double whole = 0.0, of_region = 0.0;
+    for (std::size_t r = 0; r < d.outline.rings(); ++r) whole += signed_area(d.outline.ring(r));
     EXPECT_NEAR(total_area(c), whole, 1e-10 * whole) << seed;
+    if (!d.regions.empty()) {  // the region and nothing else, slivers included
+      for (const Block& b : c.blocks)
+        if (b.name.starts_with("base-")) of_region += area_of(b);
+      EXPECT_NEAR(of_region, overlap_area({d.regions[0].outline, {}}, d.outline), 1e-9 * whole) << seed;
+    }
     EXPECT_EQ(bits_of(cut_blocks(d)), bits_of(c)) << seed;
 
     // Order of the sets, and of the points of a trace, changes no bit.
@@ -406,6 +423,8 @@ TEST(CutBlocks, cracks_and_edges_of_blocks_use_up_the_lines) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Domain d = random_network(seed);
     d.least_width = 0.0;  // nothing is joined or trimmed
+    d.regions.clear();    // their outlines are edges too
+    d.outline.holes.clear();
     const Cutting c = cut_blocks(d);
     double lines = 0.0, edges = 0.0, outline = 0.0;
     for (const JointLine& l : c.lines) lines += (l.to - l.from).norm();
