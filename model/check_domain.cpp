@@ -24,7 +24,7 @@ constexpr const char* kSimpleRing = "a simple polygon: corners in order, the fir
 /// @param extent  of the outline [m]
 std::optional<DomainFault> ring_fault(Part part, std::size_t index, const std::string& name, const Ring& ring,
                                       double extent) {
-  const auto fault = [&](std::string what, std::string hint) {
+  const auto fault = [&](const std::string& what, std::string hint) {
     return DomainFault{part, index, name + " " + what, kSimpleRing, std::move(hint)};
   };
   if (ring.size() < 3)
