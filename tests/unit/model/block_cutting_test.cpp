@@ -232,15 +232,6 @@ TEST(CutBlocks, straight_edge_along_two_laws_keeps_the_corner_between) {
   EXPECT_EQ(law_at(c.blocks[0], {7.5, 4}), kRough);
 }
 
-TEST(CutBlocks, lines_on_top_of_each_other_take_the_law_of_the_first) {
-  Domain d = square();
-  add_trace(d, {{0, 4}, {10, 4}}, kClay);
-  add_trace(d, {{10, 4}, {0, 4}}, kRough);
-  EXPECT_EQ(law_at(cut_blocks(d).blocks[0], {5, 4}), kClay);
-  std::swap(d.network.traces[0], d.network.traces[1]);
-  EXPECT_EQ(law_at(cut_blocks(d).blocks[0], {5, 4}), kRough);
-}
-
 Domain with_base(bool cut) {
   Domain d = square();
   d.joint = kWeak;
@@ -253,6 +244,29 @@ Domain with_base(bool cut) {
   d.regions.push_back(base);
   add_set(d, 90.0, 2.0, kRough, {1, 0});
   return d;
+}
+
+TEST(CutBlocks, joint_on_part_of_a_region_outline_gives_its_law_there) {
+  Domain d = with_base(false);
+  d.network.sets.clear();
+  d.regions[0].outline = {{0, 0}, {10, 0}, {10, 4}, {0, 4}};
+  add_trace(d, {{0, 4}, {6, 4}}, kRough);
+  const Cutting c = cut_blocks(d);
+  ASSERT_EQ(c.blocks.size(), 2U);
+  for (const Block& b : c.blocks) {
+    EXPECT_EQ(b.polygon.outer.size(), 5U);
+    EXPECT_EQ(law_at(b, {3, 4}), kRough);
+    EXPECT_EQ(law_at(b, {8, 4}), kClay);
+  }
+}
+
+TEST(CutBlocks, lines_on_top_of_each_other_take_the_law_of_the_first) {
+  Domain d = square();
+  add_trace(d, {{0, 4}, {10, 4}}, kClay);
+  add_trace(d, {{10, 4}, {0, 4}}, kRough);
+  EXPECT_EQ(law_at(cut_blocks(d).blocks[0], {5, 4}), kClay);
+  std::swap(d.network.traces[0], d.network.traces[1]);
+  EXPECT_EQ(law_at(cut_blocks(d).blocks[0], {5, 4}), kRough);
 }
 
 TEST(CutBlocks, region_that_joints_do_not_cut_is_one_block_without_their_nodes) {
