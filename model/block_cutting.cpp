@@ -94,7 +94,7 @@ class Cutter {
         const SourceLine& s = sources_[static_cast<std::size_t>(i)];
         if (distance(p, s.a, s.b) > grid_) continue;
         const double sine = std::abs(cross(along, (s.b - s.a).normalized()));
-        length = std::max(length, std::min(3.0 * grid_ / std::max(sine, 1e-3), longest_stub()));
+        if (sine > 1e-2) length = std::max(length, 3.0 * grid_ / sine);  // one that runs along it needs no crossing
       }
       return length;
     };
