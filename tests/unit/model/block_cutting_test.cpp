@@ -27,7 +27,7 @@ void add_trace(Domain& d, std::vector<Vec2> points, JointId joint = kRough) {
   d.network.traces.push_back({std::move(points), joint});
 }
 
-void add_set(Domain& d, double dip, double spacing, JointId joint, Vec2 origin) {
+void add_set(Domain& d, double dip, double spacing, JointId joint, const Vec2& origin) {
   JointSet set;
   set.dip_deg.mean = dip;
   set.spacing.mean = spacing;
