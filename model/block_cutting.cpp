@@ -24,9 +24,13 @@ using Role = SourceLine::Role;
 std::pair<double, double> key_of(const Vec2& p) { return {p.y(), p.x()}; }
 
 /// A line for the graph, written from its lower end, so that its direction in the case file changes no bit.
-SourceLine source(Vec2 a, Vec2 b, Role role, JointId law, std::size_t priority) {
-  if (key_of(b) < key_of(a)) std::swap(a, b);
-  return {a, b, role, law, static_cast<std::int32_t>(priority)};
+SourceLine source(Vec2 a, Vec2 b, Role role, JointId law, std::size_t priority, double beyond_a = 0.0,
+                  double beyond_b = 0.0) {
+  if (key_of(b) < key_of(a)) {
+    std::swap(a, b);
+    std::swap(beyond_a, beyond_b);
+  }
+  return {a, b, role, law, beyond_a, beyond_b, static_cast<std::int32_t>(priority)};
 }
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -39,7 +43,10 @@ class Cutter {
   explicit Cutter(const Domain& domain)
       : domain_(domain),
         grid_(domain.snap.value_or(auto_snap(domain))),
-        least_width_(domain.least_width.value_or(auto_least_width(domain))) {}
+        least_width_(domain.least_width.value_or(auto_least_width(domain))) {
+    const Box box = bounds(domain.outline);
+    straight_ = 1e-12 * (box.hi - box.lo).maxCoeff();
+  }
 
   Cutting cut() {
     out_.lines = draw_lines(domain_.network, domain_.outline);
@@ -76,31 +83,32 @@ class Cutter {
     for (const Region& r : domain_.regions) add_ring(r.outline, Role::region, r.joint);
     const std::size_t boundaries = sources_.size();
 
-    // A line cut off at a boundary ends on it but for rounding, on either side: it goes on by a few grid widths, so
-    // that it crosses. What stands out is removed with all edges outside, or is a dead end too short to count.
-    const Box box = bounds(domain_.outline);
-    CellGrid near(box, boundaries + 1);
+    // A line cut off at a boundary ends on it but for rounding, on either side. It goes on by a stub that leaves the
+    // grid cells of the boundary, so that the two cross. Stubs are removed with all edges outside, or as dead ends.
+    CellGrid near(bounds(domain_.outline), boundaries + 1);
     for (std::size_t i = 0; i < boundaries; ++i)
       near.insert(sources_[i].a, sources_[i].b, 2.0 * grid_, static_cast<std::int32_t>(i));
-    const auto on_boundary = [&](const Vec2& p) {
-      const auto here = near.at(p);
-      return std::any_of(here.begin(), here.end(), [&](std::int32_t i) {
+    const auto stub = [&](const Vec2& p, const Vec2& along) {
+      double length = 0.0;
+      for (const std::int32_t i : near.at(p)) {
         const SourceLine& s = sources_[static_cast<std::size_t>(i)];
-        return distance(p, s.a, s.b) <= grid_;
-      });
+        if (distance(p, s.a, s.b) > grid_) continue;
+        const double sine = std::abs(cross(along, (s.b - s.a).normalized()));
+        if (sine > 1e-2) length = std::max(length, 3.0 * grid_ / sine);  // one that runs along it needs no crossing
+      }
+      return length;
     };
     for (const JointLine& line : out_.lines) {
-      const Vec2 ahead = stub() * (line.to - line.from).normalized();
-      const Vec2 from = on_boundary(line.from) ? Vec2(line.from - ahead) : line.from;
-      const Vec2 to = on_boundary(line.to) ? Vec2(line.to + ahead) : line.to;
-      sources_.push_back(source(from, to, Role::discontinuity, line.joint, sources_.size()));
+      const Vec2 along = (line.to - line.from).normalized();
+      sources_.push_back(source(line.from, line.to, Role::discontinuity, line.joint, sources_.size(),
+                                stub(line.from, along), stub(line.to, along)));
     }
     std::sort(sources_.begin(), sources_.end(), [](const SourceLine& s, const SourceLine& t) {
       return std::tuple(s.role, key_of(s.a), key_of(s.b), s.priority) <
              std::tuple(t.role, key_of(t.a), key_of(t.b), t.priority);
     });
   }
-  [[nodiscard]] double stub() const { return 4.0 * grid_; }
+  [[nodiscard]] double longest_stub() const { return 300.0 * grid_; }
 
   /// False for edges outside the domain, and for joints in regions that they do not cut.
   [[nodiscard]] bool cuts(const GraphEdge& e) const {
@@ -158,6 +166,8 @@ class Cutter {
     }
   }
 
+  [[nodiscard]] const Vec2& vertex(std::int32_t v) const { return graph_.vertices[static_cast<std::size_t>(v)]; }
+
   [[nodiscard]] const GraphEdge& edge(std::int32_t a, std::int32_t b) const {
     const std::pair key{std::min(a, b), std::max(a, b)};
     return *std::lower_bound(graph_.edges.begin(), graph_.edges.end(), key,
@@ -174,6 +184,7 @@ class Cutter {
   using Corner = std::pair<std::int32_t, JointId>;
 
   /// Ring of a block, from its lowest vertex on, without the vertices at which a straight edge with one law was noded.
+  /// A vertex that had to stay on the grid beside its line is kept: without it blocks would gap or overlap there.
   [[nodiscard]] std::vector<Corner> straightened(const std::vector<std::int32_t>& ring) const {
     std::vector<Corner> kept, all;
     const std::size_t n = ring.size();
@@ -182,7 +193,9 @@ class Cutter {
       const bool same_line = (before.boundary >= 0 && before.boundary == after.boundary) ||
                              (before.discontinuity >= 0 && before.discontinuity == after.discontinuity);
       all.emplace_back(ring[i], law(after));
-      if (!same_line || law(before) != law(after)) kept.push_back(all.back());
+      const bool straight =
+          same_line && distance(vertex(ring[i]), vertex(ring[(i + n - 1) % n]), vertex(ring[(i + 1) % n])) <= straight_;
+      if (!straight || law(before) != law(after)) kept.push_back(all.back());
     }
     if (kept.size() < 3) kept = all;
     std::rotate(kept.begin(), std::min_element(kept.begin(), kept.end()), kept.end());
@@ -205,7 +218,7 @@ class Cutter {
       for (std::size_t r = 0; r < rings.size(); ++r) {
         block.edges.emplace_back();
         for (const auto& [v, law] : rings[r]) {
-          block.polygon.ring(r).push_back(graph_.vertices[static_cast<std::size_t>(v)]);
+          block.polygon.ring(r).push_back(vertex(v));
           block.edges.back().push_back(law);
         }
       }
@@ -225,22 +238,21 @@ class Cutter {
       const std::int32_t a = find(e.a), b = find(e.b);
       root[std::max(a, b)] = std::min(a, b);
     }
-    const auto length = [this](const GraphEdge& e) {
-      return (graph_.vertices[static_cast<std::size_t>(e.b)] - graph_.vertices[static_cast<std::size_t>(e.a)]).norm();
-    };
+    const auto length = [this](const GraphEdge& e) { return (vertex(e.b) - vertex(e.a)).norm(); };
     std::map<std::int32_t, double> piece;
     for (const GraphEdge& e : dead) piece[find(e.a)] += length(e);
 
+    const double least = std::max(least_width_, 2.0 * longest_stub());
     std::vector<GraphEdge> kept = dead;
-    std::erase_if(kept, [&](const GraphEdge& e) { return e.discontinuity < 0 || piece[find(e.a)] < least_width_; });
+    std::erase_if(kept, [&](const GraphEdge& e) { return e.discontinuity < 0 || piece[find(e.a)] < least; });
     std::sort(kept.begin(), kept.end(),
               [](const GraphEdge& e, const GraphEdge& f) { return std::pair(e.a, e.b) < std::pair(f.a, f.b); });
     CuttingReport& r = out_.report;
     for (const auto& [v, l] : piece) {
-      if (l >= least_width_) {
+      if (l >= least) {
         ++r.cracks_kept;
         r.crack_length += l;
-      } else if (l > 2.0 * stub()) {  // shorter ones are what stands out at boundaries
+      } else if (l > 2.0 * longest_stub()) {
         ++r.cracks_trimmed;
         r.trimmed_length += l;
       }
@@ -249,8 +261,7 @@ class Cutter {
     for (std::size_t b = 0; b < out_.blocks.size(); ++b)
       near.insert(bounds(out_.blocks[b].polygon), static_cast<std::int32_t>(b));
     for (const GraphEdge& e : kept) {
-      const Vec2 &from = graph_.vertices[static_cast<std::size_t>(e.a)],
-                 &to = graph_.vertices[static_cast<std::size_t>(e.b)];
+      const Vec2 &from = vertex(e.a), &to = vertex(e.b);
       const Vec2 middle = 0.5 * (from + to);
       for (const std::int32_t b : near.at(middle))
         if (contains(out_.blocks[static_cast<std::size_t>(b)].polygon, middle)) {
@@ -290,6 +301,7 @@ class Cutter {
 
   const Domain& domain_;
   double grid_, least_width_;
+  double straight_;  // how far from a straight line a corner may be that is left out [m]
   Cutting out_;
   std::vector<SourceLine> sources_;
   LineGraph graph_;

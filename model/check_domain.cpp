@@ -1,6 +1,7 @@
 // What must hold for a domain to be cut into blocks.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/domain.h"
@@ -23,7 +24,7 @@ constexpr const char* kSimpleRing = "a simple polygon: corners in order, the fir
 /// @param extent  of the outline [m]
 std::optional<DomainFault> ring_fault(Part part, std::size_t index, const std::string& name, const Ring& ring,
                                       double extent) {
-  const auto fault = [&](std::string what, std::string hint) {
+  const auto fault = [&](const std::string& what, std::string hint) {
     return DomainFault{part, index, name + " " + what, kSimpleRing, std::move(hint)};
   };
   if (ring.size() < 3)
@@ -40,11 +41,16 @@ std::optional<DomainFault> ring_fault(Part part, std::size_t index, const std::s
           fmt::format("is open: it ends at {}, {:.3g} m short of its first corner {}", at(ring[i]), gap, at(ring[0])),
           "remove the last corner: the outline closes from the last corner to the first by itself");
   }
+  // The signed area would be no test: that of a ring like an 8 may vanish too.
+  const Vec2 farthest = *std::max_element(ring.begin(), ring.end(), [&](const Vec2& p, const Vec2& q) {
+    return (p - ring[0]).squaredNorm() < (q - ring[0]).squaredNorm();
+  });
+  const Vec2 along = (farthest - ring[0]).normalized();
+  if (std::all_of(ring.begin(), ring.end(),
+                  [&](const Vec2& p) { return std::abs(cross(along, p - ring[0])) <= 1e-9 * extent; }))
+    return fault("encloses no area: its corners lie on a line", "give corners that enclose an area");
   if (std::string reason = invalidity({ring, {}}); !reason.empty())
     return fault("crosses or touches itself: " + reason, "list the corners in order around it, without crossing edges");
-  if (!(std::abs(signed_area(ring)) > 1e-12 * extent * extent))
-    return fault(fmt::format("has an area of {:g} m2", std::abs(signed_area(ring))),
-                 "give corners that enclose an area");
   return std::nullopt;
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "model/cell_grid.h"
 #include "model/model.h"
 #include "model/planar.h"
 
@@ -35,6 +35,22 @@ std::optional<GeometryFault> fault_of(const Model& model, BlockId id, double ext
   return std::nullopt;
 }
 
+bool convex(const Ring& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (cross(ring[(i + 1) % n] - ring[i], ring[(i + 2) % n] - ring[(i + 1) % n]) < 0.0) return false;
+  return true;
+}
+
+/// True where an edge of the convex ring a has all of b on its outer side, within `slack` [m].
+bool apart(const Ring& a, const Ring& b, double slack) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2 d = (a[(i + 1) % a.size()] - a[i]).normalized();
+    if (std::all_of(b.begin(), b.end(), [&](const Vec2& p) { return cross(d, p - a[i]) <= slack; })) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<GeometryFault> check_geometry(const Model& model) {
@@ -51,19 +67,29 @@ std::vector<GeometryFault> check_geometry(const Model& model) {
     if (auto f = fault_of(model, BlockId{i}, extent)) faults.push_back(std::move(*f));
   if (!faults.empty()) return faults;
 
-  // Overlaps: candidates by a sweep in x, then the common area against a sliver of width 1e-9 of the extent.
-  std::vector<std::int32_t> order(model.blocks.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
-    return std::pair(boxes[std::size_t(a)].lo.x(), a) < std::pair(boxes[std::size_t(b)].lo.x(), b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Box& a = boxes[std::size_t(order[i])];
-    for (std::size_t j = i + 1; j < order.size() && boxes[std::size_t(order[j])].lo.x() < a.hi.x(); ++j) {
-      const Box& b = boxes[std::size_t(order[j])];
-      if (b.lo.y() >= a.hi.y() || a.lo.y() >= b.hi.y()) continue;
-      const BlockId first{std::min(order[i], order[j])}, second{std::max(order[i], order[j])};
-      const double area = overlap_area(model.blocks[first.index()].polygon, model.blocks[second.index()].polygon);
+  // Overlaps: neighbours by a grid of cells, the common area against a sliver of width 1e-9 of the extent. A straight
+  // edge between two blocks, the one convex, settles nearly all pairs before GEOS is asked.
+  std::vector<char> is_convex;
+  CellGrid cells(all, model.blocks.size());
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    is_convex.push_back(convex(model.blocks[i].polygon.outer) ? 1 : 0);
+    cells.insert(boxes[i], static_cast<std::int32_t>(i));
+  }
+  std::vector<std::int32_t> near;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const Box& a = boxes[static_cast<std::size_t>(i)];
+    cells.near(a, near);
+    for (const std::int32_t j : near) {
+      const Box& b = boxes[static_cast<std::size_t>(j)];
+      if (j <= i || b.lo.x() >= a.hi.x() || a.lo.x() >= b.hi.x() || b.lo.y() >= a.hi.y() || a.lo.y() >= b.hi.y())
+        continue;
+      const BlockId first{i}, second{j};
+      const Polygon &p = model.blocks[first.index()].polygon, &q = model.blocks[second.index()].polygon;
+      const double slack = 1e-12 * extent;  // of rounded corners
+      if ((is_convex[first.index()] != 0 && apart(p.outer, q.outer, slack)) ||
+          (is_convex[second.index()] != 0 && apart(q.outer, p.outer, slack)))
+        continue;
+      const double area = overlap_area(p, q);
       if (area > 1e-9 * extent * (a.hi - a.lo).cwiseMin(b.hi - b.lo).maxCoeff())
         faults.push_back({second, first,
                           fmt::format("block '{}' overlaps block '{}' by {:.4g} m2", model.blocks[second.index()].name,

@@ -15,7 +15,10 @@ namespace scree {
 /// A GEOS context of the caller's own (the reentrant interface), with geometry that frees itself.
 class Geos {
  public:
-  Geos() : handle_(GEOS_init_r()) {}
+  Geos() : handle_(GEOS_init_r()) {
+    const auto keep = [](const char* text, void* last) { *static_cast<std::string*>(last) = text; };
+    GEOSContext_setErrorMessageHandler_r(handle_, keep, &last_error_);
+  }
   Geos(const Geos&) = delete;
   Geos& operator=(const Geos&) = delete;
   ~Geos() { GEOS_finish_r(handle_); }
@@ -27,7 +30,7 @@ class Geos {
   };
   using Geometry = std::unique_ptr<GEOSGeometry, Free>;
   [[nodiscard]] Geometry own(GEOSGeometry* g, const char* what) const {
-    if (g == nullptr) throw std::runtime_error(std::string("GEOS: ") + what + " failed");
+    if (g == nullptr) throw std::runtime_error(std::string("GEOS: ") + what + " failed: " + last_error_);
     return Geometry(g, Free{handle_});
   }
 
@@ -82,6 +85,7 @@ class Geos {
 
  private:
   GEOSContextHandle_t handle_;
+  std::string last_error_;
 };
 
 }  // namespace scree

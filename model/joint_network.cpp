@@ -9,9 +9,9 @@ namespace {
 
 /// Circle around the area that a set fills, in the set's axes: along the mean dip and along its normal.
 struct Window {
-  Vec2 origin, along, normal;
-  double s, t;  // centre of the circle, from the origin
-  double radius;
+  Vec2 origin{0.0, 0.0}, along{1.0, 0.0}, normal{0.0, 1.0};
+  double s = 0.0, t = 0.0;  // centre of the circle, from the origin
+  double radius = 0.0;
 };
 
 Window window_of(const JointSet& set, const Polygon& domain) {
@@ -153,6 +153,7 @@ std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon) {
   }
   const auto at = [&](double t) -> Vec2 { return t == 0.0 ? segment.a : t == 1.0 ? segment.b : segment.a + t * d; };
   std::vector<Segment> out;
+  out.reserve(kept.size());
   for (const Interval& i : kept) out.push_back({at(i.from), at(i.to)});
   return out;
 }

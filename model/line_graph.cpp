@@ -68,7 +68,7 @@ std::optional<Vec2> intersection(const SourceLine& s, const SourceLine& t, doubl
   const Vec2 d = s.b - s.a, e = t.b - t.a;
   const double det = cross(d, e);
   squareness = std::abs(det) / (d.norm() * e.norm());
-  if (squareness < 1e-3) return std::nullopt;
+  if (squareness < 1e-7) return std::nullopt;  // less and the intersection is known no better than the grid
   return s.a + cross(t.a - s.a, e) / det * d;
 }
 
@@ -84,22 +84,29 @@ Vec2 placed(const Vec2& snapped, double grid, const std::vector<std::int32_t>& l
       if (!end) end = p;
     }
   }
+  // An end as the user wrote it, where it is on all lines to the last bit: intersections round.
+  if (end && std::all_of(lines.begin(), lines.end(), [&](std::int32_t i) {
+        const SourceLine& s = sources[static_cast<std::size_t>(i)];
+        return cross(*end - s.a, s.b - s.a) == 0.0;
+      }))
+    return *end;
   std::optional<Vec2> best;
-  double best_squareness = 0.0, extent = 0.0;
+  double best_squareness = 0.0;
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
-      const SourceLine &s = sources[static_cast<std::size_t>(lines[i])],
-                       &t = sources[static_cast<std::size_t>(lines[j])];
       double squareness = 0.0;
-      const std::optional<Vec2> p = intersection(s, t, squareness);
+      const std::optional<Vec2> p = intersection(sources[static_cast<std::size_t>(lines[i])],
+                                                 sources[static_cast<std::size_t>(lines[j])], squareness);
       if (!p || squareness <= best_squareness || (*p - snapped).lpNorm<Eigen::Infinity>() > grid) continue;
       best = p;
       best_squareness = squareness;
-      extent = std::max((s.b - s.a).norm(), (t.b - t.a).norm());
     }
-  if (!best) return end.value_or(snapped);
-  if (end && (*best - *end).norm() <= 1e-13 * extent) return *end;  // the same but for rounding: as the user wrote it
-  return *best;
+  if (best) return *best;
+  if (end || lines.empty()) return end.value_or(snapped);
+  // A node that a line since removed has left: onto the line that remains.
+  const SourceLine& s = sources[static_cast<std::size_t>(lines.front())];
+  const Vec2 d = s.b - s.a;
+  return s.a + (snapped - s.a).dot(d) / d.squaredNorm() * d;
 }
 
 }  // namespace
@@ -115,7 +122,10 @@ std::int32_t LineGraph::vertex_at(const Vec2& point) const {
 LineGraph node_lines(const std::vector<SourceLine>& sources, double grid) {
   const Geos geos;
   std::vector<GEOSGeometry*> lines;
-  for (const SourceLine& s : sources) lines.push_back(geos.line(s.a, s.b));
+  for (const SourceLine& s : sources) {
+    const Vec2 along = (s.b - s.a).normalized();
+    lines.push_back(geos.line(s.a - s.beyond_a * along, s.b + s.beyond_b * along));
+  }
   const auto all = geos.own(
       GEOSGeom_createCollection_r(geos.get(), GEOS_MULTILINESTRING, lines.data(), static_cast<unsigned>(lines.size())),
       "collection");

@@ -15,7 +15,8 @@ struct SourceLine {
   Vec2 a{0.0, 0.0}, b{0.0, 0.0};
   Role role = Role::discontinuity;
   JointId law;
-  std::int32_t priority = 0;  // of lines on top of each other the lowest gives its law
+  double beyond_a = 0.0, beyond_b = 0.0;  // how much further it is drawn for noding [m]
+  std::int32_t priority = 0;              // of lines on top of each other the lowest gives its law
 };
 
 struct GraphEdge {

@@ -65,6 +65,7 @@ std::vector<Ring> triangulate(const Polygon& polygon) {
   std::vector<Polygon> pieces;
   geos.collect(cells.get(), pieces);
   std::vector<Ring> triangles;
+  triangles.reserve(pieces.size());
   for (Polygon& p : pieces) triangles.push_back(std::move(p.outer));
   return triangles;
 }

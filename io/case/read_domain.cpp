@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <stdexcept>
 
 #include "io/case/line_file.h"
 #include "io/case/read_parts.h"
@@ -220,7 +221,7 @@ void read_domain(const Section& section, const std::filesystem::path& folder, Mo
   Cutting cutting;
   try {
     cutting = cut_blocks(domain);
-  } catch (const CuttingError& e) {
+  } catch (const std::runtime_error& e) {
     throw section.error("snap", std::string("the lines cannot be cut into blocks: ") + e.what(),
                         "\"auto\" or a grid well below the least distance of joints",
                         "give another snap, or larger spacings");

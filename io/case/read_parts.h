@@ -18,7 +18,7 @@ void read_laws(const Section& root, Model& model);
 /// @param folder  that relative paths start from     @pre read_laws
 void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Appends the blocks of [domain], its lines and cracks.   @pre read_laws
-void read_domain(const Section& domain, const std::filesystem::path& folder, Model& model);
+void read_domain(const Section& section, const std::filesystem::path& folder, Model& model);
 /// Ground motions from their files.   @param folder  that relative paths start from
 void read_motions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Supports and monitors.   @pre read_blocks, read_motions
@@ -31,6 +31,7 @@ void read_monitors(const Section& root, Model& model);
 template <class T>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<T>& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const T& item : items) names.push_back(item.name);
   return names;
 }

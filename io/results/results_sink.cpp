@@ -5,6 +5,7 @@
 #include "io/results/csv.h"
 #include "io/results/event_writer.h"
 #include "io/results/history_writer.h"
+#include "io/results/joints_writer.h"
 #include "io/results/summary.h"
 #include "io/results/vtkhdf_writer.h"
 #include "model/check.h"
@@ -62,6 +63,7 @@ void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
   files_ = std::make_unique<Files>(folder_, provenance_, model);
   write_provenance(files_->file, provenance_);
   write_model(files_->file, model);
+  write_joints(files_->file, model);
   write_stages(files_->file, plan);
   files_->file.flush();
 }

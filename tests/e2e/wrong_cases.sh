@@ -6,7 +6,8 @@ scree=$1
 cases=$2/tests/fault/cases
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp "$cases"/* "$work"   # with the records that some of them name
+cp "$cases"/* "$work"   # with the records and outlines that some of them name
+rm -f "$work/good.toml"
 python3 - "$work" <<'END'
 import sys
 with open(sys.argv[1] + "/deep_header.toml", "w") as f: f.write("[" + ".".join("a" * 200000) + "]\n")
@@ -21,7 +22,7 @@ for file in "$work"/*.toml; do
   wrong=''
   [ $code = 3 ] || wrong+=" exit code $code"
   [ "$(grep -c ': error: ' "$work/stderr")" = 1 ] || wrong+=" not one error"
-  grep -qE "${name%.toml}\.(toml|AT2|csv):[0-9]+:[0-9]+: error: " "$work/stderr" || wrong+=" no place"
+  grep -qE "[^/]*\.(toml|AT2|csv):[0-9]+:[0-9]+: error: " "$work/stderr" || wrong+=" no place"
   grep -q '^  allowed: ' "$work/stderr" || wrong+=" no allowed range"
   grep -q '^  hint: ' "$work/stderr" || wrong+=" no hint"
   [ -s "$work/stdout" ] && wrong+=" talks on stdout"
@@ -33,4 +34,4 @@ for file in "$work"/*.toml; do
   fi
 done
 echo "$count wrong cases tried"
-[ $count -ge 25 ] && [ $failed = 0 ]
+[ $count -ge 40 ] && [ $failed = 0 ]

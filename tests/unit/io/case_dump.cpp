@@ -30,6 +30,12 @@ void dump_model(Dump& d, const Model& m) {
       for (std::size_t i = 0; i < b.polygon.ring(k).size(); ++i)
         d.line("  {} {} {}", k, Dump::of(b.polygon.ring(k)[i]), b.edges[k][i].value);
   }
+  for (const JointLine& l : m.joint_lines)
+    d.line("line {} {} joint {} kind {} {}", Dump::of(l.from), Dump::of(l.to), l.joint.value, static_cast<int>(l.kind),
+           l.source);
+  for (const Crack& c : m.cracks)
+    d.line("crack {} {} joint {} block {}", Dump::of(c.from), Dump::of(c.to), c.joint.value, c.block.value);
+  if (m.cutting) d.line("snap {} least width {}", m.cutting->snap, m.cutting->least_width);
   for (const BlockSupport& s : m.block_supports) d.line("hold {} motion {}", s.block.value, s.motion.value);
   for (const PointSupport& s : m.point_supports)
     d.line("tie {} {} {} {} {}", s.block.value, Dump::of(s.point), s.fix_x, s.fix_y, Dump::of(s.stiffness));

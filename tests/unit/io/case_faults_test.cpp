@@ -51,6 +51,34 @@ INSTANTIATE_TEST_SUITE_P(
                           "overlaps no other", "only touch"},
                     Wrong{"unknown_material.toml", 16, 12, "block.1.material", "\"rok\"", "no material of that name",
                           "\"rock\"", "did you mean \"rock\"?"},
+                    Wrong{"domain_open_outline.toml", 9, 11, "domain.outline", "[[0.0, 0.0]",
+                          "is open: it ends at (0, 0.0005)", "simple polygon", "remove the last corner"},
+                    Wrong{"domain_two_points.toml", 9, 11, "domain.outline", "[[0.0, 0.0]", "2 points encloses nothing",
+                          "at least 3 points", "Corners in order"},
+                    Wrong{"domain_self_crossing.toml", 9, 11, "domain.outline", "[[0.0, 0.0]",
+                          "crosses or touches itself: Self-intersection[5 5]", "simple polygon", "without crossing"},
+                    Wrong{"domain_no_area.toml", 9, 11, "domain.outline", "[[0.0, 0.0]", "the outline",
+                          "simple polygon", "corners"},
+                    Wrong{"domain_repeated_corner.toml", 9, 11, "domain.outline", "[[0.0, 0.0]", "corner (0, 0) twice",
+                          "simple polygon", "remove the repeated corner"},
+                    Wrong{"domain_hole_outside.toml", 11, 10, "domain.holes.0", "[[12.0, 1.0]", "outside the outline",
+                          "inside the outline", "move it"},
+                    Wrong{"domain_hole_across.toml", 11, 10, "domain.holes.0", "[[9.0, 1.0]", "crosses the outline",
+                          "inside the outline", "part of the outline"},
+                    Wrong{"domain_holes_overlap.toml", 12, 10, "domain.holes.1", "[[2.0, 2.0]", "overlaps hole 0",
+                          "apart from other holes", "make one hole"},
+                    Wrong{"domain_regions_overlap.toml", 18, 11, "domain.region.1.polygon", "[[0.0, 4.0]",
+                          "region 'cap' overlaps region 'base' by 10 m2", "overlaps no other region", "only touch"},
+                    Wrong{"domain_regions_coincide.toml", 18, 11, "domain.region.1.polygon", "[[10.0, 0.0]",
+                          "covers the same area as region 'base'", "overlaps no other region", "remove one"},
+                    Wrong{"domain_zero_spacing.toml", 15, 11, "domain.joint_set.0.spacing", "0.0", "out of range",
+                          "number [m], > 0", "spacing"},
+                    Wrong{"domain_unknown_joint.toml", 13, 9, "domain.joint_set.0.joint", "\"ruogh\"",
+                          "no joint of that name", "\"rough\"", "did you mean \"rough\"?"},
+                    Wrong{"domain_too_many_lines.toml", 15, 11, "domain.joint_set.0.spacing", "1e-06", "lines",
+                          "at most", "units"},
+                    Wrong{"domain_overlaps_block.toml", 20, 11, "block.0.polygon", "[[9.0, 0.0]", "overlaps block",
+                          "overlaps no other", "only touch"},
                     Wrong{"empty.toml", 1, 1, "", "", "empty", "[[block]]", "scree schema"},
                     Wrong{"not_toml.toml", 14, 8, "", "", "not TOML", "TOML 1.0", "quotation marks"}),
     [](const auto& test) {
@@ -58,11 +86,22 @@ INSTANTIATE_TEST_SUITE_P(
       return name.substr(0, name.find('.'));
     });
 
+// The outline comes from a file that is at fault itself: the place is there.
+TEST(WrongFiles, open_outline_in_a_file_is_refused_where_it_ends) {
+  const CaseError e = error_of_file(kFaults + "domain_open_outline_file.toml");
+  EXPECT_TRUE(e.file.ends_with("domain_open_outline.csv")) << e.what();
+  EXPECT_EQ(e.line, 5) << e.what();
+  EXPECT_EQ(e.key, "domain.outline_file");
+  EXPECT_TRUE(holds(e.problem, "is open: it ends at (0, 10), 10 m from its first point (0, 0)")) << e.what();
+  EXPECT_TRUE(holds(e.hint, "repeat the first point")) << e.what();
+  EXPECT_FALSE(e.allowed.empty());
+}
+
 TEST(WrongFiles, folder_holds_no_file_without_a_test) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFaults))  // record_*: record_faults_test.cpp
     count += entry.path().extension() == ".toml" && !entry.path().filename().string().starts_with("record_");
-  EXPECT_EQ(count, 10u);
+  EXPECT_EQ(count, 25u);
 }
 
 // Each would run the parser or its tables out of stack if it got there.
@@ -223,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"point = [1.0, 1.0]", "point = [1.0, 0.9]", "support.2.point", "not on block"},
         Change{"fix = \"x\"", "motion = \"pulse\"", "support.2.motion", "cannot follow"},
         Change{"point = [1.5, 1.1]", "point = [1.5, 1.5]", "monitor.0.point", "not on block"},
-        Change{"name = \"corner\"", "name = \"slider#1\"", "monitor.1.name", "same name"},
+        Change{"name = \"corner\"", "name = \"slider#1\"", "monitor.2.name", "same name"},
         Change{"file = \"pulse.csv\"", "file = \"nowhere.csv\"", "motion.pulse.file", "does not exist"},
         Change{"file = \"pulse.csv\"", "file = \".\"", "motion.pulse.file", "folder"},
         Change{"file = \"pulse.csv\"", "file = \"$HOME/pulse.csv\"", "motion.pulse.file", "only the variable"},
@@ -250,7 +289,7 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = 0.5", "");
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
-  EXPECT_EQ(e.line, 91) << e.what();
+  EXPECT_EQ(e.line, 97) << e.what();
 }
 
 TEST(Case, nmm_by_rule_in_an_implicit_stage_is_refused) {
@@ -262,8 +301,10 @@ TEST(Case, nmm_by_rule_in_an_implicit_stage_is_refused) {
 
 TEST(Case, without_block_or_stage_is_refused) {
   EXPECT_EQ(error_of_text("title = \"a\"").key, "material");
-  EXPECT_EQ(error_of_text("block = []").key, "block");
   const std::string text = bytes_of(kFolder + "good_case.toml");
+  EXPECT_EQ(error_of_text(text, {"block=[]"}).key, "block");
+  const std::size_t first = text.find("[[block]]"), after = text.find("[[support]]");
+  EXPECT_EQ(error_of_text(text.substr(0, first) + text.substr(after)).key, "block");
   const CaseError e = error_of_text(text.substr(0, text.find("[[stage]]")));
   EXPECT_EQ(e.key, "stage");
   EXPECT_EQ(e.line, 1);

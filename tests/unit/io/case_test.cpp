@@ -136,10 +136,11 @@ TEST(Case, holes_run_clockwise_and_have_edges) {
 
 TEST(Case, supports_hold_blocks_points_and_motions) {
   const Model m = read("full_case.toml").model;
-  ASSERT_EQ(m.block_supports.size(), 3u);
+  ASSERT_EQ(m.block_supports.size(), 4u);
   EXPECT_EQ(m.block_supports[0].motion, MotionId{0});
   EXPECT_EQ(m.block_supports[2].block, BlockId{3});
   EXPECT_FALSE(m.block_supports[2].motion.valid());
+  EXPECT_EQ(m.blocks[m.block_supports[3].block.index()].name, "ground-1");  // the block that holds the point `at`
   ASSERT_EQ(m.point_supports.size(), 1u);
   EXPECT_TRUE(m.point_supports[0].fix_x);
   EXPECT_FALSE(m.point_supports[0].fix_y);
@@ -148,9 +149,10 @@ TEST(Case, supports_hold_blocks_points_and_motions) {
 
 TEST(Case, monitors_without_name_are_numbered_by_block) {
   const Model m = read("full_case.toml").model;
-  ASSERT_EQ(m.monitors.size(), 2u);
+  ASSERT_EQ(m.monitors.size(), 3u);
   EXPECT_EQ(m.monitors[0].name, "slider#1");
-  EXPECT_EQ(m.monitors[1].name, "corner");
+  EXPECT_EQ(m.monitors[1].name, "ground-1#1");  // no block is named: the one that holds the point
+  EXPECT_EQ(m.monitors[2].name, "corner");
 }
 
 TEST(Case, motion_is_scaled_directed_and_corrected) {
@@ -273,7 +275,8 @@ TEST(CaseErrors, wrong_type_and_unknown_table_read_as_sentences) {
             "true or false stands here. duration: Simulated time of the stage.");
   EXPECT_EQ(error_of_file(file, {"materials.rock.young=1"}).problem,
             "unknown key \"materials\" at the top of the case file");
-  EXPECT_EQ(error_of_file(file, {"block=[]"}).hint, "add [[block]]: A block. Blocks may touch but not overlap.");
+  EXPECT_EQ(error_of_file(file, {"block=[]"}).hint,
+            "add [[block]] with a polygon, or [domain] with an outline that joints cut into blocks");
 }
 
 TEST(Override, number_and_name_enter_lists) {

@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "io/results/h5_read.h"
 #include "io/results/json.h"
 #include "io/results/results_sink.h"
 #include "io/results/run_reader.h"
@@ -78,6 +79,10 @@ struct SmallRun {
       b.material = MaterialId{0};
       model.blocks.push_back(b);
     }
+    model.joints.emplace_back();
+    model.joints.back().name = "rough";
+    model.joint_lines.push_back({{4.0, 1.0}, {6.0, 1.5}, JointId{0}, JointLine::Kind::joint_set, 3});
+    model.cracks.push_back({{4.0, 1.0}, {5.0, 1.25}, JointId{0}, BlockId{1}});
     model.block_supports.push_back({BlockId{0}, MotionId{}});
     model.monitors.push_back({"crest, left", BlockId{1}, {4.0, 2.0}});
     model.monitors.push_back({"crest, left", BlockId{1}, {6.0, 2.0}});
@@ -244,6 +249,17 @@ TEST_F(Results, principal_stress_tension_positive_has_larger_first) {
   const StoredFrame f = RunReader(run).frame(4);  // (s, -3 s, 0), s = -4e6
   EXPECT_DOUBLE_EQ(f.principal[0], 12e6);
   EXPECT_DOUBLE_EQ(f.principal[1], -4e6);
+}
+
+TEST_F(Results, lines_and_cracks_of_joints_read_back) {
+  const h5::File file = h5::File::open(run / "run.vtkhdf");
+  EXPECT_EQ(h5::read_texts(file, "/joints/name"), (std::vector<std::string>{"rough"}));
+  EXPECT_EQ(h5::read<double>(file, "/joints/lines/from"), (std::vector<double>{4.0, 1.0}));
+  EXPECT_EQ(h5::read<double>(file, "/joints/lines/to"), (std::vector<double>{6.0, 1.5}));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/joints/lines/kind"), (std::vector<std::int32_t>{2}));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/joints/lines/source"), (std::vector<std::int32_t>{3}));
+  EXPECT_EQ(h5::read<double>(file, "/joints/cracks/to"), (std::vector<double>{5.0, 1.25}));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/joints/cracks/block"), (std::vector<std::int32_t>{1}));
 }
 
 TEST_F(Results, every_dataset_has_units_and_long_name) {

@@ -1,0 +1,120 @@
+#include "model/joint_network.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scree {
+namespace {
+
+const Polygon kSquare{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}};
+
+JointSet set_of(double dip, double spacing) {
+  JointSet set;
+  set.dip_deg.mean = dip;
+  set.spacing.mean = spacing;
+  return set;
+}
+
+std::vector<JointLine> lines_of(const JointSet& set, const Polygon& domain = kSquare) {
+  JointNetwork network;
+  network.sets.push_back(set);
+  return draw_lines(network, domain);
+}
+
+TEST(JointSet, without_deviation_runs_through_its_origin_at_equal_spacing) {
+  JointSet set = set_of(0.0, 2.0);
+  set.origin = Vec2(3.0, 1.0);
+  const std::vector<JointLine> lines = lines_of(set);
+  ASSERT_EQ(lines.size(), 5U);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].from, Vec2(0.0, 1.0 + 2.0 * static_cast<double>(i)));
+    EXPECT_EQ(lines[i].to, Vec2(10.0, 1.0 + 2.0 * static_cast<double>(i)));
+  }
+}
+
+TEST(JointSet, at_forty_five_degrees_has_lines_at_the_spacing) {
+  JointSet set = set_of(45.0, 1.0);
+  const std::vector<JointLine> lines = lines_of(set);
+  // Distances from the diagonal: |k| < 10/sqrt(2) = 7.07.
+  EXPECT_EQ(lines.size(), 15U);
+  for (const JointLine& l : lines) EXPECT_NEAR((l.to - l.from).normalized().x(), std::sqrt(0.5), 1e-13);
+}
+
+TEST(JointSet, traces_alternate_with_gaps_and_stagger_from_line_to_line) {
+  JointSet set = set_of(0.0, 4.0);
+  set.origin = Vec2(0.0, 2.0);
+  set.length = Spread{3.0};
+  set.gap.mean = 1.0;
+  set.stagger = 0.5;
+  const std::vector<JointLine> lines = lines_of(set);
+  // y = 2: 0-3, 4-7, 8-10; y = 6 (moved by 2): 0-1, 2-5, 6-9.
+  ASSERT_EQ(lines.size(), 6U);
+  const double expected[6][3] = {{2, 0, 3}, {2, 4, 7}, {2, 8, 10}, {6, 0, 1}, {6, 2, 5}, {6, 6, 9}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(lines[i].from.y(), expected[i][0]);
+    EXPECT_NEAR(lines[i].from.x(), expected[i][1], 1e-14);
+    EXPECT_NEAR(lines[i].to.x(), expected[i][2], 1e-14);
+  }
+}
+
+TEST(JointSet, stays_within_its_region_and_the_domain) {
+  JointSet set = set_of(90.0, 1.0);
+  set.region = Ring{{-5, 4}, {5.5, 4}, {5.5, 6}, {-5, 6}};
+  const std::vector<JointLine> lines = lines_of(set);
+  ASSERT_GE(lines.size(), 5U);
+  for (const JointLine& l : lines) {
+    EXPECT_NEAR((l.to - l.from).norm(), 2.0, 1e-14);
+    EXPECT_LE(l.from.x(), 5.5);
+  }
+}
+
+TEST(JointSet, same_seed_gives_the_same_lines_and_another_gives_others) {
+  JointSet set = set_of(30.0, 1.0);
+  set.dip_deg.deviation = 5.0;
+  set.spacing = {1.0, 0.0, Distribution::exponential};
+  const std::vector<JointLine> a = lines_of(set), b = lines_of(set);
+  set.seed = 2;
+  const std::vector<JointLine> c = lines_of(set);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(a[i].from == b[i].from && a[i].to == b[i].to);
+  EXPECT_FALSE(a.size() == c.size() && a.front().from == c.front().from);
+}
+
+TEST(JointSet, mean_spacing_of_many_lines_is_the_stated_one) {
+  JointSet set = set_of(0.0, 0.01);
+  set.spacing = {0.01, 0.0, Distribution::exponential};
+  // 1000 lines expected, a Poisson number: standard deviation 32.
+  EXPECT_NEAR(static_cast<double>(lines_of(set).size()), 1000.0, 100.0);
+}
+
+TEST(Clipped, concave_polygon_gives_pieces_in_order) {
+  const Polygon u{{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, {}};
+  const std::vector<Segment> pieces = clipped({{-1, 3}, {7, 3}}, u);
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_NEAR(pieces[0].a.x(), 0.0, 1e-15);
+  EXPECT_NEAR(pieces[0].b.x(), 2.0, 1e-15);
+  EXPECT_NEAR(pieces[1].a.x(), 4.0, 1e-15);
+  EXPECT_NEAR(pieces[1].b.x(), 6.0, 1e-14);
+  EXPECT_EQ(clipped({{1, 1}, {5, 1}}, u).size(), 1U);
+  EXPECT_TRUE(clipped({{-2, 1}, {-1, 1}}, u).empty());
+}
+
+TEST(Clipped, holes_interrupt_the_line) {
+  const Polygon ring{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}}};
+  EXPECT_EQ(clipped({{-1, 3}, {7, 3}}, ring).size(), 2U);
+}
+
+TEST(Arc, full_circle_closes_exactly) {
+  Arc arc;
+  arc.centre = {5, 5};
+  arc.radius = 2.0;
+  arc.chords = 8;
+  const std::vector<Vec2> points = chord_points(arc);
+  ASSERT_EQ(points.size(), 9U);
+  EXPECT_EQ(points.front(), points.back());
+  EXPECT_EQ(points[2], Vec2(5, 7));
+}
+
+}  // namespace
+}  // namespace scree
