@@ -130,7 +130,7 @@ void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
   }
 }
 
-void VtkhdfWriter::frame(const coupling::FrameView& frame) {
+FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   SCREE_ASSERT(frame.mesh != nullptr && frame.position.size() == frame.mesh->origin.size());
   topology(*frame.mesh);
   const auto scheme = static_cast<std::int32_t>(frame.integrator);
@@ -168,6 +168,7 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
   frame_points_.append(at_.points);
   frame_cells_.append(at_.cells);
   ++frames_;
+  return {at_.part, at_.points, at_.cells, first_point, first_stress, at_.first_cell, at_.first_integrator};
 }
 
 void VtkhdfWriter::flush() {
