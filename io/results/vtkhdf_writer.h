@@ -12,7 +12,7 @@ namespace scree::io {
 /// Where the last frame lies: rows of the datasets below /VTKHDF.
 struct FrameRows {
   std::int64_t mesh = 0, points = 0, cells = 0;       // number of its part; sizes
-  std::int64_t first_point = 0, first_stress = 0;     // of what is stored a frame
+  std::int64_t first_point = 0, first_value = 0;      // of what is stored a frame, at points and at cells
   std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time scheme
 };
 
@@ -52,7 +52,7 @@ class VtkhdfWriter {
   Mesh at_;
   std::int64_t frames_ = 0;
 
-  h5::Series<double> points_, displacement_, velocity_, stress_, principal_, time_;
+  h5::Series<double> points_, displacement_, velocity_, cell_displacement_, cell_velocity_, stress_, principal_, time_;
   h5::Series<std::int64_t> connectivity_, offsets_, count_points_, count_cells_, count_ids_;
   h5::Series<std::uint8_t> types_;
   h5::Series<std::int32_t> block_, element_, material_, method_, integrator_cell_;

@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "io/results/vtkhdf_writer.h"
+#include "io/results/xdmf_text.h"
 
 namespace scree::io {
 
 /// Makes, in the results file, the datasets that the text refers to, and writes the text beside it.
-///   /xdmf/Points/<n>, /xdmf/<field>/<n>  rows of /VTKHDF that belong together, as virtual datasets: nothing is stored
-///                                        twice. Counted anew by each field: one a frame, or one a mesh
-///   /xdmf/topology/<mesh>                cells as XDMF's "Mixed" topology: 3 (polygon), number of points, points
+///   /xdmf/Points/<n>, /xdmf/PointData/<field>/<n>, /xdmf/CellData/<field>/<n>
+///                          rows of the dataset of that name in /VTKHDF, as virtual datasets: nothing is stored twice.
+///                          Counted anew by each field: one a frame, or one a mesh
+///   /xdmf/topology/<mesh>  cells as XDMF's "Mixed" topology: 3 (polygon), number of points, points
 /// The readers of ParaView 5.11 agree on one plain or virtual dataset a frame only; of selections in the text two of
 /// them show nothing.
 ///
@@ -37,7 +39,7 @@ class XdmfWriter {
   using Clock = std::chrono::steady_clock;
   struct Field {
     const char *name, *center, *type;  // as XDMF calls them; the geometry has no centre
-    std::string source;
+    std::string path;                  // below /VTKHDF, and below /xdmf
     int width;
     bool whole;  // numbers
     std::int64_t FrameRows::*first;
@@ -45,11 +47,13 @@ class XdmfWriter {
     std::int64_t made = 0, shown = -1;  // windows so far; first row of the last one
   };
   struct Waiting {
+    std::int64_t number = 0;
     double time = 0.0;
-    std::string text;  // all of its grid but the time
+    std::string parts;  // of its grid
   };
   std::string topology(const coupling::MeshView& mesh, std::int64_t number);
-  std::string item(Field& field, const FrameRows& rows);
+  /// The virtual dataset of these rows, made unless it is the last one.
+  xdmf::Array window(Field& field, const FrameRows& rows);
   [[nodiscard]] std::string waiting() const;
   void write();
 
