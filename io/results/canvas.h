@@ -1,4 +1,4 @@
-// A picture in typographic points, y down, on Cairo; saved as PNG.
+// A picture in typographic points, y down, on Cairo; saved as PNG, PDF or SVG.
 #pragma once
 
 #include <cairo.h>
@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+
+#include "io/results/picture_format.h"
 
 namespace scree::io {
 
@@ -28,9 +30,11 @@ struct TextStyle {
 
 class Canvas {
  public:
-  /// White.   @param width,height [pt]   @param pixels  width of the picture in pixels
-  Canvas(double width, double height, int pixels);
+  /// White.   @param width,height [pt]   @param pixels  width of a PNG in pixels; PDF and SVG have none
+  Canvas(double width, double height, int pixels, PictureFormat format = PictureFormat::png);
 
+  /// PDF and SVG keep lines and letters as such; whoever shows them makes the pixels.
+  [[nodiscard]] bool is_vector() const { return format_ != PictureFormat::png; }
   [[nodiscard]] cairo_t* get() const { return cairo_.get(); }
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
@@ -44,11 +48,13 @@ class Canvas {
 
   void text(double x, double y, const std::string& text, const TextStyle& style = {}) const;
   [[nodiscard]] double text_width(const std::string& text, const TextStyle& style = {}) const;
+  /// Text at (x, y) as `text` puts it, on a white rim that keeps it legible on anything.
+  void text_on_rim(double x, double y, const std::string& text, const TextStyle& style = {}) const;
   /// The text, cut with an ellipsis where it is longer than `width` [pt].
   [[nodiscard]] std::string fitted(const std::string& text, double width, const TextStyle& style = {}) const;
 
-  /// Written to a temporary name and renamed.   @throws FileError
-  void save(const std::filesystem::path& png) const;
+  /// Ends the picture. Written to a temporary name and renamed.   @throws FileError
+  void save(const std::filesystem::path& file) const;
 
  private:
   struct Destroy {
@@ -57,7 +63,11 @@ class Canvas {
   };
   void use(const TextStyle& style) const;
 
+  void text_path(double x, double y, const std::string& text, const TextStyle& style, double rim) const;
+
   double width_, height_;
+  PictureFormat format_;
+  std::unique_ptr<std::string> bytes_;  // of PDF and SVG so far; the surface writes into it until it is destroyed
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };

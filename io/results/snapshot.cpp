@@ -4,20 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "io/results/colour_map.h"
 #include "io/results/frame_field.h"
 #include "io/results/plot_area.h"
+#include "model/check.h"
 
 namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0;               // of the page: 7 inches [pt]
-constexpr double kTop = 40.0, kBottom = 50.0;  // title; ticks, label and key [pt]
-constexpr double kBarGap = 10.0, kEdge = 8.0;  // [pt]
-constexpr std::size_t kMostNames = 24;         // in a legend
+constexpr double kWidth = 504.0;                                                  // of the page: 7 inches [pt]
+constexpr double kTop = 40.0, kBottom = 50.0;                                     // title; ticks, label and key [pt]
+constexpr double kBarGap = 10.0, kEdge = 8.0;                                     // [pt]
+constexpr std::size_t kMostNames = 24;                                            // in a legend
+constexpr double kHead = 5.0, kLongest = 34.0, kShortest = 1.5, kSpacing = 40.0;  // arrows [pt]
 
 /// Everything a drawing of one frame needs.
 struct Scene {
@@ -31,6 +34,7 @@ struct Scene {
   Scene(const RunReader& reader, const SnapshotOptions& asked);
   [[nodiscard]] bool named() const { return *info(options.field).unit == '\0'; }
   [[nodiscard]] Colour colour(std::size_t cell) const;
+  [[nodiscard]] const std::string& name_of(std::size_t number) const;
 };
 
 std::size_t chosen_frame(const RunReader& run, const SnapshotOptions& options, const std::filesystem::path& folder) {
@@ -47,12 +51,18 @@ void prepare(Scene& s, std::size_t index) {
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
   const FieldInfo& field = info(s.options.field);
-  const bool given = s.options.range && s.options.range->first < s.options.range->second;
-  const auto [low, high] = given ? *s.options.range : colour_range(s.frame, s.options.field, s.values, s.held);
+  const double rounding = rounding_of(s.options.field, s.frame, s.run.materials());
+  const auto [low, high] =
+      s.options.range ? *s.options.range : colour_range(s.frame, s.options.field, s.values, s.held, rounding);
+  SCREE_ASSERT(low < high);
   s.scale.unit = prefixed(field.unit, std::max(std::abs(low), std::abs(high)));
   s.scale.low = low / s.scale.unit.factor;
   s.scale.high = high / s.scale.unit.factor;
-  s.scale.colour = field.is_signed ? diverging_colour : sequential_colour;
+  s.scale.colour = sequential_colour;
+  if (field.is_signed)  // white at zero, wherever zero is in the range
+    s.scale.colour = [a = low, b = high](double t) {
+      return diverging_colour(0.5 + 0.5 * (a + t * (b - a)) / std::max(std::abs(a), std::abs(b)));
+    };
   const double slack = 1e-9 * (high - low);
   for (std::size_t c = 0; c < s.values.size(); ++c) {
     if (s.held[c]) continue;
@@ -65,7 +75,12 @@ Colour Scene::colour(std::size_t cell) const {
   if (named()) return distinct_colour(static_cast<std::size_t>(values[cell]));
   if (!std::isfinite(values[cell])) return {0.5, 0.5, 0.5};
   const double shown = values[cell] / scale.unit.factor;
-  return scale.colour((shown - scale.low) / (scale.high - scale.low));
+  return scale.colour(std::clamp((shown - scale.low) / (scale.high - scale.low), 0.0, 1.0));
+}
+
+const std::string& Scene::name_of(std::size_t number) const {
+  if (options.field == Field::method) return run.methods()[number];
+  return options.field == Field::material ? run.materials()[number].name : run.blocks()[number].name;
 }
 
 /// The box of what is drawn, with a margin.
@@ -142,7 +157,13 @@ void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
     if (s.held[cell]) continue;
     cell_path(canvas, area, s.frame, cell);
     canvas.ink(s.colour(cell));
-    cairo_fill(c);
+    if (canvas.is_vector()) {  // viewers smooth whatever the file says: a rim covers the paper between neighbours
+      cairo_fill_preserve(c);
+      cairo_set_line_width(c, 0.25);
+      cairo_stroke(c);
+    } else {
+      cairo_fill(c);
+    }
   }
   cairo_set_antialias(c, CAIRO_ANTIALIAS_DEFAULT);
 }
@@ -169,6 +190,99 @@ void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_stroke(c);
 }
 
+/// A shaft with a filled head on a white rim, from (x, y) by (dx, dy) [pt].
+void draw_arrow(const Canvas& canvas, double x, double y, double dx, double dy) {
+  cairo_t* c = canvas.get();
+  const double length = std::hypot(dx, dy), head = std::min(kHead, 0.6 * length);
+  const double ex = dx / length, ey = dy / length, bx = x + dx - head * ex, by = y + dy - head * ey;
+  const auto shape = [&] {
+    cairo_new_path(c);
+    cairo_move_to(c, x, y), cairo_line_to(c, bx, by);
+    cairo_move_to(c, x + dx, y + dy);
+    cairo_line_to(c, bx - 0.38 * head * ey, by + 0.38 * head * ex);
+    cairo_line_to(c, bx + 0.38 * head * ey, by - 0.38 * head * ex);
+    cairo_close_path(c);
+  };
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+  shape();
+  canvas.ink({1.0, 1.0, 1.0, 0.85});
+  cairo_set_line_width(c, 2.4);
+  cairo_stroke(c);
+  shape();
+  canvas.ink({0.0, 0.0, 0.0});
+  cairo_set_line_width(c, 0.8);
+  cairo_fill_preserve(c);
+  cairo_stroke(c);
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above x > 0.
+double round_below(double x) {
+  const double decade = std::pow(10.0, std::floor(std::log10(x)));
+  const double m = x / decade;
+  return (m >= 5.0 ? 5.0 : m >= 2.0 ? 2.0 : 1.0) * decade;
+}
+
+struct ArrowSet {
+  std::vector<Arrow> arrows;
+  double per_unit = 0.0;  // points of the page a metre or a metre a second
+  std::string key;        // of an arrow of the length below
+  double key_length = 0.0;
+};
+
+ArrowSet arrow_set(const PlotArea& area, const Scene& s) {
+  ArrowSet set;
+  if (s.options.arrows == Arrows::none) return set;
+  const bool moved = s.options.arrows == Arrows::displacement;
+  const double metres = (area.x1 - area.x0) / area.w;
+  set.arrows = arrows_of(s.frame, moved ? s.frame.cell_displacement : s.frame.cell_velocity, s.held, kSpacing * metres);
+  double longest = 0.0;
+  for (const Arrow& a : set.arrows) longest = std::max(longest, a.vector.norm());
+  if (!(longest > rounding_of(Field::displacement, s.frame, {}))) {
+    set.arrows.clear();
+    return set;
+  }
+  set.per_unit = kLongest / longest;
+  const double round = round_below(longest);
+  const Unit unit = prefixed(moved ? "m" : "m/s", round);
+  set.key_length = round * set.per_unit;
+  set.key = fmt::format("{} {:g} {}", moved ? "displacement" : "velocity", round / unit.factor, unit.name);
+  return set;
+}
+
+void draw_arrows(const Canvas& canvas, const PlotArea& area, const ArrowSet& set) {
+  for (const Arrow& a : set.arrows) {
+    const Vec2 d = set.per_unit * a.vector;
+    if (d.norm() > kShortest) draw_arrow(canvas, area.px(a.at.x()), area.py(a.at.y()), d.x(), -d.y());
+  }
+}
+
+/// Names of the blocks in the middle of them, where there is room.
+void draw_labels(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  TextStyle style{6.5};
+  style.across = 0.5, style.up = 0.5;
+  std::map<std::int32_t, Box> boxes;  // on the page
+  for (std::size_t c = 0; c < s.frame.cells(); ++c)
+    for (auto i = static_cast<std::size_t>(s.frame.offsets[c]); i < static_cast<std::size_t>(s.frame.offsets[c + 1]);
+         ++i) {
+      const auto p = static_cast<std::size_t>(s.frame.connectivity[i]);
+      const Vec2 at(area.px(s.frame.position[2 * p]), area.py(s.frame.position[2 * p + 1]));
+      Box& box = boxes.try_emplace(s.frame.block[c], Box{at, at}).first->second;
+      box.lo = box.lo.cwiseMin(at), box.hi = box.hi.cwiseMax(at);
+    }
+  const std::vector<char> none(s.frame.cells(), 0);
+  const std::vector<double> zero(2 * s.frame.cells(), 0.0);
+  const std::vector<Arrow> middles = arrows_of(s.frame, zero, none, 1e300);  // one a block, in the order of the blocks
+  std::size_t k = 0;
+  for (const auto& [block, box] : boxes) {
+    if (k == middles.size()) break;
+    const Vec2& at = middles[k++].at;
+    const std::string& name = s.run.blocks()[static_cast<std::size_t>(block)].name;
+    if (canvas.text_width(name, style) <= box.hi.x() - box.lo.x() && style.size <= box.hi.y() - box.lo.y())
+      canvas.text_on_rim(area.px(at.x()), area.py(at.y()), name, style);
+  }
+}
+
 struct Entry {
   std::string name;
   std::size_t number;
@@ -176,14 +290,13 @@ struct Entry {
 
 /// Names beside the plot for a field that counts names.
 std::vector<Entry> legend_of(const Scene& s) {
-  if (!s.named()) return {};
+  if (!s.named() || (s.options.field == Field::block && s.options.labels)) return {};
   std::set<std::size_t> used;
   for (std::size_t c = 0; c < s.values.size(); ++c)
     if (!s.held[c]) used.insert(static_cast<std::size_t>(s.values[c]));
   if (used.size() > kMostNames) return {};
   std::vector<Entry> entries;
-  for (const std::size_t n : used)
-    entries.push_back({s.options.field == Field::block ? s.run.blocks()[n].name : s.run.methods()[n], n});
+  for (const std::size_t n : used) entries.push_back({s.name_of(n), n});
   return entries;
 }
 
@@ -201,16 +314,23 @@ void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<E
   }
 }
 
-/// The sign of stress at the lower left; what hatching and grey lines mean at the lower right.
-void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+/// The sign of stress and the length of arrows at the lower left; what hatching and grey lines mean at the lower right.
+void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowSet& set) {
   TextStyle style = kTickText;
   style.across = 1.0, style.up = 0.5;
   double x = area.x + area.w;
   const double y = area.y + area.h + 36.0;  // below the label of x
+  TextStyle left = style;
+  left.across = 0.0;
+  double from = area.x;
   if (info(s.options.field).is_signed) {
-    TextStyle left = style;
-    left.across = 0.0;
-    canvas.text(area.x, y, "tension positive", left);
+    const std::string sign = "tension positive";
+    canvas.text(from, y, sign, left);
+    from += canvas.text_width(sign, left) + 12.0;
+  }
+  if (!set.arrows.empty()) {
+    draw_arrow(canvas, from, y, set.key_length, 0.0);
+    canvas.text(from + set.key_length + 5.0, y, set.key, left);
   }
   const std::string moved = "outline in the model", held = "held block";
   canvas.text(x, y, moved, style);
@@ -242,8 +362,8 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names{"displacement", "speed", "sxx",   "syy",   "sxy",
-                                              "s1",           "s3",    "block", "method"};
+  static const std::vector<std::string> names{"displacement", "speed", "sxx",   "syy",    "sxy",
+                                              "s1",           "s3",    "block", "method", "material"};
   return names;
 }
 
@@ -254,7 +374,8 @@ std::optional<Field> field_named(std::string_view name) {
 }
 
 void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options,
-              const std::filesystem::path& png) {
+              const std::filesystem::path& file) {
+  const PictureFormat format = format_or_error(file);
   const RunReader run(run_folder);
   Scene s(run, options);
   prepare(s, chosen_frame(run, options, run_folder));
@@ -275,24 +396,27 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   const double left = kEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
   const PlotArea area = placed(box, left, right);
 
-  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width);
+  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width, format);
   cairo_save(canvas.get());
   cairo_rectangle(canvas.get(), area.x, area.y, area.w, area.h);
   cairo_clip(canvas.get());
   draw_model_outlines(canvas, area, s);
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
+  if (s.options.labels) draw_labels(canvas, area, s);
+  const ArrowSet arrows = arrow_set(area, s);
+  draw_arrows(canvas, area, arrows);
   cairo_restore(canvas.get());
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]",
             false);
-  draw_key(canvas, area, s);
+  draw_key(canvas, area, s, arrows);
   draw_title(canvas, area, s);
   if (s.named())
     draw_legend(canvas, area, legend, names);
   else
     draw_colour_bar(canvas, area.x + area.w + kBarGap, area.y, area.h, s.scale,
                     std::string(info(options.field).label) + " [" + s.scale.unit.name + "]");
-  canvas.save(png);
+  canvas.save(file);
 }
 
 }  // namespace scree::io
