@@ -70,8 +70,9 @@ int dispatch(int argc, char** argv) {
   snapshot_command->add_option("--window", picture.window, "what to show, in m (default: everything)")
       ->expected(4)
       ->type_name("X0 Y0 X1 Y1");
-  snapshot_command->add_option("--arrows", picture.arrows, "arrows on the blocks: displacement or velocity");
-  snapshot_command->add_flag("--labels", picture.labels, "names on the blocks");
+  CLI::Option* arrows_option =
+      snapshot_command->add_option("--arrows", picture.arrows, "arrows on the blocks: displacement or velocity");
+  snapshot_command->add_flag("--labels", picture.labels, "names on the blocks")->excludes(arrows_option);
   snapshot_command->add_option("--width", picture.width, "width of a PNG in pixels")->check(CLI::Range(200, 20000));
   CLI::Option* ledger_flag =
       snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");

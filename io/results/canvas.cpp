@@ -13,7 +13,7 @@ namespace scree::io {
 namespace {
 
 constexpr double kCapHeight = 0.73;  // of DejaVu Sans, as a fraction of its size
-constexpr Colour kHeld{0.905, 0.9, 0.89}, kHatch{0.8, 0.79, 0.775};
+constexpr Colour kHatch{0.8, 0.79, 0.775};
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
@@ -105,32 +105,15 @@ double Canvas::text_width(const std::string& text, const TextStyle& style) const
   return extents.x_advance;
 }
 
-void Canvas::text_path(double x, double y, const std::string& text, const TextStyle& style, double rim) const {
+void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) const {
   const double width = text_width(text, style);
   cairo_save(get());
   cairo_translate(get(), x, y);
   if (style.turned) cairo_rotate(get(), -0.5 * std::numbers::pi);
   cairo_move_to(get(), -style.across * width, style.up * kCapHeight * style.size);
-  if (rim > 0.0) {
-    cairo_text_path(get(), text.c_str());
-    ink({1.0, 1.0, 1.0, 0.8});
-    cairo_set_line_width(get(), 2.0 * rim);
-    cairo_set_line_join(get(), CAIRO_LINE_JOIN_ROUND);
-    cairo_stroke(get());
-  } else {
-    ink(style.colour);
-    cairo_show_text(get(), text.c_str());
-  }
+  ink(style.colour);
+  cairo_show_text(get(), text.c_str());
   cairo_restore(get());
-}
-
-void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) const {
-  text_path(x, y, text, style, 0.0);
-}
-
-void Canvas::text_on_rim(double x, double y, const std::string& text, const TextStyle& style) const {
-  text_path(x, y, text, style, 0.16 * style.size);
-  text_path(x, y, text, style, 0.0);
 }
 
 std::string Canvas::fitted(const std::string& text, double width, const TextStyle& style) const {

@@ -18,6 +18,7 @@ struct Colour {
 
 inline constexpr Colour kInk{0.13, 0.13, 0.13};    // text and frames
 inline constexpr Colour kFaint{0.86, 0.86, 0.86};  // grids
+inline constexpr Colour kHeld{0.905, 0.9, 0.89};   // below hatching
 
 struct TextStyle {
   double size = 8.0;  // [pt]
@@ -48,8 +49,6 @@ class Canvas {
 
   void text(double x, double y, const std::string& text, const TextStyle& style = {}) const;
   [[nodiscard]] double text_width(const std::string& text, const TextStyle& style = {}) const;
-  /// Text at (x, y) as `text` puts it, on a white rim that keeps it legible on anything.
-  void text_on_rim(double x, double y, const std::string& text, const TextStyle& style = {}) const;
   /// The text, cut with an ellipsis where it is longer than `width` [pt].
   [[nodiscard]] std::string fitted(const std::string& text, double width, const TextStyle& style = {}) const;
 
@@ -62,8 +61,6 @@ class Canvas {
     void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
   };
   void use(const TextStyle& style) const;
-
-  void text_path(double x, double y, const std::string& text, const TextStyle& style, double rim) const;
 
   double width_, height_;
   PictureFormat format_;

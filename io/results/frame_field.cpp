@@ -73,6 +73,16 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
   return {};
 }
 
+Vec2 cell_middle(const StoredFrame& frame, std::size_t cell) {
+  Vec2 sum = Vec2::Zero();
+  for (auto i = static_cast<std::size_t>(frame.offsets[cell]); i < static_cast<std::size_t>(frame.offsets[cell + 1]);
+       ++i) {
+    const auto p = static_cast<std::size_t>(frame.connectivity[i]);
+    sum += Vec2(frame.position[2 * p], frame.position[2 * p + 1]);
+  }
+  return sum / static_cast<double>(frame.offsets[cell + 1] - frame.offsets[cell]);
+}
+
 double cell_area(const StoredFrame& frame, std::size_t cell) {
   double twice = 0.0;
   const auto first = static_cast<std::size_t>(frame.offsets[cell]),
@@ -127,18 +137,10 @@ std::vector<Arrow> arrows_of(const StoredFrame& frame, const std::vector<double>
     Vec2 at = Vec2::Zero(), vector = Vec2::Zero();
     double weight = 0.0;
   };
-  const auto middle_of = [&](std::size_t c) {
-    Vec2 sum = Vec2::Zero();
-    for (auto i = static_cast<std::size_t>(frame.offsets[c]); i < static_cast<std::size_t>(frame.offsets[c + 1]); ++i) {
-      const auto p = static_cast<std::size_t>(frame.connectivity[i]);
-      sum += Vec2(frame.position[2 * p], frame.position[2 * p + 1]);
-    }
-    return Vec2(sum / static_cast<double>(frame.offsets[c + 1] - frame.offsets[c]));
-  };
   std::vector<Vec2> middle;
   std::map<std::int32_t, Extent> extent;  // of the middles of each block's cells
   for (std::size_t c = 0; c < frame.cells(); ++c) {
-    middle.push_back(middle_of(c));
+    middle.push_back(cell_middle(frame, c));
     if (skip[c] || !middle[c].allFinite()) continue;
     Extent& e = extent[frame.block[c]];
     e.low = e.low.cwiseMin(middle[c]), e.high = e.high.cwiseMax(middle[c]);

@@ -33,6 +33,9 @@ struct FieldInfo {
 /// (stress); zero for the others.
 [[nodiscard]] double rounding_of(Field field, const StoredFrame& frame, const std::vector<StoredMaterial>& materials);
 
+/// Mean of a cell's points now [m].
+[[nodiscard]] Vec2 cell_middle(const StoredFrame& frame, std::size_t cell);
+
 /// A vector at a place [m].
 struct Arrow {
   Vec2 at, vector;

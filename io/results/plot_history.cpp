@@ -55,7 +55,7 @@ std::vector<Panel> panels_of(const std::vector<StoredMonitor>& monitors) {
     uy.push_back(column(m.displacement, 1));
     speed.push_back(magnitude(m.velocity));
   }
-  return {panel("x displ.", "m", std::move(ux)), panel("y displ.", "m", std::move(uy)),
+  return {panel("displacement x", "m", std::move(ux)), panel("displacement y", "m", std::move(uy)),
           panel("speed", "m/s", std::move(speed))};
 }
 
@@ -76,6 +76,17 @@ std::vector<StoredMonitor> chosen(const RunReader& run, const std::vector<std::s
   return chosen;
 }
 
+/// "slide-1#1" as "slide-1" where it is the only monitor of its block.
+void shorten_names(std::vector<StoredMonitor>& monitors, const std::vector<StoredMonitor>& all) {
+  for (StoredMonitor& m : monitors) {
+    const std::size_t mark = m.name.rfind('#');
+    if (mark == std::string::npos || mark == 0) continue;
+    const std::string block = m.name.substr(0, mark);
+    const auto of_block = [&](const StoredMonitor& o) { return o.name == block || o.name.starts_with(block + "#"); };
+    if (std::count_if(all.begin(), all.end(), of_block) == 1) m.name = block;
+  }
+}
+
 void draw_legend(const Canvas& canvas, double x, double y, double room, const std::vector<StoredMonitor>& monitors) {
   TextStyle style = kTickText;
   style.up = 0.5;
@@ -91,7 +102,8 @@ void plot_history(const std::filesystem::path& run_folder, const std::vector<std
                   const std::filesystem::path& file) {
   const PictureFormat format = format_or_error(file);
   const RunReader run(run_folder);
-  const std::vector<StoredMonitor> monitors = chosen(run, names, run_folder);
+  std::vector<StoredMonitor> monitors = chosen(run, names, run_folder);
+  shorten_names(monitors, run.monitors());
   const std::vector<Panel> panels = panels_of(monitors);
   Range time;
   for (const StoredMonitor& m : monitors) time.add(m.time);

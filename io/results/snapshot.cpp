@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "io/results/colour_map.h"
 #include "io/results/frame_field.h"
+#include "io/results/frame_marks.h"
 #include "io/results/plot_area.h"
 #include "model/check.h"
 
@@ -16,11 +16,10 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0;                                                  // of the page: 7 inches [pt]
-constexpr double kTop = 40.0, kBottom = 50.0;                                     // title; ticks, label and key [pt]
-constexpr double kBarGap = 10.0, kEdge = 8.0;                                     // [pt]
-constexpr std::size_t kMostNames = 24;                                            // in a legend
-constexpr double kHead = 5.0, kLongest = 34.0, kShortest = 1.5, kSpacing = 40.0;  // arrows [pt]
+constexpr double kWidth = 504.0;               // of the page: 7 inches [pt]
+constexpr double kTop = 40.0, kBottom = 50.0;  // title; ticks, label and key [pt]
+constexpr double kBarGap = 10.0, kEdge = 8.0;  // [pt]
+constexpr std::size_t kMostNames = 24;         // in a legend
 
 /// Everything a drawing of one frame needs.
 struct Scene {
@@ -190,97 +189,19 @@ void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_stroke(c);
 }
 
-/// A shaft with a filled head on a white rim, from (x, y) by (dx, dy) [pt].
-void draw_arrow(const Canvas& canvas, double x, double y, double dx, double dy) {
-  cairo_t* c = canvas.get();
-  const double length = std::hypot(dx, dy), head = std::min(kHead, 0.6 * length);
-  const double ex = dx / length, ey = dy / length, bx = x + dx - head * ex, by = y + dy - head * ey;
-  const auto shape = [&] {
-    cairo_new_path(c);
-    cairo_move_to(c, x, y), cairo_line_to(c, bx, by);
-    cairo_move_to(c, x + dx, y + dy);
-    cairo_line_to(c, bx - 0.38 * head * ey, by + 0.38 * head * ex);
-    cairo_line_to(c, bx + 0.38 * head * ey, by - 0.38 * head * ex);
-    cairo_close_path(c);
-  };
-  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
-  shape();
-  canvas.ink({1.0, 1.0, 1.0, 0.85});
-  cairo_set_line_width(c, 2.4);
-  cairo_stroke(c);
-  shape();
-  canvas.ink({0.0, 0.0, 0.0});
-  cairo_set_line_width(c, 0.8);
-  cairo_fill_preserve(c);
-  cairo_stroke(c);
+ArrowMarks arrow_marks(const PlotArea& area, const Scene& s) {
+  if (s.options.arrows == Arrows::none) return {};
+  const double noise = rounding_of(Field::displacement, s.frame, {});
+  const double block = cell_and_block_size(area, s).second;
+  if (s.options.arrows == Arrows::displacement)
+    return {s.frame, s.frame.cell_displacement, s.held, area, block, noise, "displacement", "m"};
+  return {s.frame, s.frame.cell_velocity, s.held, area, block, noise, "velocity", "m/s"};
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above x > 0.
-double round_below(double x) {
-  const double decade = std::pow(10.0, std::floor(std::log10(x)));
-  const double m = x / decade;
-  return (m >= 5.0 ? 5.0 : m >= 2.0 ? 2.0 : 1.0) * decade;
-}
-
-struct ArrowSet {
-  std::vector<Arrow> arrows;
-  double per_unit = 0.0;  // points of the page a metre or a metre a second
-  std::string key;        // of an arrow of the length below
-  double key_length = 0.0;
-};
-
-ArrowSet arrow_set(const PlotArea& area, const Scene& s) {
-  ArrowSet set;
-  if (s.options.arrows == Arrows::none) return set;
-  const bool moved = s.options.arrows == Arrows::displacement;
-  const double metres = (area.x1 - area.x0) / area.w;
-  set.arrows = arrows_of(s.frame, moved ? s.frame.cell_displacement : s.frame.cell_velocity, s.held, kSpacing * metres);
-  double longest = 0.0;
-  for (const Arrow& a : set.arrows) longest = std::max(longest, a.vector.norm());
-  if (!(longest > rounding_of(Field::displacement, s.frame, {}))) {
-    set.arrows.clear();
-    return set;
-  }
-  set.per_unit = kLongest / longest;
-  const double round = round_below(longest);
-  const Unit unit = prefixed(moved ? "m" : "m/s", round);
-  set.key_length = round * set.per_unit;
-  set.key = fmt::format("{} {:g} {}", moved ? "displacement" : "velocity", round / unit.factor, unit.name);
-  return set;
-}
-
-void draw_arrows(const Canvas& canvas, const PlotArea& area, const ArrowSet& set) {
-  for (const Arrow& a : set.arrows) {
-    const Vec2 d = set.per_unit * a.vector;
-    if (d.norm() > kShortest) draw_arrow(canvas, area.px(a.at.x()), area.py(a.at.y()), d.x(), -d.y());
-  }
-}
-
-/// Names of the blocks in the middle of them, where there is room.
 void draw_labels(const Canvas& canvas, const PlotArea& area, const Scene& s) {
-  TextStyle style{6.5};
-  style.across = 0.5, style.up = 0.5;
-  std::map<std::int32_t, Box> boxes;  // on the page
-  for (std::size_t c = 0; c < s.frame.cells(); ++c)
-    for (auto i = static_cast<std::size_t>(s.frame.offsets[c]); i < static_cast<std::size_t>(s.frame.offsets[c + 1]);
-         ++i) {
-      const auto p = static_cast<std::size_t>(s.frame.connectivity[i]);
-      const Vec2 at(area.px(s.frame.position[2 * p]), area.py(s.frame.position[2 * p + 1]));
-      Box& box = boxes.try_emplace(s.frame.block[c], Box{at, at}).first->second;
-      box.lo = box.lo.cwiseMin(at), box.hi = box.hi.cwiseMax(at);
-    }
-  const std::vector<char> none(s.frame.cells(), 0);
-  const std::vector<double> zero(2 * s.frame.cells(), 0.0);
-  const std::vector<Arrow> middles = arrows_of(s.frame, zero, none, 1e300);  // one a block, in the order of the blocks
-  std::size_t k = 0;
-  for (const auto& [block, box] : boxes) {
-    if (k == middles.size()) break;
-    const Vec2& at = middles[k++].at;
-    const std::string& name = s.run.blocks()[static_cast<std::size_t>(block)].name;
-    if (canvas.text_width(name, style) <= box.hi.x() - box.lo.x() && style.size <= box.hi.y() - box.lo.y())
-      canvas.text_on_rim(area.px(at.x()), area.py(at.y()), name, style);
-  }
+  std::vector<std::string> names;
+  for (const StoredBlock& b : s.run.blocks()) names.push_back(b.name);
+  draw_names(canvas, area, s.frame, names, [&](std::size_t cell) { return s.held[cell] ? kHeld : s.colour(cell); });
 }
 
 struct Entry {
@@ -315,7 +236,7 @@ void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<E
 }
 
 /// The sign of stress and the length of arrows at the lower left; what hatching and grey lines mean at the lower right.
-void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowSet& set) {
+void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowMarks& arrows) {
   TextStyle style = kTickText;
   style.across = 1.0, style.up = 0.5;
   double x = area.x + area.w;
@@ -328,10 +249,7 @@ void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const 
     canvas.text(from, y, sign, left);
     from += canvas.text_width(sign, left) + 12.0;
   }
-  if (!set.arrows.empty()) {
-    draw_arrow(canvas, from, y, set.key_length, 0.0);
-    canvas.text(from + set.key_length + 5.0, y, set.key, left);
-  }
+  arrows.draw_key(canvas, from, y);
   const std::string moved = "outline in the model", held = "held block";
   canvas.text(x, y, moved, style);
   x -= canvas.text_width(moved, style) + 4.0;
@@ -403,9 +321,9 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   draw_model_outlines(canvas, area, s);
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
-  if (s.options.labels) draw_labels(canvas, area, s);
-  const ArrowSet arrows = arrow_set(area, s);
-  draw_arrows(canvas, area, arrows);
+  if (options.labels) draw_labels(canvas, area, s);
+  const ArrowMarks arrows = arrow_marks(area, s);
+  arrows.draw(canvas, area);
   cairo_restore(canvas.get());
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]",
             false);
