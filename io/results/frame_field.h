@@ -12,8 +12,8 @@ namespace scree::io {
 
 /// How a field is drawn.
 struct FieldInfo {
-  const char* label;
-  const char* unit;        // SI; empty: names, not numbers
+  const char* label = "";
+  const char* unit = "";   // SI; empty: names, not numbers
   bool is_signed = false;  // diverging colours about zero
 };
 [[nodiscard]] const FieldInfo& info(Field field);

@@ -65,6 +65,7 @@ std::vector<StoredMonitor> chosen(const RunReader& run, const std::vector<std::s
   if (all.empty()) throw FileError(folder, "has no monitors; add [[monitor]] to its case");
   if (names.empty()) return all;
   std::vector<std::string> known;
+  known.reserve(all.size());
   for (const StoredMonitor& m : all) known.push_back(m.name);
   for (const std::string& name : names) {
     const std::size_t before = chosen.size();

@@ -200,6 +200,7 @@ ArrowMarks arrow_marks(const PlotArea& area, const Scene& s) {
 
 void draw_labels(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   std::vector<std::string> names;
+  names.reserve(s.run.blocks().size());
   for (const StoredBlock& b : s.run.blocks()) names.push_back(b.name);
   draw_names(canvas, area, s.frame, names, [&](std::size_t cell) { return s.held[cell] ? kHeld : s.colour(cell); });
 }
@@ -280,9 +281,9 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names{"displacement", "speed", "sxx",   "syy",    "sxy",
-                                              "s1",           "s3",    "block", "method", "material"};
-  return names;
+  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",   "syy",    "sxy",
+                                               "s1",           "s3",    "block", "method", "material"};
+  return kNames;
 }
 
 std::optional<Field> field_named(std::string_view name) {

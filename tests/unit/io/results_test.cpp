@@ -336,6 +336,7 @@ std::vector<std::string> all_between(const std::string& text, const std::string&
 TEST_F(Results, xmf_has_every_frame_and_two_at_one_time_are_a_tick_apart) {
   const std::vector<std::string> values = all_between(text_of(run / "run.xmf"), "<Time Value=\"", "\"");
   std::vector<double> times;
+  times.reserve(values.size());
   for (const std::string& v : values) times.push_back(std::strtod(v.c_str(), nullptr));
   ASSERT_EQ(times.size(), 5u);
   EXPECT_EQ(times[1], 0.5);

@@ -70,52 +70,52 @@ class Window : public testing::Test {
  protected:
   void SetUp() override {
     std::string name = (fs::temp_directory_path() / "scree-window-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-    file = h5::File::create(folder / "a.h5");
+    folder_ = ::mkdtemp(name.data());
+    file_ = h5::File::create(folder_ / "a.h5");
   }
   void TearDown() override {
-    file.close();
+    file_.close();
     std::error_code ignored;  // a folder left behind is no failure of what is tested
-    fs::remove_all(folder, ignored);
+    fs::remove_all(folder_, ignored);
   }
-  fs::path folder;
-  h5::File file;
+  fs::path folder_;
+  h5::File file_;
 };
 
 TEST_F(Window, shows_its_rows_with_type_and_label) {
   std::vector<double> rows(30);
   std::iota(rows.begin(), rows.end(), 0.0);
-  h5::write<double>(file, "/table", 3, rows, {"m", "table"});
-  h5::window(file, "/view/deep/0", {"/table", 4, 2}, {"m", "two rows"});
-  EXPECT_EQ(h5::read<double>(file, "/view/deep/0"), (std::vector<double>{12, 13, 14, 15, 16, 17}));
-  EXPECT_EQ(h5::extent(file, "/view/deep/0").width, 3);
-  EXPECT_EQ(h5::text_attribute(file, "/view/deep/0", "units"), "m");
-  EXPECT_EQ(h5::text_attribute(file, "/view/deep/0", "long_name"), "two rows");
+  h5::write<double>(file_, "/table", 3, rows, {"m", "table"});
+  h5::window(file_, "/view/deep/0", {"/table", 4, 2}, {"m", "two rows"});
+  EXPECT_EQ(h5::read<double>(file_, "/view/deep/0"), (std::vector<double>{12, 13, 14, 15, 16, 17}));
+  EXPECT_EQ(h5::extent(file_, "/view/deep/0").width, 3);
+  EXPECT_EQ(h5::text_attribute(file_, "/view/deep/0", "units"), "m");
+  EXPECT_EQ(h5::text_attribute(file_, "/view/deep/0", "long_name"), "two rows");
 }
 
 TEST_F(Window, shows_rows_that_are_written_after_it_was_made) {
-  h5::Series<std::int32_t> series(file, "/numbers", 1, {"1", "numbers"});
+  h5::Series<std::int32_t> series(file_, "/numbers", 1, {"1", "numbers"});
   series.append(7);
   series.flush();
   series.append(8);  // in the buffer only
-  h5::window(file, "/view", {"/numbers", 1, 2}, {"1", "later numbers"});
+  h5::window(file_, "/view", {"/numbers", 1, 2}, {"1", "later numbers"});
   series.append(9);
   series.close();
-  file.flush();
-  EXPECT_EQ(h5::read<std::int32_t>(file, "/view"), (std::vector<std::int32_t>{8, 9}));
+  file_.flush();
+  EXPECT_EQ(h5::read<std::int32_t>(file_, "/view"), (std::vector<std::int32_t>{8, 9}));
 }
 
 TEST_F(Window, of_a_file_that_moved_still_finds_its_rows) {
-  h5::write<double>(file, "/table", 1, std::vector<double>{1.0, 2.0, 3.0}, {"m", "table"});
-  h5::window(file, "/view", {"/table", 2, 1}, {"m", "view"});
-  file.close();
-  fs::rename(folder / "a.h5", folder / "b.h5");
-  file = h5::File::open(folder / "b.h5");
-  EXPECT_EQ(h5::read<double>(file, "/view"), (std::vector<double>{3.0}));
+  h5::write<double>(file_, "/table", 1, std::vector<double>{1.0, 2.0, 3.0}, {"m", "table"});
+  h5::window(file_, "/view", {"/table", 2, 1}, {"m", "view"});
+  file_.close();
+  fs::rename(folder_ / "a.h5", folder_ / "b.h5");
+  file_ = h5::File::open(folder_ / "b.h5");
+  EXPECT_EQ(h5::read<double>(file_, "/view"), (std::vector<double>{3.0}));
 }
 
 TEST_F(Window, of_nothing_gives_file_error) {
-  EXPECT_THROW(h5::window(file, "/view", {"/no/such", 0, 1}, {"m", "view"}), FileError);
+  EXPECT_THROW(h5::window(file_, "/view", {"/no/such", 0, 1}, {"m", "view"}), FileError);
 }
 
 // --- cell means ---------------------------------------------------------------------------------------------------
