@@ -218,6 +218,7 @@ std::vector<Entry> legend_of(const Scene& s) {
     if (!s.held[c]) used.insert(static_cast<std::size_t>(s.values[c]));
   if (used.size() > kMostNames) return {};
   std::vector<Entry> entries;
+  entries.reserve(used.size());
   for (const std::size_t n : used) entries.push_back({s.name_of(n), n});
   return entries;
 }
