@@ -1,9 +1,11 @@
-// run.xmf: its words, the windows it refers to, and point values brought to the cells.
+// run.xmf: its words, the windows it refers to, the series behind them, and point values brought to the cells.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "io/results/cell_mean.h"
@@ -116,6 +118,63 @@ TEST_F(Window, of_a_file_that_moved_still_finds_its_rows) {
 
 TEST_F(Window, of_nothing_gives_file_error) {
   EXPECT_THROW(h5::window(file_, "/view", {"/no/such", 0, 1}, {"m", "view"}), FileError);
+}
+
+// --- series -------------------------------------------------------------------------------------------------------
+
+struct Chunk {
+  haddr_t address = 0;
+  hsize_t bytes = 0;
+  unsigned skipped = 0;  // filters, a bit each
+};
+Chunk chunk_of(const h5::File& file, const char* name, hsize_t number) {
+  Chunk c;
+  hsize_t at = 0;
+  const h5::Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose);
+  const h5::Handle space(H5Dget_space(dataset.get()), H5Sclose);
+  EXPECT_GE(H5Dget_chunk_info(dataset.get(), space.get(), number, &at, &c.skipped, &c.address, &c.bytes), 0);
+  return c;
+}
+
+TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
+  h5::Series<double> series(file_, "/numbers", 1, {"1", "numbers"});
+  constexpr std::int64_t kChunk = 8192;  // 64 KiB of doubles
+  std::vector<double> expected;
+  const auto add = [&](std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) expected.push_back(std::sqrt(2.0 + static_cast<double>(expected.size())));
+    series.append(std::span<const double>(expected).last(static_cast<std::size_t>(count)));
+    series.flush();
+    file_.flush();
+    EXPECT_EQ(series.rows(), static_cast<std::int64_t>(expected.size()));
+    // A copy is what another process sees, and what a kill would leave.
+    fs::copy_file(folder_ / "a.h5", folder_ / "copy.h5", fs::copy_options::overwrite_existing);
+    EXPECT_EQ(h5::read<double>(h5::File::open(folder_ / "copy.h5"), "/numbers"), expected);
+  };
+  add(5);
+  const Chunk first = chunk_of(file_, "/numbers", 0);
+  EXPECT_EQ(first.skipped, 3u);
+  EXPECT_EQ(first.bytes, 8u * kChunk);
+  add(1000);
+  EXPECT_EQ(chunk_of(file_, "/numbers", 0).address, first.address);
+  EXPECT_EQ(chunk_of(file_, "/numbers", 0).bytes, first.bytes);
+  add(kChunk);                                                   // over the end of the first chunk
+  add(3 * kChunk - static_cast<std::int64_t>(expected.size()));  // to the very end of the third
+  add(1);
+  series.close();
+  file_.flush();
+  EXPECT_EQ(h5::read<double>(file_, "/numbers"), expected);
+  for (hsize_t i = 0; i < 4; ++i) EXPECT_EQ(chunk_of(file_, "/numbers", i).skipped, 0u) << "not deflated: " << i;
+}
+
+TEST_F(Window, series_never_flushed_is_whole_after_close) {
+  h5::Series<std::int32_t> series(file_, "/pairs", 2, {"1", "pairs"});
+  series.append(std::vector<std::int32_t>{1, 2, 3, 4, 5, 6});
+  series.close();
+  h5::Series<std::int32_t> empty(file_, "/empty", 1, {"1", "empty"});
+  empty.flush();
+  empty.close();
+  EXPECT_EQ(h5::read<std::int32_t>(file_, "/pairs"), (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(h5::extent(file_, "/empty").rows, 0);
 }
 
 // --- cell means ---------------------------------------------------------------------------------------------------
