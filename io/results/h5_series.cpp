@@ -90,7 +90,8 @@ template <class T>
 void Series<T>::close() {
   if (!dataset_.valid()) return;
   if (const hsize_t rows = rows_.size() / width_; rows > 0) {
-    // As a whole chunk: for a part of one HDF5 reads the old chunk first, and 1.10 inflates it though it was not deflated.
+    // As a whole chunk: for a part of one HDF5 reads the old chunk first, and 1.10 inflates it though it was not
+    // deflated.
     const std::array<hsize_t, 2> size{first_ + rows, width_};
     rows_.resize(chunk_ * width_);
     write_rows(chunk_);
