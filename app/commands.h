@@ -42,8 +42,11 @@ int watch(const WatchOptions& options);
 struct SnapshotCommand {
   std::filesystem::path run, out;
   std::string at = "end";  // start, handover, end, a frame number or a time with the unit s
-  std::string field = "displacement";
-  bool ledger = false;
+  std::string field = "displacement", arrows = "none";
+  std::vector<double> range, window;  // low, high; x0, y0, x1, y1; empty: from the run
+  std::vector<std::string> monitors;  // of the histories; empty: all
+  int width = 1680;                   // [pixels]
+  bool ledger = false, history = false, labels = false;
 };
 int snapshot(const SnapshotCommand& command);
 

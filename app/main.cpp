@@ -58,12 +58,29 @@ int dispatch(int argc, char** argv) {
   verify_command->add_option("--threads", threads, "threads")->check(CLI::Range(1, 1024));
 
   SnapshotCommand picture;
-  CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw a stored run as PNG");
+  CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw a stored run");
   snapshot_command->add_option("run", picture.run, "run folder")->required();
-  snapshot_command->add_option("--out", picture.out, "PNG file (default: in the run folder)");
+  snapshot_command->add_option("--out", picture.out, "file; .png, .pdf or .svg (default: a PNG in the run folder)");
   snapshot_command->add_option("--at", picture.at, "start, handover, end, a frame number, or a time such as 1.5s");
-  snapshot_command->add_option("--field", picture.field, "displacement, speed, sxx, syy, sxy, s1, s3, block, method");
-  snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");
+  snapshot_command->add_option("--field", picture.field,
+                               "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material");
+  snapshot_command->add_option("--range", picture.range, "ends of the colours, in SI units (default: of the values)")
+      ->expected(2)
+      ->type_name("LOW HIGH");
+  snapshot_command->add_option("--window", picture.window, "what to show, in m (default: everything)")
+      ->expected(4)
+      ->type_name("X0 Y0 X1 Y1");
+  CLI::Option* arrows_option =
+      snapshot_command->add_option("--arrows", picture.arrows, "arrows on the blocks: displacement or velocity");
+  snapshot_command->add_flag("--labels", picture.labels, "names on the blocks")->excludes(arrows_option);
+  snapshot_command->add_option("--width", picture.width, "width of a PNG in pixels")->check(CLI::Range(200, 20000));
+  CLI::Option* ledger_flag =
+      snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");
+  CLI::Option* history_option =
+      snapshot_command->add_option("--history", picture.monitors, "draw monitors over time instead (default: all)")
+          ->expected(0, -1)
+          ->type_name("[MONITOR ...]")
+          ->excludes(ledger_flag);
 
   WatchOptions look;
   double look_for = 0.0;
@@ -92,6 +109,8 @@ int dispatch(int argc, char** argv) {
     return code == 0 ? kDone : kUsage;
   }
   if (*live_option) options.live = live;
+  picture.history = history_option->count() > 0;
+  std::erase(picture.monitors, "");  // what CLI11 gives for the option alone
   if (*until_option) options.until = until;
   if (*run_command) return run(options);
   if (*check_command) return check(case_file, set);

@@ -1,5 +1,8 @@
 #include "io/results/canvas.h"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -10,22 +13,38 @@ namespace scree::io {
 namespace {
 
 constexpr double kCapHeight = 0.73;  // of DejaVu Sans, as a fraction of its size
-constexpr Colour kHeld{0.905, 0.9, 0.89}, kHatch{0.8, 0.79, 0.775};
+constexpr Colour kHatch{0.8, 0.79, 0.775};
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
   return CAIRO_STATUS_SUCCESS;
 }
 
+cairo_surface_t* make_surface(PictureFormat format, double width, double height, int pixels, std::string* bytes) {
+  switch (format) {
+    case PictureFormat::pdf:
+      return cairo_pdf_surface_create_for_stream(append, bytes, width, height);
+    case PictureFormat::svg: {
+      cairo_surface_t* svg = cairo_svg_surface_create_for_stream(append, bytes, width, height);
+      cairo_svg_surface_set_document_unit(svg, CAIRO_SVG_UNIT_PT);
+      return svg;
+    }
+    case PictureFormat::png:
+      break;
+  }
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels, static_cast<int>(std::lround(height / width * pixels)));
+}
+
 }  // namespace
 
-Canvas::Canvas(double width, double height, int pixels)
+Canvas::Canvas(double width, double height, int pixels, PictureFormat format)
     : width_(width),
       height_(height),
-      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels,
-                                          static_cast<int>(std::lround(height / width * pixels)))),
+      format_(format),
+      bytes_(std::make_unique<std::string>()),
+      surface_(make_surface(format, width, height, pixels, bytes_.get())),
       cairo_(cairo_create(surface_.get())) {
-  cairo_scale(get(), pixels / width, pixels / width);
+  if (!is_vector()) cairo_scale(get(), pixels / width, pixels / width);
   ink({1.0, 1.0, 1.0});
   cairo_paint(get());
   cairo_font_options_t* options = cairo_font_options_create();
@@ -107,14 +126,20 @@ std::string Canvas::fitted(const std::string& text, double width, const TextStyl
   return cut + "…";
 }
 
-void Canvas::save(const std::filesystem::path& png) const {
-  std::string bytes;
+void Canvas::save(const std::filesystem::path& file) const {
+  std::string png;
   cairo_surface_flush(surface_.get());
   cairo_status_t status = cairo_status(get());
-  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
+  if (status == CAIRO_STATUS_SUCCESS && is_vector()) {
+    cairo_show_page(get());
+    cairo_surface_finish(surface_.get());
+    status = cairo_surface_status(surface_.get());
+  } else if (status == CAIRO_STATUS_SUCCESS) {
+    status = cairo_surface_write_to_png_stream(surface_.get(), append, &png);
+  }
   if (status != CAIRO_STATUS_SUCCESS)
-    throw FileError(png, std::string("cannot draw the picture: ") + cairo_status_to_string(status));
-  write_atomically(png, bytes);
+    throw FileError(file, std::string("cannot draw the picture: ") + cairo_status_to_string(status));
+  write_atomically(file, is_vector() ? *bytes_ : png);
 }
 
 }  // namespace scree::io

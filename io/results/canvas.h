@@ -1,4 +1,4 @@
-// A picture in typographic points, y down, on Cairo; saved as PNG.
+// A picture in typographic points, y down, on Cairo; saved as PNG, PDF or SVG.
 #pragma once
 
 #include <cairo.h>
@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "io/results/picture_format.h"
+
 namespace scree::io {
 
 struct Colour {
@@ -16,6 +18,7 @@ struct Colour {
 
 inline constexpr Colour kInk{0.13, 0.13, 0.13};    // text and frames
 inline constexpr Colour kFaint{0.86, 0.86, 0.86};  // grids
+inline constexpr Colour kHeld{0.905, 0.9, 0.89};   // below hatching
 
 struct TextStyle {
   double size = 8.0;  // [pt]
@@ -28,9 +31,11 @@ struct TextStyle {
 
 class Canvas {
  public:
-  /// White.   @param width,height [pt]   @param pixels  width of the picture in pixels
-  Canvas(double width, double height, int pixels);
+  /// White.   @param width,height [pt]   @param pixels  width of a PNG in pixels; PDF and SVG have none
+  Canvas(double width, double height, int pixels, PictureFormat format = PictureFormat::png);
 
+  /// PDF and SVG keep lines and letters as such; whoever shows them makes the pixels.
+  [[nodiscard]] bool is_vector() const { return format_ != PictureFormat::png; }
   [[nodiscard]] cairo_t* get() const { return cairo_.get(); }
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
@@ -47,8 +52,8 @@ class Canvas {
   /// The text, cut with an ellipsis where it is longer than `width` [pt].
   [[nodiscard]] std::string fitted(const std::string& text, double width, const TextStyle& style = {}) const;
 
-  /// Written to a temporary name and renamed.   @throws FileError
-  void save(const std::filesystem::path& png) const;
+  /// Ends the picture. Written to a temporary name and renamed.   @throws FileError
+  void save(const std::filesystem::path& file) const;
 
  private:
   struct Destroy {
@@ -58,6 +63,8 @@ class Canvas {
   void use(const TextStyle& style) const;
 
   double width_, height_;
+  PictureFormat format_;
+  std::unique_ptr<std::string> bytes_;  // of PDF and SVG so far; the surface writes into it until it is destroyed
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };

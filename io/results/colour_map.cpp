@@ -74,8 +74,15 @@ Colour sequential_colour(double t) { return between(kViridis, t); }
 Colour diverging_colour(double t) { return between(kBlueRed, t); }
 
 Colour distinct_colour(std::size_t number) {
+  // The second round is paler, the third darker: a white or black share of each colour.
+  struct Mix {
+    double white, own;
+  };
+  constexpr std::array<Mix, 3> kRound{{{0.0, 1.0}, {0.55, 0.45}, {0.0, 0.6}}};
   const Rgb& c = kDistinct[number % kDistinct.size()];
-  return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0};
+  const Mix& mix = kRound[number / kDistinct.size() % kRound.size()];
+  const auto part = [&](std::size_t i) { return mix.white + mix.own * c[i] / 255.0; };
+  return {part(0), part(1), part(2)};
 }
 
 }  // namespace scree::io

@@ -10,15 +10,16 @@ namespace scree::io {
 
 namespace {
 
-constexpr std::array<FieldInfo, 9> kInfo{{{"displacement", "m", false},
-                                          {"speed", "m/s", false},
-                                          {"stress σxx", "Pa", true},
-                                          {"stress σyy", "Pa", true},
-                                          {"shear stress σxy", "Pa", true},
-                                          {"larger principal stress σ1", "Pa", true},
-                                          {"smaller principal stress σ3", "Pa", true},
-                                          {"block", "", false},
-                                          {"method", "", false}}};
+constexpr std::array<FieldInfo, 10> kInfo{{{"displacement", "m", false},
+                                           {"speed", "m/s", false},
+                                           {"stress σxx", "Pa", true},
+                                           {"stress σyy", "Pa", true},
+                                           {"shear stress σxy", "Pa", true},
+                                           {"larger principal stress σ₁", "Pa", true},
+                                           {"smaller principal stress σ₃", "Pa", true},
+                                           {"block", "", false},
+                                           {"method", "", false},
+                                           {"material", "", false}}};
 
 constexpr double kCovered = 0.99;  // of the area, by the range of a stress
 
@@ -66,8 +67,20 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
       return numbers(frame.block);
     case Field::method:
       return numbers(frame.method);
+    case Field::material:
+      return numbers(frame.material);
   }
   return {};
+}
+
+Vec2 cell_middle(const StoredFrame& frame, std::size_t cell) {
+  Vec2 sum = Vec2::Zero();
+  for (auto i = static_cast<std::size_t>(frame.offsets[cell]); i < static_cast<std::size_t>(frame.offsets[cell + 1]);
+       ++i) {
+    const auto p = static_cast<std::size_t>(frame.connectivity[i]);
+    sum += Vec2(frame.position[2 * p], frame.position[2 * p + 1]);
+  }
+  return sum / static_cast<double>(frame.offsets[cell + 1] - frame.offsets[cell]);
 }
 
 double cell_area(const StoredFrame& frame, std::size_t cell) {
@@ -83,7 +96,7 @@ double cell_area(const StoredFrame& frame, std::size_t cell) {
 }
 
 std::pair<double, double> colour_range(const StoredFrame& frame, Field field, const std::vector<double>& values,
-                                       const std::vector<char>& skip) {
+                                       const std::vector<char>& skip, double rounding) {
   std::vector<std::pair<double, double>> sized;  // |value|, area
   double area = 0.0;
   for (std::size_t c = 0; c < values.size(); ++c) {
@@ -101,8 +114,55 @@ std::pair<double, double> colour_range(const StoredFrame& frame, Field field, co
       if (covered >= kCovered * area) break;
     }
   }
-  if (!(most > 0.0)) most = 1.0;
+  if (!(most > rounding)) most = 1.0;
   return {info(field).is_signed ? -most : 0.0, most};
+}
+
+double rounding_of(Field field, const StoredFrame& frame, const std::vector<StoredMaterial>& materials) {
+  constexpr double kNoise = 1e-12;  // well above eps times the few hundred operations behind a value
+  double scale = 0.0;
+  if (field == Field::displacement)
+    for (const double x : frame.position) scale = std::max(scale, std::abs(x));
+  if (info(field).is_signed)
+    for (const StoredMaterial& m : materials) scale = std::max(scale, m.young);
+  return kNoise * scale;
+}
+
+std::vector<Arrow> arrows_of(const StoredFrame& frame, const std::vector<double>& value, const std::vector<char>& skip,
+                             double spacing) {
+  struct Extent {
+    Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
+  };
+  struct Sum {
+    Vec2 at = Vec2::Zero(), vector = Vec2::Zero();
+    double weight = 0.0;
+  };
+  std::vector<Vec2> middle;
+  std::map<std::int32_t, Extent> extent;  // of the middles of each block's cells
+  for (std::size_t c = 0; c < frame.cells(); ++c) {
+    middle.push_back(cell_middle(frame, c));
+    if (skip[c] || !middle[c].allFinite()) continue;
+    Extent& e = extent[frame.block[c]];
+    e.low = e.low.cwiseMin(middle[c]), e.high = e.high.cwiseMax(middle[c]);
+  }
+  std::map<std::tuple<std::int32_t, int, int>, Sum> parts;
+  for (std::size_t c = 0; c < frame.cells(); ++c) {
+    const Vec2 v(value[2 * c], value[2 * c + 1]);
+    if (skip[c] || !middle[c].allFinite() || !v.allFinite()) continue;
+    const Extent& e = extent[frame.block[c]];
+    const auto place = [&](Eigen::Index axis) {
+      const double length = e.high[axis] - e.low[axis], count = std::max(1.0, std::round(length / spacing));
+      return length > 0.0 ? static_cast<int>(std::min(count - 1.0, count * (middle[c][axis] - e.low[axis]) / length))
+                          : 0;
+    };
+    Sum& s = parts[{frame.block[c], place(0), place(1)}];
+    const double area = std::abs(cell_area(frame, c));
+    s.at += area * middle[c], s.vector += area * v, s.weight += area;
+  }
+  std::vector<Arrow> arrows;
+  for (const auto& [key, s] : parts)
+    if (s.weight > 0.0) arrows.push_back({s.at / s.weight, s.vector / s.weight});
+  return arrows;
 }
 
 std::vector<std::pair<std::int64_t, std::int64_t>> outline_edges(const StoredFrame& frame) {

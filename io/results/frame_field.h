@@ -12,20 +12,38 @@ namespace scree::io {
 
 /// How a field is drawn.
 struct FieldInfo {
-  const char* label;
-  const char* unit;        // SI; empty: names, not numbers
+  const char* label = "";
+  const char* unit = "";   // SI; empty: names, not numbers
   bool is_signed = false;  // diverging colours about zero
 };
 [[nodiscard]] const FieldInfo& info(Field field);
 
-/// One number a cell, in SI units (block and method: their number). Point fields: mean magnitude over the cell's
+/// One number a cell, in SI units (block, method, material: their number). Point fields: mean magnitude over the cell's
 /// points.
 [[nodiscard]] std::vector<double> cell_values(const StoredFrame& frame, Field field);
 
 /// Range of colours: [0, largest] of magnitudes, [-s, s] of signed fields with |value| <= s on 99 % of the area.
-/// Cells with `skip` are left out. Never empty: all zero gives a range about one.
+/// Cells with `skip` are left out. Never empty.
+/// @param rounding  what is not above it is noise: nothing but that gives a range about one
 [[nodiscard]] std::pair<double, double> colour_range(const StoredFrame& frame, Field field,
-                                                     const std::vector<double>& values, const std::vector<char>& skip);
+                                                     const std::vector<double>& values, const std::vector<char>& skip,
+                                                     double rounding);
+
+/// What rounding alone makes of a field: 1e-12 of the model's extent (displacement), of the stiffest material's modulus
+/// (stress); zero for the others.
+[[nodiscard]] double rounding_of(Field field, const StoredFrame& frame, const std::vector<StoredMaterial>& materials);
+
+/// Mean of a cell's points now [m].
+[[nodiscard]] Vec2 cell_middle(const StoredFrame& frame, std::size_t cell);
+
+/// A vector at a place [m].
+struct Arrow {
+  Vec2 at, vector;
+};
+/// The mean of a vector over each block that is not skipped; a block larger than `spacing` is divided evenly.
+/// @param value  two a cell   @param skip  a cell   @param spacing [m], positive
+[[nodiscard]] std::vector<Arrow> arrows_of(const StoredFrame& frame, const std::vector<double>& value,
+                                           const std::vector<char>& skip, double spacing);
 
 /// Edges (two points each) that only one cell of a block has: its outline. Edges are matched by where their points
 /// were in the model, so cells need not share points.

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "io/results/colour_map.h"
-#include "io/results/plot_area.h"
+#include "io/results/plot_curves.h"
 #include "io/results/run_reader.h"
 #include "io/results/snapshot.h"
 
@@ -12,7 +12,7 @@ namespace scree::io {
 namespace {
 
 constexpr double kWidth = 504.0, kUpper = 200.0, kLower = 90.0;    // page, panels [pt]
-constexpr double kTop = 40.0, kBetween = 14.0, kBottom = 38.0;     // [pt]
+constexpr double kTop = 52.0, kBetween = 14.0, kBottom = 38.0;     // [pt]
 constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0;  // [pt]
 constexpr int kPixels = 1680;
 
@@ -46,44 +46,6 @@ std::vector<Curve> curves_of(StoredLedger& ledger) {
   return curves;
 }
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-  void add(double v) {
-    if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
-  }
-  /// With a margin; about one around a single value or none.
-  void widen(double fraction) {
-    if (!(low <= high)) low = high = 0.0;
-    const double d = high > low ? fraction * (high - low) : std::max(std::abs(high), 1.0);
-    low -= d, high += d;
-  }
-};
-
-void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<double>& x,
-                const std::vector<double>& y) {
-  bool down = false;  // a value that is not a number interrupts the line
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!std::isfinite(y[i])) {
-      down = false;
-      continue;
-    }
-    if (down)
-      cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
-    else
-      cairo_move_to(canvas.get(), area.px(x[i]), area.py(y[i])),
-          cairo_line_to(canvas.get(), area.px(x[i]), area.py(y[i]));
-    down = true;
-  }
-  cairo_stroke(canvas.get());
-}
-
-void clip_to(const Canvas& canvas, const PlotArea& a) {
-  cairo_save(canvas.get());
-  cairo_rectangle(canvas.get(), a.x, a.y, a.w, a.h);
-  cairo_clip(canvas.get());
-  cairo_set_line_join(canvas.get(), CAIRO_LINE_JOIN_ROUND);
-}
-
 void draw_legend(const Canvas& canvas, double x, double y, const std::vector<Curve>& curves) {
   TextStyle head = kTickText, text = kTickText;
   head.bold = true, head.up = 0.5, text.up = 0.5;
@@ -112,21 +74,22 @@ std::vector<double> closure_decades(const StoredLedger& ledger) {
   return decades;
 }
 
-void draw_closure(const Canvas& canvas, PlotArea area, const StoredLedger& ledger, const Ticks& time) {
+void draw_closure(const Canvas& canvas, PlotArea area, const StoredLedger& ledger, const Ticks& time,
+                  const std::vector<StoredStage>& stages) {
   const std::vector<double> decades = closure_decades(ledger);
   Range range;
-  for (const double d : decades) range.add(d);
-  const bool none = !(range.low <= range.high);
+  range.add(decades);
+  const bool none = range.empty();
   // At least three decades, down from the one above the largest.
   const int high = none ? -12 : static_cast<int>(std::floor(range.high)) + 1;
   const int low = none ? -18 : std::min(static_cast<int>(std::floor(range.low)), high - 3);
   area.y0 = low, area.y1 = high;
   draw_axes(canvas, area, time, power_ticks(low, high, 6), "time [s]", "|closure| / moved", true);
-  clip_to(canvas, area);
+  draw_stages(canvas, area, stages, false);
+  const Clip clip(canvas, area);
   canvas.ink({0.0, 0.27, 0.48});
   cairo_set_line_width(canvas.get(), 0.9);
   draw_curve(canvas, area, ledger.time, decades);
-  cairo_restore(canvas.get());
   if (none) {
     TextStyle middle = kTickText;
     middle.across = 0.5, middle.up = 0.5;
@@ -136,16 +99,17 @@ void draw_closure(const Canvas& canvas, PlotArea area, const StoredLedger& ledge
 
 }  // namespace
 
-void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem::path& png) {
+void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem::path& file) {
+  const PictureFormat format = format_or_error(file);
   const RunReader run(run_folder);
+  const std::vector<StoredStage> stages = run.stages();
   StoredLedger ledger = run.ledger();
   if (ledger.time.empty()) throw FileError(run_folder, "has no ledger yet");
   const std::vector<Curve> curves = curves_of(ledger);
 
   Range energy, time;
-  for (const double t : ledger.time) time.add(t);
-  for (const Curve& c : curves)
-    for (const double v : c.value) energy.add(v);
+  time.add(ledger.time);
+  for (const Curve& c : curves) energy.add(c.value);
   energy.widen(0.05);
   if (!(time.low < time.high)) time.widen(0.0);
   const Unit unit = prefixed("J", std::max(std::abs(energy.low), std::abs(energy.high)));
@@ -166,16 +130,17 @@ void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem:
   const PlotArea upper{left, kTop, w, upper_height, first, last, low, high, numbers};
   const PlotArea lower{left, kTop + upper_height + kBetween, w, kLower, first, last, 0.0, 1.0, numbers};
 
-  const Canvas canvas(kWidth, lower.y + lower.h + kBottom, kPixels);
+  const Canvas canvas(kWidth, lower.y + lower.h + kBottom, kPixels, format);
   TextStyle title{10.5};
   title.bold = true;
   const double room = kWidth - left - 8.0;
-  canvas.text(left, kTop - 21.0, canvas.fitted(run.title(), room, title), title);
-  canvas.text(left, kTop - 8.0, "Energy ledger", {8.5});
+  canvas.text(left, kTop - 33.0, canvas.fitted(run.title(), room, title), title);
+  canvas.text(left, kTop - 20.0, "Energy ledger", {8.5});
   const Ticks seconds = round_ticks(first, last, 7);
   draw_axes(canvas, upper, seconds, joules, "", "energy [" + unit.name + "]", true);
-  clip_to(canvas, upper);
+  draw_stages(canvas, upper, stages, true);
   for (const Curve& c : curves) {
+    const Clip clip(canvas, upper);
     std::vector<double> shown;
     for (const double v : c.value) shown.push_back(v / unit.factor);
     canvas.ink(c.colour);
@@ -183,10 +148,9 @@ void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem:
     use_dashes(canvas.get(), c.side);
     draw_curve(canvas, upper, ledger.time, shown);
   }
-  cairo_restore(canvas.get());
   draw_legend(canvas, left + w + kLegendGap, upper.y, curves);
-  draw_closure(canvas, lower, ledger, seconds);
-  canvas.save(png);
+  draw_closure(canvas, lower, ledger, seconds, stages);
+  canvas.save(file);
 }
 
 }  // namespace scree::io

@@ -8,6 +8,7 @@
 #include "io/results/joints_writer.h"
 #include "io/results/summary.h"
 #include "io/results/vtkhdf_writer.h"
+#include "io/results/xdmf_writer.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -15,6 +16,7 @@ namespace scree::io {
 struct ResultsSink::Files {
   h5::File file;
   VtkhdfWriter frames;
+  XdmfWriter xdmf;
   HistoryWriter histories;
   EventWriter events;
   CsvHistories tables;
@@ -24,19 +26,21 @@ struct ResultsSink::Files {
   Files(const RunFolder& folder, const Provenance& provenance, const Model& model)
       : file(h5::File::create(folder.results())),
         frames(file),
+        xdmf(file, folder.xdmf()),
         histories(file, model),
         events(file),
         tables(folder.history(), folder.energy(), model),
         summary(model, provenance) {}
 
   void frame(const coupling::FrameView& view) {
-    frames.frame(view);
+    xdmf.frame(view, frames.frame(view));
     stored = {view.tick, view.stage};
     frames.flush();
     histories.flush();
     events.flush();
     tables.flush();
     file.flush();
+    xdmf.flush();  // after what it refers to
   }
 
   void close() {
@@ -45,6 +49,7 @@ struct ResultsSink::Files {
     events.close();
     tables.close();
     file.flush();
+    xdmf.close();
     file.close();
   }
 };

@@ -1,4 +1,5 @@
-// Writes the results of a run into its folder: run.vtkhdf, history.csv, energy.csv and, at the end, summary.json.
+// Writes the results of a run into its folder: run.vtkhdf, run.xmf, history.csv, energy.csv and, at the end,
+// summary.json.
 #pragma once
 
 #include <memory>
@@ -10,7 +11,8 @@
 namespace scree::io {
 
 /// run.vtkhdf has the groups /VTKHDF (frames, vtkhdf_writer.h), /frames, /history, /energy (history_writer.h), /events,
-/// /transfers (event_writer.h), /blocks, /materials, /joints (joints_writer.h), /stages and /provenance (provenance.h).
+/// /transfers (event_writer.h), /xdmf (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /stages and
+/// /provenance (provenance.h).
 /// Histories are buffered; a frame and the end of the run bring everything to the operating system, so a run that is
 /// killed reads back as of its last frame.
 /// @throws FileError{path, reason} from every call: losing results ends a run

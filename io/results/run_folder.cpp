@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"run.vtkhdf", "history.csv", "energy.csv", "summary.json", "run.log"};
+constexpr std::array<std::string_view, 6> kNames{"run.vtkhdf", "run.xmf",      "history.csv",
+                                                 "energy.csv", "summary.json", "run.log"};
 constexpr std::string_view kCheckpoint = "checkpoint";  // all checkpoints begin with it
 
 bool belongs_to_runs(const fs::path& file) {

@@ -9,7 +9,7 @@
 namespace scree::io {
 
 /// Names inside a run folder.
-///   run.vtkhdf    frames, histories, ledger, events, provenance
+///   run.vtkhdf    frames, histories, ledger, events, provenance     run.xmf   its frames for ParaView
 ///   history.csv   monitors    energy.csv   ledger    summary.json   what the run ended with    run.log   messages
 class RunFolder {
  public:
@@ -26,6 +26,7 @@ class RunFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path results() const { return path_ / "run.vtkhdf"; }
+  [[nodiscard]] std::filesystem::path xdmf() const { return path_ / "run.xmf"; }
   [[nodiscard]] std::filesystem::path history() const { return path_ / "history.csv"; }
   [[nodiscard]] std::filesystem::path energy() const { return path_ / "energy.csv"; }
   [[nodiscard]] std::filesystem::path summary() const { return path_ / "summary.json"; }

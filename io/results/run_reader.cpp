@@ -14,6 +14,7 @@ struct RunReader::Data {
   std::vector<double> times;
   std::vector<std::string> methods, stages;
   std::vector<StoredBlock> blocks;
+  std::vector<StoredMaterial> materials;
 };
 
 namespace {
@@ -41,6 +42,14 @@ std::vector<StoredBlock> read_blocks(const h5::File& file) {
   return blocks;
 }
 
+std::vector<StoredMaterial> read_materials(const h5::File& file) {
+  const std::vector<std::string> names = h5::read_texts(file, "/materials/name");
+  const auto young = h5::read<double>(file, "/materials/young", 0, static_cast<std::int64_t>(names.size()));
+  std::vector<StoredMaterial> materials;
+  for (std::size_t m = 0; m < names.size(); ++m) materials.push_back({names[m], young[m]});
+  return materials;
+}
+
 /// x, y of rows x, y, z.
 std::vector<double> in_plane(const std::vector<double>& xyz) {
   std::vector<double> xy;
@@ -50,13 +59,15 @@ std::vector<double> in_plane(const std::vector<double>& xyz) {
 }
 
 /// What a drawing relies on: cells and ids inside their arrays.
-void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks, std::size_t methods) {
+void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks, std::size_t methods,
+                 std::size_t materials) {
   const auto inside = [](std::int64_t i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
   bool good = f.offsets.front() == 0 && f.offsets.back() == static_cast<std::int64_t>(f.connectivity.size()) &&
               std::is_sorted(f.offsets.begin(), f.offsets.end());
   for (const std::int64_t p : f.connectivity) good = good && inside(p, f.points());
   for (const std::int32_t b : f.block) good = good && inside(b, blocks);
   for (const std::int32_t m : f.method) good = good && inside(m, methods);
+  for (const std::int32_t m : f.material) good = good && inside(m, materials);
   if (!good)
     throw FileError(file.path(), "frame " + std::to_string(f.index) + " does not fit together; the file is damaged");
 }
@@ -80,6 +91,7 @@ RunReader::RunReader(const std::filesystem::path& run_folder) : data_(std::make_
   data_->methods = h5::read_texts(file, "/methods/name");
   data_->stages = h5::read_texts(file, "/stages/name");
   data_->blocks = read_blocks(file);
+  data_->materials = read_materials(file);
 }
 
 RunReader::~RunReader() = default;
@@ -89,6 +101,23 @@ const std::string& RunReader::title() const { return data_->title; }
 const std::vector<double>& RunReader::times() const { return data_->times; }
 const std::vector<std::string>& RunReader::methods() const { return data_->methods; }
 const std::vector<StoredBlock>& RunReader::blocks() const { return data_->blocks; }
+const std::vector<StoredMaterial>& RunReader::materials() const { return data_->materials; }
+
+std::vector<StoredStage> RunReader::stages() const {
+  const h5::File& file = data_->file;
+  const auto frames = static_cast<std::int64_t>(times().size());
+  const auto of_frame = h5::read<std::int32_t>(file, "/frames/stage", 0, frames);
+  const std::vector<std::string> integrators = h5::read_texts(file, "/stages/integrator");
+  std::vector<StoredStage> stages;
+  for (std::size_t i = 0; i < data_->stages.size(); ++i) {
+    const auto first = std::find(of_frame.begin(), of_frame.end(), static_cast<std::int32_t>(i));
+    StoredStage stage{data_->stages[i], integrators.at(i), {}};
+    if (first != of_frame.end()) stage.start = times()[static_cast<std::size_t>(first - of_frame.begin())];
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
 std::string RunReader::provenance(const std::string& key) const {
   return h5::text_attribute(data_->file, "/provenance", key);
 }
@@ -139,9 +168,13 @@ StoredFrame RunReader::frame(std::size_t index) const {
   of_cells("material_id", f.material);
   of_cells("method", f.method);
   of_cells("integrator", f.cell_integrator);
+  of_cells("displacement", f.cell_displacement);
+  of_cells("velocity", f.cell_velocity);
+  f.cell_displacement = in_plane(f.cell_displacement);
+  f.cell_velocity = in_plane(f.cell_velocity);
   of_cells("stress", f.stress);
   of_cells("principal_stress", f.principal);
-  check_cells(file, f, blocks().size(), methods().size());
+  check_cells(file, f, blocks().size(), methods().size(), materials().size());
   return f;
 }
 

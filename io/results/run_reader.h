@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct StoredFrame {
   std::vector<double> position, displacement, velocity;  // x, y a point [m], [m], [m/s]
   std::vector<std::int64_t> offsets, connectivity;
   std::vector<std::int32_t> block, element, material, method, cell_integrator;  // a cell
+  std::vector<double> cell_displacement, cell_velocity;                         // x, y a cell, means over it [m], [m/s]
   std::vector<double> stress, principal;  // xx, yy, xy; larger, smaller a cell; tension positive [Pa]
 
   [[nodiscard]] std::size_t cells() const { return block.size(); }
@@ -46,6 +48,16 @@ struct StoredEvent {
   std::string kind, text;
 };
 
+struct StoredStage {
+  std::string name, integrator;
+  std::optional<double> start;  // time of its first frame [s]; none where the run did not reach it
+};
+
+struct StoredMaterial {
+  std::string name;
+  double young = 0.0;  // [Pa]
+};
+
 struct StoredBlock {
   std::string name;
   bool held = false;  // fixed or driven as a whole
@@ -69,6 +81,8 @@ class RunReader {
   [[nodiscard]] const std::vector<double>& times() const;  // of the frames [s]
   [[nodiscard]] const std::vector<std::string>& methods() const;
   [[nodiscard]] const std::vector<StoredBlock>& blocks() const;
+  [[nodiscard]] const std::vector<StoredMaterial>& materials() const;
+  [[nodiscard]] std::vector<StoredStage> stages() const;
   /// The last frame that is not later than a time by more than rounding; the first one when all are later.
   /// @pre there are frames
   [[nodiscard]] std::size_t at_time(double time) const;

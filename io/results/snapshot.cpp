@@ -8,7 +8,9 @@
 
 #include "io/results/colour_map.h"
 #include "io/results/frame_field.h"
+#include "io/results/frame_marks.h"
 #include "io/results/plot_area.h"
+#include "model/check.h"
 
 namespace scree::io {
 
@@ -31,6 +33,7 @@ struct Scene {
   Scene(const RunReader& reader, const SnapshotOptions& asked);
   [[nodiscard]] bool named() const { return *info(options.field).unit == '\0'; }
   [[nodiscard]] Colour colour(std::size_t cell) const;
+  [[nodiscard]] const std::string& name_of(std::size_t number) const;
 };
 
 std::size_t chosen_frame(const RunReader& run, const SnapshotOptions& options, const std::filesystem::path& folder) {
@@ -47,12 +50,18 @@ void prepare(Scene& s, std::size_t index) {
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
   const FieldInfo& field = info(s.options.field);
-  const bool given = s.options.range && s.options.range->first < s.options.range->second;
-  const auto [low, high] = given ? *s.options.range : colour_range(s.frame, s.options.field, s.values, s.held);
+  const double rounding = rounding_of(s.options.field, s.frame, s.run.materials());
+  const auto [low, high] =
+      s.options.range ? *s.options.range : colour_range(s.frame, s.options.field, s.values, s.held, rounding);
+  SCREE_ASSERT(low < high);
   s.scale.unit = prefixed(field.unit, std::max(std::abs(low), std::abs(high)));
   s.scale.low = low / s.scale.unit.factor;
   s.scale.high = high / s.scale.unit.factor;
-  s.scale.colour = field.is_signed ? diverging_colour : sequential_colour;
+  s.scale.colour = sequential_colour;
+  if (field.is_signed)  // white at zero, wherever zero is in the range
+    s.scale.colour = [a = low, b = high](double t) {
+      return diverging_colour(0.5 + 0.5 * (a + t * (b - a)) / std::max(std::abs(a), std::abs(b)));
+    };
   const double slack = 1e-9 * (high - low);
   for (std::size_t c = 0; c < s.values.size(); ++c) {
     if (s.held[c]) continue;
@@ -65,7 +74,12 @@ Colour Scene::colour(std::size_t cell) const {
   if (named()) return distinct_colour(static_cast<std::size_t>(values[cell]));
   if (!std::isfinite(values[cell])) return {0.5, 0.5, 0.5};
   const double shown = values[cell] / scale.unit.factor;
-  return scale.colour((shown - scale.low) / (scale.high - scale.low));
+  return scale.colour(std::clamp((shown - scale.low) / (scale.high - scale.low), 0.0, 1.0));
+}
+
+const std::string& Scene::name_of(std::size_t number) const {
+  if (options.field == Field::method) return run.methods()[number];
+  return options.field == Field::material ? run.materials()[number].name : run.blocks()[number].name;
 }
 
 /// The box of what is drawn, with a margin.
@@ -142,7 +156,13 @@ void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
     if (s.held[cell]) continue;
     cell_path(canvas, area, s.frame, cell);
     canvas.ink(s.colour(cell));
-    cairo_fill(c);
+    if (canvas.is_vector()) {  // viewers smooth whatever the file says: a rim covers the paper between neighbours
+      cairo_fill_preserve(c);
+      cairo_set_line_width(c, 0.25);
+      cairo_stroke(c);
+    } else {
+      cairo_fill(c);
+    }
   }
   cairo_set_antialias(c, CAIRO_ANTIALIAS_DEFAULT);
 }
@@ -169,6 +189,22 @@ void draw_edges(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_stroke(c);
 }
 
+ArrowMarks arrow_marks(const PlotArea& area, const Scene& s) {
+  if (s.options.arrows == Arrows::none) return {};
+  const double noise = rounding_of(Field::displacement, s.frame, {});
+  const double block = cell_and_block_size(area, s).second;
+  if (s.options.arrows == Arrows::displacement)
+    return {s.frame, s.frame.cell_displacement, s.held, area, block, noise, "displacement", "m"};
+  return {s.frame, s.frame.cell_velocity, s.held, area, block, noise, "velocity", "m/s"};
+}
+
+void draw_labels(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+  std::vector<std::string> names;
+  names.reserve(s.run.blocks().size());
+  for (const StoredBlock& b : s.run.blocks()) names.push_back(b.name);
+  draw_names(canvas, area, s.frame, names, [&](std::size_t cell) { return s.held[cell] ? kHeld : s.colour(cell); });
+}
+
 struct Entry {
   std::string name;
   std::size_t number;
@@ -176,14 +212,14 @@ struct Entry {
 
 /// Names beside the plot for a field that counts names.
 std::vector<Entry> legend_of(const Scene& s) {
-  if (!s.named()) return {};
+  if (!s.named() || (s.options.field == Field::block && s.options.labels)) return {};
   std::set<std::size_t> used;
   for (std::size_t c = 0; c < s.values.size(); ++c)
     if (!s.held[c]) used.insert(static_cast<std::size_t>(s.values[c]));
   if (used.size() > kMostNames) return {};
   std::vector<Entry> entries;
-  for (const std::size_t n : used)
-    entries.push_back({s.options.field == Field::block ? s.run.blocks()[n].name : s.run.methods()[n], n});
+  entries.reserve(used.size());
+  for (const std::size_t n : used) entries.push_back({s.name_of(n), n});
   return entries;
 }
 
@@ -201,17 +237,21 @@ void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<E
   }
 }
 
-/// The sign of stress at the lower left; what hatching and grey lines mean at the lower right.
-void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s) {
+/// The sign of stress and the length of arrows at the lower left; what hatching and grey lines mean at the lower right.
+void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowMarks& arrows) {
   TextStyle style = kTickText;
   style.across = 1.0, style.up = 0.5;
   double x = area.x + area.w;
   const double y = area.y + area.h + 36.0;  // below the label of x
+  TextStyle left = style;
+  left.across = 0.0;
+  double from = area.x;
   if (info(s.options.field).is_signed) {
-    TextStyle left = style;
-    left.across = 0.0;
-    canvas.text(area.x, y, "tension positive", left);
+    const std::string sign = "tension positive";
+    canvas.text(from, y, sign, left);
+    from += canvas.text_width(sign, left) + 12.0;
   }
+  arrows.draw_key(canvas, from, y);
   const std::string moved = "outline in the model", held = "held block";
   canvas.text(x, y, moved, style);
   x -= canvas.text_width(moved, style) + 4.0;
@@ -242,9 +282,9 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names{"displacement", "speed", "sxx",   "syy",   "sxy",
-                                              "s1",           "s3",    "block", "method"};
-  return names;
+  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",   "syy",    "sxy",
+                                               "s1",           "s3",    "block", "method", "material"};
+  return kNames;
 }
 
 std::optional<Field> field_named(std::string_view name) {
@@ -254,7 +294,8 @@ std::optional<Field> field_named(std::string_view name) {
 }
 
 void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options,
-              const std::filesystem::path& png) {
+              const std::filesystem::path& file) {
+  const PictureFormat format = format_or_error(file);
   const RunReader run(run_folder);
   Scene s(run, options);
   prepare(s, chosen_frame(run, options, run_folder));
@@ -275,24 +316,27 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   const double left = kEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
   const PlotArea area = placed(box, left, right);
 
-  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width);
+  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width, format);
   cairo_save(canvas.get());
   cairo_rectangle(canvas.get(), area.x, area.y, area.w, area.h);
   cairo_clip(canvas.get());
   draw_model_outlines(canvas, area, s);
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
+  if (options.labels) draw_labels(canvas, area, s);
+  const ArrowMarks arrows = arrow_marks(area, s);
+  arrows.draw(canvas, area);
   cairo_restore(canvas.get());
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]",
             false);
-  draw_key(canvas, area, s);
+  draw_key(canvas, area, s, arrows);
   draw_title(canvas, area, s);
   if (s.named())
     draw_legend(canvas, area, legend, names);
   else
     draw_colour_bar(canvas, area.x + area.w + kBarGap, area.y, area.h, s.scale,
                     std::string(info(options.field).label) + " [" + s.scale.unit.name + "]");
-  canvas.save(png);
+  canvas.save(file);
 }
 
 }  // namespace scree::io

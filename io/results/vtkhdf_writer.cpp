@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/results/cell_mean.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -44,6 +45,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
   points_ = {file, vtk + "Points", 3, {"m", "position, frame after frame"}};
   displacement_ = {file, vtk + "PointData/displacement", 3, {"m", "position less the position in the model"}};
   velocity_ = {file, vtk + "PointData/velocity", 3, {"m/s", "velocity"}};
+  cell_displacement_ = {file, vtk + "CellData/displacement", 3, {"m", "displacement, mean over the cell"}};
+  cell_velocity_ = {file, vtk + "CellData/velocity", 3, {"m/s", "velocity, mean over the cell"}};
   stress_ = {file, vtk + "CellData/stress", 3, {"Pa", "Cauchy stress xx, yy, xy; tension positive"}};
   principal_ = {
       file, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
@@ -69,8 +72,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
   id_offset_ = {file, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
   for (const char* name : {"displacement", "velocity"})
     point_field_[name] = {file, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
-  for (const char* name :
-       {"block_id", "element_id", "material_id", "method", "integrator", "stress", "principal_stress"})
+  for (const char* name : {"block_id", "element_id", "material_id", "method", "integrator", "displacement", "velocity",
+                           "stress", "principal_stress"})
     cell_field_[name] = {file, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   file.attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
 
@@ -87,7 +90,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
 template <class Visitor>
 void VtkhdfWriter::each(Visitor&& see) {
   // Fields before the offsets that point at them: a run that is killed leaves no frame that refers to missing rows.
-  see(points_), see(displacement_), see(velocity_), see(stress_), see(principal_);
+  see(points_), see(displacement_), see(velocity_), see(cell_displacement_), see(cell_velocity_);
+  see(stress_), see(principal_);
   see(connectivity_), see(offsets_), see(types_), see(block_), see(element_), see(material_), see(method_);
   see(integrator_cell_), see(method_name_), see(count_points_), see(count_cells_), see(count_ids_);
   see(part_offset_), see(part_count_), see(point_offset_), see(cell_offset_), see(id_offset_);
@@ -130,7 +134,7 @@ void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
   }
 }
 
-void VtkhdfWriter::frame(const coupling::FrameView& frame) {
+FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   SCREE_ASSERT(frame.mesh != nullptr && frame.position.size() == frame.mesh->origin.size());
   topology(*frame.mesh);
   const auto scheme = static_cast<std::int32_t>(frame.integrator);
@@ -139,13 +143,18 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
     at_.first_integrator = integrator_cell_.rows();
     integrator_cell_.append(std::vector<std::int32_t>(static_cast<std::size_t>(at_.cells), scheme));
   }
-  const std::int64_t first_point = points_.rows(), first_stress = stress_.rows();
+  const std::int64_t first_point = points_.rows(), first_value = stress_.rows();
 
   std::vector<double> moved(frame.position.begin(), frame.position.end());
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= frame.mesh->origin[i];
   points_.append(in_space(frame.position));
   displacement_.append(in_space(moved));
   velocity_.append(in_space(frame.velocity));
+  const auto of_cells = [&](std::span<const double> value) {
+    return in_space(cell_mean(frame.mesh->origin, value, frame.mesh->offsets, frame.mesh->connectivity));
+  };
+  cell_displacement_.append(of_cells(moved));
+  cell_velocity_.append(of_cells(frame.velocity));
   stress_.append(frame.stress);
   principal_.append(principal(frame.stress));
 
@@ -157,8 +166,8 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
   id_offset_.append(at_.first_id);
   for (auto& [name, series] : point_field_) series.append(first_point);
   for (auto& [name, series] : cell_field_) {
-    const bool a_frame = name == "stress" || name == "principal_stress";  // the others are stored once a mesh
-    series.append(a_frame ? first_stress : name == "integrator" ? at_.first_integrator : at_.first_cell);
+    const bool of_mesh = name.ends_with("_id") || name == "method";  // stored once a mesh
+    series.append(of_mesh ? at_.first_cell : name == "integrator" ? at_.first_integrator : first_value);
   }
   frame_step_.append(frame.step);
   frame_tick_.append(frame.tick);
@@ -168,6 +177,7 @@ void VtkhdfWriter::frame(const coupling::FrameView& frame) {
   frame_points_.append(at_.points);
   frame_cells_.append(at_.cells);
   ++frames_;
+  return {at_.part, at_.points, at_.cells, first_point, first_value, at_.first_cell, at_.first_integrator};
 }
 
 void VtkhdfWriter::flush() {

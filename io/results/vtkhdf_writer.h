@@ -9,6 +9,13 @@
 
 namespace scree::io {
 
+/// Where the last frame lies: rows of the datasets below /VTKHDF.
+struct FrameRows {
+  std::int64_t mesh = 0, points = 0, cells = 0;       // number of its part; sizes
+  std::int64_t first_point = 0, first_value = 0;      // of what is stored a frame, at points and at cells
+  std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time scheme
+};
+
 /// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)
 /// /frames     step, tick, stage, integrator, state_hash, points, cells: one entry a frame
 /// /methods    names that CellData/method counts
@@ -23,7 +30,8 @@ class VtkhdfWriter {
   /// Stores a mesh unless it is the one stored last.
   void topology(const coupling::MeshView& mesh);
   /// Adds a frame.   @pre frame.mesh is set and its spans have the sizes that sink.h gives them
-  void frame(const coupling::FrameView& frame);
+  /// @return its rows, written or still buffered
+  FrameRows frame(const coupling::FrameView& frame);
   /// Writes what is buffered (the file itself is flushed by its owner).
   void flush();
   void close();
@@ -44,7 +52,7 @@ class VtkhdfWriter {
   Mesh at_;
   std::int64_t frames_ = 0;
 
-  h5::Series<double> points_, displacement_, velocity_, stress_, principal_, time_;
+  h5::Series<double> points_, displacement_, velocity_, cell_displacement_, cell_velocity_, stress_, principal_, time_;
   h5::Series<std::int64_t> connectivity_, offsets_, count_points_, count_cells_, count_ids_;
   h5::Series<std::uint8_t> types_;
   h5::Series<std::int32_t> block_, element_, material_, method_, integrator_cell_;

@@ -17,9 +17,9 @@ import numpy as np
 POLYGON = 7
 TEXT_BYTES = 16  # of a variable-length text in its dataset: length and place in the heap
 CELL_FIELDS = {"block_id": 1, "element_id": 1, "material_id": 1, "method": 1, "integrator": 1, "stress": 3,
-               "principal_stress": 2}
+               "displacement": 3, "velocity": 3, "principal_stress": 2}
 POINT_FIELDS = {"displacement": 3, "velocity": 3}
-GROUPS = ("history", "energy", "events", "transfers", "blocks", "frames", "provenance", "materials", "stages", "methods")
+GROUPS = ("history", "energy", "events", "transfers", "blocks", "frames", "provenance", "materials", "stages", "methods", "xdmf")
 SIGN = {"energy": 1.0, "dissipated": 1.0, "work": -1.0, "scheme": -1.0}  # closure = E - E_0 - W + D - R
 
 faults = []
@@ -43,17 +43,43 @@ def texts(dataset):
 
 
 def check_labels(file):
-    """Every dataset has units, a name, chunks of 64 KiB to 1 MiB, shuffle and deflate."""
+    """Every dataset, those that VTKHDF imposes included, has units and a name: there is no exception.
+
+    All but windows (virtual datasets, which hold nothing) have chunks of 64 KiB to 1 MiB, shuffle and deflate.
+    """
+    seen = []
+
     def visit(name, item):
         if not isinstance(item, h5py.Dataset):
             return
         for key in ("units", "long_name"):
             expect(isinstance(item.attrs.get(key), str) and item.attrs[key], f"/{name} has no {key}")
+        seen.append(name)
+        if item.is_virtual:
+            expect(name.startswith("xdmf/"), f"/{name} is virtual")
+            return
         text = h5py.check_string_dtype(item.dtype) is not None
         size = int(np.prod(item.chunks)) * (TEXT_BYTES if text else item.dtype.itemsize)
         expect(64 * 1024 <= size <= 1024 * 1024, f"/{name} has chunks of {size} bytes")
         expect(item.shuffle and item.compression == "gzip", f"/{name} is not shuffled and deflated")
     file.visititems(visit)
+    expect(len(seen) > 60, f"only {len(seen)} datasets seen")
+
+
+def check_windows(file):
+    """Each window of /xdmf shows rows of the dataset of its name in /VTKHDF, of this same file, under its units."""
+    for kind in ("Points", "PointData", "CellData"):
+        group, fields = file["xdmf"][kind], []
+        group.visititems(lambda name, item: fields.append((name, item)) if isinstance(item, h5py.Dataset) else None)
+        expect(len(fields) > 0, f"no windows in /xdmf/{kind}")
+        for name, window in fields:
+            source = file["VTKHDF"][f"{kind}/{name}".rpartition("/")[0]]
+            mapped = window.virtual_sources()
+            expect(len(mapped) == 1 and mapped[0].file_name == "." and mapped[0].dset_name == source.name,
+                   f"{window.name} does not show {source.name}")
+            expect(dict(window.attrs) == dict(source.attrs), f"{window.name} has other units or another name than {source.name}")
+            (first, *_), (last, *_) = mapped[0].src_space.get_select_bounds()
+            expect(np.array_equal(window[...], source[first:last + 1]), f"{window.name} shows other values than {source.name}")
 
 
 def check_frames(file):
@@ -185,6 +211,7 @@ def main():
             expect(group in file, f"group /{group} is missing")
         times = file["VTKHDF/Steps/Values"][...]
         attempt(check_labels, file)
+        attempt(check_windows, file)
         attempt(check_frames, file)
         attempt(check_ledger, file)
         attempt(check_histories, file, times[-1])

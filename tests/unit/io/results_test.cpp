@@ -337,6 +337,88 @@ TEST_F(Results, frame_at_time_is_the_last_not_after_it) {
   EXPECT_THROW((void)reader.frame(5), FileError);
 }
 
+// --- run.xmf ------------------------------------------------------------------------------------------------------
+
+/// Texts between `before` and `after`, in order.
+std::vector<std::string> all_between(const std::string& text, const std::string& before, const std::string& after) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    at += before.size();
+    found.push_back(text.substr(at, text.find(after, at) - at));
+  }
+  return found;
+}
+
+TEST_F(Results, xmf_has_every_frame_and_two_at_one_time_are_a_tick_apart) {
+  const std::vector<std::string> values = all_between(text_of(run / "run.xmf"), "<Time Value=\"", "\"");
+  std::vector<double> times;
+  times.reserve(values.size());
+  for (const std::string& v : values) times.push_back(std::strtod(v.c_str(), nullptr));
+  ASSERT_EQ(times.size(), 5u);
+  EXPECT_EQ(times[1], 0.5);
+  EXPECT_LT(times[2], 1.0);
+  EXPECT_NEAR(times[2], 1.0, 1.1e-12);
+  EXPECT_EQ(times[3], 1.0);
+  EXPECT_EQ(times[4], 2.0);
+}
+
+TEST_F(Results, xmf_refers_to_datasets_of_the_sizes_that_it_says) {
+  const std::string text = text_of(run / "run.xmf");
+  const std::vector<std::string> sizes = all_between(text, "Dimensions=\"", "\""),
+                                 names = all_between(text, "run.vtkhdf:", "<");
+  std::map<std::string, std::int64_t> rows;
+  for (const DatasetNote& d : RunReader(run).datasets()) rows[d.name] = d.rows;
+  ASSERT_EQ(sizes.size(), names.size());
+  EXPECT_EQ(names.size(), 5u * 13u);  // topology, points, 2 fields at points, 9 at cells
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ASSERT_EQ(rows.count(names[i]), 1u) << names[i];
+    EXPECT_EQ(rows[names[i]], std::atoll(sizes[i].c_str())) << names[i];
+  }
+}
+
+TEST_F(Results, windows_are_made_once_a_mesh_for_what_does_not_change) {
+  std::map<std::string, int> made;
+  for (const DatasetNote& d : RunReader(run).datasets()) ++made[d.name.substr(0, d.name.rfind('/'))];
+  EXPECT_EQ(made["/xdmf/Points"], 5);
+  EXPECT_EQ(made["/xdmf/CellData/stress"], 5);
+  EXPECT_EQ(made["/xdmf/CellData/block_id"], 2);
+  EXPECT_EQ(made["/xdmf/topology"], 2);
+}
+
+TEST_F(Results, xmf_is_whole_at_every_moment_of_a_run) {
+  const Scratch other;
+  const fs::path folder = other.path() / "r";
+  SmallRun small;
+  ResultsSink sink(RunFolder::create(folder, false), provenance());
+  sink.begin(small.model, small.plan);
+  small.use_triangles();
+  for (int i = 0; i < 20; ++i) {
+    sink.frame(small.frame(0.01 * i, 0, 0.01 * i, 0.0, 0.0));
+    const std::string text = text_of(folder / "run.xmf");
+    EXPECT_TRUE(text.starts_with("<?xml") && text.ends_with("</Xdmf>\n")) << i;
+    EXPECT_FALSE(fs::exists(folder / "run.xmf.tmp"));
+  }
+  sink.end({}, small.frame(0.2, 0, 0.2, 0.0, 0.0));
+  EXPECT_EQ(all_between(text_of(folder / "run.xmf"), "<Time", ">").size(), 21u);
+}
+
+TEST_F(Results, displacement_and_velocity_of_cells_are_means_over_them) {
+  const StoredFrame f = RunReader(run).frame(1);  // the block is displaced as a whole
+  EXPECT_NEAR(f.cell_displacement[2], 0.05, 1e-15);
+  EXPECT_NEAR(f.cell_displacement[3], 0.10, 1e-15);
+  EXPECT_EQ(f.cell_displacement[0], 0.0);
+  EXPECT_EQ(f.cell_velocity[4], 1.0);
+}
+
+TEST_F(Results, stages_begin_at_their_first_frames) {
+  const std::vector<StoredStage> stages = RunReader(run).stages();
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_EQ(stages[0].name, "shake");
+  EXPECT_EQ(stages[0].start, 0.0);
+  EXPECT_EQ(stages[1].integrator, "implicit");
+  EXPECT_EQ(stages[1].start, 1.0);
+}
+
 // --- tables and summary -------------------------------------------------------------------------------------------
 
 TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
@@ -624,6 +706,78 @@ TEST_F(Results, ledger_plot_draws_a_line_a_column_that_is_not_zero) {
   for (const std::array<int, 3>& colour : {std::array{0, 114, 178}, {230, 159, 0}, {0, 158, 115}})
     EXPECT_GT(picture.share(colour), 5e-4);
   EXPECT_LT(picture.share({204, 121, 167}), 1e-5);  // a fourth column would have this one
+}
+
+TEST_F(Results, snapshot_as_pdf_and_svg_is_of_that_kind_and_keeps_the_letters) {
+  SnapshotOptions options;
+  options.arrows = Arrows::displacement;
+  snapshot(run, options, scratch->path() / "u.pdf");
+  snapshot(run, options, scratch->path() / "u.svg");
+  plot_ledger(run, scratch->path() / "ledger.pdf");
+  const std::string pdf = text_of(scratch->path() / "u.pdf"), svg = text_of(scratch->path() / "u.svg");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
+  EXPECT_NE(pdf.find("/FontFile"), std::string::npos);        // letters, not pictures of them
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);  // nothing turned to pixels
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_NE(svg.find("width=\"504pt\""), std::string::npos);  // 7 inches
+  EXPECT_EQ(svg.find("<image"), std::string::npos);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_TRUE(text_of(scratch->path() / "ledger.pdf").starts_with("%PDF-"));
+  EXPECT_THROW(snapshot(run, options, scratch->path() / "u.jpg"), FileError);
+  EXPECT_FALSE(fs::exists(scratch->path() / "u.jpg"));
+}
+
+TEST_F(Results, snapshot_with_fixed_range_colours_by_it) {
+  SnapshotOptions options;
+  options.field = Field::sxx;
+  options.frame = 4;  // -4 MPa
+  options.range = {-8e6, 8e6};
+  snapshot(run, options, scratch->path() / "half.png");
+  EXPECT_GT(Picture(scratch->path() / "half.png").share({106, 172, 208}), 0.005);  // half way to the blue end
+  options.range = {-4e6, 1e6};  // white is still zero: the block has the end colour
+  snapshot(run, options, scratch->path() / "end.png");
+  EXPECT_GT(Picture(scratch->path() / "end.png").share({5, 48, 97}), 0.005);
+  EXPECT_LT(Picture(scratch->path() / "end.png").share({103, 0, 31}), 1e-4);  // the red end is not reached
+}
+
+TEST_F(Results, arrows_and_names_add_ink_to_the_blocks) {
+  SnapshotOptions options;
+  options.frame = 2;
+  const fs::path png = scratch->path() / "marks.png";
+  const auto black = [&] {
+    snapshot(run, options, png);
+    return Picture(png).share({0, 0, 0});
+  };
+  const double plain = black();
+  options.arrows = Arrows::velocity;
+  EXPECT_GT(black(), plain + 5e-5);
+  options.arrows = Arrows::none;
+  const auto dark = [&] {
+    snapshot(run, options, png);
+    return Picture(png).share({33, 33, 33});
+  };
+  const double before = dark();
+  options.labels = true;
+  EXPECT_GT(dark(), before + 2e-5);
+}
+
+TEST_F(Results, history_plot_draws_a_line_a_monitor_and_knows_their_names) {
+  const fs::path png = scratch->path() / "history.png";
+  plot_history(run, {}, png);
+  const Picture all(png);
+  EXPECT_EQ(all.width, 1680);
+  EXPECT_GT(all.share({230, 159, 0}), 1e-4);  // the second monitor
+  plot_history(run, {"crest, left_2"}, png);
+  const Picture one(png);
+  EXPECT_GT(one.share({0, 114, 178}), 1e-4);
+  EXPECT_LT(one.share({230, 159, 0}), 1e-6);
+  try {
+    plot_history(run, {"toe"}, png);
+    FAIL() << "no FileError";
+  } catch (const FileError& e) {
+    EXPECT_NE(e.reason.find("no monitor toe; there are crest, left"), std::string::npos) << e.reason;
+  }
 }
 
 TEST(Ticks, round_ticks_lie_inside_and_share_their_digits) {

@@ -1,0 +1,23 @@
+// A dataset that shows rows of another one without storing them again (an HDF5 virtual dataset of the same file).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "io/results/h5.h"
+
+namespace scree::io::h5 {
+
+/// Rows of a dataset of one or two dimensions.
+struct Rows {
+  std::string dataset;  // full path
+  std::int64_t first = 0, count = 0;
+};
+
+/// Makes `name` (and its groups), which reads as `count` rows from row `first` of a dataset of the same file, with its
+/// type. The rows need not be written yet; until they are, they read as zero.
+/// Virtual datasets need HDF5 1.10; the rest of the file stays in the layout that the library writes by default.
+/// @param label  of the new dataset   @pre count > 0   @throws FileError
+void window(const File& file, const std::string& name, const Rows& rows, const Label& label);
+
+}  // namespace scree::io::h5

@@ -1,0 +1,70 @@
+// run.xmf: what ParaView reads of run.vtkhdf through any of its three XDMF readers.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/results/vtkhdf_writer.h"
+#include "io/results/xdmf_text.h"
+
+namespace scree::io {
+
+/// Makes, in the results file, the datasets that the text refers to, and writes the text beside it.
+///   /xdmf/Points/<n>, /xdmf/PointData/<field>/<n>, /xdmf/CellData/<field>/<n>
+///                          rows of the dataset of that name in /VTKHDF, as virtual datasets: nothing is stored twice.
+///                          Counted anew by each field: one a frame, or one a mesh
+///   /xdmf/topology/<mesh>  cells as XDMF's "Mixed" topology: 3 (polygon), number of points, points
+/// The readers of ParaView 5.11 agree on one plain or virtual dataset a frame only; of selections in the text two of
+/// them show nothing.
+///
+/// Two frames at one time (the last of a stage and the first of the next, with new bodies): readers choose by time, so
+/// the earlier one is given as 1 ps, a tick, before. Asked for the time itself they show the new bodies.
+class XdmfWriter {
+ public:
+  /// @param file  with the datasets of a VtkhdfWriter; outlives this   @param xmf  the text, in the folder of the file
+  XdmfWriter(const h5::File& file, std::filesystem::path xmf);
+
+  /// Adds the frame that a VtkhdfWriter stored last, in the given rows.   @throws FileError
+  void frame(const coupling::FrameView& frame, const FrameRows& rows);
+  /// Puts the text in place of the old one, whole, when a second has passed since and the last writing took less than
+  /// 2 % of the time: the text holds all frames, so its length grows with the run.
+  /// @pre the frames so far are in the file as other programs see it   @throws FileError
+  void flush();
+  /// Puts the text in place in any case.   @pre as for flush()   @throws FileError
+  void close();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Field {
+    const char *name, *center, *type;  // as XDMF calls them; the geometry has no centre
+    std::string path;                  // below /VTKHDF, and below /xdmf
+    int width;
+    bool whole;  // numbers
+    std::int64_t FrameRows::*first;
+    h5::Label label;
+    std::int64_t made = 0, shown = -1;  // windows so far; first row of the last one
+  };
+  struct Waiting {
+    std::int64_t number = 0;
+    double time = 0.0;
+    std::string parts;  // of its grid
+  };
+  std::string topology(const coupling::MeshView& mesh, std::int64_t number);
+  /// The virtual dataset of these rows, made unless it is the last one.
+  xdmf::Array window(Field& field, const FrameRows& rows);
+  [[nodiscard]] std::string waiting() const;
+  void write();
+
+  const h5::File* file_;
+  std::filesystem::path xmf_;
+  std::vector<Field> fields_;
+  std::string topology_;  // of the present mesh
+  std::int64_t mesh_ = -1, frames_ = 0;
+  std::string settled_;           // grids whose time is certain
+  std::vector<Waiting> waiting_;  // frames of the latest time: one more of that time would move theirs
+  Clock::time_point next_;        // no text is written before
+};
+
+}  // namespace scree::io

@@ -1,0 +1,214 @@
+// run.xmf: its words, the windows it refers to, the series behind them, and point values brought to the cells.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "io/results/cell_mean.h"
+#include "io/results/h5_read.h"
+#include "io/results/h5_series.h"
+#include "io/results/h5_window.h"
+#include "io/results/xdmf_text.h"
+
+namespace scree::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- words --------------------------------------------------------------------------------------------------------
+
+TEST(XdmfText, mixed_polygons_tell_kind_and_number_of_points_before_the_points) {
+  const std::vector<std::int32_t> offsets{0, 3, 7}, connectivity{4, 5, 6, 0, 1, 2, 3};
+  EXPECT_EQ(xdmf::mixed_polygons(offsets, connectivity), (std::vector<std::int32_t>{3, 3, 4, 5, 6, 3, 4, 0, 1, 2, 3}));
+  EXPECT_TRUE(xdmf::mixed_polygons({}, {}).empty());
+}
+
+TEST(XdmfText, item_of_one_number_a_row_has_one_dimension) {
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/a/0", 7, 1, true}),
+            "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"7\">run.vtkhdf:/xdmf/a/0"
+            "</DataItem>\n");
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/b/1", 7, 3, false}),
+            "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"7 3\">run.vtkhdf:/xdmf/b/1"
+            "</DataItem>\n");
+}
+
+TEST(XdmfText, time_of_a_grid_reads_back_to_the_same_bits) {
+  const double time = 0.1 + 0.2;
+  const std::string text = xdmf::grid(3, "", time);
+  const std::string key = "<Time Value=\"";
+  EXPECT_EQ(std::strtod(text.c_str() + text.find(key) + key.size(), nullptr), time);
+  EXPECT_NE(text.find("frame 3"), std::string::npos);
+}
+
+TEST(XdmfText, document_closes_what_it_opens_around_the_grids) {
+  const std::string text = xdmf::document("<Grid/>\n");
+  for (const char* tag : {"Xdmf", "Domain", "Grid"}) EXPECT_NE(text.find(std::string("</") + tag + ">"), text.npos);
+  EXPECT_LT(text.find("CollectionType=\"Temporal\""), text.find("<Grid/>"));
+  EXPECT_TRUE(text.ends_with("</Xdmf>\n"));
+}
+
+TEST(XdmfText, times_told_apart_rise_and_keep_the_last_of_equal_ones) {
+  for (const double t : {0.0, 1.0, 6.0, 3600.0, 1e7}) {  // 1e7: a double tells apart no less than 2e-9 there
+    const std::vector<double> apart = xdmf::told_apart({t - 0.5, t, t, t});
+    EXPECT_EQ(apart[0], t - 0.5);
+    EXPECT_EQ(apart[3], t);
+    EXPECT_LT(apart[0], apart[1]);
+    EXPECT_LT(apart[1], apart[2]);
+    EXPECT_LT(apart[2], apart[3]);
+    EXPECT_LT(apart[3] - apart[1], std::max(3e-12, 1e-14 * t)) << "further than two ticks or roundings";
+  }
+  EXPECT_EQ(xdmf::told_apart({0.0, 0.5, 1.0}), (std::vector<double>{0.0, 0.5, 1.0}));
+  EXPECT_TRUE(xdmf::told_apart({}).empty());
+}
+
+// --- windows ------------------------------------------------------------------------------------------------------
+
+/// A file of this test's own, removed at its end.
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "scree-window-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    file_ = h5::File::create(folder_ / "a.h5");
+  }
+  void TearDown() override {
+    file_.close();
+    std::error_code ignored;  // a folder left behind is no failure of what is tested
+    fs::remove_all(folder_, ignored);
+  }
+  fs::path folder_;
+  h5::File file_;
+};
+
+TEST_F(Window, shows_its_rows_with_type_and_label) {
+  std::vector<double> rows(30);
+  std::iota(rows.begin(), rows.end(), 0.0);
+  h5::write<double>(file_, "/table", 3, rows, {"m", "table"});
+  h5::window(file_, "/view/deep/0", {"/table", 4, 2}, {"m", "two rows"});
+  EXPECT_EQ(h5::read<double>(file_, "/view/deep/0"), (std::vector<double>{12, 13, 14, 15, 16, 17}));
+  EXPECT_EQ(h5::extent(file_, "/view/deep/0").width, 3);
+  EXPECT_EQ(h5::text_attribute(file_, "/view/deep/0", "units"), "m");
+  EXPECT_EQ(h5::text_attribute(file_, "/view/deep/0", "long_name"), "two rows");
+}
+
+TEST_F(Window, shows_rows_that_are_written_after_it_was_made) {
+  h5::Series<std::int32_t> series(file_, "/numbers", 1, {"1", "numbers"});
+  series.append(7);
+  series.flush();
+  series.append(8);  // in the buffer only
+  h5::window(file_, "/view", {"/numbers", 1, 2}, {"1", "later numbers"});
+  series.append(9);
+  series.close();
+  file_.flush();
+  EXPECT_EQ(h5::read<std::int32_t>(file_, "/view"), (std::vector<std::int32_t>{8, 9}));
+}
+
+TEST_F(Window, of_a_file_that_moved_still_finds_its_rows) {
+  h5::write<double>(file_, "/table", 1, std::vector<double>{1.0, 2.0, 3.0}, {"m", "table"});
+  h5::window(file_, "/view", {"/table", 2, 1}, {"m", "view"});
+  file_.close();
+  fs::rename(folder_ / "a.h5", folder_ / "b.h5");
+  file_ = h5::File::open(folder_ / "b.h5");
+  EXPECT_EQ(h5::read<double>(file_, "/view"), (std::vector<double>{3.0}));
+}
+
+TEST_F(Window, of_nothing_gives_file_error) {
+  EXPECT_THROW(h5::window(file_, "/view", {"/no/such", 0, 1}, {"m", "view"}), FileError);
+}
+
+// --- series -------------------------------------------------------------------------------------------------------
+
+struct Chunk {
+  haddr_t address = 0;
+  hsize_t bytes = 0;
+  unsigned skipped = 0;  // filters, a bit each
+};
+Chunk chunk_of(const h5::File& file, const char* name, hsize_t number) {
+  Chunk c;
+  hsize_t at = 0;
+  const h5::Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose);
+  const h5::Handle space(H5Dget_space(dataset.get()), H5Sclose);
+  EXPECT_GE(H5Dget_chunk_info(dataset.get(), space.get(), number, &at, &c.skipped, &c.address, &c.bytes), 0);
+  return c;
+}
+
+TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
+  h5::Series<double> series(file_, "/numbers", 1, {"1", "numbers"});
+  constexpr std::int64_t kChunk = 8192;  // 64 KiB of doubles
+  std::vector<double> expected;
+  const auto add = [&](std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) expected.push_back(std::sqrt(2.0 + static_cast<double>(expected.size())));
+    series.append(std::span<const double>(expected).last(static_cast<std::size_t>(count)));
+    series.flush();
+    file_.flush();
+    EXPECT_EQ(series.rows(), static_cast<std::int64_t>(expected.size()));
+    // A copy is what another process sees, and what a kill would leave.
+    fs::copy_file(folder_ / "a.h5", folder_ / "copy.h5", fs::copy_options::overwrite_existing);
+    EXPECT_EQ(h5::read<double>(h5::File::open(folder_ / "copy.h5"), "/numbers"), expected);
+  };
+  add(5);
+  const Chunk first = chunk_of(file_, "/numbers", 0);
+  EXPECT_EQ(first.skipped, 3u);
+  EXPECT_EQ(first.bytes, 8u * kChunk);
+  add(1000);
+  EXPECT_EQ(chunk_of(file_, "/numbers", 0).address, first.address);
+  EXPECT_EQ(chunk_of(file_, "/numbers", 0).bytes, first.bytes);
+  add(kChunk);                                                   // over the end of the first chunk
+  add(3 * kChunk - static_cast<std::int64_t>(expected.size()));  // to the very end of the third
+  add(1);
+  series.close();
+  file_.flush();
+  EXPECT_EQ(h5::read<double>(file_, "/numbers"), expected);
+  for (hsize_t i = 0; i < 4; ++i) EXPECT_EQ(chunk_of(file_, "/numbers", i).skipped, 0u) << "not deflated: " << i;
+}
+
+TEST_F(Window, series_never_flushed_is_whole_after_close) {
+  h5::Series<std::int32_t> series(file_, "/pairs", 2, {"1", "pairs"});
+  series.append(std::vector<std::int32_t>{1, 2, 3, 4, 5, 6});
+  series.close();
+  h5::Series<std::int32_t> empty(file_, "/empty", 1, {"1", "empty"});
+  empty.flush();
+  empty.close();
+  EXPECT_EQ(h5::read<std::int32_t>(file_, "/pairs"), (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(h5::extent(file_, "/empty").rows, 0);
+}
+
+// --- cell means ---------------------------------------------------------------------------------------------------
+
+TEST(CellMean, affine_field_gives_its_value_at_the_centroid_of_any_shape) {
+  // An L of unit squares, far from the origin: centroid (5/6, 5/6) from its corner, which no mean of vertices gives.
+  const double x0 = 1e4, y0 = -3e4;
+  std::vector<double> place, value;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}}) {
+    place.insert(place.end(), {x0 + x, y0 + y});
+    value.insert(value.end(), {3.0 + 2.0 * x - y, 0.5 * x + 4.0 * y});
+  }
+  const std::vector<std::int32_t> offsets{0, 6}, connectivity{0, 1, 2, 3, 4, 5};
+  const std::vector<double> mean = cell_mean(place, value, offsets, connectivity);
+  ASSERT_EQ(mean.size(), 2u);
+  EXPECT_NEAR(mean[0], 3.0 + 5.0 / 6.0, 1e-11);  // 1e-16 of the coordinates, times a few operations
+  EXPECT_NEAR(mean[1], 4.5 * 5.0 / 6.0, 1e-11);
+}
+
+TEST(CellMean, does_not_depend_on_the_sense_of_a_cell) {
+  const std::vector<double> place{0, 0, 4, 0, 3, 2, 1, 3}, value{1, 5, -2, 0, 4, 4, 9, -7};
+  const std::vector<std::int32_t> offsets{0, 4, 8}, connectivity{0, 1, 2, 3, 0, 3, 2, 1};
+  const std::vector<double> mean = cell_mean(place, value, offsets, connectivity);
+  EXPECT_DOUBLE_EQ(mean[0], mean[2]);
+  EXPECT_DOUBLE_EQ(mean[1], mean[3]);
+}
+
+TEST(CellMean, cell_without_area_gives_the_mean_of_its_points) {
+  const std::vector<double> place{0, 0, 1, 1, 2, 2}, value{1, 0, 2, 0, 6, 3};
+  const std::vector<double> mean =
+      cell_mean(place, value, std::vector<std::int32_t>{0, 3}, std::vector<std::int32_t>{0, 1, 2});
+  EXPECT_DOUBLE_EQ(mean[0], 3.0);
+  EXPECT_DOUBLE_EQ(mean[1], 1.0);
+}
+
+}  // namespace
+}  // namespace scree::io
