@@ -261,8 +261,15 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     m.anchor = p.at.xi;
     return;
   }
-  // Once open, a contact that began without stress at some depth keeps no more of it than it has now.
-  if (!closed && old != nullptr) m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
+  if (closed && m.segment < 0) {
+    m.gap0 = p.at.gap - m.gap;  // the edge was made anew, a little elsewhere: no force comes from that
+  } else if (!closed && !at_start) {
+    // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
+    // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out. A vertex
+    // that enters an overlap needs no such start: its share grows from nothing.
+    const bool found_deep = old == nullptr ? !(p.facing && p.largest_share > 0.0) : m.gap < 0.0 || m.segment < 0;
+    m.gap0 = found_deep ? std::min(p.at.gap, 0.0) : (m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0));
+  }
   m.gap = p.at.gap - m.gap0;
   if (!closed) {
     m.segment = part;
