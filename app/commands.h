@@ -41,7 +41,7 @@ int watch(const WatchOptions& options);
 
 struct SnapshotCommand {
   std::filesystem::path run, out;
-  std::string at = "end";  // start, handover, end, a frame number or a time with the unit s
+  std::string at = "end";  // start, end, handover (last stage), a stage, a frame number, a time with the unit s
   std::string field = "displacement", arrows = "none";
   std::vector<double> range, window;  // low, high; x0, y0, x1, y1; empty: from the run
   std::vector<std::string> monitors;  // of the histories; empty: all

@@ -61,7 +61,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw a stored run");
   snapshot_command->add_option("run", picture.run, "run folder")->required();
   snapshot_command->add_option("--out", picture.out, "file; .png, .pdf or .svg (default: a PNG in the run folder)");
-  snapshot_command->add_option("--at", picture.at, "start, handover, end, a frame number, or a time such as 1.5s");
+  snapshot_command->add_option(
+      "--at", picture.at,
+      "start, end, handover (first frame of the last stage), a stage by name, a frame number, or a time such as 1.5s");
   snapshot_command->add_option("--field", picture.field,
                                "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material");
   snapshot_command->add_option("--range", picture.range, "ends of the colours, in SI units (default: of the values)")

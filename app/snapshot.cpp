@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,16 +13,17 @@
 namespace scree::app {
 namespace {
 
-/// First frame of the second stage; nothing where the run has one stage.
-std::optional<std::size_t> handover(const io::RunReader& run) {
-  if (run.times().empty()) return std::nullopt;
-  const std::string first = run.frame(0).stage;
+/// First frame of a stage, by its place in the run; nothing where the run did not reach it.
+std::optional<std::size_t> first_frame(const io::RunReader& run, std::size_t stage) {
+  const std::vector<io::StoredStage> stages = run.stages();
   std::size_t low = 0, high = run.times().size();
-  while (high - low > 1) {  // stages follow one another: halve
+  while (low < high) {  // stages follow one another: halve
     const std::size_t middle = (low + high) / 2;
-    (run.frame(middle).stage == first ? low : high) = middle;
+    const std::string name = run.frame(middle).stage;
+    const auto at = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.name == name; });
+    (static_cast<std::size_t>(at - stages.begin()) < stage ? low = middle + 1 : high = middle);
   }
-  return high < run.times().size() ? std::optional(high) : std::nullopt;
+  return low < run.times().size() ? std::optional(low) : std::nullopt;
 }
 
 /// Says what is wrong with an option's value.   @return the exit code
@@ -37,18 +39,25 @@ int choose_instant(const std::string& at, const io::RunReader& run, io::Snapshot
     options.frame = 0;
     return kDone;
   }
-  if (at == "handover") {
-    options.frame = handover(run);
+  const std::vector<io::StoredStage> stages = run.stages();
+  std::size_t stage = 0;
+  while (stage < stages.size() && stages[stage].name != at) ++stage;
+  if (at == "handover" && stage == stages.size()) {
+    if (stages.size() < 2) return refuse("at", at, "the run has one stage only", "a run with several stages");
+    stage = stages.size() - 1;
+  }
+  if (stage < stages.size()) {
+    options.frame = first_frame(run, stage);
     if (options.frame) return kDone;
-    fmt::print(stderr, "error: --at handover: the run has one stage only\n");
-    return kUsage;
+    return refuse("at", at, "the run did not reach that stage", "a stage that has begun");
   }
   const bool is_time = !at.empty() && at.back() == 's';
   double number = 0.0;
   const char* last = at.data() + at.size() - (is_time ? 1 : 0);
   const auto [end, fault] = std::from_chars(at.data(), last, number);
   if (fault != std::errc() || end != last || !(number >= 0.0))
-    return refuse("at", at, "not a place in a run", "start, handover, end, a frame number, or a time such as 1.5s");
+    return refuse("at", at, "not a place in a run",
+                  "start, end, handover, a stage, a frame number, or a time such as 1.5s");
   if (is_time) {
     options.time = number;
     return kDone;

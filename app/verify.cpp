@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kMeasures =
     "blocks_moved_above, blocks_moved_below, monitor_displacement, kinetic_at_handover, ledger_closure, scheme_share, "
-    "transfer_momentum_error, transfer_energy_error";
+    "transfer_momentum_error, transfer_energy_error, drift_in_stage";
 
 io::CaseError error(const std::filesystem::path& file, const toml::source_region& at, std::string problem,
                     std::string allowed) {
@@ -56,7 +56,7 @@ std::vector<Quantity> read_expected(const std::filesystem::path& file) {
     q.reason = (*t)["reason"].value_or(std::string());
     q.full = (*t)["tier"].value_or(std::string("quick")) == "full";
     if (const auto number = (*t)["of"].value<double>()) q.of = *number;
-    if (const auto text = (*t)["of"].value<std::string>()) q.monitor = *text;
+    if (const auto text = (*t)["of"].value<std::string>()) q.text = *text;
     if (q.name.empty() || q.reason.empty() ||
         fmt::format(" {},", kMeasures).find(" " + q.measure + ",") == std::string::npos)
       throw error(file, t->source(), fmt::format("name, reason or measure '{}' is missing or unknown", q.measure),
@@ -104,8 +104,13 @@ double measure(const Quantity& q, const Model& model, const coupling::Driver& ru
     coupling::Observer observer(run.setup(), run.state(), 0);
     const coupling::HistoryView h = observer.history(run.state(), run.stats());
     for (std::size_t i = 0; i < model.monitors.size(); ++i)
-      if (model.monitors[i].name == q.monitor) return std::hypot(h.displacement[2 * i], h.displacement[2 * i + 1]);
-    throw std::runtime_error("expected.toml: no monitor '" + q.monitor + "'");
+      if (model.monitors[i].name == q.text) return std::hypot(h.displacement[2 * i], h.displacement[2 * i + 1]);
+    throw std::runtime_error("expected.toml: no monitor '" + q.text + "'");
+  }
+  if (q.measure == "drift_in_stage") {
+    for (const coupling::StageTravel& t : run.travels())
+      if (t.stage == q.text) return t.farthest;
+    throw std::runtime_error("expected.toml: no stage '" + q.text + "'");
   }
   if (q.measure == "kinetic_at_handover") return watch.kinetic();
   if (q.measure == "ledger_closure") return ledger.relative_closure();

@@ -13,12 +13,13 @@ namespace scree::app {
 ///   name     what a person calls it
 ///   measure  blocks_moved_above | blocks_moved_below (of = distance [m]) | monitor_displacement (of = monitor;
 ///   magnitude)
+///            | drift_in_stage (of = stage; farthest displacement of a free block [m])
 ///            | kinetic_at_handover | ledger_closure | scheme_share | transfer_momentum_error | transfer_energy_error
 ///   at_least, at_most, or reference with tolerance (relative)
 ///   tier     quick (default) | full
 ///   reason   why this bound
 struct Quantity {
-  std::string name, measure, monitor, reason;
+  std::string name, measure, text, reason;  // text: `of` where it names something
   double of = 0.0;
   double low = 0.0, high = 0.0;  // bounds; infinite where open
   std::string wanted;            // the bounds as text

@@ -67,12 +67,20 @@ struct TransferRow {
   double mass_error = 0.0, momentum_error = 0.0, angular_error = 0.0, energy_error = 0.0;
 };
 
+/// The free block that moved farthest in a stage, by its centre of mass.
+struct StageTravel {
+  std::string stage;
+  BlockId block;          // invalid: no block is free
+  double farthest = 0.0;  // [m]
+};
+
 enum class EventKind { stage_start, stage_end, transfer, step_cut, not_converged, warning };
 struct Event {
   EventKind kind = EventKind::warning;
   double time = 0.0;
   std::string text;  // one line
   const TransferRow* transfer = nullptr;
+  const StageTravel* travel = nullptr;  // of a stage that ends
 };
 [[nodiscard]] std::string_view name(EventKind kind);
 

@@ -95,6 +95,10 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
 bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& known) const {
   const double against = -direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]);
   if (against < kStillFaces || against > kFaces) return against > kFaces;
+  return closed_before(a, b, known);
+}
+
+bool ContactFinder::closed_before(std::int32_t a, std::int32_t b, const ContactList& known) const {
   const Outlines& o = setup_->outlines();
   const auto was = [&](std::int32_t vertex, std::int32_t edge) {
     for (std::int32_t i = known_first_[static_cast<std::size_t>(vertex)];
@@ -105,8 +109,13 @@ bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& kn
     }
     return false;
   };
-  const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
-  return was(ea.first_segment, b) || was(ea.end_vertex, b) || was(eb.first_segment, a) || was(eb.end_vertex, a);
+  const auto any = [&](std::int32_t of, std::int32_t against) {
+    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(of)];
+    for (std::int32_t v = e.first_segment; v < e.first_segment + e.segments; ++v)
+      if (was(v, against)) return true;
+    return was(e.end_vertex, against);
+  };
+  return any(a, b) || any(b, a);
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -266,8 +275,8 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
     // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out. A vertex
-    // that enters an overlap needs no such start: its share grows from nothing.
-    const bool found_deep = old == nullptr ? !(p.facing && p.largest_share > 0.0) : m.gap < 0.0 || m.segment < 0;
+    // that joins others in a closed overlap needs no such start: its share grows from nothing.
+    const bool found_deep = old == nullptr ? !p.joins : m.gap < 0.0 || m.segment < 0;
     m.gap0 = found_deep ? std::min(p.at.gap, 0.0) : (m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0));
   }
   m.gap = p.at.gap - m.gap0;
@@ -409,6 +418,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
+    p.joins = p.from < 0 && p.largest_share > 0.0 && closed_before(pair.own, pair.edge, known);
     out.points.push_back(p);
   }
   inherit(known, out);

@@ -50,6 +50,8 @@ class ContactFinder {
   };
   void collect(const ContactList& known);
   [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const ContactList& known) const;
+  /// True if any point of two facing edges was closed.
+  [[nodiscard]] bool closed_before(std::int32_t a, std::int32_t b, const ContactList& known) const;
   void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
   [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;

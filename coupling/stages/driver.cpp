@@ -57,9 +57,33 @@ Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
   for (const Stage& s : plan.stages) end_ += s.duration;
 }
 
-void Driver::event(EventKind kind, std::string text, const TransferRow* row) {
-  const Event e{kind, seconds(state_.time), std::move(text), row};
+void Driver::event(EventKind kind, std::string text, const TransferRow* row, const StageTravel* travel) {
+  const Event e{kind, seconds(state_.time), std::move(text), row, travel};
   for (Sink* s : sinks_) s->event(e);
+}
+
+std::vector<Vec2> Driver::centres() const {
+  std::vector<Vec2> out;
+  for (const Body& b : setup_->bodies()) {
+    const auto p = static_cast<std::size_t>(b.pool);
+    out.push_back(setup_->pool_of(b)
+                      .totals(b.index, setup_->part(std::span<const double>(state_.q), p),
+                              setup_->part(std::span<const double>(state_.v), p))
+                      .centre);
+  }
+  return out;
+}
+
+StageTravel Driver::travel_since(const std::vector<Vec2>& begin) const {
+  StageTravel travel{plan_->stages[static_cast<std::size_t>(state_.stage)].name, {}, 0.0};
+  const std::vector<Vec2> now = centres();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double moved = (now[i] - begin[i]).norm();
+    if (setup_->bodies()[i].driven || (travel.block.valid() && moved <= travel.farthest)) continue;
+    travel.block = setup_->bodies()[i].block;
+    travel.farthest = moved;
+  }
+  return travel;
 }
 
 void Driver::look(bool frame) {
@@ -105,6 +129,7 @@ void Driver::start() {
                                               setup_->part(std::span<const double>(state_.v), p), setup_->counted(p));
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
+  travels_.clear();
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
 
@@ -220,6 +245,7 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
         fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                     stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
   look(true);
+  const std::vector<Vec2> begin = centres();
   while (state_.time < end) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
@@ -228,7 +254,13 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     look(target == frame || target == end);
   }
-  event(EventKind::stage_end, fmt::format("stage '{}' done", stage.name));
+  travels_.push_back(travel_since(begin));
+  const StageTravel& travel = travels_.back();
+  event(EventKind::stage_end,
+        travel.block.valid() ? fmt::format("stage '{}' done: block '{}' moved farthest, {:.3g} m", stage.name,
+                                           model_->blocks[travel.block.index()].name, travel.farthest)
+                             : fmt::format("stage '{}' done", stage.name),
+        nullptr, &travel);
   return {};
 }
 

@@ -34,6 +34,8 @@ class Driver {
   [[nodiscard]] const Setup& setup() const { return *setup_; }
   [[nodiscard]] const RunStats& stats() const { return stats_; }
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
+  /// A stage that has ended: how far its blocks went.
+  [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
 
  private:
   void start();
@@ -41,7 +43,9 @@ class Driver {
   RunEnd run_stage(std::size_t index, Tick end);
   RunEnd advance_to(const Stage& stage, Tick target);
   [[nodiscard]] Tick largest_step(const Stage& stage);
-  void event(EventKind kind, std::string text, const TransferRow* row = nullptr);
+  void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
+  [[nodiscard]] std::vector<Vec2> centres() const;
+  [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
   void look(bool frame);
 
   const Model* model_;
@@ -58,6 +62,7 @@ class Driver {
   Tick end_ = 0;
   RunStats stats_;
   std::vector<TransferRow> transfers_;
+  std::vector<StageTravel> travels_;
 };
 
 /// Contact detection distance that a plan leaves open: a twentieth of the smallest block's root area [m].

@@ -54,6 +54,15 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0).close('}');
 }
 
+void write_stages(JsonWriter& json, const Model& model, const std::vector<coupling::StageTravel>& travels) {
+  json.open('[', "stages");
+  for (const coupling::StageTravel& t : travels) {
+    json.open('{').field("name", t.stage).field("farthest_displacement", t.farthest);
+    json.field("farthest_block", t.block.valid() ? model.blocks[t.block.index()].name : std::string()).close('}');
+  }
+  json.close(']');
+}
+
 void write_transfers(JsonWriter& json, const Model& model, const std::vector<coupling::TransferRow>& rows) {
   json.open('[', "transfers");
   for (const coupling::TransferRow& row : rows) {
@@ -125,6 +134,7 @@ Summary::Summary(const Model& model, const Provenance& provenance) : model_(&mod
 
 void Summary::event(const coupling::Event& event) {
   if (event.transfer != nullptr) transfers_.push_back(*event.transfer);
+  if (event.travel != nullptr) travels_.push_back(*event.travel);
 }
 
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
@@ -139,6 +149,7 @@ std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView
   json.field("threads", provenance_.threads);
   write_run(json, *last.stats, wall);
   write_ledger(json, last.state->ledger);
+  write_stages(json, *model_, travels_);
   write_transfers(json, *model_, transfers_);
   write_blocks(json, *model_, last);
   return json.close('}').text();

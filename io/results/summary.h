@@ -34,6 +34,7 @@ class Summary {
   const Model* model_;
   Provenance provenance_;
   std::vector<coupling::TransferRow> transfers_;
+  std::vector<coupling::StageTravel> travels_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
