@@ -95,27 +95,40 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
 bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& known) const {
   const double against = -direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]);
   if (against < kStillFaces || against > kFaces) return against > kFaces;
-  return closed_before(a, b, known);
+  bool closed = false;
+  for_pair(a, b, known, [&](std::size_t i) {
+    const ContactMemory& m = known.memory[i];
+    closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
+  });
+  return closed;
 }
 
-bool ContactFinder::closed_before(std::int32_t a, std::int32_t b, const ContactList& known) const {
+template <class See>
+void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
   const Outlines& o = setup_->outlines();
-  const auto was = [&](std::int32_t vertex, std::int32_t edge) {
-    for (std::int32_t i = known_first_[static_cast<std::size_t>(vertex)];
-         i < known_first_[static_cast<std::size_t>(vertex) + 1]; ++i) {
-      const ContactMemory& m = known.memory[static_cast<std::size_t>(i)];
-      if (known.points[static_cast<std::size_t>(i)].edge == edge)
-        return m.facing != 0 && m.status != ContactStatus::open;
-    }
-    return false;
-  };
-  const auto any = [&](std::int32_t of, std::int32_t against) {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
     const Outlines::Edge& e = o.edges[static_cast<std::size_t>(of)];
-    for (std::int32_t v = e.first_segment; v < e.first_segment + e.segments; ++v)
-      if (was(v, against)) return true;
-    return was(e.end_vertex, against);
-  };
-  return any(a, b) || any(b, a);
+    for (std::int32_t k = 0; k <= e.segments; ++k) {
+      const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
+      for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
+        if (known.points[i].edge == against) see(i);
+    }
+  }
+}
+
+double ContactFinder::first_gap0(const ContactPoint& p, std::int32_t own, const ContactList& known) const {
+  const Outlines& o = setup_->outlines();
+  double nearest = 0.0;
+  const ContactMemory* neighbour = nullptr;
+  for_pair(own, p.edge, known, [&](std::size_t i) {
+    if (!p.facing || p.largest_share == 0.0 || known.memory[i].facing == 0) return;
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known.points[i].vertex)].node);
+    const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
+    if (neighbour != nullptr && d >= nearest) return;
+    nearest = d;
+    neighbour = &known.memory[i];
+  });
+  return neighbour != nullptr ? neighbour->gap0 : std::min(p.at.gap, 0.0);
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -274,10 +287,13 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     m.gap0 = p.at.gap - m.gap;  // the edge was made anew, a little elsewhere: no force comes from that
   } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
-    // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out. A vertex
-    // that joins others in a closed overlap needs no such start: its share grows from nothing.
-    const bool found_deep = old == nullptr ? !p.joins : m.gap < 0.0 || m.segment < 0;
-    m.gap0 = found_deep ? std::min(p.at.gap, 0.0) : (m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0));
+    // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out.
+    if (old == nullptr)
+      m.gap0 = p.first_gap0;
+    else if (m.gap < 0.0 || m.segment < 0)
+      m.gap0 = std::min(p.at.gap, 0.0);
+    else
+      m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
   }
   m.gap = p.at.gap - m.gap0;
   if (!closed) {
@@ -418,7 +434,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    p.joins = p.from < 0 && p.largest_share > 0.0 && closed_before(pair.own, pair.edge, known);
+    if (p.from < 0) p.first_gap0 = first_gap0(p, pair.own, known);
     out.points.push_back(p);
   }
   inherit(known, out);

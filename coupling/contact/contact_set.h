@@ -50,8 +50,11 @@ class ContactFinder {
   };
   void collect(const ContactList& known);
   [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const ContactList& known) const;
-  /// True if any point of two facing edges was closed.
-  [[nodiscard]] bool closed_before(std::int32_t a, std::int32_t b, const ContactList& known) const;
+  /// Calls see(i) for the known points between two edges.
+  template <class See>
+  void for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const;
+  /// gap0 of a new point: that of its neighbour in an edge-edge contact; else the depth at which it is found.
+  [[nodiscard]] double first_gap0(const ContactPoint& p, std::int32_t own, const ContactList& known) const;
   void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
   [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;

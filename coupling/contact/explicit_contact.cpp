@@ -41,12 +41,12 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
 
 }  // namespace
 
-void ExplicitContact::enter(State& state, bool at_start) {
+void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   finder_.restore(state.contacts, before_);
   finder_.find(state.q, before_, at_start, now_);
   (void)finder_.adopt_kinds(now_);  // the energy returned below has it
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+  for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
     apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
   }

@@ -15,7 +15,9 @@ class ExplicitContact {
   ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {}
 
   /// Finds the points of a state and the forces of their springs.
-  void enter(State& state, bool at_start);
+  /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
+  /// damping
+  void enter(State& state, bool at_start, bool goes_on);
   /// f += forces of the memory.
   void add(std::span<double> f) const;
   /// First half of a step's books, v the velocity of the step at the instant left.

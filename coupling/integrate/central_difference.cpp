@@ -96,7 +96,7 @@ void CentralDifference::change_step(State& state, double h) {
 double CentralDifference::enter(State& state) {
   auto springs = point_springs(*setup_, state);
   if (!springs.empty()) add_term(std::make_unique<PointSupports>(std::move(springs)));
-  contact_.enter(state, state.step == 0);
+  contact_.enter(state, state.step == 0, !state.a.empty());
   state.a.assign(state.q.size(), 0.0);
   evaluate(state, force_, total_);
   if (damping_ > 0.0)

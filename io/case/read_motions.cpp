@@ -115,6 +115,16 @@ Vec2 direction_of(const Section& s) {
   return direction / length;
 }
 
+/// Simulated time until which the plan brings the model to rest: the leading stages with rest = true [s].
+double end_of_rest(const Section& root) {
+  double end = 0.0;
+  for (const Section& stage : root.list("stage")) {
+    if (!stage.boolean("rest")) break;
+    end += stage.number("duration");
+  }
+  return end;
+}
+
 }  // namespace
 
 void read_motions(const Section& root, const std::filesystem::path& folder, Model& model) {
@@ -123,6 +133,7 @@ void read_motions(const Section& root, const std::filesystem::path& folder, Mode
     const Vec2 direction = direction_of(s);
     const RecordProcessing how = processing_of(s);
     Samples samples = samples_of(s, record_of(s, folder), how);
+    if (!s.has("start")) s.settle("start", end_of_rest(root));
     GroundMotion motion(std::move(samples.time), std::move(samples.acceleration), direction,
                         {s.number("start"), how.between, named.name});
     const MotionFacts facts = motion.facts();

@@ -47,7 +47,8 @@ constexpr Key kKeys[] = {
     {"joint.NAME.cohesion", Type::number, "Pa", kNotNegative, "0.0", false, "",
      "Cohesion; lost where the joint first opens or slips."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
-     "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + 4G/3)/d "
+     "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
+     "4G/3)/d "
      "of the stiffer side, d the width of the block normal to the edge."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
@@ -68,7 +69,7 @@ constexpr Key kKeys[] = {
      "Relative to the case file; a leading \"$SCREE_RECORDS/\" is replaced by that environment variable."},
     {"motion.NAME.unit", Type::choice, "", kAny, "(as the file says)", false, "m/s2|g|cm/s2",
      "Unit of the accelerations in the file; g is 9.80665 m/s2. Needed where the file does not say it, as .AT2 does."},
-    {"motion.NAME.start", Type::number, "s", kStart, "0.0", false, "",
+    {"motion.NAME.start", Type::number, "s", kStart, "(end of the leading stages with rest)", false, "",
      "Simulated time at which the first sample that is kept acts. Before it the ground rests; after the last sample it "
      "moves on at its final velocity."},
     {"motion.NAME.from", Type::number, "s", kAny, "(first sample)", false, "",

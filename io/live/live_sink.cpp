@@ -133,7 +133,9 @@ LiveContact LiveSink::Impl::worst_contact(const coupling::State& state) const {
     return block >= 0 && b < blocks.size() && !blocks[b].empty() ? blocks[b] : fmt::format("block {}", block);
   };
   const auto where = [&](const coupling::ContactKey& k) {
-    return fmt::format("{} corner {} on {} edge {}", who_is(k.block_p), k.vertex, who_is(k.block_e), k.edge);
+    const std::string vertex =
+        k.part == 0 ? fmt::format("corner {}", k.vertex) : fmt::format("edge {} node {}", k.vertex, k.part);
+    return fmt::format("{} {} on {} edge {}", who_is(k.block_p), vertex, who_is(k.block_e), k.edge);
   };
   LiveContact worst;
   worst.time = seconds(state.time);

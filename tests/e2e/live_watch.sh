@@ -62,7 +62,7 @@ wait_for early '1 malformed'
 lcm-logger --quiet --lcm-url="$url" "$work/log" > "$work/logger.txt" 2>&1 &
 logger=$!
 # A finer mesh: a run that outlasts all that follows.
-"$scree" run "$case_file" --set stage.shock.cover_size=0.4 --live --quiet --out "$work/run" > "$work/out.txt" 2> "$work/err.txt" &
+"$scree" run "$case_file" --set stage.settle.cover_size=0.7 --live --quiet --out "$work/run" > "$work/out.txt" 2> "$work/err.txt" &
 run=$!
 
 # simulated_time PANE: as the screen has it, empty where there is none

@@ -14,10 +14,11 @@ draw() {  # file, first bytes, options
   [ "$(head -c ${#magic} "$file" | tr -d '\0')" = "$magic" ] || fail "$file does not begin with $magic"
 }
 draw a.png $'\x89PNG' --at handover --field speed --arrows velocity --width 800
-draw b.pdf '%PDF-' --field syy --range -5e5 1e5 --at 1s
+draw b.pdf '%PDF-' --field syy --range -5e5 1e5 --at 0.7s
 draw c.svg '<?xml' --field block --labels --window 15 10 45 35
 draw d.png $'\x89PNG' --at 3 --field material
-draw e.PDF '%PDF-' --history slide-1 bench-1
+draw h.png $'\x89PNG' --at settle --field s3
+draw e.PDF '%PDF-' --history crest toe
 draw f.svg '<?xml' --history
 draw g.svg '<?xml' --ledger
 grep -q '<svg' "$out/c.svg" || fail "c.svg is no SVG"
@@ -33,7 +34,7 @@ refuse 2 'allowed: displacement, speed' --field colour
 refuse 2 'smaller one first' --range 2 1
 refuse 2 'x0 < x1' --window 5 5 5 9
 refuse 2 'allowed: 0 to ' --at 99999
-refuse 2 'start, handover, end' --at noon
+refuse 2 'start, end, handover' --at noon
 refuse 2 'none, displacement, velocity' --arrows force
 name=none.jpg refuse 2 'end in .png, .pdf or .svg' --field speed
 refuse 2 'excludes' --ledger --history

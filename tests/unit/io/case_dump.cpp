@@ -22,8 +22,9 @@ void dump_model(Dump& d, const Model& m) {
          m.default_joint.value);
   for (const Material& x : m.materials) d.line("material {} {} {} {}", x.name, x.density, x.young, x.poisson);
   for (const JointLaw& x : m.joints)
-    d.line("joint {} {} {} {} {} {} {}", x.name, x.friction, x.cohesion, x.contact_length, Dump::of(x.penalty),
-           Dump::of(x.shear_penalty), x.damping);
+    d.line("joint {} {} {} {} {} {} {} {} {}", x.name, x.friction, x.cohesion, x.contact_length,
+           Dump::of(x.normal_stiffness), Dump::of(x.shear_stiffness), Dump::of(x.penalty), Dump::of(x.shear_penalty),
+           x.damping);
   for (const Block& b : m.blocks) {
     d.line("block {} material {} joint {}", b.name, b.material.value, b.joint.value);
     for (std::size_t k = 0; k < b.polygon.rings(); ++k)
@@ -52,9 +53,9 @@ void dump_model(Dump& d, const Model& m) {
 void dump_plan(Dump& d, const coupling::Plan& p) {
   d.line("detection {} threads {}", p.detection, p.threads);
   for (const coupling::Stage& s : p.stages) {
-    d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {}", s.name, s.method,
-           s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", Dump::of(s.dt), s.safety,
-           s.duration, s.cover_size, s.control.max_passes, s.control.max_displacement, s.damping);
+    d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {} rest {}", s.name,
+           s.method, s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", Dump::of(s.dt), s.safety,
+           s.duration, s.cover_size, s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
     for (const coupling::MethodRule& r : s.rules)
       for (const BlockId b : r.blocks) d.line("  {} by {}", b.value, r.method);
   }

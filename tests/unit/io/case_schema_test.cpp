@@ -49,8 +49,10 @@ TEST(Schema, every_key_changes_the_case) {
       {"joint.NAME.friction_deg", "joint.plane.friction_deg=1"},
       {"joint.NAME.cohesion", "joint.plane.cohesion=1"},
       {"joint.NAME.contact_length", "joint.plane.contact_length=1"},
-      {"joint.NAME.penalty", "joint.plane.penalty=\"auto\""},
-      {"joint.NAME.shear_penalty", "joint.plane.shear_penalty=\"auto\""},
+      {"joint.NAME.normal_stiffness", "joint.rough.normal_stiffness=1e9"},
+      {"joint.NAME.shear_stiffness", "joint.rough.shear_stiffness=1e9"},
+      {"joint.NAME.penalty", "joint.plane.penalty=2e9"},
+      {"joint.NAME.shear_penalty", "joint.plane.shear_penalty=3e8"},
       {"joint.NAME.damping", "joint.plane.damping=0.4"},
       {"motion.NAME.file", "motion.pulse.file=\"./other_pulse.csv\""},
       {"motion.NAME.unit", "motion.pulse.unit=\"m/s2\""},
@@ -131,6 +133,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].dt", "stage.1.dt=0.002"},
       {"stage[].duration", "stage.0.duration=1"},
       {"stage[].safety", "stage.0.safety=1"},
+      {"stage[].rest", "stage.1.rest=true"},
       {"stage[].damping", "stage.0.damping=3"},
       {"stage[].cover_size", "stage.0.cover_size=1"},
       {"stage[].max_passes", "stage.1.max_passes=7"},
@@ -143,7 +146,8 @@ TEST(Schema, every_key_changes_the_case) {
       {"run.threads", "run.threads=1"}};
   // What a change needs beside it to make sense.
   const std::map<std::string, std::vector<std::string>> beside = {{"block[].name", {"support.1.blocks=[\"wall\"]"}},
-                                                                  {"monitor[].block", {"monitor.0.point=[1.5, 1]"}}};
+                                                                  {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
+                                                                  {"stage[].rest", {"motion.pulse.start=1"}}};
 
   std::size_t keys = 0;
   for (const Key& key : schema()) {

@@ -376,7 +376,7 @@ TEST(LiveContacts, worst_ones_are_named_in_info) {
   Strip strip(3);
   const auto contact = [](std::int32_t p, std::int32_t e, coupling::ContactStatus status, double gap, double fn) {
     coupling::ContactMemory c;
-    c.key = {p, 0, 2, e, 0, 1};
+    c.key = {p, 0, 2, 0, e, 0, 1};
     c.status = status;
     c.gap = gap;
     c.fn = fn;
