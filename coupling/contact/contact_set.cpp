@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace scree::coupling {
 namespace {
@@ -43,21 +42,14 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
   const Outlines& o = setup_->outlines();
   out.points.clear();
   out.memory.clear();
-  const auto edge_of = [&](std::int32_t block, std::int32_t ring, std::int32_t edge) {
-    const auto at = std::lower_bound(o.edges.begin(), o.edges.end(), std::tuple(block, ring, edge),
-                                     [&](const Outlines::Edge& e, const auto& key) {
-                                       const auto body = static_cast<std::size_t>(e.body);
-                                       return std::tuple(setup_->bodies()[body].block.value, e.ring, e.edge) < key;
-                                     });
-    return static_cast<std::int32_t>(at - o.edges.begin());
-  };
   for (const ContactMemory& m : memory) {
-    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(edge_of(m.key.block_p, m.key.ring_p, m.key.vertex))];
+    const Outlines::Edge& own =
+        o.edges[static_cast<std::size_t>(setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex))];
     if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
     ContactPoint p;
     p.key = m.key;
     p.vertex = own.first_segment + m.key.part;
-    p.edge = edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
+    p.edge = setup_->edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
     out.points.push_back(p);
     out.memory.push_back(m);
   }
@@ -284,7 +276,12 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     return;
   }
   if (closed && m.segment < 0) {
-    m.gap0 = p.at.gap - m.gap;  // the edge was made anew, a little elsewhere: no force comes from that
+    // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
+    // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
+    // ones.
+    const double kn = std::max(m.kn, old->kn), kt = std::max(m.kt, old->kt);
+    m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
+    m.stretch = -(m.ft - m.fdt) / kt;
   } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
     // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out.

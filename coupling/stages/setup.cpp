@@ -1,8 +1,10 @@
 #include "coupling/stages/setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 #include "dda/dda_pool.h"
 #include "nmm/nmm_pool.h"
@@ -127,6 +129,15 @@ void Setup::add_outline(std::int32_t body) {
     out.vertices[ring_segment].segment_in = index;
     out.vertices[ring_segment].edge_in = of;
   }
+}
+
+std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const {
+  const auto key = [&](const Outlines::Edge& e) {
+    return std::tuple(bodies_[static_cast<std::size_t>(e.body)].block.value, e.ring, e.edge);
+  };
+  const auto at = std::lower_bound(outlines_.edges.begin(), outlines_.edges.end(), std::tuple(block, ring, edge),
+                                   [&](const Outlines::Edge& e, const auto& wanted) { return key(e) < wanted; });
+  return static_cast<std::int32_t>(at - outlines_.edges.begin());
 }
 
 Vec2 Setup::driven_displacement(const Body& b, double time) const {

@@ -88,6 +88,8 @@ class Setup {
 
   /// Puts driven bodies where they are at a time, with their velocity.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
+  /// Index of an outline edge.   @pre it exists
+  [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
   /// Displacement of a driven body between two times.
   [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
 

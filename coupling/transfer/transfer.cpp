@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/transfer/contact_forces.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -78,6 +80,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
     record = {record.block, wish[i].method, released[i].shape, wish[i].cover_size};
   }
 
+  hand_contacts_over(from, changed, state);
   out.setup = std::make_unique<Setup>(model, methods, state.bodies);
   const Setup& to = *out.setup;
   std::vector<double> q(2 * static_cast<std::size_t>(to.nodes()), 0.0), v = q;
@@ -100,14 +103,6 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.q = std::move(q);
   state.v = std::move(v);
   state.a.clear();
-
-  // Vertices of a mesh go with it; corners stay, and so does what they remember.
-  std::erase_if(state.contacts, [&](const ContactMemory& m) {
-    return m.key.part > 0 && changed[static_cast<std::size_t>(m.key.block_p)] != 0;
-  });
-  for (ContactMemory& m : state.contacts)
-    if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0)
-      m.segment = -1;
 
   // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
   Ledger& ledger = state.ledger;
