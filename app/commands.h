@@ -25,8 +25,8 @@ int run(const RunOptions& options);
 /// Validates a case and says what it holds; writes nothing.
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& set);
 int cases_list();
-/// Runs cases and compares them with expected.toml, a row a quantity.
-int cases_verify(const std::vector<std::string>& names, bool full, int threads);
+/// Runs the wanted cases, or all, and compares them with expected.toml, a row a quantity.
+int cases_verify(const std::vector<std::string>& wanted, bool full, int threads);
 int schema(bool markdown);
 
 struct WatchOptions {

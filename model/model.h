@@ -24,9 +24,9 @@ struct Material {
 /// of the overlap) or, as a penalty, the same for every point; neither given: auto, per area.
 struct JointLaw {
   std::string name;
-  double friction = 0.0;                   // friction angle [rad], 0 <= phi < pi/2
-  double cohesion = 0.0;                   // [Pa]; lost after the first failure
-  double contact_length = 0.0;             // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
+  double friction = 0.0;        // friction angle [rad], 0 <= phi < pi/2
+  double cohesion = 0.0;        // [Pa]; lost after the first failure
+  double contact_length = 0.0;  // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
   std::optional<double> normal_stiffness;  // [Pa/m]
   std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one
   std::optional<double> penalty;           // normal stiffness of a contact point [N/m]

@@ -23,14 +23,14 @@ class JointSprings {
   /// Law between two edges: that of the edge that names one; of two the one with less friction.
   [[nodiscard]] JointId law_of(std::int32_t edge_a, std::int32_t edge_b) const;
   /// True if points carry shares of the overlap; false for a penalty a point.
-  [[nodiscard]] bool per_area(JointId law) const;
+  [[nodiscard]] bool per_area(JointId id) const;
   /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
   /// @source thesis eq. 7.56 (there as an upper bound, ten times as stiff)
-  [[nodiscard]] double normal_stiffness(JointId law, std::int32_t edge_a, std::int32_t edge_b) const;
+  [[nodiscard]] double normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
   /// Length that a corner against an edge stands for [m].
-  [[nodiscard]] double corner_length(JointId law, std::int32_t edge_a, std::int32_t edge_b) const;
+  [[nodiscard]] double corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
   /// Springs of a point with a length of overlap [m].
-  [[nodiscard]] Springs springs(JointId law, std::int32_t edge_a, std::int32_t edge_b, double share) const;
+  [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const;
 
  private:
   [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }

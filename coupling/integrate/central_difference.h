@@ -23,7 +23,7 @@ class CentralDifference final : public Mover {
                     bool rest = false);
 
   double enter(State& state) override;
-  StepReport step(State& state, Tick h) override;
+  StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
@@ -56,7 +56,7 @@ class CentralDifference final : public Mover {
   mutable std::vector<double> partial_;
   struct Bound {
     ContactKey key;
-    double stiffness;  // [N/m]
+    double stiffness = 0.0;  // [N/m]
   };
   std::vector<Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };

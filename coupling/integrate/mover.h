@@ -37,7 +37,7 @@ class Mover {
   /// Takes over a state: fills what the scheme needs (contacts, accelerations).
   /// @return energy of the contact springs as found on the present outlines [J]
   virtual double enter(State& state) = 0;
-  virtual StepReport step(State& state, Tick h) = 0;
+  virtual StepReport step(State& state, Tick ticks_of_step) = 0;
   /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
   virtual void leave(State& state) = 0;
   /// Brings the ledger's energy columns up to date (some are costly and only needed where someone looks).

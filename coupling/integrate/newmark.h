@@ -29,7 +29,7 @@ class Newmark final : public Mover {
   Newmark(const Setup& setup, const StepControl& control, double detection, bool rest = false);
 
   double enter(State& state) override;
-  StepReport step(State& state, Tick h) override;
+  StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
@@ -52,7 +52,7 @@ class Newmark final : public Mover {
   [[nodiscard]] bool may_close(std::size_t i) const;
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool iterate(double h, StepReport& report);
-  void accept(State& state, Tick h);
+  void accept(State& state, Tick ticks_of_step);
   void book_linear(Ledger& ledger, double& spring_after, double& elastic_after, double& support_after,
                    double& kinetic_after, double h);
 

@@ -24,8 +24,11 @@ double certified_step(const Setup& setup, const ContactList& contacts, std::span
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (std::int32_t g : touched)
-      sum[static_cast<std::size_t>(setup.pool_first(static_cast<std::size_t>(b.pool)) + g)] += stiffness;
+    const std::int32_t first = setup.pool_first(static_cast<std::size_t>(b.pool));
+    for (std::int32_t g : touched) {
+      const std::int32_t node = first + g;
+      sum[static_cast<std::size_t>(node)] += stiffness;
+    }
   };
   const auto compliance = [&](std::int32_t body, const Row& row) {
     const Body& b = bodies[static_cast<std::size_t>(body)];

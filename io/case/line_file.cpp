@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "io/case/case_error.h"
+#include "io/case/number_text.h"
 #include "io/case/text_fields.h"
 #include "io/case/text_file.h"
 
@@ -20,11 +23,8 @@ constexpr const char* kForm = "columns x, y [m] and perhaps the name of the line
 std::vector<FileLine> read_lines(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::string text = read_text_file(file, "file of lines", kLargestFile);
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
 
   std::vector<FileLine> lines;
-  int row = 0;
   bool heading_may_come = true, open = false;  // open: the last polyline may go on
   std::string label;
   const auto close = [&] {
@@ -34,32 +34,29 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
                        "blank lines separate lines; remove this one, or the point"});
     open = false;
   };
-  while (!rest.empty()) {
-    ++row;
-    const std::size_t end = rest.find('\n');
-    const std::string_view whole = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-    const std::vector<Field> fields = fields_of(whole);
+  TextLines text_lines(text);
+  while (const std::optional<std::string_view> whole = text_lines.next()) {
+    const int row = text_lines.row();
+    const std::vector<Field> fields = fields_of(*whole);
     if (fields.empty()) {
-      if (whole.find_first_not_of(" \t\r") == std::string_view::npos) close();
+      if (whole->find_first_not_of(" \t\r") == std::string_view::npos) close();
       continue;
     }
     const auto fail = [&](const Field& at, std::string problem, std::string allowed, std::string hint) {
       throw CaseError(name, {row, at.column},
                       {std::move(problem), "", in_quotes(at.text), std::move(allowed), std::move(hint)});
     };
-    Vec2 p(0.0, 0.0);
-    const bool first_is_number = read_number(fields[0].text, p.x());
-    const bool heading = heading_may_come && !first_is_number;
+    const std::optional<double> x = number_of_text(fields[0].text);
+    const bool heading = heading_may_come && !x;
     heading_may_come = false;
     if (heading) continue;
-    if (!first_is_number)
-      fail(fields[0], "this is not a number", kForm, "decimals have a point; comments begin with #");
+    if (!x) fail(fields[0], "this is not a number", kForm, "decimals have a point; comments begin with #");
     if (fields.size() < 2 || fields.size() > 3)
       fail(fields[fields.size() < 2 ? 0 : 3], fmt::format("the row has {} columns", fields.size()), kForm,
            "decimals have a point, not a comma; keep one point a row");
-    if (!read_number(fields[1].text, p.y()))
-      fail(fields[1], "this is not a number", kForm, "decimals have a point; comments begin with #");
+    const std::optional<double> y = number_of_text(fields[1].text);
+    if (!y) fail(fields[1], "this is not a number", kForm, "decimals have a point; comments begin with #");
+    const Vec2 p(*x, *y);
     constexpr double kFarthest = 1e9;  // [m], as for coordinates in the case file
     for (int i = 0; i < 2; ++i)
       if (!(std::abs(p[i]) <= kFarthest))
@@ -75,7 +72,8 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
   }
   close();
   if (lines.empty())
-    throw CaseError(name, {std::max(row, 1), 1}, {"the file holds no line", "", "", "at least two points", kForm});
+    throw CaseError(name, {std::max(text_lines.row(), 1), 1},
+                    {"the file holds no line", "", "", "at least two points", kForm});
   return lines;
 }
 

@@ -7,6 +7,7 @@
 #include "io/case/case_error.h"
 #include "io/case/number_text.h"
 #include "io/case/record.h"
+#include "io/case/text_fields.h"
 
 namespace scree::io {
 namespace {
@@ -31,12 +32,14 @@ std::string upper(std::string_view text) {
 
 class At2 {
  public:
-  At2(std::string_view text, const std::string& name) : rest_(text), name_(name) {
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-  }
+  At2(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
   Record read() {
     read_header();
-    while (!ended_ && !rest_.empty()) read_values(next_line());
+    while (!ended_) {
+      const std::optional<std::string_view> line = lines_.next();
+      if (!line) break;
+      read_values(*line);
+    }
     if (record_.acceleration.size() != count_)
       fail(count_spot_,
            fmt::format("the header announces {} values, the file holds {}", count_, record_.acceleration.size()),
@@ -51,30 +54,24 @@ class At2 {
                     {std::move(problem), "", in_quotes(at.text), std::move(allowed), std::move(hint)});
   }
 
-  std::string_view next_line() {
-    ++line_;
-    const std::size_t end = rest_.find('\n');
-    const std::string_view line = rest_.substr(0, end);
-    rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
-    return line;
-  }
   /// The next word of a line from an offset on; words end at blanks, commas and equals signs.
   [[nodiscard]] Spot word(std::string_view line, std::size_t from) const {
     const auto separates = [](char c) { return blank(c) || c == ',' || c == '='; };
     while (from < line.size() && separates(line[from])) ++from;
     std::size_t end = from;
     while (end < line.size() && !separates(line[end])) ++end;
-    return {line.substr(from, end - from), line_, from};
+    return {line.substr(from, end - from), lines_.row(), from};
   }
 
   void read_header() {
     std::string first;
-    while (line_ < kTitleLines && !rest_.empty()) {
-      const std::string_view line = next_line();
-      if (line_ == 1) first = line.substr(0, line.find('\r'));
-      const std::size_t key = upper(line).find("NPTS");
-      if (key != std::string::npos) return read_counts(line, key);
-      read_unit(line);
+    while (lines_.row() < kTitleLines) {
+      const std::optional<std::string_view> line = lines_.next();
+      if (!line) break;
+      if (lines_.row() == 1) first = line->substr(0, line->find('\r'));
+      const std::size_t key = upper(*line).find("NPTS");
+      if (key != std::string::npos) return read_counts(*line, key);
+      read_unit(*line);
     }
     fail({first, 1, 0}, "the file has no header with NPTS and DT", kHeaderForms,
          "add the header that the record had; two columns with time are read from a file that is not called .AT2");
@@ -131,7 +128,8 @@ class At2 {
       count_spot_ = word(line, key + 4);
       const std::size_t name = upper(line).find("DT", key + 4);
       if (name == std::string::npos)
-        fail({line.substr(key, 4), line_, key}, "the header has no DT", kHeaderForms, "add the time step in seconds");
+        fail({line.substr(key, 4), lines_.row(), key}, "the header has no DT", kHeaderForms,
+             "add the time step in seconds");
       step = word(line, name + 2);
     }
     const char* end = count_spot_.text.data() + count_spot_.text.size();
@@ -164,8 +162,8 @@ class At2 {
         const std::string_view left = line.substr(at, end - at);
         const std::size_t length = leading_number(left);
         const bool closed = length == left.size() || left[length] == '+' || left[length] == '-';
-        if (length == 0 || !closed) refuse({left, line_, at});
-        take({left.substr(0, length), line_, at});
+        if (length == 0 || !closed) refuse({left, lines_.row(), at});
+        take({left.substr(0, length), lines_.row(), at});
         at += length;
       }
       i = end;
@@ -202,9 +200,8 @@ class At2 {
          "decimals have a point; the file is damaged if PEER wrote it: get it again");
   }
 
-  std::string_view rest_;
+  TextLines lines_;
   const std::string& name_;
-  int line_ = 0;
   bool ended_ = false;
   Spot count_spot_;
   std::size_t count_ = 0;

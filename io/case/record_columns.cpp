@@ -58,16 +58,13 @@ void refuse_gaps(const std::string& name, const std::vector<double>& time, const
 }  // namespace
 
 Record read_columns(std::string_view text, const std::string& name, Gaps gaps) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Record record;
   std::vector<Stamp> stamps;
-  int line = 0;
   bool heading_may_come = true;
-  while (!text.empty()) {
-    ++line;
-    const std::size_t end = text.find('\n');
-    const std::vector<Field> fields = fields_of(text.substr(0, end));
-    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  TextLines lines(text);
+  while (const std::optional<std::string_view> whole = lines.next()) {
+    const int line = lines.row();
+    const std::vector<Field> fields = fields_of(*whole);
     if (fields.empty()) continue;
     const std::optional<double> t = number_of_text(fields[0].text);
     const bool heading = heading_may_come && !t;
@@ -96,7 +93,7 @@ Record read_columns(std::string_view text, const std::string& name, Gaps gaps) {
   }
   if (record.time.size() < 2)
     throw CaseError(
-        name, {std::max(line, 1), 1},
+        name, {std::max(lines.row(), 1), 1},
         {fmt::format("the record has {} rows of numbers", record.time.size()), "", "", "at least two rows", kForm});
   if (gaps == Gaps::refuse) refuse_gaps(name, record.time, stamps);
   return record;

@@ -57,7 +57,6 @@ std::string allowed_text(const Key& key) {
     case Type::table:
       return "a table " + header_text(key);
     case Type::named_tables:
-      return "tables " + header_text(key);
     case Type::table_list:
       return "tables " + header_text(key);
     case Type::boolean:

@@ -1,9 +1,19 @@
 #include "io/case/text_fields.h"
 
-#include <charconv>
-#include <cmath>
-
 namespace scree::io {
+
+TextLines::TextLines(std::string_view text) : rest_(text) {
+  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+}
+
+std::optional<std::string_view> TextLines::next() {
+  if (rest_.empty()) return std::nullopt;
+  ++row_;
+  const std::size_t end = rest_.find('\n');
+  const std::string_view line = rest_.substr(0, end);
+  rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
+  return line;
+}
 
 std::vector<Field> fields_of(std::string_view line) {
   line = line.substr(0, line.find('#'));
@@ -28,13 +38,6 @@ std::vector<Field> fields_of(std::string_view line) {
     }
   }
   return fields;
-}
-
-bool read_number(std::string_view text, double& value) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec == std::errc::result_out_of_range) value = std::nan("");  // a number, but not a finite one of ours
-  return read.ec != std::errc::invalid_argument && read.ptr == text.data() + text.size();
 }
 
 }  // namespace scree::io

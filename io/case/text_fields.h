@@ -1,10 +1,26 @@
-// Fields of a line of a text file with columns.
+// Lines of a text file, and the fields of a line with columns.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace scree::io {
+
+/// The lines of a text one after another; a byte order mark before the first is passed over.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text);
+
+  /// The next line without its '\n' (a '\r' before it stays); nothing after the last.
+  [[nodiscard]] std::optional<std::string_view> next();
+  /// Number of the line that next() gave last, from 1; 0 before the first.
+  [[nodiscard]] int row() const { return row_; }
+
+ private:
+  std::string_view rest_;
+  int row_ = 0;
+};
 
 struct Field {
   std::string_view text;
@@ -13,8 +29,5 @@ struct Field {
 
 /// Fields of a line without its comment ('#' to the end). Commas and semicolons separate, so does white space.
 [[nodiscard]] std::vector<Field> fields_of(std::string_view line);
-
-/// Reads a whole field as a decimal number; one beyond the range of double gives nan. False where it is no number.
-[[nodiscard]] bool read_number(std::string_view text, double& value);
 
 }  // namespace scree::io

@@ -1,6 +1,7 @@
 #include "io/watch/dashboard_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/results/run_reader.h"
 

@@ -17,12 +17,7 @@ const std::string kCounts = "NPTS=  4, DT= .00500 SEC\n";
 
 Record read(const std::string& text) { return read_at2(text, "a.AT2"); }
 CaseError error_of(const std::string& text) {
-  try {
-    (void)read(text);
-  } catch (const CaseError& e) {
-    return e;
-  }
-  return {"no error", {}, {}};
+  return error_in([&] { (void)read(text); });
 }
 
 TEST(At2, both_headers_and_their_spellings_are_read) {

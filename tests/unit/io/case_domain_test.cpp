@@ -9,8 +9,6 @@
 namespace scree::io::test {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 const std::string kDomain = R"(
 [model]
 default_joint = "rough"

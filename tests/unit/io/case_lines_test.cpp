@@ -48,6 +48,12 @@ TEST(LineFile, byte_order_mark_and_windows_line_ends_are_fine) {
   EXPECT_EQ(f.lines.size(), 2u) << f.problem;
 }
 
+TEST(LineFile, numbers_are_read_as_in_records) {
+  const Lines f("+1.5D-3, 1e-400\n1d0 -2\n");
+  ASSERT_EQ(f.lines.size(), 1u) << f.problem;
+  EXPECT_EQ(f.lines[0].points, (std::vector<Vec2>{{1.5e-3, 0}, {1, -2}}));
+}
+
 TEST(LineFile, faults_are_reported_at_their_place) {
   const struct {
     const char* text;
@@ -56,6 +62,8 @@ TEST(LineFile, faults_are_reported_at_their_place) {
   } wrong[] = {{"0,0\n1,x\n", 2, 3, "not a number"},
                {"x,y\ny,x\n", 2, 1, "not a number"},
                {"0,0\n1\n", 2, 1, "1 columns"},
+               {"0,0\n+-1,1\n", 2, 1, "not a number"},
+               {"0,0\n1,-1e400\n", 2, 3, "out of range"},
                {"0,0,a,b\n", 1, 7, "4 columns"},
                {"0,0\n1,nan\n", 2, 3, "out of range"},
                {"0,0\n1e10,1\n", 2, 1, "out of range"},

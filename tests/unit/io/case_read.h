@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
@@ -34,22 +35,36 @@ inline Case read_text(const std::string& text, const std::vector<std::string>& o
   return read_case_text(text, kFolder + "in_memory.toml", overrides, kMethods);
 }
 
-/// The error of reading a text; an error without message where there is none.
-inline CaseError error_of_text(const std::string& text, const std::vector<std::string>& overrides = {}) {
+/// The error that an action ends with; an error without message where there is none.
+template <class Action>
+CaseError error_in(const Action& action) {
   try {
-    (void)read_text(text, overrides);
+    action();
   } catch (const CaseError& e) {
     return e;
   }
   return {"no error", {}, {}};
 }
+inline CaseError error_of_text(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return error_in([&] { (void)read_text(text, overrides); });
+}
 inline CaseError error_of_file(const std::string& path, const std::vector<std::string>& overrides = {}) {
-  try {
-    (void)read_case(path, overrides, kMethods);
-  } catch (const CaseError& e) {
-    return e;
-  }
-  return {"no error", {}, {}};
+  return error_in([&] { (void)read_case(path, overrides, kMethods); });
+}
+
+inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Compares an error with line, column and key as they are to be, and with parts of value, problem, allowed and hint.
+template <class Wrong>
+void expect_told(const CaseError& e, const Wrong& w) {
+  EXPECT_EQ(e.line, w.line) << e.what();
+  EXPECT_EQ(e.column, w.column) << e.what();
+  EXPECT_EQ(e.key, w.key) << e.what();
+  EXPECT_TRUE(holds(e.value, w.value)) << e.what();
+  EXPECT_TRUE(holds(e.problem, w.problem)) << e.what();
+  EXPECT_TRUE(holds(e.allowed, w.allowed)) << e.what();
+  EXPECT_TRUE(holds(e.hint, w.hint)) << e.what();
+  EXPECT_FALSE(e.allowed.empty() || e.hint.empty()) << e.what();
 }
 
 /// Everything that a case says to the rest of the program, as text.
