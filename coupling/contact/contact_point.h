@@ -39,7 +39,7 @@ struct ContactPoint {
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
   bool facing = false;                 // part of an edge-edge contact
-  double first_gap0 = 0.0;             // of a new point [m]
+  double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
   bool suppressed = false;             // another edge at the same convex corner is the way out
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]

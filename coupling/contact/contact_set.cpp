@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace scree::coupling {
@@ -103,32 +104,60 @@ bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& kn
   return closed;
 }
 
-template <class See>
-void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
-  const Outlines& o = setup_->outlines();
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
-    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(of)];
-    for (std::int32_t k = 0; k <= e.segments; ++k) {
-      const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
-      for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
-        if (known.points[i].edge == against) see(i);
-    }
+template <class Take, class See>
+void ContactFinder::for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const {
+  const Outlines::Edge& e = setup_->outlines().edges[static_cast<std::size_t>(edge)];
+  for (std::int32_t k = 0; k <= e.segments; ++k) {
+    const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
+    for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
+      if (take(known.points[i].edge)) see(i);
   }
 }
 
-double ContactFinder::first_gap0(const ContactPoint& p, std::int32_t own, const ContactList& known) const {
+template <class See>
+void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
+    for_vertices(of, known, [other = against](std::int32_t edge) { return edge == other; }, see);
+}
+
+template <class See>
+void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
+    const Vec2& t = direction_[static_cast<std::size_t>(against)];
+    for_vertices(
+        of, known,
+        [&](std::int32_t edge) { return direction_[static_cast<std::size_t>(edge)].dot(t) > kStillFaces; }, see);
+  }
+}
+
+const ContactMemory* ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const {
+  if (!p.facing || p.largest_share == 0.0) return nullptr;
   const Outlines& o = setup_->outlines();
-  double nearest = 0.0;
-  const ContactMemory* neighbour = nullptr;
-  for_pair(own, p.edge, known, [&](std::size_t i) {
-    if (!p.facing || p.largest_share == 0.0 || known.memory[i].facing == 0) return;
-    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known.points[i].vertex)].node);
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  const Vec2& t = direction_[static_cast<std::size_t>(p.edge)];
+  const bool out_faces =
+      direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
+  const std::int32_t own = out_faces ? v.edge_out : v.edge_in;
+  double nearest = std::numeric_limits<double>::infinity();
+  const ContactMemory* found = nullptr;
+  const auto look = [&](std::size_t i, double within) {
+    const ContactMemory& m = known.memory[i];
+    const ContactPoint& k = known.points[i];
+    if (m.facing == 0 || m.status == ContactStatus::open || (k.vertex == p.vertex && k.edge == p.edge)) return;
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(k.vertex)].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
-    if (neighbour != nullptr && d >= nearest) return;
+    if (d > within || d >= nearest) return;
     nearest = d;
-    neighbour = &known.memory[i];
-  });
-  return neighbour != nullptr ? neighbour->gap0 : std::min(p.at.gap, 0.0);
+    found = &m;
+  };
+  if (same_pair) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
+  if (found == nullptr) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
+  return found;
+}
+
+double ContactFinder::entry_depth(const ContactPoint& p, const ContactMemory& m, const ContactList& known) const {
+  const ContactMemory* before = neighbour(p, known, false);
+  return before != nullptr ? std::max(0.0, before->gap - m.gap) : -m.gap;
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -288,9 +317,9 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
     // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out.
-    if (old == nullptr)
+    if (old == nullptr || m.gap < 0.0)
       m.gap0 = p.first_gap0;
-    else if (m.gap < 0.0 || m.segment < 0)
+    else if (m.segment < 0)
       m.gap0 = std::min(p.at.gap, 0.0);
     else
       m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
@@ -374,9 +403,10 @@ void ContactFinder::pair_edges(ContactList& list) const {
     }
 }
 
-void ContactFinder::suppress_second_edges(ContactList& list) const {
+void ContactFinder::suppress_second_edges(const ContactList& known, ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
-  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer.
+  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
+  // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
   for (std::size_t i = 0; i < list.points.size(); ++i)
     for (const std::int32_t other : list.points[i].partner) {
       if (other <= static_cast<std::int32_t>(i)) continue;
@@ -385,7 +415,8 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = -ma.gap * keep_a <= -mb.gap * keep_b;
+      const bool a_wins = entry_depth(list.points[i], ma, known) * keep_a <=
+                          entry_depth(list.points[j], mb, known) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -434,7 +465,10 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    if (p.from < 0) p.first_gap0 = first_gap0(p, pair.own, known);
+    if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
+      const ContactMemory* beside = neighbour(p, known, true);
+      p.first_gap0 = beside != nullptr ? beside->gap0 : std::min(p.at.gap, 0.0);
+    }
     out.points.push_back(p);
   }
   inherit(known, out);
@@ -448,7 +482,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   }
   interpolate(known, out);
   pair_edges(out);
-  suppress_second_edges(out);
+  suppress_second_edges(known, out);
 }
 
 double ContactFinder::adopt_kinds(ContactList& list) const {
