@@ -117,7 +117,8 @@ void ContactFinder::for_vertices(std::int32_t edge, const ContactList& known, Ta
 template <class See>
 void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
   for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
-    for_vertices(of, known, [other = against](std::int32_t edge) { return edge == other; }, see);
+    for_vertices(
+        of, known, [other = against](std::int32_t edge) { return edge == other; }, see);
 }
 
 template <class See>
@@ -125,13 +126,13 @@ void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, const Contact
   for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
     const Vec2& t = direction_[static_cast<std::size_t>(against)];
     for_vertices(
-        of, known,
-        [&](std::int32_t edge) { return direction_[static_cast<std::size_t>(edge)].dot(t) > kStillFaces; }, see);
+        of, known, [&](std::int32_t edge) { return direction_[static_cast<std::size_t>(edge)].dot(t) > kStillFaces; },
+        see);
   }
 }
 
-const ContactMemory* ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const {
-  if (!p.facing || p.largest_share == 0.0) return nullptr;
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const {
+  if (!p.facing || p.largest_share == 0.0) return -1;
   const Outlines& o = setup_->outlines();
   const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
   const Vec2& t = direction_[static_cast<std::size_t>(p.edge)];
@@ -139,7 +140,7 @@ const ContactMemory* ContactFinder::neighbour(const ContactPoint& p, const Conta
       direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
   const std::int32_t own = out_faces ? v.edge_out : v.edge_in;
   double nearest = std::numeric_limits<double>::infinity();
-  const ContactMemory* found = nullptr;
+  std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
     const ContactMemory& m = known.memory[i];
     const ContactPoint& k = known.points[i];
@@ -148,16 +149,16 @@ const ContactMemory* ContactFinder::neighbour(const ContactPoint& p, const Conta
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
     if (d > within || d >= nearest) return;
     nearest = d;
-    found = &m;
+    found = static_cast<std::int32_t>(i);
   };
   if (same_pair) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
-  if (found == nullptr) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
+  if (found < 0) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
   return found;
 }
 
 double ContactFinder::entry_depth(const ContactPoint& p, const ContactMemory& m, const ContactList& known) const {
-  const ContactMemory* before = neighbour(p, known, false);
-  return before != nullptr ? std::max(0.0, before->gap - m.gap) : -m.gap;
+  const std::int32_t before = neighbour(p, known, false);
+  return before >= 0 ? std::max(0.0, known.memory[static_cast<std::size_t>(before)].gap - m.gap) : -m.gap;
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -415,8 +416,8 @@ void ContactFinder::suppress_second_edges(const ContactList& known, ContactList&
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = entry_depth(list.points[i], ma, known) * keep_a <=
-                          entry_depth(list.points[j], mb, known) * keep_b;
+      const bool a_wins =
+          entry_depth(list.points[i], ma, known) * keep_a <= entry_depth(list.points[j], mb, known) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -466,8 +467,8 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
-      const ContactMemory* beside = neighbour(p, known, true);
-      p.first_gap0 = beside != nullptr ? beside->gap0 : std::min(p.at.gap, 0.0);
+      p.beside = neighbour(p, known, true);
+      p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
     }
     out.points.push_back(p);
   }
@@ -479,6 +480,14 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const auto from = static_cast<std::size_t>(p.from);
     fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
          out.memory[i]);
+    if (p.from < 0 && p.beside >= 0 && out.memory[i].gap < 0.0) {  // the joint is the same, and so is its friction
+      const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
+      ContactMemory& m = out.memory[i];
+      m.status = ContactStatus::stick;
+      m.failed = beside.failed;
+      m.stretch = beside.stretch;
+      m.anchor = p.at.xi - m.stretch / p.at.length;
+    }
   }
   interpolate(known, out);
   pair_edges(out);

@@ -60,8 +60,8 @@ class ContactFinder {
   template <class Take, class See>
   void for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const;
   /// The nearest other closed point of the same edge-edge contact, else of one in line where the joint goes on from
-  /// another block; null if there is none.
-  [[nodiscard]] const ContactMemory* neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const;
+  /// another block; -1 if there is none.
+  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const;
   /// How much deeper a point is than the joint in line beside it; its depth where there is none [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p, const ContactMemory& m, const ContactList& known) const;
   void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
