@@ -36,7 +36,7 @@ struct ContactPoint {
   std::int32_t vertex = -1, edge = -1, segment = -1;  // into Outlines
   std::int32_t joint = -1;                            // law between the edges
   std::int32_t from = -1;                             // its point in the list it was found from; -1: new
-  std::int32_t beside = -1;                           // of a new point: the closed one in that list that it begins like
+  std::int32_t beside = -1;                           // of a new point: the one in that list that it begins like
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
   bool facing = false;                 // part of an edge-edge contact

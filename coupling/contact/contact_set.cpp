@@ -123,15 +123,17 @@ void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& 
 
 template <class See>
 void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
-    const Vec2& t = direction_[static_cast<std::size_t>(against)];
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
     for_vertices(
-        of, known, [&](std::int32_t edge) { return direction_[static_cast<std::size_t>(edge)].dot(t) > kStillFaces; },
+        of, known,
+        [this, other = against](std::int32_t edge) {
+          return edge != other && direction_[static_cast<std::size_t>(edge)].dot(
+                                      direction_[static_cast<std::size_t>(other)]) > kStillFaces;
+        },
         see);
-  }
 }
 
-std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const {
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const {
   if (!p.facing || p.largest_share == 0.0) return -1;
   const Outlines& o = setup_->outlines();
   const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
@@ -144,21 +146,26 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& 
   const auto look = [&](std::size_t i, double within) {
     const ContactMemory& m = known.memory[i];
     const ContactPoint& k = known.points[i];
-    if (m.facing == 0 || m.status == ContactStatus::open || (k.vertex == p.vertex && k.edge == p.edge)) return;
+    if (m.facing == 0 || (k.vertex == p.vertex && k.edge == p.edge)) return;
+    if (m.status == ContactStatus::open && (next_only || p.from >= 0)) return;
     const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(k.vertex)].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
     if (d > within || d >= nearest) return;
     nearest = d;
     found = static_cast<std::int32_t>(i);
   };
-  if (same_pair) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
+  if (!next_only) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
   if (found < 0) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
   return found;
 }
 
-double ContactFinder::entry_depth(const ContactPoint& p, const ContactMemory& m, const ContactList& known) const {
-  const std::int32_t before = neighbour(p, known, false);
-  return before >= 0 ? std::max(0.0, known.memory[static_cast<std::size_t>(before)].gap - m.gap) : -m.gap;
+double ContactFinder::entry_depth(const ContactPoint& p, const ContactList& known) const {
+  const std::int32_t i = neighbour(p, known, true);
+  if (i < 0) return -p.at.gap;
+  const ContactPoint& beside = known.points[static_cast<std::size_t>(i)];
+  const std::int32_t part = std::max(0, known.memory[static_cast<std::size_t>(i)].segment);
+  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(beside.edge)];
+  return std::max(0.0, geometry(beside.vertex, edge.first_segment + part).gap - p.at.gap);
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -416,8 +423,7 @@ void ContactFinder::suppress_second_edges(const ContactList& known, ContactList&
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins =
-          entry_depth(list.points[i], ma, known) * keep_a <= entry_depth(list.points[j], mb, known) * keep_b;
+      const bool a_wins = entry_depth(list.points[i], known) * keep_a <= entry_depth(list.points[j], known) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -467,7 +473,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
-      p.beside = neighbour(p, known, true);
+      p.beside = neighbour(p, known, false);
       p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
     }
     out.points.push_back(p);
@@ -480,9 +486,10 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const auto from = static_cast<std::size_t>(p.from);
     fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
          out.memory[i]);
-    if (p.from < 0 && p.beside >= 0 && out.memory[i].gap < 0.0) {  // the joint is the same, and so is its friction
-      const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
-      ContactMemory& m = out.memory[i];
+    ContactMemory& m = out.memory[i];
+    if (p.from >= 0 || p.beside < 0 || m.gap >= 0.0) continue;
+    const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
+    if (beside.status != ContactStatus::open) {  // the joint is the same, and so is its friction
       m.status = ContactStatus::stick;
       m.failed = beside.failed;
       m.stretch = beside.stretch;

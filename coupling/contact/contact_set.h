@@ -59,11 +59,12 @@ class ContactFinder {
   /// Calls see(i) for the known points of an edge's vertices on the edges that take() accepts.
   template <class Take, class See>
   void for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const;
-  /// The nearest other closed point of the same edge-edge contact, else of one in line where the joint goes on from
-  /// another block; -1 if there is none.
-  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, const ContactList& known, bool same_pair) const;
-  /// How much deeper a point is than the joint in line beside it; its depth where there is none [m].
-  [[nodiscard]] double entry_depth(const ContactPoint& p, const ContactMemory& m, const ContactList& known) const;
+  /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
+  /// block; -1 if there is none. Only a new point may begin like an open one.
+  /// @param next_only  leave out the point's own contact
+  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const;
+  /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
+  [[nodiscard]] double entry_depth(const ContactPoint& p, const ContactList& known) const;
   void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
   [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
