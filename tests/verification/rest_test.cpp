@@ -22,8 +22,8 @@ struct Scheme {
 std::ostream& operator<<(std::ostream& out, const Scheme& s) { return out << s.name; }
 
 const Methods& methods() {
-  static const Methods all = standard_methods();
-  return all;
+  static const Methods kAll = standard_methods();
+  return kAll;
 }
 
 struct Watch final : Sink {
