@@ -36,10 +36,11 @@ struct ContactPoint {
   std::int32_t vertex = -1, edge = -1, segment = -1;  // into Outlines
   std::int32_t joint = -1;                            // law between the edges
   std::int32_t from = -1;                             // its point in the list it was found from; -1: new
+  std::int32_t beside = -1;                           // of a new point: the one in that list that it begins like
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
   bool facing = false;                 // part of an edge-edge contact
-  double first_gap0 = 0.0;             // of a new point [m]
+  double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
   bool suppressed = false;             // another edge at the same convex corner is the way out
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]

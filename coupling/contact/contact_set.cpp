@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scree::coupling {
 namespace {
@@ -95,32 +96,68 @@ bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& kn
   return closed;
 }
 
-template <class See>
-void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
-  const Outlines& o = setup_->outlines();
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
-    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(of)];
-    for (std::int32_t k = 0; k <= e.segments; ++k) {
-      const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
-      for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
-        if (known.points[i].edge == against) see(i);
-    }
+template <class Take, class See>
+void ContactFinder::for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const {
+  const Outlines::Edge& e = setup_->outlines().edges[static_cast<std::size_t>(edge)];
+  for (std::int32_t k = 0; k <= e.segments; ++k) {
+    const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
+    for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
+      if (take(known.points[i].edge)) see(i);
   }
 }
 
-double ContactFinder::first_gap0(const ContactPoint& p, std::int32_t own, const ContactList& known) const {
+template <class See>
+void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
+    for_vertices(
+        of, known, [other = against](std::int32_t edge) { return edge == other; }, see);
+}
+
+template <class See>
+void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
+    for_vertices(
+        of, known,
+        [this, other = against](std::int32_t edge) {
+          return edge != other && direction_[static_cast<std::size_t>(edge)].dot(
+                                      direction_[static_cast<std::size_t>(other)]) > kStillFaces;
+        },
+        see);
+}
+
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const {
+  if (!p.facing || p.largest_share == 0.0) return -1;
   const Outlines& o = setup_->outlines();
-  double nearest = 0.0;
-  const ContactMemory* neighbour = nullptr;
-  for_pair(own, p.edge, known, [&](std::size_t i) {
-    if (!p.facing || p.largest_share == 0.0 || known.memory[i].facing == 0) return;
-    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known.points[i].vertex)].node);
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  const Vec2& t = direction_[static_cast<std::size_t>(p.edge)];
+  const bool out_faces =
+      direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
+  const std::int32_t own = out_faces ? v.edge_out : v.edge_in;
+  double nearest = std::numeric_limits<double>::infinity();
+  std::int32_t found = -1;
+  const auto look = [&](std::size_t i, double within) {
+    const ContactMemory& m = known.memory[i];
+    const ContactPoint& k = known.points[i];
+    if (m.facing == 0 || (k.vertex == p.vertex && k.edge == p.edge)) return;
+    if (m.status == ContactStatus::open && (next_only || p.from >= 0)) return;
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(k.vertex)].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
-    if (neighbour != nullptr && d >= nearest) return;
+    if (d > within || d >= nearest) return;
     nearest = d;
-    neighbour = &known.memory[i];
-  });
-  return neighbour != nullptr ? neighbour->gap0 : std::min(p.at.gap, 0.0);
+    found = static_cast<std::int32_t>(i);
+  };
+  if (!next_only) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
+  if (found < 0) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
+  return found;
+}
+
+double ContactFinder::entry_depth(const ContactPoint& p, const ContactList& known) const {
+  const std::int32_t i = neighbour(p, known, true);
+  if (i < 0) return -p.at.gap;
+  const ContactPoint& beside = known.points[static_cast<std::size_t>(i)];
+  const std::int32_t part = std::max(0, known.memory[static_cast<std::size_t>(i)].segment);
+  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(beside.edge)];
+  return std::max(0.0, geometry(beside.vertex, edge.first_segment + part).gap - p.at.gap);
 }
 
 void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
@@ -285,9 +322,9 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
     // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out.
-    if (old == nullptr)
+    if (old == nullptr || m.gap < 0.0)
       m.gap0 = p.first_gap0;
-    else if (m.gap < 0.0 || m.segment < 0)
+    else if (m.segment < 0)
       m.gap0 = std::min(p.at.gap, 0.0);
     else
       m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
@@ -371,9 +408,10 @@ void ContactFinder::pair_edges(ContactList& list) const {
     }
 }
 
-void ContactFinder::suppress_second_edges(ContactList& list) const {
+void ContactFinder::suppress_second_edges(const ContactList& known, ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
-  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer.
+  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
+  // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
   for (std::size_t i = 0; i < list.points.size(); ++i)
     for (const std::int32_t other : list.points[i].partner) {
       if (other <= static_cast<std::int32_t>(i)) continue;
@@ -382,7 +420,7 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = -ma.gap * keep_a <= -mb.gap * keep_b;
+      const bool a_wins = entry_depth(list.points[i], known) * keep_a <= entry_depth(list.points[j], known) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -431,7 +469,10 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    if (p.from < 0) p.first_gap0 = first_gap0(p, pair.own, known);
+    if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
+      p.beside = neighbour(p, known, false);
+      p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
+    }
     out.points.push_back(p);
   }
   inherit(known, out);
@@ -442,10 +483,19 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const auto from = static_cast<std::size_t>(p.from);
     fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
          out.memory[i]);
+    ContactMemory& m = out.memory[i];
+    if (p.from >= 0 || p.beside < 0 || m.gap >= 0.0) continue;
+    const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
+    if (beside.status != ContactStatus::open) {  // the joint is the same, and so is its friction
+      m.status = ContactStatus::stick;
+      m.failed = beside.failed;
+      m.stretch = beside.stretch;
+      m.anchor = p.at.xi - m.stretch / p.at.length;
+    }
   }
   interpolate(known, out);
   pair_edges(out);
-  suppress_second_edges(out);
+  suppress_second_edges(known, out);
 }
 
 double ContactFinder::adopt_kinds(ContactList& list) const {

@@ -53,8 +53,18 @@ class ContactFinder {
   /// Calls see(i) for the known points between two edges.
   template <class See>
   void for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const;
-  /// gap0 of a new point: that of its neighbour in an edge-edge contact; else the depth at which it is found.
-  [[nodiscard]] double first_gap0(const ContactPoint& p, std::int32_t own, const ContactList& known) const;
+  /// Calls see(i) for the known points that vertices of either edge have on edges in line with the other, of any body.
+  template <class See>
+  void for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const;
+  /// Calls see(i) for the known points of an edge's vertices on the edges that take() accepts.
+  template <class Take, class See>
+  void for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const;
+  /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
+  /// block; -1 if there is none. Only a new point may begin like an open one.
+  /// @param next_only  leave out the point's own contact
+  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const;
+  /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
+  [[nodiscard]] double entry_depth(const ContactPoint& p, const ContactList& known) const;
   void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
   [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
@@ -69,7 +79,7 @@ class ContactFinder {
   /// from the remembered points on either side.
   void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
-  void suppress_second_edges(ContactList& list) const;
+  void suppress_second_edges(const ContactList& known, ContactList& list) const;
 
   const Setup* setup_;
   double detection_, touching_;

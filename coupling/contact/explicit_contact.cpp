@@ -138,8 +138,9 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
       book_pair(a, b, arriving, ledger);
     } else if (now_.memory[b].gap < 0.0) {
       ledger.book(Column::contact_damping, -arriving.damping);
-      ledger.book(Column::contact_edges,
-                  arriving.normal + arriving.tangential + normal_energy(now_.points[b], now_.memory[b]));
+      ledger.book(Column::contact_edges, arriving.normal + arriving.tangential +
+                                             normal_energy(now_.points[b], now_.memory[b]) +
+                                             tangential_energy(now_.memory[b]));
     }
   }
   for (std::size_t i = 0; i < before_.points.size(); ++i) {

@@ -242,7 +242,7 @@ bool Newmark::may_close(std::size_t i) const {
   const double foot = p.at.xi * p.at.length + trial_[i].moved;
   if (foot < p.s_low || foot > p.s_high) return false;
   for (const std::int32_t other : p.partner) {
-    if (other < 0) continue;
+    if (other < 0 || list_.points[static_cast<std::size_t>(other)].suppressed) continue;
     const Trial& t = trial_[static_cast<std::size_t>(other)];
     if (t.status != ContactStatus::open) return false;
     const ContactPoint& po = list_.points[static_cast<std::size_t>(other)];

@@ -1,0 +1,196 @@
+// Stages that run to rest, and what contacts keep where stages change.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "tests/support/scene.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+constexpr double kGravity = 9.81, kDensity = 2600.0, kYoung = 1e9;
+
+struct Scheme {
+  const char* name;
+  const char* method;
+  Integrator integrator;
+  [[nodiscard]] bool implicit() const { return integrator == Integrator::implicit; }
+};
+std::ostream& operator<<(std::ostream& out, const Scheme& s) { return out << s.name; }
+
+const Methods& methods() {
+  static const Methods kAll = standard_methods();
+  return kAll;
+}
+
+struct Watch final : Sink {
+  std::function<void(const FrameView&)> see;
+  void frame(const FrameView& view) override { see(view); }
+};
+
+class Rest : public testing::TestWithParam<Scheme> {};
+
+/// Three blocks of 1.2 x 1 m on a fixed base, without Poisson's effect: a column in one dimension.
+TEST_P(Rest, stack_comes_to_its_static_state_and_stays) {
+  const Scheme scheme = GetParam();
+  Scene scene(kYoung, 0.0, kDensity, 30.0);
+  scene.add("base", rectangle(-1, -1, 2.2, 0), true);
+  for (int i = 0; i < 3; ++i) scene.add("b" + std::to_string(i), rectangle(0, i, 1.2, i + 1));
+  const std::optional<double> dt = scheme.implicit() ? std::optional<double>(1e-2) : std::nullopt;
+  const double rest = scheme.implicit() ? 1.0 : 2.0;
+  scene.stage(scheme.method, scheme.integrator, rest, dt, 0.5).rest = true;
+  scene.stage(scheme.method, scheme.integrator, 0.5, dt, 0.5);
+  scene.plan.output.every = ticks(0.5);
+  Driver run(scene.model, scene.plan, methods());
+  std::vector<Vec2> rested;
+  double reaction = 0.0, rest_damping = 0.0, sunk = 0.0, kinetic = 1.0, closure = 1.0, gravity = 0.0;
+  Watch watch;
+  watch.see = [&](const FrameView& view) {
+    if (view.state->stage != 1 || !rested.empty()) return;
+    const Ledger& ledger = view.state->ledger;
+    for (const ContactMemory& m : view.state->contacts)
+      if (m.key.block_p == 0 || m.key.block_e == 0) reaction += m.fn;
+    for (std::int32_t i = 1; i <= 3; ++i) {
+      rested.push_back(centre_of(run, BlockId{i}));
+      sunk += i - 0.5 - rested.back().y();
+    }
+    rest_damping = ledger[Column::rest_damping];
+    gravity = ledger[Column::gravity];
+    kinetic = ledger[Column::kinetic];
+    closure = ledger.relative_closure();
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  ASSERT_EQ(rested.size(), 3U);
+
+  const double weight = 1.2 * kDensity * kGravity;  // of a block
+  double drift = 0.0;
+  for (std::int32_t i = 1; i <= 3; ++i)
+    drift = std::max(drift, (centre_of(run, BlockId{i}) - rested[static_cast<std::size_t>(i) - 1]).norm());
+  // The topmost centroid sinks by three joints, of stiffness E over the height of 1 m, by the two blocks below, each
+  // under the mean of the stress at its ends, and by its own lower half: its mean stress in DDA, which has one strain
+  // a block, p/4; p/3 in truth, the mean of p (y - y^2/2).
+  const double p = kDensity * kGravity;  // of one block's weight
+  const double joints = (3.0 + 2.0 + 1.0) * p / kYoung, below = (2.5 + 1.5) * p / kYoung;
+  const double half = (std::string(scheme.method) == "dda" ? 0.25 : 1.0 / 3.0) * p / kYoung;
+  const double expected = joints + below + half, settled = 2.5 - rested[2].y();
+  std::printf("%s: reaction off by %.1e, settlement by %.1e, drift %.1e m, rest damping %.3g of %.3g J, closure %.1e\n",
+              scheme.name, reaction / (3.0 * weight) - 1.0, settled / expected - 1.0, drift, rest_damping, gravity,
+              closure);
+  EXPECT_NEAR(reaction / (3.0 * weight), 1.0, 1e-8);
+  EXPECT_NEAR(settled / expected, 1.0, scheme.implicit() ? 2e-4 : 2e-3);  // strains of 1e-4; the mesh
+  EXPECT_LT(drift, 1e-9);
+  EXPECT_LT(kinetic, 1e-12 * gravity);
+  EXPECT_GT(rest_damping, 0.1 * gravity);
+  EXPECT_NEAR(gravity / (weight * sunk), 1.0, 1e-8);  // positions are rounded at each of 4e4 steps
+  EXPECT_LT(closure, 1e-10);
+  EXPECT_LT(run.state().ledger.relative_closure(), 1e-10);
+}
+INSTANTIATE_TEST_SUITE_P(schemes, Rest,
+                         testing::Values(Scheme{"nmm", "nmm", Integrator::explicit_},
+                                         Scheme{"dda_implicit", "dda", Integrator::implicit}),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+/// Two blocks on a slope below their friction angle: closed, sheared contacts of a column and of its foot.
+class HandOverOfContacts : public testing::Test {
+ protected:
+  HandOverOfContacts() {
+    const Mat2 R = rotation(-20.0 * kDegree);
+    const Vec2 origin(0.0, 0.0);
+    scene_.add("plane", transformed(rectangle(-3, -1, 6, 0), origin, R), true);
+    scene_.add("lower", transformed(rectangle(0, 0, 1.5, 1), origin, R));
+    scene_.add("upper", transformed(rectangle(0.2, 1, 1.3, 1.8), origin, R));
+  }
+  Scene scene_{kYoung, 0.2, kDensity, 40.0};
+};
+
+TEST_F(HandOverOfContacts, corners_keep_effective_gap_and_stretch) {
+  scene_.stage("dda", Integrator::implicit, 0.4, 1e-2).rest = true;
+  scene_.stage("nmm", Integrator::explicit_, 0.05, std::nullopt, 0.4).damping = 50.0;
+  scene_.stage("dda", Integrator::implicit, 0.1, 2e-3);
+  scene_.plan.output.every = ticks(0.05);
+  Driver run(scene_.model, scene_.plan, methods());
+  std::int32_t stage = 0;
+  int compared = 0;
+  double gap = 0.0, stretch = 0.0, scale_gap = 0.0, scale_stretch = 0.0;
+  std::map<ContactKey, ContactMemory> before;
+  Watch watch;
+  watch.see = [&](const FrameView& view) {
+    EXPECT_LT(view.state->ledger.relative_closure(), 1e-9) << "t = " << view.time;
+    if (view.state->stage != stage) {
+      stage = view.state->stage;
+      for (const ContactMemory& m : view.state->contacts) {
+        const auto old = before.find(m.key);
+        if (m.key.part > 0 || old == before.end() || old->second.status == ContactStatus::open) continue;
+        ++compared;
+        gap = std::max(gap, std::abs(m.gap - old->second.gap));
+        stretch = std::max(stretch, std::abs(m.stretch - old->second.stretch));
+        scale_gap = std::max(scale_gap, std::abs(m.gap));
+        scale_stretch = std::max(scale_stretch, std::abs(m.stretch));
+      }
+    }
+    before.clear();
+    for (const ContactMemory& m : view.state->contacts) before[m.key] = m;
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  std::printf("%d corners: gap %.1e of %.1e m, stretch %.1e of %.1e m\n", compared, gap, scale_gap, stretch,
+              scale_stretch);
+  EXPECT_GE(compared, 8);
+  EXPECT_GT(scale_stretch, 1e-6);  // sheared indeed
+  EXPECT_LT(gap, 1e-12);
+  EXPECT_LT(stretch, 1e-12);
+}
+
+/// The weight stays on the joints: forces right after the hand-over balance it as they did before.
+TEST_F(HandOverOfContacts, resultants_stay) {
+  scene_.stage("dda", Integrator::implicit, 0.4, 1e-2).rest = true;
+  scene_.stage("nmm", Integrator::explicit_, 0.05, std::nullopt, 0.4);
+  scene_.plan.output.every = ticks(0.05);
+  Driver run(scene_.model, scene_.plan, methods());
+  double normal[2] = {0.0, 0.0}, tangential[2] = {0.0, 0.0};
+  Watch watch;
+  watch.see = [&](const FrameView& view) {
+    if (std::abs(view.time - 0.4) > 1e-9) return;
+    const auto s = static_cast<std::size_t>(view.state->stage);
+    normal[s] = tangential[s] = 0.0;
+    for (const ContactMemory& m : view.state->contacts) {
+      if (m.key.block_p != 0 && m.key.block_e != 0) continue;
+      normal[s] += m.fn;
+      tangential[s] += m.ft;
+    }
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  const double weight = kDensity * kGravity * (1.5 + 1.1 * 0.8);
+  EXPECT_NEAR(normal[0] / (weight * std::cos(20.0 * kDegree)), 1.0, 1e-6);
+  EXPECT_NEAR(std::abs(tangential[0]) / (weight * std::sin(20.0 * kDegree)), 1.0, 1e-6);
+  EXPECT_NEAR(normal[1] / normal[0], 1.0, 1e-3);  // shares are those of another mesh on slightly bent edges
+  EXPECT_NEAR(tangential[1] / tangential[0], 1.0, 1e-3);
+}
+
+/// Sliding through changes of scheme, in both directions: nothing of one scheme is left in the books of the other.
+TEST_F(HandOverOfContacts, moving_blocks_close_the_books_through_every_change) {
+  scene_.model.joints[0].friction = 10.0 * kDegree;
+  for (const auto& [method, integrator] :
+       {std::pair("nmm", Integrator::explicit_), std::pair("dda", Integrator::implicit),
+        std::pair("dda", Integrator::explicit_), std::pair("dda", Integrator::implicit),
+        std::pair("dda", Integrator::explicit_)})
+    scene_.stage(method, integrator, 0.05,
+                 integrator == Integrator::implicit ? std::optional<double>(1e-3) : std::nullopt, 0.4);
+  scene_.plan.output.every = ticks(0.01);
+  Driver run(scene_.model, scene_.plan, methods());
+  double worst = 0.0;
+  Watch watch;
+  watch.see = [&](const FrameView& view) { worst = std::max(worst, view.state->ledger.relative_closure()); };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  std::printf("closure %.1e\n", worst);
+  EXPECT_LT(worst, 1e-9);
+}
+
+}  // namespace
+}  // namespace scree::test
