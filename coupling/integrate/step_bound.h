@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "coupling/contact/contact_set.h"
+#include "coupling/contact/contact_finder.h"
 #include "coupling/integrate/point_springs.h"
 
 namespace scree::coupling {

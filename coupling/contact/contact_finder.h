@@ -1,26 +1,15 @@
 // All contact points of an instant: found, matched with what they remember, ready for a law.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "coupling/contact/contact_point.h"
-#include "coupling/contact/edge_overlap.h"
-#include "coupling/contact/joint_springs.h"
-#include "coupling/contact/search.h"
+#include "coupling/contact/contact_pairs.h"
 
 namespace scree::coupling {
 
-/// Points and memories in the order of their keys, one memory a point.
-struct ContactList {
-  std::vector<ContactPoint> points;
-  std::vector<ContactMemory> memory;
-};
-
-/// Finds contact points. Edges that face each other share their overlap among the vertices on both sides (edge-edge);
-/// where they do not, every corner with an interior angle below pi is tried against every edge (angle-edge). The
-/// nearest segment of an edge carries the point. Decisions rest on exact geometry and on the memory alone.
+/// Finds contact points: the pairs of ContactPairs, each with the nearest segment of its edge, and what it remembers.
+/// Decisions rest on exact geometry and on the memory alone.
 /// @source contact.md "Contact points"; thesis 3.2.2, 2.4.3
 class ContactFinder {
  public:
@@ -42,30 +31,15 @@ class ContactFinder {
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
 
  private:
-  struct Pair {  // a vertex against an edge
-    std::int32_t vertex, edge;
-    std::int32_t own;  // the edge of the vertex that faces it
-    double share;      // 0: angle-edge
-    auto operator<=>(const Pair&) const = default;
-  };
-  void collect(const ContactList& known);
-  [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const ContactList& known) const;
-  /// Calls see(i) for the known points between two edges.
-  template <class See>
-  void for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const;
   /// Calls see(i) for the known points that vertices of either edge have on edges in line with the other, of any body.
   template <class See>
-  void for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const;
-  /// Calls see(i) for the known points of an edge's vertices on the edges that take() accepts.
-  template <class Take, class See>
-  void for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const;
+  void for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const;
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
   /// block; -1 if there is none. Only a new point may begin like an open one.
   /// @param next_only  leave out the point's own contact
-  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const;
+  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
-  [[nodiscard]] double entry_depth(const ContactPoint& p, const ContactList& known) const;
-  void try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known);
+  [[nodiscard]] double entry_depth(const ContactPoint& p) const;
   [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
   [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
@@ -79,17 +53,14 @@ class ContactFinder {
   /// from the remembered points on either side.
   void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
-  void suppress_second_edges(const ContactList& known, ContactList& list) const;
+  void suppress_second_edges(ContactList& list) const;
 
   const Setup* setup_;
   double detection_, touching_;
-  Search search_;
   JointSprings springs_;
-  EdgeOverlap overlap_;
-  std::vector<Vec2> x_;          // outline nodes
-  std::vector<Vec2> direction_;  // of every edge, from its first to its last vertex
-  std::vector<Pair> pairs_;
-  std::vector<std::int32_t> known_first_;   // a vertex: its first point in the list known, and the end
+  ContactPairs pairs_;
+  KnownContacts known_;
+  std::vector<Vec2> x_;                     // outline nodes
   std::vector<std::int32_t> fresh_, gone_;  // points without memory, and closed memory without a point
 };
 

@@ -1,4 +1,4 @@
-#include "coupling/contact/contact_set.h"
+#include "coupling/contact/contact_finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
-constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other,
-constexpr double kStillFaces = 0.9848;    // and closed ones do so up to 10 degrees
 constexpr double kBoundMargin = 0.1;      // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
@@ -25,11 +23,10 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
     : setup_(&setup),
       detection_(detection),
       touching_(1e-3 * detection),
-      search_(setup, 2.0 * detection),
       springs_(setup),
-      x_(setup.outlines().nodes.size()),
-      direction_(setup.outlines().edges.size()),
-      known_first_(setup.outlines().vertices.size() + 1) {}
+      pairs_(setup, springs_, 2.0 * detection),
+      known_(setup.outlines()),
+      x_(setup.outlines().nodes.size()) {}
 
 ContactKey ContactFinder::key_of(std::int32_t vertex, std::int32_t edge) const {
   const Outlines& o = setup_->outlines();
@@ -67,7 +64,7 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
   if (e.segments == 1) return e.first_segment;
-  const Vec2& along = direction_[static_cast<std::size_t>(edge)];
+  const Vec2& along = pairs_.direction(edge);
   const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
   const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
     return s < along.dot(x_[static_cast<std::size_t>(segment.a)]);
@@ -85,54 +82,22 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
   return static_cast<std::int32_t>(best - o.segments.begin());
 }
 
-bool ContactFinder::facing(std::int32_t a, std::int32_t b, const ContactList& known) const {
-  const double against = -direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]);
-  if (against < kStillFaces || against > kFaces) return against > kFaces;
-  bool closed = false;
-  for_pair(a, b, known, [&](std::size_t i) {
-    const ContactMemory& m = known.memory[i];
-    closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
-  });
-  return closed;
-}
-
-template <class Take, class See>
-void ContactFinder::for_vertices(std::int32_t edge, const ContactList& known, Take&& take, See&& see) const {
-  const Outlines::Edge& e = setup_->outlines().edges[static_cast<std::size_t>(edge)];
-  for (std::int32_t k = 0; k <= e.segments; ++k) {
-    const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
-    for (auto i = static_cast<std::size_t>(known_first_[v]); i < static_cast<std::size_t>(known_first_[v + 1]); ++i)
-      if (take(known.points[i].edge)) see(i);
-  }
-}
-
 template <class See>
-void ContactFinder::for_pair(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
+void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const {
   for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
-    for_vertices(
-        of, known, [other = against](std::int32_t edge) { return edge == other; }, see);
-}
-
-template <class See>
-void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, const ContactList& known, See&& see) const {
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
-    for_vertices(
-        of, known,
+    known_.for_vertices(
+        of,
         [this, other = against](std::int32_t edge) {
-          return edge != other && direction_[static_cast<std::size_t>(edge)].dot(
-                                      direction_[static_cast<std::size_t>(other)]) > kStillFaces;
+          return edge != other && pairs_.direction(edge).dot(pairs_.direction(other)) > kStillFaces;
         },
         see);
 }
 
-std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& known, bool next_only) const {
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
   if (!p.facing || p.largest_share == 0.0) return -1;
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-  const Vec2& t = direction_[static_cast<std::size_t>(p.edge)];
-  const bool out_faces =
-      direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
-  const std::int32_t own = out_faces ? v.edge_out : v.edge_in;
+  const ContactList& known = known_.list();
+  const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
@@ -146,65 +111,19 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, const ContactList& 
     nearest = d;
     found = static_cast<std::int32_t>(i);
   };
-  if (!next_only) for_pair(own, p.edge, known, [&](std::size_t i) { look(i, nearest); });
-  if (found < 0) for_next_pairs(own, p.edge, known, [&](std::size_t i) { look(i, detection_); });
+  if (!next_only) known_.for_pair(own, p.edge, [&](std::size_t i) { look(i, nearest); });
+  if (found < 0) for_next_pairs(own, p.edge, [&](std::size_t i) { look(i, detection_); });
   return found;
 }
 
-double ContactFinder::entry_depth(const ContactPoint& p, const ContactList& known) const {
-  const std::int32_t i = neighbour(p, known, true);
+double ContactFinder::entry_depth(const ContactPoint& p) const {
+  const std::int32_t i = neighbour(p, true);
   if (i < 0) return -p.at.gap;
+  const ContactList& known = known_.list();
   const ContactPoint& beside = known.points[static_cast<std::size_t>(i)];
   const std::int32_t part = std::max(0, known.memory[static_cast<std::size_t>(i)].segment);
   const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(beside.edge)];
   return std::max(0.0, geometry(beside.vertex, edge.first_segment + part).gap - p.at.gap);
-}
-
-void ContactFinder::try_corner(std::int32_t vertex, std::int32_t edge, const ContactList& known) {
-  const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-  if (!v.convex || facing(v.edge_in, edge, known)) return;
-  // The law and width of the side that turns towards the edge.
-  const Vec2& t = direction_[static_cast<std::size_t>(edge)];
-  const bool out_faces =
-      direction_[static_cast<std::size_t>(v.edge_out)].dot(t) < direction_[static_cast<std::size_t>(v.edge_in)].dot(t);
-  pairs_.push_back({vertex, edge, out_faces ? v.edge_out : v.edge_in, 0.0});
-}
-
-void ContactFinder::collect(const ContactList& known) {
-  const Outlines& o = setup_->outlines();
-  for (std::size_t e = 0; e < o.edges.size(); ++e) {
-    const auto node = [&](std::int32_t v) {
-      return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
-    };
-    direction_[e] = (x_[node(o.edges[e].end_vertex)] - x_[node(o.edges[e].first_segment)]).normalized();
-  }
-  std::fill(known_first_.begin(), known_first_.end(), 0);
-  for (const ContactPoint& p : known.points) ++known_first_[static_cast<std::size_t>(p.vertex) + 1];
-  for (std::size_t v = 1; v < known_first_.size(); ++v) known_first_[v] += known_first_[v - 1];
-
-  pairs_.clear();
-  for (const auto& [a, b] : search_.update(x_)) {
-    if (facing(a, b, known)) {
-      const Vec2 along =
-          (direction_[static_cast<std::size_t>(a)] - direction_[static_cast<std::size_t>(b)]).normalized();
-      for (const OverlapPoint& p : overlap_.divide(o, x_, a, b, along, springs_.per_area(springs_.law_of(a, b))))
-        pairs_.push_back({p.vertex, p.edge, p.edge == b ? a : b, p.share});
-    } else {
-      try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
-      try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
-    }
-  }
-  std::sort(pairs_.begin(), pairs_.end());
-  // A vertex between two edges in line may face one edge with both.
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < pairs_.size(); ++i) {
-    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge)
-      pairs_[kept].share += pairs_[i].share;
-    else
-      pairs_[++kept] = pairs_[i];
-  }
-  if (!pairs_.empty()) pairs_.resize(kept + 1);
 }
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
@@ -262,7 +181,7 @@ void ContactFinder::inherit(const ContactList& known, ContactList& out) {
   const auto in_line = [&](std::int32_t a, std::int32_t b) {
     const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
     return (ea.end_vertex == eb.first_segment || eb.end_vertex == ea.first_segment) &&
-           direction_[static_cast<std::size_t>(a)].dot(direction_[static_cast<std::size_t>(b)]) > kStillFaces;
+           pairs_.direction(a).dot(pairs_.direction(b)) > kStillFaces;
   };
   std::size_t left = 0;  // the closed ones among those gone
   for (std::size_t i = 0; i < gone_.size(); ++i)
@@ -408,7 +327,7 @@ void ContactFinder::pair_edges(ContactList& list) const {
     }
 }
 
-void ContactFinder::suppress_second_edges(const ContactList& known, ContactList& list) const {
+void ContactFinder::suppress_second_edges(ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
   // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
   // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
@@ -420,7 +339,7 @@ void ContactFinder::suppress_second_edges(const ContactList& known, ContactList&
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = entry_depth(list.points[i], known) * keep_a <= entry_depth(list.points[j], known) * keep_b;
+      const bool a_wins = entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -428,10 +347,10 @@ void ContactFinder::suppress_second_edges(const ContactList& known, ContactList&
 void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
-  collect(known);
+  known_.index(known);
   out.points.clear();
   std::size_t old = 0;
-  for (const Pair& pair : pairs_) {
+  for (const VertexEdge& pair : pairs_.update(x_, known_)) {
     const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
     const Vec2& xP = x_[static_cast<std::size_t>(v.node)];
     ContactPoint p;
@@ -470,7 +389,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
-      p.beside = neighbour(p, known, false);
+      p.beside = neighbour(p, false);
       p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
     }
     out.points.push_back(p);
@@ -495,7 +414,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   }
   interpolate(known, out);
   pair_edges(out);
-  suppress_second_edges(known, out);
+  suppress_second_edges(out);
 }
 
 double ContactFinder::adopt_kinds(ContactList& list) const {

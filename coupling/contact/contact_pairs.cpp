@@ -1,0 +1,70 @@
+#include "coupling/contact/contact_pairs.h"
+
+#include <algorithm>
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kFaces = 0.9962;  // cosine of 5 degrees: edges this nearly anti-parallel face each other
+
+}  // namespace
+
+ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
+    : setup_(&setup), springs_(&springs), search_(setup, reach), direction_(setup.outlines().edges.size()) {}
+
+bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
+  const double against = -direction(a).dot(direction(b));
+  if (against < kStillFaces || against > kFaces) return against > kFaces;
+  bool closed = false;
+  known.for_pair(a, b, [&](std::size_t i) {
+    const ContactMemory& m = known.list().memory[i];
+    closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
+  });
+  return closed;
+}
+
+std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+  const Vec2& t = direction(edge);
+  return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
+}
+
+void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+  if (!v.convex || facing(v.edge_in, edge, known)) return;
+  pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0});
+}
+
+std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t e = 0; e < o.edges.size(); ++e) {
+    const auto node = [&](std::int32_t v) {
+      return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
+    };
+    direction_[e] = (x[node(o.edges[e].end_vertex)] - x[node(o.edges[e].first_segment)]).normalized();
+  }
+  pairs_.clear();
+  for (const auto& [a, b] : search_.update(x)) {
+    if (facing(a, b, known)) {
+      const Vec2 along = (direction(a) - direction(b)).normalized();
+      for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
+        pairs_.push_back({p.vertex, p.edge, p.edge == b ? a : b, p.share});
+    } else {
+      try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
+      try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end());
+  // A vertex between two edges in line may face one edge with both.
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < pairs_.size(); ++i) {
+    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge)
+      pairs_[kept].share += pairs_[i].share;
+    else
+      pairs_[++kept] = pairs_[i];
+  }
+  if (!pairs_.empty()) pairs_.resize(kept + 1);
+  return pairs_;
+}
+
+}  // namespace scree::coupling

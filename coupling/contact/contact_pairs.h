@@ -1,0 +1,51 @@
+// Which vertices may touch which edges, and with what share of the joint.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact/edge_overlap.h"
+#include "coupling/contact/known_contacts.h"
+#include "coupling/contact/search.h"
+
+namespace scree::coupling {
+
+inline constexpr double kStillFaces = 0.9848;  // cosine of 10 degrees: closed edges face each other up to here
+
+/// A vertex against an edge.
+struct VertexEdge {
+  std::int32_t vertex, edge;
+  std::int32_t own;  // the edge of the vertex that faces it
+  double share;      // of the overlap [m]; 0: a corner against an edge
+  auto operator<=>(const VertexEdge&) const = default;
+};
+
+/// Edges that face each other share their overlap among the vertices on both sides (edge-edge); where they do not,
+/// every corner with an interior angle below pi is tried against every edge (angle-edge).
+class ContactPairs {
+ public:
+  /// @param reach  distance within which no pair may be missed [m]
+  ContactPairs(const Setup& setup, const JointSprings& springs, double reach);
+
+  /// @param x      positions of the outline nodes
+  /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
+  /// @return pairs in order, each once; valid until the next call
+  std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known);
+  /// Unit vector of an edge from its first to its last vertex.
+  [[nodiscard]] const Vec2& direction(std::int32_t edge) const { return direction_[static_cast<std::size_t>(edge)]; }
+  /// Of the two edges that meet at a vertex, the one that turns towards an edge.
+  [[nodiscard]] std::int32_t facing_edge(std::int32_t vertex, std::int32_t edge) const;
+
+ private:
+  [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
+  void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
+
+  const Setup* setup_;
+  const JointSprings* springs_;
+  Search search_;
+  EdgeOverlap overlap_;
+  std::vector<Vec2> direction_;
+  std::vector<VertexEdge> pairs_;
+};
+
+}  // namespace scree::coupling
