@@ -165,8 +165,9 @@ TEST_F(HandOverOfContacts, resultants_stay) {
       if ((m.key.block_p != 0 && m.key.block_e != 0) || m.status == ContactStatus::open) continue;
       const double fn = -m.kn * m.gap, ft = -m.kt * m.stretch;
       const auto edge = static_cast<std::size_t>(run.setup().edge_of(m.key.block_p, m.key.ring_p, m.key.vertex));
-      const auto v = static_cast<std::size_t>(o.edges[edge].first_segment + m.key.part);
-      const Vec2 x = position(o.nodes[static_cast<std::size_t>(o.vertices[v].node)], view.state->q);
+      const std::int32_t v = o.edges[edge].first_segment + m.key.part;
+      const Vec2 x =
+          position(o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node)], view.state->q);
       sums.normal += fn;
       sums.tangential += ft;
       sums.moment += fn * R.col(0).dot(x);

@@ -14,7 +14,7 @@ struct Wrong {
   const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.file; }
+std::ostream& operator<<(std::ostream& out, const Wrong& wrong) { return out << wrong.file; }
 class WrongFile : public testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongFile, gives_place_value_allowed_and_hint) {
@@ -198,7 +198,9 @@ struct Change {
   const char *from, *to;      // in the text
   const char *key, *problem;  // key whole, problem in part
 };
-void PrintTo(const Change& change, std::ostream* out) { *out << change.key << ": " << change.problem; }
+std::ostream& operator<<(std::ostream& out, const Change& change) {
+  return out << change.key << ": " << change.problem;
+}
 class WrongChange : public testing::TestWithParam<Change> {};
 
 TEST_P(WrongChange, is_refused_at_the_key) {

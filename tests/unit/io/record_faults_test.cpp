@@ -15,7 +15,7 @@ struct WrongRecord {
   const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
 };
 
-void PrintTo(const WrongRecord& wrong, std::ostream* out) { *out << wrong.name; }
+std::ostream& operator<<(std::ostream& out, const WrongRecord& wrong) { return out << wrong.name; }
 class WrongRecordFile : public testing::TestWithParam<WrongRecord> {};
 
 TEST_P(WrongRecordFile, gives_place_value_allowed_and_hint) {

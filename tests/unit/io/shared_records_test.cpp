@@ -19,7 +19,7 @@ struct Catalogued {
   double dt, pga_g, arias;
 };
 
-void PrintTo(const Catalogued& row, std::ostream* out) { *out << row.file; }
+std::ostream& operator<<(std::ostream& out, const Catalogued& row) { return out << row.file; }
 class SharedRecord : public testing::TestWithParam<Catalogued> {
  protected:
   void SetUp() override {
