@@ -32,11 +32,15 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   }
   body->first_element = static_cast<std::int32_t>(area_.size());
   const Elasticity law = model.elasticity_of(record.block);
-  body->frequency = frequency_bound_of(body->mesh, body->mass, law);
+  // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
+  double drawn = 0.0;
+  for (const Element& e : body->mesh.elements) drawn += e.area;
+  const double scale = record.shape.area / drawn;
+  body->frequency = scale * frequency_bound_of(body->mesh, body->mass, law);
   for (const Element& e : body->mesh.elements) {
     cover_.push_back({e.cover[0] + first, e.cover[1] + first, e.cover[2] + first});
     gradient_.push_back(e.gradients());
-    area_.push_back(e.area);
+    area_.push_back(scale * e.area);
     law_.push_back(law);
     drawn_.push_back(static_cast<std::int32_t>(drawing_cells(e.piece).size()));
   }

@@ -193,8 +193,8 @@ TEST_F(HandOverOfContacts, moving_blocks_close_the_books_through_every_change) {
   scene_.model.joints[0].friction = 10.0 * kDegree;
   for (const auto& [method, integrator] :
        {std::pair("nmm", Integrator::explicit_), std::pair("dda", Integrator::implicit),
-        std::pair("dda", Integrator::explicit_), std::pair("dda", Integrator::implicit),
-        std::pair("dda", Integrator::explicit_)})
+        std::pair("nmm", Integrator::explicit_), std::pair("dda", Integrator::explicit_),
+        std::pair("dda", Integrator::implicit), std::pair("nmm", Integrator::explicit_)})
     scene_.stage(method, integrator, 0.05,
                  integrator == Integrator::implicit ? std::optional<double>(1e-3) : std::nullopt, 0.4);
   scene_.plan.output.every = ticks(0.01);
