@@ -83,12 +83,12 @@ class Cutter {
     for (const Region& r : domain_.regions) add_ring(r.outline, Role::region, r.joint);
     const std::size_t boundaries = sources_.size();
 
-    // A line cut off at a boundary ends on it but for rounding, on either side. It goes on by a stub that leaves the
-    // grid cells of the boundary, so that the two cross. Stubs are removed with all edges outside, or as dead ends.
+    // A line cut off at a boundary ends on it but for rounding, on either side. It runs on until it has left
+    // the grid cells of the boundary, so that the two cross. Such overruns go with all edges outside, or as dead ends.
     CellGrid near(bounds(domain_.outline), boundaries + 1);
     for (std::size_t i = 0; i < boundaries; ++i)
       near.insert(sources_[i].a, sources_[i].b, 2.0 * grid_, static_cast<std::int32_t>(i));
-    const auto stub = [&](const Vec2& p, const Vec2& along) {
+    const auto overrun = [&](const Vec2& p, const Vec2& along) {
       double length = 0.0;
       for (const std::int32_t i : near.at(p)) {
         const SourceLine& s = sources_[static_cast<std::size_t>(i)];
@@ -101,14 +101,14 @@ class Cutter {
     for (const JointLine& line : out_.lines) {
       const Vec2 along = (line.to - line.from).normalized();
       sources_.push_back(source(line.from, line.to, Role::discontinuity, line.joint, sources_.size(),
-                                stub(line.from, along), stub(line.to, along)));
+                                overrun(line.from, along), overrun(line.to, along)));
     }
     std::sort(sources_.begin(), sources_.end(), [](const SourceLine& s, const SourceLine& t) {
       return std::tuple(s.role, key_of(s.a), key_of(s.b), s.priority) <
              std::tuple(t.role, key_of(t.a), key_of(t.b), t.priority);
     });
   }
-  [[nodiscard]] double longest_stub() const { return 300.0 * grid_; }
+  [[nodiscard]] double longest_overrun() const { return 300.0 * grid_; }
 
   /// False for edges outside the domain, and for joints in regions that they do not cut.
   [[nodiscard]] bool cuts(const GraphEdge& e) const {
@@ -242,7 +242,7 @@ class Cutter {
     std::map<std::int32_t, double> piece;
     for (const GraphEdge& e : dead) piece[find(e.a)] += length(e);
 
-    const double least = std::max(least_width_, 2.0 * longest_stub());
+    const double least = std::max(least_width_, 2.0 * longest_overrun());
     std::vector<GraphEdge> kept = dead;
     std::erase_if(kept, [&](const GraphEdge& e) { return e.discontinuity < 0 || piece[find(e.a)] < least; });
     std::sort(kept.begin(), kept.end(),
@@ -252,7 +252,7 @@ class Cutter {
       if (l >= least) {
         ++r.cracks_kept;
         r.crack_length += l;
-      } else if (l > 2.0 * longest_stub()) {
+      } else if (l > 2.0 * longest_overrun()) {
         ++r.cracks_trimmed;
         r.trimmed_length += l;
       }

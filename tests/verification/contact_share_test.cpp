@@ -7,31 +7,12 @@
 #include <map>
 
 #include "coupling/contact/contact_point.h"
-#include "tests/support/scene.h"
+#include "tests/support/schemes.h"
 
 namespace scree::test {
 namespace {
 
 using namespace coupling;
-
-struct Scheme {
-  const char* name;
-  const char* method;
-  Integrator integrator;
-  [[nodiscard]] bool implicit() const { return integrator == Integrator::implicit; }
-};
-std::ostream& operator<<(std::ostream& out, const Scheme& s) { return out << s.name; }
-
-const Methods& methods() {
-  static const Methods kAll = standard_methods();
-  return kAll;
-}
-
-/// Shows every frame of a run to a function.
-struct Watch final : Sink {
-  std::function<void(const FrameView&)> see;
-  void frame(const FrameView& view) override { see(view); }
-};
 
 /// Where a point of a block's outline, given in the model, is now.
 Vec2 point_of(const Driver& run, BlockId block, const Vec2& x0) {

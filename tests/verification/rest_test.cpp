@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "tests/support/scene.h"
+#include "tests/support/schemes.h"
 
 namespace scree::test {
 namespace {
@@ -12,24 +12,6 @@ namespace {
 using namespace coupling;
 
 constexpr double kGravity = 9.81, kDensity = 2600.0, kYoung = 1e9;
-
-struct Scheme {
-  const char* name;
-  const char* method;
-  Integrator integrator;
-  [[nodiscard]] bool implicit() const { return integrator == Integrator::implicit; }
-};
-std::ostream& operator<<(std::ostream& out, const Scheme& s) { return out << s.name; }
-
-const Methods& methods() {
-  static const Methods kAll = standard_methods();
-  return kAll;
-}
-
-struct Watch final : Sink {
-  std::function<void(const FrameView&)> see;
-  void frame(const FrameView& view) override { see(view); }
-};
 
 class Rest : public testing::TestWithParam<Scheme> {};
 

@@ -452,7 +452,7 @@ TEST(CutBlocks, cracks_and_edges_of_blocks_use_up_the_lines) {
     for (std::size_t i = 0; i < o.size(); ++i) outline += (o[(i + 1) % o.size()] - o[i]).norm();
     double cracks = 0.0;
     for (const Crack& k : c.cracks) cracks += (k.to - k.from).norm();
-    EXPECT_NEAR(0.5 * (edges - outline) + cracks, lines, 1e-6 * lines) << seed;  // stubs of 4 grid widths a line end
+    EXPECT_NEAR(0.5 * (edges - outline) + cracks, lines, 1e-6 * lines) << seed;  // lines run on by 4 grid widths
   }
 }
 
