@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "model/formulation.h"
 #include "model/ids.h"
 
 namespace scree::coupling {
 
 enum class Integrator { explicit_, implicit };
+/// beta = 1/2, gamma = 1 (thesis 3.3.2), or beta = 1/4, gamma = 1/2 for convergence studies without contacts.
+enum class NewmarkScheme { damped, trapezoidal };
 
 /// Settings of the open-close iteration and of step control (thesis 3.2.2, 4.5).
 struct StepControl {
@@ -19,9 +22,12 @@ struct StepControl {
   int max_cuts = 12;              // consecutive cuts before the run gives up
 };
 
+/// Blocks that a stage treats in their own way.
 struct MethodRule {
   std::vector<BlockId> blocks;
   std::string method;
+  double cover_size = 0.0;  // NMM mesh; 0: as the block or the stage says [m]
+  bool onefold = false;     // NMM: one cover around the whole block
 };
 
 struct Stage {
@@ -33,8 +39,18 @@ struct Stage {
   double safety = 0.8;       // fraction of the certified explicit bound that auto takes
   Tick duration = 0;
   double cover_size = 0.0;  // NMM mesh [m]
-  double damping = 0.0;     // mass-proportional, on velocities less their affine part; explicit [1/s]
+  Kinematics kinematics = Kinematics::corotational;
+  std::optional<MassKind> mass;    // empty: affine-exact in explicit stages, consistent in implicit ones
+  bool cracks = false;             // NMM: blocks are cut along their cracks, whose faces do not touch each other
+  double damping = 0.0;            // mass-proportional [1/s]
+  bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
+  double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]
+  double local_damping = 0.0;      // fraction of the unbalanced force, against the velocity; explicit, 0 to 1
+  NewmarkScheme newmark = NewmarkScheme::damped;
+  double dynamics = 1.0;    // fraction of the velocity that an implicit step hands to the next, 0 to 1
   bool rest = false;        // motion is taken out: explicit at peaks of kinetic energy, implicit after every step
+  double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
+  std::int64_t rest_steps = 0;  // and fails if it has not after so many steps; 0: at its duration
   StepControl control;
 };
 

@@ -84,7 +84,11 @@ void State::visit(Visitor&& see) {
     see("body.mass", b.shape.mass);
     see("body.area", b.shape.area);
     see("body.second", b.shape.second);
-    see("body.cover_size", b.cover_size);
+    see("body.kinematics", b.form.kinematics);
+    see("body.mass_kind", b.form.mass);
+    see("body.cover_size", b.form.cover_size);
+    see("body.onefold", b.form.onefold);
+    see("body.cracks", b.form.cracks);
   }
   see("q", q);
   see("v", v);

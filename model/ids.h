@@ -21,6 +21,7 @@ using BlockId = Id<struct BlockTag>;        // a block of the model; never chang
 using MaterialId = Id<struct MaterialTag>;  // a material of the model
 using JointId = Id<struct JointTag>;        // a joint law of the model
 using MotionId = Id<struct MotionTag>;      // a ground motion of the model
+using FunctionId = Id<struct FunctionTag>;  // a time function of the model
 
 /// Simulated time in whole picoseconds: stages, substeps and output times are sums of integers, so nothing drifts.
 using Tick = std::int64_t;

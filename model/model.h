@@ -10,6 +10,8 @@
 #include "model/geometry.h"
 #include "model/ground_motion.h"
 #include "model/ids.h"
+#include "model/loads.h"
+#include "model/time_function.h"
 
 namespace scree {
 
@@ -18,6 +20,7 @@ struct Material {
   double density = 0.0;  // [kg/m3], > 0
   double young = 0.0;    // [Pa], > 0
   double poisson = 0.0;  // 0 <= nu < 0.5
+  std::optional<InitialStress> initial_stress{};
 };
 
 /// Coulomb law of a joint with springs at each contact point. Stiffness is either per area (a point carries its share
@@ -41,6 +44,7 @@ struct Block {
   MaterialId material;
   JointId joint;                            // law of its edges; invalid: the model's default
   std::vector<std::vector<JointId>> edges;  // law an edge, by ring and edge (edge i runs from vertex i to i+1)
+  double cover_size = 0.0;                  // of the NMM in this block; 0: as the stage says [m]
 };
 
 /// A block held whole: fixed in space, or moving with a ground motion.
@@ -83,6 +87,11 @@ struct Model {
   std::vector<Monitor> monitors;
   std::vector<GroundMotion> motions;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<TimeFunction> functions;
+  std::vector<PointLoad> point_loads;
+  std::vector<EdgeTraction> tractions;
+  std::vector<BodyAcceleration> body_accelerations;
+  std::vector<ViscousEdge> viscous_edges;
   // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
   std::vector<JointLine> joint_lines;
   std::vector<Crack> cracks;
@@ -94,6 +103,8 @@ struct Model {
     return Elasticity::from(m.young, m.poisson, plane);
   }
   [[nodiscard]] const BlockSupport* support_of(BlockId b) const;
+  /// Value of a load's time function; 1 where it has none.
+  [[nodiscard]] double factor(FunctionId f, double t) const { return f.valid() ? functions[f.index()].value(t) : 1.0; }
   /// Law of an edge of a block: its own, else the block's, else invalid.
   [[nodiscard]] JointId joint_of(BlockId b, std::size_t ring, std::size_t edge) const;
 };

@@ -1,6 +1,7 @@
 #include "model/pool.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "model/parallel.h"
 
@@ -35,6 +36,10 @@ void Pool::drift(double h, std::span<double> q, std::span<double> v) const {
 }
 
 void Pool::damp(double, double, std::span<double>, std::span<double>) const {}
+void Pool::stiffness_damping(std::span<const double>, std::span<const double>, double, std::span<double>) const {}
+void Pool::recovered_stress(std::span<const double>, std::span<double> nodes) const {
+  std::fill(nodes.begin(), nodes.end(), 0.0);
+}
 int Pool::dofs(int) const { return 0; }
 ChartRow Pool::chart_row(int, const Row&, std::span<const double>) const { return {}; }
 void Pool::linearise(int, std::span<const double>, std::span<const double>, std::vector<ImplicitBlock>&) const {}

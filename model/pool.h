@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/formulation.h"
 #include "model/model.h"
 
 namespace scree {
@@ -19,12 +20,6 @@ namespace scree {
 struct Row {
   std::array<std::int32_t, 3> node{0, 0, 0};
   std::array<double, 3> w{0.0, 0.0, 0.0};
-};
-
-/// A corner or edge of a block's outline; outlives meshes and methods.
-struct OutlineEdge {
-  std::int32_t ring = 0, edge = 0;
-  auto operator<=>(const OutlineEdge&) const = default;
 };
 
 /// The outline of a body as its unknowns carry it.
@@ -70,7 +65,7 @@ struct BodyRecord {
   BlockId block;
   std::string method;  // name of the pool it lives in
   ReferenceShape shape;
-  double cover_size = 0.0;  // edge length of the mathematical mesh, for methods that have one [m]
+  Formulation form;
 };
 
 /// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
@@ -166,6 +161,10 @@ class Pool {
   /// w *= factor and f -= rate M w, w = v minus its affine part: mass-proportional damping that spares rigid motion and
   /// sliding. Methods whose bodies are affine have no w.   @param rate [1/s], w taken after the scaling
   virtual void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// f -= rate times the tangent stiffness of the bodies applied to v: Rayleigh damping proportional to stiffness.
+  /// Rigid motion has none.   @param rate [s]
+  virtual void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
+                                 std::span<double> f) const;
   /// Largest eigenvalue of D^-1 K of a body's own stiffness, D the method's diagonal mass: a certified bound [1/s2].
   [[nodiscard]] virtual double frequency_bound(int body) const = 0;
   /// theta: D <= theta M. Squared frequencies in M are at most theta times those in D.
@@ -191,6 +190,9 @@ class Pool {
   virtual void topology(MeshPart& mesh) const = 0;
   /// Cauchy stress (xx, yy, xy) a cell, in the order of topology().
   virtual void stress(std::span<const double> q, std::span<double> cells) const = 0;
+  /// Recovered Cauchy stress: three numbers (xx, yy, xy) a node, so that sum_k w_k s[node_k] of a row is the stress of
+  /// that point, smoothed over the cells around it [Pa].
+  virtual void recovered_stress(std::span<const double> q, std::span<double> nodes) const;
 };
 
 }  // namespace scree

@@ -23,7 +23,7 @@ Vec2 node(std::span<const double> q, std::int32_t k) {
 void NmmPool::add(const Model& model, const BodyRecord& record) {
   auto body = std::make_unique<Body>();
   body->shape = record.shape;
-  body->mesh = make_cover_mesh(record.shape.outline, record.cover_size);
+  body->mesh = make_cover_mesh(record.shape.outline, record.form.cover_size);
   const std::int32_t first = first_.back();
   if (!body->mass.make(body->mesh, record.shape, first)) {
     body->mesh = make_onefold(record.shape.outline);

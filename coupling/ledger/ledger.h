@@ -20,11 +20,15 @@ enum class Column : int {
   shadow,
   // W: work done on the system since the start
   gravity,
+  loads,
   prescribed_motion,
   // D: dissipated since the start
   friction,
   contact_damping,
   mass_damping,
+  stiffness_damping,
+  local_damping,
+  viscous_edges,
   rest_damping,
   newmark_damping,
   contact_closing,

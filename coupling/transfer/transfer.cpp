@@ -32,11 +32,24 @@ void measure(TransferRow& row, double inertia) {
 }  // namespace
 
 std::vector<Wish> wishes(const Model& model, const Stage& stage) {
-  std::vector<Wish> out(model.blocks.size(), Wish{stage.method, 0.0});
+  Formulation form;
+  form.kinematics = stage.kinematics;
+  form.mass =
+      stage.mass.value_or(stage.integrator == Integrator::implicit ? MassKind::consistent : MassKind::affine_exact);
+  form.cover_size = stage.cover_size;
+  form.cracks = stage.cracks;
+  std::vector<Wish> out(model.blocks.size(), Wish{stage.method, form});
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (model.blocks[i].cover_size > 0.0) out[i].form.cover_size = model.blocks[i].cover_size;
   for (const MethodRule& rule : stage.rules)
-    for (BlockId b : rule.blocks) out[b.index()].method = rule.method;
+    for (BlockId b : rule.blocks) {
+      Wish& w = out[b.index()];
+      w.method = rule.method;
+      w.form.onefold = rule.onefold;
+      if (rule.cover_size > 0.0) w.form.cover_size = rule.cover_size;
+    }
   for (Wish& w : out)
-    if (w.method == "nmm") w.cover_size = stage.cover_size;
+    if (w.method != "nmm") w.form = Formulation{};
   return out;
 }
 
@@ -44,7 +57,7 @@ std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wi
   std::vector<BodyRecord> records;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const BlockId block{static_cast<std::int32_t>(i)};
-    records.push_back({block, wish[i].method, reference_shape(model, block), wish[i].cover_size});
+    records.push_back({block, wish[i].method, reference_shape(model, block), wish[i].form});
   }
   return records;
 }
@@ -57,7 +70,10 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   std::vector<Release> released(count);
   for (std::size_t i = 0; i < count; ++i) {
     BodyRecord& record = state.bodies[i];
-    if (record.method == wish[i].method && record.cover_size == wish[i].cover_size) continue;
+    if (record.method == wish[i].method && record.form.same_mesh(wish[i].form)) {
+      record.form = wish[i].form;  // the same unknowns with other operators
+      continue;
+    }
     changed[i] = 1;
     const Body& b = from.bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool);
@@ -77,7 +93,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
       row.booked = released[i].elastic_cross;
       out.rows.push_back(row);
     }
-    record = {record.block, wish[i].method, released[i].shape, wish[i].cover_size};
+    record = {record.block, wish[i].method, released[i].shape, wish[i].form};
   }
 
   hand_contacts_over(from, changed, state);

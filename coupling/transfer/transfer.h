@@ -12,7 +12,7 @@ namespace scree::coupling {
 /// Method and mesh that a stage wants for each block, in the order of the blocks.
 struct Wish {
   std::string method;
-  double cover_size = 0.0;
+  Formulation form{};
 };
 [[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage);
 

@@ -35,7 +35,7 @@ struct One {
     b.material = MaterialId{0};
     model.blocks.push_back(b);
     shape = shape_of(p, 2.0);
-    pool.add(model, {BlockId{0}, "nmm", shape, cover});
+    pool.add(model, {BlockId{0}, "nmm", shape, {.cover_size = cover}});
     pool.finish();
     q.assign(2 * static_cast<std::size_t>(pool.first_node(1)), 0.0);
     v = q;

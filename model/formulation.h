@@ -1,0 +1,32 @@
+// How a stage wants a block represented, beside the name of the method.
+#pragma once
+
+namespace scree {
+
+enum class Kinematics {
+  corotational,  // small strain in a frame that turns with the rock
+  linear         // small strain and rotation: for comparisons with linear theory
+};
+
+enum class MassKind {
+  affine_exact,  // row sums, corrected so that mass, momenta and rotational inertia are the block's
+  lumped,        // row sums (thesis 4.3.1)
+  consistent     // int rho w_i w_j; implicit steps only
+};
+
+/// Choices for methods that have them; the others take no notice.
+struct Formulation {
+  Kinematics kinematics = Kinematics::corotational;
+  MassKind mass = MassKind::affine_exact;
+  double cover_size = 0.0;  // edge length of the mathematical mesh [m]
+  bool onefold = false;     // one triangle around the whole block in place of a mesh
+  bool cracks = false;      // cut the block's interior along its cracks
+
+  bool operator==(const Formulation&) const = default;
+  /// True where bodies made either way have the same unknowns.
+  [[nodiscard]] bool same_mesh(const Formulation& other) const {
+    return cover_size == other.cover_size && onefold == other.onefold && cracks == other.cracks;
+  }
+};
+
+}  // namespace scree

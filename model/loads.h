@@ -1,0 +1,60 @@
+// What acts on blocks beside gravity, contacts and supports.
+#pragma once
+
+#include <vector>
+
+#include "model/geometry.h"
+#include "model/ids.h"
+
+namespace scree {
+
+/// A corner or edge of a block's outline; outlives meshes and methods.
+struct OutlineEdge {
+  std::int32_t ring = 0, edge = 0;
+  auto operator<=>(const OutlineEdge&) const = default;
+};
+
+/// A stretch of an outline edge, s from 0 to 1 along it.
+struct EdgeSpan {
+  BlockId block;
+  OutlineEdge edge;
+  double s0 = 0.0, s1 = 1.0;
+};
+
+/// A force on a material point; its direction stays. Time function invalid: constant.
+struct PointLoad {
+  BlockId block;
+  Vec2 point{0.0, 0.0};  // [m], model coordinates
+  Vec2 force{0.0, 0.0};  // [N] for unit thickness
+  FunctionId function;
+};
+
+/// Force per length of outline as the model first had it; its direction stays (a dead load).
+struct EdgeTraction {
+  EdgeSpan span;
+  Vec2 traction{0.0, 0.0};  // [Pa]
+  FunctionId function;
+};
+
+/// Force per mass on blocks, beside gravity.
+struct BodyAcceleration {
+  std::vector<BlockId> blocks;  // empty: all
+  Vec2 acceleration{0.0, 0.0};  // [m/s2]
+  FunctionId function;
+};
+
+/// An edge that absorbs waves: traction -rho (c_p v.n n + c_s v.t t), exact for plane waves at right angles.
+/// @source Lysmer, Kuhlemeyer 1969
+struct ViscousEdge {
+  EdgeSpan span;
+};
+
+/// In-situ stress of a material, in the model's axes: s(y) = stress + (level - y) gradient. Tension positive.
+struct InitialStress {
+  Mat2 stress = Mat2::Zero();    // at `level` [Pa]
+  Mat2 gradient = Mat2::Zero();  // growth with depth [Pa/m]
+  double level = 0.0;            // [m]
+  [[nodiscard]] Mat2 at(const Vec2& x) const { return stress + (level - x.y()) * gradient; }
+};
+
+}  // namespace scree
