@@ -87,6 +87,8 @@ void State::visit(Visitor&& see) {
     see("body.kinematics", b.form.kinematics);
     see("body.mass_kind", b.form.mass);
     see("body.cover_size", b.form.cover_size);
+    see("body.offset_x", b.form.offset_x);
+    see("body.offset_y", b.form.offset_y);
     see("body.onefold", b.form.onefold);
     see("body.cracks", b.form.cracks);
   }

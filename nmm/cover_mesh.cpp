@@ -97,10 +97,10 @@ CoverMesh make_onefold(const Polygon& outline) {
   return mesh;
 }
 
-CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, std::span<const CutLine> cracks) {
+CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset,
+                          std::span<const CutLine> cracks) {
   SCREE_ASSERT(cover_size > 0.0);
-  // Off the centre by no round fraction, so that edges of regular blocks seldom run along mesh lines.
-  const Lattice lattice(cover_size, cover_size * Vec2(-0.317, -0.271));
+  const Lattice lattice(cover_size, -cover_size * offset);
   CoverMesh mesh;
   const LatticePieces pieces = cut_lattice(outline, cracks, lattice, mesh);
   number_covers(pieces, cracks, mesh);

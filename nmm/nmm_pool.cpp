@@ -39,8 +39,9 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     for (const Crack& c : model.cracks)
       if (c.block == record.block) cracks.push_back({back * (c.from - to_origin.c), back * (c.to - to_origin.c)});
   }
-  body->mesh = form.onefold ? make_onefold(record.shape.outline)
-                            : make_cover_mesh(record.shape.outline, form.cover_size, cracks);
+  body->mesh = form.onefold
+                   ? make_onefold(record.shape.outline)
+                   : make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks);
   const std::int32_t first = first_.back();
   if (!mass_.add(body->mesh, first, record.shape, form.mass)) {
     if (body->mesh.components > 1)

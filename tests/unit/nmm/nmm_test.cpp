@@ -2,6 +2,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <ostream>
 #include <random>
 
 #include "nmm/nmm_pool.h"
@@ -262,6 +265,196 @@ TEST(Release, affine_part_and_remainder_carry_everything) {
   EXPECT_GT(r.elastic_rest, 0.0);
   EXPECT_LT(std::abs(r.elastic_cross), 0.1 * r.elastic_rest + 1e-3 * before.elastic);
   EXPECT_NEAR((r.shape.mass * r.motion.vc - before.momentum).norm(), 0.0, 1e-12);
+}
+
+TEST(CoverMesh, narrow_blocks_keep_a_quarter_of_the_step_or_take_a_onefold_cover) {
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> u(0.0, 1.0);
+  int onefold = 0;
+  for (int k = 0; k < 300; ++k) {
+    const double width = 0.2 + 1.3 * u(generator), length = width + 6.0 * u(generator);
+    const Polygon bar{{{0, 0}, {length, 0}, {length, width}, {0, width}}, {}};
+    One one(transformed(bar, {0.0, 0.0}, rotation(7.0 * u(generator))), 1.0);
+    onefold += one.pool.mesh(0).onefold ? 1 : 0;
+    const double uncut = 0.866 / std::sqrt(one.model.elasticity_of(BlockId{0}).p_modulus() / 2.0);
+    const double own = std::min(1.0, width);  // a onefold cover is as stiff as its block is small
+    EXPECT_GE(2.0 / std::sqrt(one.pool.mass_ratio(0) * one.pool.frequency_bound(0)),
+              (one.pool.mesh(0).onefold ? 0.25 * own : 0.25) * uncut)
+        << width << " x " << length;
+  }
+  EXPECT_GT(onefold, 10);
+  EXPECT_LT(onefold, 290);
+}
+
+/// A model with an in-situ stress that grows with depth, in either kinematics.
+std::unique_ptr<NmmPool> pool_with(Model& model, const Polygon& p, const Formulation& form,
+                                   const std::optional<InitialStress>& in_situ) {
+  model.materials.push_back({"rock", 2.0, 1.0, 0.25, in_situ});
+  Block b;
+  b.polygon = p;
+  b.material = MaterialId{0};
+  model.blocks.push_back(b);
+  auto pool = std::make_unique<NmmPool>();
+  pool->add(model, {BlockId{0}, "nmm", shape_of(p, 2.0), form});
+  pool->finish();
+  return pool;
+}
+
+InitialStress deviatoric() {
+  InitialStress s;
+  s.stress << -0.02, 0.01, 0.01, -0.05;
+  s.gradient << -0.01, 0.0, 0.0, -0.03;
+  s.level = 0.4;
+  return s;
+}
+
+struct Variant {
+  Kinematics kinematics;
+  bool in_situ;
+};
+std::ostream& operator<<(std::ostream& out, const Variant& v) {
+  return out << (v.kinematics == Kinematics::linear ? "linear" : "corotational") << (v.in_situ ? "_in_situ" : "");
+}
+
+class Forces : public testing::TestWithParam<Variant> {
+ protected:
+  Forces() {
+    Formulation form{.kinematics = GetParam().kinematics, .cover_size = 0.2};
+    pool_ = pool_with(model_, quadrilateral(), form,
+                      GetParam().in_situ ? std::optional(deviatoric()) : std::optional<InitialStress>());
+    q_.assign(2 * static_cast<std::size_t>(pool_->first_node(1)), 0.0);
+    v_ = q_;
+    AffineMotion m;
+    m.F = GetParam().kinematics == Kinematics::linear ? rotation(0.01) : rotation(0.7);
+    pool_->place(0, m, q_, v_);
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> u(-0.01, 0.01);
+    for (double& x : q_) x += u(generator);
+    for (double& x : v_) x = u(generator);
+  }
+  Model model_;
+  std::unique_ptr<NmmPool> pool_;
+  std::vector<double> q_, v_;
+};
+
+TEST_P(Forces, strips_of_cells_equal_the_law_element_by_element) {
+  std::vector<double> f(q_.size(), 0.0), expected(q_.size(), 0.0);
+  const double energy = pool_->internal_force(q_, f);
+  double sum = 0.0;
+  const ElementForces& elements = pool_->elements();
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const ElasticResponse r = elements.response(e, q_);
+    sum += elements.area(e) * r.energy;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 force = elements.area(e) * r.P * elements.gradients(e).col(k);
+      const auto i = 2 * static_cast<std::size_t>(elements.cover(e)[static_cast<std::size_t>(k)]);
+      expected[i] -= force.x();
+      expected[i + 1] -= force.y();
+    }
+  }
+  EXPECT_NEAR(energy, sum, 1e-13 * std::abs(sum));
+  for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f[i], expected[i], 1e-14);
+}
+
+TEST_P(Forces, are_the_gradient_of_the_energy) {
+  std::vector<double> f(q_.size(), 0.0), scratch(q_.size());
+  pool_->internal_force(q_, f);
+  for (std::size_t i = 0; i < q_.size(); i += 7) {
+    const double h = 1e-6, keep = q_[i];
+    q_[i] = keep + h;
+    const double plus = pool_->internal_force(q_, scratch);
+    q_[i] = keep - h;
+    const double minus = pool_->internal_force(q_, scratch);
+    q_[i] = keep;
+    EXPECT_NEAR(f[i], -(plus - minus) / (2.0 * h), 1e-8);
+  }
+}
+
+TEST_P(Forces, stiffness_damping_only_dissipates_and_spares_rigid_motion) {
+  std::vector<double> f(q_.size(), 0.0), g(q_.size(), 0.0), spin(q_.size());
+  pool_->stiffness_damping(q_, v_, 0.3, f);
+  double power = 0.0, torque = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) power += f[i] * v_[i];
+  EXPECT_LT(power, 0.0);
+  for (std::size_t k = 0; k < f.size() / 2; ++k) {
+    spin[2 * k] = 3.0 - 2.0 * q_[2 * k + 1];
+    spin[2 * k + 1] = 2.0 * q_[2 * k];
+    torque += q_[2 * k] * f[2 * k + 1] - q_[2 * k + 1] * f[2 * k];
+    size += std::abs(q_[2 * k] * f[2 * k + 1]);
+  }
+  if (GetParam().kinematics == Kinematics::linear) return;
+  EXPECT_LT(std::abs(torque), 1e-13 * size);
+  pool_->stiffness_damping(q_, spin, 0.3, g);
+  for (const double x : g) EXPECT_NEAR(x, 0.0, 1e-14);
+}
+
+INSTANTIATE_TEST_SUITE_P(all, Forces,
+                         testing::Values(Variant{Kinematics::corotational, false},
+                                         Variant{Kinematics::corotational, true}, Variant{Kinematics::linear, false},
+                                         Variant{Kinematics::linear, true}),
+                         testing::PrintToStringParamName());
+
+TEST(InternalForce, turned_inside_out_is_not_a_number) {
+  One one(quadrilateral(), 0.33);
+  AffineMotion m;
+  m.F << -1.0, 0.0, 0.0, 1.0;
+  one.pool.place(0, m, one.q, one.v);
+  std::vector<double> f(one.q.size(), 0.0);
+  EXPECT_TRUE(std::isnan(one.pool.internal_force(one.q, f)));
+}
+
+TEST(InternalForce, in_situ_stress_balances_weight_exactly) {
+  // s_yy = rho g (y - level), confined: -div s = rho b holds exactly, so with its tractions every cover is in balance.
+  Model model;
+  InitialStress s;
+  s.gradient << -2.0 * 9.81 / 3.0, 0.0, 0.0, -2.0 * 9.81;
+  s.level = 0.7;
+  const Polygon p = quadrilateral();
+  const auto pool = pool_with(model, p, {.mass = MassKind::lumped, .cover_size = 0.3}, s);
+  std::vector<double> q(2 * static_cast<std::size_t>(pool->first_node(1))), v(q.size()), f(q.size(), 0.0), a(q.size());
+  AffineMotion m;
+  m.c = moments(p).centroid;
+  pool->place(0, m, q, v);
+  pool->internal_force(q, f);
+  pool->body_force({0.0, -9.81}, f);
+  const Ring& ring = p.outer;
+  for (const Boundary::Segment& g : pool->boundary(0).segments) {
+    const Vec2 &A = ring[static_cast<std::size_t>(g.edge.edge)],
+               &B = ring[(static_cast<std::size_t>(g.edge.edge) + 1) % ring.size()];
+    const Vec2 d = (g.s1 - g.s0) * (B - A), n = -quarter_turn() * d;  // times the length
+    for (const double t : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
+      const Vec2 x = A + g.s0 * (B - A) + t * d, force = 0.5 * s.at(x) * n;
+      const Row row = pool->mesh(0).row(g.cell, x - m.c);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (int c = 0; c < 2; ++c) f[2 * std::size_t(row.node[k]) + std::size_t(c)] += row.w[k] * force[c];
+    }
+  }
+  pool->mass_solve(q, f, a);
+  for (const double x : a) EXPECT_NEAR(x, 0.0, 1e-11 * 9.81);
+}
+
+TEST(RecoveredStress, is_exact_for_linear_stress_at_points_of_the_block) {
+  // Element stresses set by an in-situ stress that grows with depth: the recovered field is that line.
+  Model model;
+  const InitialStress s = deviatoric();
+  const Polygon p = quadrilateral();
+  const auto pool = pool_with(model, p, {.cover_size = 0.2}, s);
+  std::vector<double> q(2 * static_cast<std::size_t>(pool->first_node(1))), v(q.size()),
+      nodes(3 * static_cast<std::size_t>(pool->first_node(1)));
+  AffineMotion m;
+  m.c = moments(p).centroid;
+  pool->place(0, m, q, v);
+  pool->recovered_stress(q, nodes);
+  for (const Vec2& x : {Vec2(0.0, 0.0), Vec2(0.5, 0.3), Vec2(-0.6, -0.2), Vec2(0.9, 0.1)}) {
+    const Row row = pool->row_at(0, x - m.c);
+    Eigen::Vector3d found = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int d = 0; d < 3; ++d) found[d] += row.w[k] * nodes[3 * std::size_t(row.node[k]) + std::size_t(d)];
+    const Mat2 exact = s.at(x);
+    EXPECT_NEAR(found[0], exact(0, 0), 1e-12);
+    EXPECT_NEAR(found[1], exact(1, 1), 1e-12);
+    EXPECT_NEAR(found[2], exact(0, 1), 1e-12);
+  }
 }
 
 }  // namespace
