@@ -19,7 +19,8 @@ Polygon quadrilateral() { return {{{-1.1, -0.7}, {1.3, -0.6}, {1.0, 0.6}, {-0.8,
 ReferenceShape shape_of(const Polygon& p, double density) {
   const Moments m = moments(p);
   ReferenceShape s;
-  s.outline = s.origin = transformed(p, -m.centroid, Mat2::Identity());
+  s.outline = transformed(p, -m.centroid, Mat2::Identity());
+  s.origin = p;
   s.mass = density * m.area;
   s.area = m.area;
   s.second = density * m.second;
@@ -430,7 +431,9 @@ TEST(InternalForce, in_situ_stress_balances_weight_exactly) {
     }
   }
   pool->mass_solve(q, f, a);
-  for (const double x : a) EXPECT_NEAR(x, 0.0, 1e-11 * 9.81);
+  double largest = 0.0;
+  for (const double x : a) largest = std::max(largest, std::abs(x));
+  EXPECT_LT(largest, 1e-11 * 9.81);
 }
 
 TEST(RecoveredStress, is_exact_for_linear_stress_at_points_of_the_block) {
