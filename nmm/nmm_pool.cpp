@@ -137,8 +137,8 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
   return sum;
 }
 
-void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
-  for (const auto& b : bodies_) b->mass.damp(factor, rate, v, f);
+void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
+  for (const auto& b : bodies_) b->mass.damp(factor, rate, v, f, a);
 }
 
 double NmmPool::compliance(int body, const Row& row) const {
