@@ -10,6 +10,8 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace scree::coupling {
 namespace {
@@ -89,8 +91,33 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
   return impl_->pairs;
 }
 
+double Search::room_between_bodies(std::span<const Vec2> x) const {
+  constexpr std::size_t kMany = 64;  // bodies; pairs of their boxes are looked at one by one
+  const Setup& setup = *impl_->setup;
+  const Outlines& o = setup.outlines();
+  const std::size_t count = setup.bodies().size();
+  if (count > kMany) return 0.0;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<Box, kMany> box;
+  for (std::size_t b = 0; b < count; ++b) box[b] = {Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Box& b = box[static_cast<std::size_t>(o.node_body[i])];
+    b.lo = b.lo.cwiseMin(x[i]);
+    b.hi = b.hi.cwiseMax(x[i]);
+  }
+  double least = kFar;
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = a + 1; b < count; ++b) {
+      if (setup.bodies()[a].driven && setup.bodies()[b].driven) continue;
+      least = std::min(least, (box[a].lo - box[b].hi).cwiseMax(box[b].lo - box[a].hi).maxCoeff());
+    }
+  // update() lists boxes nearer than its fattening, half the reach and the slack on either side; both bodies may move.
+  return 0.5 * (least - 3.0 * impl_->reach);
+}
+
 double Search::clearance(std::span<const Vec2> x) {
   if (!impl_->pairs.empty()) return 0.0;
+  if (const double room = room_between_bodies(x); room > 0.0) return room;
   (void)refit(x, true);
   collect();
   return impl_->pairs.empty() ? impl_->reach : 0.0;  // the slack of every box

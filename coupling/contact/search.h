@@ -37,6 +37,9 @@ class Search {
  private:
   bool refit(std::span<const Vec2> x, bool all);
   void collect();
+  /// How far every outline node may move while the bounding boxes of bodies stay out of each other's reach; <= 0: they
+  /// do not now.
+  [[nodiscard]] double room_between_bodies(std::span<const Vec2> x) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;
