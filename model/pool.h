@@ -160,6 +160,9 @@ class Pool {
   virtual double internal_force(std::span<const double> q, std::span<double> f) const = 0;
   /// f += body force of a uniform acceleration.
   virtual void body_force(const Vec2& acceleration, std::span<double> f) const = 0;
+  /// Passes forces on nodes that follow others on to those, so that each is the unbalanced force of a free node; the
+  /// motion is the same.
+  virtual void fold_forces(std::span<double> f) const { (void)f; }
   /// a = M^-1 f (f is not changed); the acceleration is compatible with the method's constraints.
   virtual void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const = 0;
   /// 1/2 v^T M v, bodies in `counted` only (one flag a body).

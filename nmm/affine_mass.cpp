@@ -146,6 +146,16 @@ void AffineMass::add_weight(const Vec2& g, std::span<double> f) const {
   }
 }
 
+void AffineMass::fold_forces(std::span<double> f) const {
+  const auto first = static_cast<std::size_t>(first_);
+  for (const Tie& t : ties_)
+    for (std::size_t d = 0; d < 2; ++d) {
+      double& tied = f[2 * (first + static_cast<std::size_t>(t.cover)) + d];
+      for (std::size_t k = 0; k < 3; ++k) f[2 * (first + static_cast<std::size_t>(t.root[k])) + d] += t.w[k] * tied;
+      tied = 0.0;
+    }
+}
+
 void AffineMass::fold(const Row& row, std::vector<std::pair<std::int32_t, double>>& folded) const {
   folded.clear();
   const auto add = [&](std::int32_t cover, double w) {

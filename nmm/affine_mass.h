@@ -35,6 +35,8 @@ class AffineMass {
   [[nodiscard]] double theta() const { return theta_; }
   /// Row sums, a cover; 0 for tied ones [kg].
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
+  /// Moves forces on tied covers to their roots.
+  void fold_forces(std::span<double> f) const;
   /// Weights on free covers (counted from the block's first) that a row stands for.
   void fold(const Row& row, std::vector<std::pair<std::int32_t, double>>& folded) const;
 

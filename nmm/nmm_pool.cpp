@@ -125,6 +125,10 @@ void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
   for (const auto& b : bodies_) b->mass.add_weight(acceleration, f);
 }
 
+void NmmPool::fold_forces(std::span<double> f) const {
+  for (const auto& b : bodies_) b->mass.fold_forces(f);
+}
+
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
   for (const auto& b : bodies_) b->mass.solve(f, a);
 }

@@ -129,7 +129,9 @@ void CentralDifference::sum_up(const Instant& at) {
       for (std::size_t i = c.begin; i < c.end; ++i) total_[i] += stiffness_.force[i];
     });
   }
-  if (!local_.force.empty())
+  if (!local_.force.empty()) {
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      setup_->pool(p).fold_forces(setup_->part(std::span<double>(total_), p));
     chunks_.for_free([&](const Chunk& c, std::size_t) {
       for (std::size_t i = c.begin; i < c.end; ++i) {
         const double sign = at.v[i] > 0.0 ? 1.0 : (at.v[i] < 0.0 ? -1.0 : 0.0);
@@ -137,6 +139,7 @@ void CentralDifference::sum_up(const Instant& at) {
         total_[i] += local_.force[i];
       }
     });
+  }
 }
 
 void CentralDifference::accelerate(std::span<const double> q, std::span<double> a) const {
