@@ -18,8 +18,8 @@ namespace scree::coupling {
 /// each books its own work. Mass-proportional damping at the rate a acts on w = v minus its affine part, or on all of
 /// v: w_n = w*/(1 + a h/2), force -a M w_n, which is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq.
 /// in 4.3.3) on synchronised velocities. Everything else that damps (stiffness, viscous edges, contacts) lags half a
-/// step behind: F(x_n, v_{n-1/2}). Local damping: -alpha |F| sign(v_{n-1/2}) on every component of every node, F the
-/// unbalanced force (Cundall 1987); on DDA blocks the nodes are the centre and the columns of the gradient.
+/// step behind: F(x_n, v_{n-1/2}). Local damping: -alpha |F| sign(v_{n-1/2}) on every component of every free node, F
+/// the unbalanced force (Cundall 1987); on DDA blocks the nodes are the centre and the columns of the gradient.
 /// @source thesis 4.3, 6.5; nmm.md "Time integration"
 class CentralDifference final : public Mover {
  public:

@@ -1,34 +1,8 @@
 // Explicit steps take no memory from the third on: every operator new of this program is counted.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "tests/allocation/counting_new.h"
 #include "tests/support/by_hand.h"
-
-namespace {
-std::atomic<std::int64_t> taken{0};
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++taken;
-  if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-void* operator new[](std::size_t size) { return operator new(size); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++taken;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace scree::test {
 namespace {
@@ -43,16 +17,16 @@ std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping) {
   const Tick h = ticks(0.5 * mover.stable_step(hand.state, nullptr));
   std::int64_t begin = 0;
   for (int i = 1; i <= 200; ++i) {
-    if (i == 3) begin = taken;
+    if (i == 3) begin = allocations_so_far();
     EXPECT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
   }
-  return taken - begin;
+  return allocations_so_far() - begin;
 }
 
 TEST(Allocation, is_counted) {
-  const std::int64_t before = taken;
+  const std::int64_t before = allocations_so_far();
   const auto p = std::make_unique<double>(1.0);
-  EXPECT_GT(taken, before);
+  EXPECT_GT(allocations_so_far(), before);
 }
 
 class Allocation : public testing::TestWithParam<const char*> {};

@@ -117,34 +117,30 @@ TEST(Rayleigh, stretching_block_decays_by_half_rate_times_omega_squared) {
 }
 
 /// Energy left in a bar after a pulse should have left it at the far end, as a fraction of what came in.
-double left_in_bar(bool viscous, bool shear) {
-  Scene scene(1e9, 0.0, 2500.0);  // nu = 0: plane waves travel at sqrt(E/rho), or sqrt(mu/rho) sheared
+double left_in_bar(bool viscous) {
+  Scene scene(1e9, 0.0, 2500.0);  // nu = 0: plane waves travel at sqrt(E/rho)
   scene.model.gravity = {0.0, 0.0};
-  const double length = 8.0, height = 0.5, c = std::sqrt((shear ? 0.5e9 : 1e9) / 2500.0), pulse = 2.5 / c;
+  const double length = 8.0, height = 0.5, c = std::sqrt(1e9 / 2500.0), pulse = 2.5 / c;
   const BlockId id = scene.add("bar", rectangle(0, 0, length, height));
   TimeFunction f;
   f.shape = TimeFunction::Shape::sine_squared;
   f.duration = pulse;
   scene.model.functions.push_back(f);
-  scene.model.tractions.push_back({{id, {0, 3}, 0.0, 1.0}, shear ? Vec2(0.0, 1e4) : Vec2(1e4, 0.0), FunctionId{0}});
+  scene.model.tractions.push_back({{id, {0, 3}, 0.0, 1.0}, Vec2(1e4, 0.0), FunctionId{0}});
   if (viscous) scene.model.viscous_edges.push_back({{id, {0, 1}, 0.0, 1.0}});
-  if (shear)  // upper and lower edges of a bar would bend it: hold them level
-    for (int i = 0; i <= 64; ++i)
-      for (const double y : {0.0, height})
-        scene.model.point_supports.push_back({id, {length * i / 64.0, y}, true, false, 1e9});
   scene.stage("nmm", Integrator::explicit_, pulse + 1.3 * length / c, std::nullopt, 0.125);
   Driver run(scene.model, scene.plan, methods());
   EXPECT_EQ(run.run().status, RunEnd::Status::done);
   const Ledger& ledger = run.state().ledger;
   EXPECT_LT(ledger.relative_closure(), 1e-11);
-  EXPECT_GT(ledger[Column::loads], 0.1);
+  EXPECT_GT(ledger[Column::loads], 0.01);
   EXPECT_EQ(ledger[Column::viscous_edges] > 0.0, viscous);
   // The pulse leaves a bar that drifts (its impulse is not zero), and a plane wave takes that away too.
   return ledger.energy() / ledger[Column::loads];
 }
 
 TEST(ViscousEdge, takes_a_pressure_wave_out_of_a_bar) {
-  const double with = left_in_bar(true, false), without = left_in_bar(false, false);
+  const double with = left_in_bar(true), without = left_in_bar(false);
   std::printf("pressure wave: %.2e of its energy left with a viscous edge, %.3f without\n", with, without);
   EXPECT_LT(with, 0.01);
   EXPECT_GT(without, 0.99);
