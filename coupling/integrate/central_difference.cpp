@@ -347,7 +347,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   double farthest = reach(state, h);
   move_driven(state, h, end, farthest);
   if (!(farthest <= control_.max_displacement)) {
-    const StepReport report = refuse(state, h);
+    StepReport report = refuse(state, h);
     if (report.status != StepReport::Status::ok) return report;
   }
   const Ledger before = state.ledger;
@@ -363,7 +363,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // Forces at the new instant.
   const double energy = stress(q_new_);
   if (!std::isfinite(energy)) {
-    const StepReport report = lost(q_new_, end);
+    StepReport report = lost(q_new_, end);
     state.ledger = before;
     (void)stress(state.q);
     return report;
@@ -375,7 +375,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // Kick by the other half.
   accelerate(q_new_, a_new_);
   if (!arrive(h)) {
-    const StepReport report = lost(q_new_, end);
+    StepReport report = lost(q_new_, end);
     contact_.undo(state);
     state.ledger = before;
     (void)stress(state.q);

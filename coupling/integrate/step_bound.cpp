@@ -146,16 +146,16 @@ std::string shares(const Setup& setup, const Parts& parts, const Body& b, const 
 
 }  // namespace
 
-double certified_step(const Setup& setup, const StepParts& in, std::string* binding) {
-  const Parts parts = collect(setup, in);
+double certified_step(const Setup& setup, const StepParts& parts, std::string* binding) {
+  const Parts all = collect(setup, parts);
   double least = std::numeric_limits<double>::infinity();
   const Body* binds = nullptr;
   for (const Body& b : setup.bodies()) {
     if (b.driven) continue;
     const Pool& pool = setup.pool_of(b);
     const double own = pool.frequency_bound(b.index), theta = pool.mass_ratio(b.index);
-    const double lambda = theta * (1.0 + in.damping.local) * (own + parts.sum(parts.worst(b, false), false)),
-                 gamma = theta * (in.damping.stiffness * own + parts.sum(parts.worst(b, true), true));
+    const double lambda = theta * (1.0 + parts.damping.local) * (own + all.sum(all.worst(b, false), false)),
+                 gamma = theta * (parts.damping.stiffness * own + all.sum(all.worst(b, true), true));
     const double h = largest_step(lambda, gamma);
     if (!(h < least)) continue;
     least = h;
@@ -163,7 +163,7 @@ double certified_step(const Setup& setup, const StepParts& in, std::string* bind
   }
   if (binding != nullptr && binds != nullptr)
     *binding = fmt::format("block '{}' ({})", setup.model().blocks[binds->block.index()].name,
-                           shares(setup, parts, *binds, in.damping, least));
+                           shares(setup, all, *binds, parts.damping, least));
   return least;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 using namespace coupling;
 
-/// Allocations in steps 3 to 200.
-std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping) {
+/// Allocations in steps 3 to 200; `closed` tells whether contacts took part.
+std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping, bool closed = false) {
   ByHand hand(scene.model, scene.plan.stages[0]);
   CentralDifference mover(*hand.setup, {.max_displacement = 0.02}, 0.05, damping);
   mover.enter(hand.state);
@@ -20,7 +20,10 @@ std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping) {
     if (i == 3) begin = allocations_so_far();
     EXPECT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
   }
-  return allocations_so_far() - begin;
+  const std::int64_t end = allocations_so_far();
+  EXPECT_EQ(closed, !hand.state.contacts.empty());
+  EXPECT_EQ(closed, hand.state.ledger[Column::friction] > 0.0);
+  return end - begin;
 }
 
 TEST(Allocation, is_counted) {
@@ -59,7 +62,7 @@ TEST_P(Allocation, of_sliding_blocks_is_none) {
   scene.add("other", turned(rectangle(2.05, 0.001, 3, 0.8)));
   scene.model.initial_velocities.push_back({BlockId{1}, rotation(-0.5) * Vec2(2.0, 0.0), 0.0});
   scene.stage(GetParam(), Integrator::explicit_, 1.0, std::nullopt, 0.5);
-  EXPECT_EQ(allocations(scene, {}), 0);
+  EXPECT_EQ(allocations(scene, {}, true), 0);
 }
 INSTANTIATE_TEST_SUITE_P(methods, Allocation, testing::Values("nmm", "dda"));
 
