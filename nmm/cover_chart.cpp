@@ -69,6 +69,15 @@ void CoverChart::gather(std::span<const double> f, std::span<const double> scale
   });
 }
 
+void CoverChart::fold_forces(std::span<double> f) const {
+  for (const Tie& t : ties_)
+    for (std::size_t d = 0; d < 2; ++d) {
+      double& tied = f[2 * static_cast<std::size_t>(t.cover) + d];
+      for (std::size_t k = 0; k < 3; ++k) f[2 * static_cast<std::size_t>(t.root[k]) + d] += t.w[k] * tied;
+      tied = 0.0;
+    }
+}
+
 void CoverChart::follow(std::span<double> v) const {
   parallel_for(static_cast<std::int64_t>(ties_.size()), [&](std::int64_t n) {
     const Tie& t = ties_[static_cast<std::size_t>(n)];

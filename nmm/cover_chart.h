@@ -33,6 +33,8 @@ class CoverChart {
   void fold(const Row& row, std::vector<Share>& folded) const;
   /// Adds to every root what its tied covers hold, each by its weight times `scale` (a number a cover).
   void gather(std::span<const double> f, std::span<const double> scale, std::span<double> a) const;
+  /// Moves what tied covers hold to their roots.
+  void fold_forces(std::span<double> f) const;
   /// Tied covers take the sum of their roots.
   void follow(std::span<double> v) const;
   [[nodiscard]] std::span<const Tie> ties() const { return ties_; }

@@ -202,7 +202,8 @@ double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::spa
   return 0.5 * sum;
 }
 
-void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f,
+                      std::span<double> a) const {
   project(0, parts_.size(), v, true);
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
   parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
@@ -212,7 +213,8 @@ void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span
       const auto c = static_cast<Eigen::Index>(d);
       const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[2 * k + d] - affine);
       v[2 * k + d] = affine + w;
-      f[2 * k + d] -= rate * lumped_[k] * w;  // P^T M_L w = 0, so M w = M_L w
+      a[2 * k + d] -= rate * w;
+      f[2 * k + d] = -rate * lumped_[k] * w;  // P^T M_L w = 0, so M w = M_L w
     }
   });
 }

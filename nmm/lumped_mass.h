@@ -27,9 +27,8 @@ class LumpedMass {
   void apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M v over the covers of one block [J]
   [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
-  /// w *= factor, f -= rate M w; w = v - P S^^-1 P^T M_L v, the part that is M-orthogonal to affine fields of each
-  /// part.
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// w *= factor, f = -rate M w, a -= rate w; w = v - P S^^-1 P^T M_L v, M-orthogonal to affine fields of each part.
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
   /// f += M 1 g
   void add_weight(const Vec2& g, std::span<double> f) const;
 

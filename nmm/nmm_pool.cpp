@@ -130,6 +130,27 @@ double NmmPool::internal_force(std::span<const double> q, std::span<double> f) c
   return elements_.add_force(q, f);
 }
 
+Fault NmmPool::find_fault(std::span<const double> q) const {
+  if (Fault fault = Pool::find_fault(q); fault.body >= 0) return fault;
+  for (int b = 0; b < bodies(); ++b)
+    for (std::size_t e = 0; e < of(b).mesh.elements(); ++e) {
+      const std::size_t i = static_cast<std::size_t>(of(b).first_element) + e;
+      if (elements_.law(i).kinematics == Kinematics::linear || elements_.gradient(i, q).determinant() > 0.0) continue;
+      return {b, place_of(b, e) + " is turned inside out"};
+    }
+  return {};
+}
+
+std::string NmmPool::place_of(int body, std::size_t element) const {
+  const AffineMotion origin = affine_fit(of(body).shape.outline, of(body).shape.origin);
+  const Vec2 x = origin.c + origin.F * of(body).mesh.centroid(element);
+  return fmt::format("element {} near ({:.4g}, {:.4g})", element, x.x(), x.y());
+}
+
+std::string NmmPool::binding(int body) const {
+  return place_of(body, static_cast<std::size_t>(of(body).frequency.element));
+}
+
 void NmmPool::stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
                                 std::span<double> f) const {
   elements_.add_rate_force(q, v, rate, f);
@@ -151,8 +172,8 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
   return sum;
 }
 
-void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
-  mass_.damp(factor, rate, v, f);
+void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
+  mass_.damp(factor, rate, v, f, a);
 }
 
 double NmmPool::compliance(int, const Row& row) const {

@@ -29,15 +29,18 @@ class NmmPool final : public Pool {
   [[nodiscard]] BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const override;
 
   double internal_force(std::span<const double> q, std::span<double> f) const override;
+  [[nodiscard]] Fault find_fault(std::span<const double> q) const override;
+  void fold_forces(std::span<double> f) const override { chart_.fold_forces(f); }
   void body_force(const Vec2& acceleration, std::span<double> f) const override;
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const override;
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const override;
   void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
                          std::span<double> f) const override;
   [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency.lambda; }
   [[nodiscard]] double mass_ratio(int body) const override;
+  [[nodiscard]] std::string binding(int body) const override;
   [[nodiscard]] double compliance(int body, const Row& row) const override;
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
@@ -64,6 +67,8 @@ class NmmPool final : public Pool {
     FrequencyBound frequency;
     std::string name;
   };
+  /// An element for messages, where the model first had it.
+  [[nodiscard]] std::string place_of(int body, std::size_t element) const;
   [[nodiscard]] const Body& of(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
 
   std::vector<std::unique_ptr<Body>> bodies_;

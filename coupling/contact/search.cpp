@@ -10,6 +10,8 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace scree::coupling {
 namespace {
@@ -57,7 +59,7 @@ Search::~Search() {
   for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
 }
 
-std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
+bool Search::refit(std::span<const Vec2> x, bool all) {
   Impl& s = *impl_;
   const Outlines& o = s.setup->outlines();
   const bool first = s.proxies.empty();
@@ -68,7 +70,7 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
     const Vec2 &a = x[static_cast<std::size_t>(o.segments[i].a)], &b = x[static_cast<std::size_t>(o.segments[i].b)];
     const Vec2 lo = a.cwiseMin(b).array() - need, hi = a.cwiseMax(b).array() + need;
     Box& fat = s.fat[i];
-    if (!first && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
+    if (!first && !all && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
     moved = true;
     fat.lo = lo.array() - slack;
     fat.hi = hi.array() + slack;
@@ -81,7 +83,49 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
       s.tree.setAabb(s.proxies[i], low, high, nullptr);
     }
   }
-  if (!moved) return s.pairs;
+  return moved;
+}
+
+std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
+  if (refit(x, false)) collect();
+  return impl_->pairs;
+}
+
+double Search::room_between_bodies(std::span<const Vec2> x) const {
+  constexpr std::size_t kMany = 64;  // bodies; pairs of their boxes are looked at one by one
+  const Setup& setup = *impl_->setup;
+  const Outlines& o = setup.outlines();
+  const std::size_t count = setup.bodies().size();
+  if (count > kMany) return 0.0;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<Box, kMany> box;
+  for (std::size_t b = 0; b < count; ++b) box[b] = {Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Box& b = box[static_cast<std::size_t>(o.node_body[i])];
+    b.lo = b.lo.cwiseMin(x[i]);
+    b.hi = b.hi.cwiseMax(x[i]);
+  }
+  double least = kFar;
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = a + 1; b < count; ++b) {
+      if (setup.bodies()[a].driven && setup.bodies()[b].driven) continue;
+      least = std::min(least, (box[a].lo - box[b].hi).cwiseMax(box[b].lo - box[a].hi).maxCoeff());
+    }
+  // update() lists boxes nearer than its fattening, half the reach and the slack on either side; both bodies may move.
+  return 0.5 * (least - 3.0 * impl_->reach);
+}
+
+double Search::clearance(std::span<const Vec2> x) {
+  if (!impl_->pairs.empty()) return 0.0;
+  if (const double room = room_between_bodies(x); room > 0.0) return room;
+  (void)refit(x, true);
+  collect();
+  return impl_->pairs.empty() ? impl_->reach : 0.0;  // the slack of every box
+}
+
+void Search::collect() {
+  Impl& s = *impl_;
+  const Outlines& o = s.setup->outlines();
   s.tree.calculateOverlappingPairs(nullptr);
   btOverlappingPairCache* cache = s.tree.getOverlappingPairCache();
   s.pairs.clear();
@@ -95,7 +139,6 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
   }
   std::sort(s.pairs.begin(), s.pairs.end());
   s.pairs.erase(std::unique(s.pairs.begin(), s.pairs.end()), s.pairs.end());
-  return s.pairs;
 }
 
 }  // namespace scree::coupling
