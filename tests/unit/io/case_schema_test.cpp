@@ -70,7 +70,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"joint.NAME.damping", "joint.plane.damping=0.4"},
       {"motion.NAME.file", "motion.pulse.file=\"./other_pulse.csv\""},
       {"motion.NAME.unit", "motion.pulse.unit=\"m/s2\""},
-      {"motion.NAME.start", "motion.pulse.start=1.5"},
+      {"motion.NAME.start", "motion.pulse.start=2.5"},
       {"motion.NAME.from", "motion.upward.from=0.05"},
       {"motion.NAME.until", "motion.upward.until=0.25"},
       {"motion.NAME.resample", "motion.pulse.resample=0.05"},
@@ -138,7 +138,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"support[].point", "support.2.point=[2, 1]"},
       {"support[].stiffness", "support.2.stiffness=\"auto\""},
       {"support[].motion", "support.0.motion=\"upward\""},
-      {"crack[].block", "crack.0.block=\"wall\""},
+      {"crack[].block", "crack.0={block=\"ledge\", points=[[2.1, 2.1], [2.9, 2.9]]}"},
       {"crack[].points", "crack.0.points=[[1.0, 1.1], [1.2, 1.9]]"},
       {"crack[].joint", "crack.0.joint=\"plane\""},
       {"point_load[].block", "point_load.0.block=\"ledge\""},
@@ -166,7 +166,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].method_of[].cover_size", "stage.0.method_of.1.cover_size=0.5"},
       {"stage[].method_of[].onefold", "stage.0.method_of.2.onefold=false"},
       {"stage[].method_of[].method", "stage.0.method_of.0.method=\"nmm\""},
-      {"stage[].integrator", "stage.1.integrator=\"explicit\""},
+      {"stage[].integrator", "stage.2.integrator=\"explicit\""},
       {"stage[].dt", "stage.1.dt=0.002"},
       {"stage[].duration", "stage.0.duration=1"},
       {"stage[].safety", "stage.0.safety=1"},
@@ -192,9 +192,12 @@ TEST(Schema, every_key_changes_the_case) {
       {"live.rate", "live.rate=1"},
       {"run.threads", "run.threads=1"}};
   // What a change needs beside it to make sense.
-  const std::map<std::string, std::vector<std::string>> beside = {{"block[].name", {"support.1.blocks=[\"wall\"]"}},
-                                                                  {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
-                                                                  {"stage[].rest", {"motion.pulse.start=1"}}};
+  const std::map<std::string, std::vector<std::string>> beside = {
+      {"block[].name", {"support.1.blocks=[\"wall\"]"}},
+      {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
+      {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
+      {"stage[].method", {"material.soil={density=1900, young=1e7, poisson=0.3}"}},
+      {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
 
   std::size_t keys = 0;
   for (const Key& key : schema()) {
