@@ -195,6 +195,7 @@ TEST(Schema, every_key_changes_the_case) {
   const std::map<std::string, std::vector<std::string>> beside = {
       {"block[].name", {"support.1.blocks=[\"wall\"]"}},
       {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
+      {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}"}},
       {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
       {"stage[].method", {"material.soil={density=1900, young=1e7, poisson=0.3}"}},
       {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
