@@ -35,10 +35,10 @@ std::vector<EdgeSpan> by_number(const Section& s, const Section& root, const Mod
   const Block& of = model.blocks[block.index()];
   const std::vector<Section> listed = root.list("block");
   if (block.index() >= listed.size())
-    throw s.error("edge",
-                  fmt::format("block {} is cut from the domain: its edges have no numbers in the case",
-                              in_quotes(of.name)),
-                  "on = [[x, y], [x, y]]", "give the ends of the stretch with on");
+    throw s.error(
+        "edge",
+        fmt::format("block {} is cut from the domain: its edges have no numbers in the case", in_quotes(of.name)),
+        "on = [[x, y], [x, y]]", "give the ends of the stretch with on");
   const auto corners = static_cast<std::int32_t>(of.polygon.outer.size());
   const std::int32_t written = s.integer("edge");
   if (written >= corners)

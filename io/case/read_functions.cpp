@@ -47,7 +47,8 @@ void read_points(const Section& s, TimeFunction& f) {
       throw s.error("points", item, "the time is negative", "times >= 0 s, counted from start",
                     "shift the table with start");
     if (item > 0 && !(p.x() > f.time.back()))
-      throw s.error("points", item, fmt::format("the time does not increase: {} s comes after {} s", p.x(), f.time.back()),
+      throw s.error("points", item,
+                    fmt::format("the time does not increase: {} s comes after {} s", p.x(), f.time.back()),
                     fmt::format("a time > {} s", f.time.back()),
                     "sort the points, and keep one of those with equal times; a jump takes two times close together");
     f.time.push_back(p.x());
@@ -61,7 +62,8 @@ void read_file(const Section& s, const std::filesystem::path& folder, TimeFuncti
   std::transform(kind.begin(), kind.end(), kind.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   if (kind == ".AT2")
-    throw s.error("file", "a recorded ground motion is no table", "path of a text file with two columns: time [s], value",
+    throw s.error("file", "a recorded ground motion is no table",
+                  "path of a text file with two columns: time [s], value",
                   "apply the record with [motion.NAME] and a support that follows it, or write it in two columns");
   try {
     Record record = read_history(file, "value");

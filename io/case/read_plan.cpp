@@ -76,10 +76,10 @@ void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const
                   "\"explicit\" where a block uses the NMM",
                   "set integrator = \"explicit\", or method = \"dda\" for implicit steps");
   if (const BlockId bare = without_covers(stage, used, model); bare.valid())
-    throw s.error("cover_size",
-                  fmt::format("block {} uses the NMM and no cover_size is given",
-                              in_quotes(model.blocks[bare.index()].name)),
-                  "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
+    throw s.error(
+        "cover_size",
+        fmt::format("block {} uses the NMM and no cover_size is given", in_quotes(model.blocks[bare.index()].name)),
+        "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
 }
 
 coupling::Stage read_stage(const Section& s, const Section& m, const Model& model,
@@ -109,7 +109,8 @@ void check_initial_stress(const Section& root, const coupling::Stage& first, con
   const std::vector<std::string> methods = methods_of_blocks(first, model.blocks.size());
   for (std::size_t b = 0; b < methods.size(); ++b) {
     const Material& material = model.materials[model.blocks[b].material.index()];
-    if (!material.initial_stress || methods[b] == "nmm") continue;
+    const BlockId block{static_cast<std::int32_t>(b)};
+    if (!material.initial_stress || methods[b] == "nmm" || model.support_of(block)) continue;
     for (const Section::Named& named : root.named("material"))
       if (named.name == material.name)
         throw named.section.error(

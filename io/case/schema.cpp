@@ -44,7 +44,8 @@ constexpr Key kKeys[] = {
     {"function", Type::named_tables, "", kAny, "", false, "",
      "A number that depends on time; loads refer to it by NAME and are multiplied by it. It is zero before its start."},
     {"function.NAME.shape", Type::choice, "", kAny, "", true, "constant|ramp|sine|half_sine|sine_squared|table",
-     "With s the time since start and T the duration: constant 1; ramp s/T, then 1; sine sin(2 pi frequency s), until T "
+     "With s the time since start and T the duration: constant 1; ramp s/T, then 1; sine sin(2 pi frequency s), until "
+     "T "
      "if that is given; half_sine sin(pi s/T), then 0; sine_squared sin^2(pi s/T), then 0; table straight lines "
      "through given points, zero before the first, then the last value."},
     {"function.NAME.amplitude", Type::number, "", kAny, "1.0", false, "", "Factor on the shape."},
@@ -265,7 +266,8 @@ constexpr Key kKeys[] = {
     {"point_load[].point", Type::point, "m", kCoordinate, "", true, "",
      "The point where the model starts, on the outline of the block or inside."},
     {"point_load[].force", Type::point, "N", kAny, "", true, "", "Force for unit thickness."},
-    {"point_load[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
+    {"point_load[].function", Type::name, "", kAny, "(constant)", false, "",
+     "Name of the function that multiplies it."},
 
     {"traction", Type::table_list, "", kAny, "", false, "",
      "A force per length of outline as the model first has it; its direction stays (a dead load)."},
@@ -304,8 +306,7 @@ constexpr Key kKeys[] = {
     {"stage", Type::table_list, "", kAny, "", true, "", "A part of the run; stages follow one another."},
     {"stage[].name", Type::name, "", kAny, "", true, "", "Name, given once only."},
     {"stage[].method", Type::name, "", kAny, "", true, "", "Discretisation of the blocks: \"nmm\" or \"dda\"."},
-    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit",
-     "Time integration."},
+    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit", "Time integration."},
     {"stage[].dt", Type::number_or_auto, "s", kTime, "\"auto\"", false, "",
      "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
@@ -315,11 +316,14 @@ constexpr Key kKeys[] = {
      "Size of the mathematical covers, for blocks without a cover_size of their own. Needed, here or in model, where "
      "such a block uses the NMM."},
     {"stage[].kinematics", Type::choice, "", kAny, "\"corotational\"", false, "corotational|linear",
-     "Of the NMM: small strain in a frame that turns with the rock, or small strain and small rotation, for comparisons "
+     "Of the NMM: small strain in a frame that turns with the rock, or small strain and small rotation, for "
+     "comparisons "
      "with linear theory."},
     {"stage[].mass", Type::choice, "", kAny, "\"auto\"", false, "auto|affine-exact|lumped|consistent",
-     "Mass of the NMM. lumped: row sums; affine-exact, explicit: row sums corrected so that mass, momenta and rotational "
-     "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, consistent "
+     "Mass of the NMM. lumped: row sums; affine-exact, explicit: row sums corrected so that mass, momenta and "
+     "rotational "
+     "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, "
+     "consistent "
      "in implicit ones."},
     {"stage[].cracks", Type::boolean, "", kAny, "false", false, "",
      "Cut the covers of the NMM along the cracks of its blocks. The faces of a crack do not touch each other."},
@@ -330,7 +334,8 @@ constexpr Key kKeys[] = {
     {"stage[].stiffness_damping", Type::number, "s", kNotNegative, "0.0", false, "",
      "Rayleigh damping proportional to stiffness; rigid motion has none. It lowers the stable explicit step."},
     {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
-     "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For statics."},
+     "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
+     "statics."},
     {"stage[].newmark", Type::choice, "", kAny, "(\"damped\", in implicit stages)", false, "damped|trapezoidal",
      "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
      "without contacts."},

@@ -23,16 +23,15 @@ std::string field(const std::string& text) {
 std::vector<CsvFile::Column> history_columns(const Model& model) {
   std::vector<CsvFile::Column> columns{{"time", "s"}};
   for (const std::string& name : monitor_names(model))
-    for (const auto& [end, units] :
-         {std::pair{".x", "m"},
-          {".y", "m"},
-          {".ux", "m"},
-          {".uy", "m"},
-          {".vx", "m/s"},
-          {".vy", "m/s"},
-          {".sxx", "Pa"},
-          {".syy", "Pa"},
-          {".sxy", "Pa"}})
+    for (const auto& [end, units] : {std::pair{".x", "m"},
+                                     {".y", "m"},
+                                     {".ux", "m"},
+                                     {".uy", "m"},
+                                     {".vx", "m/s"},
+                                     {".vy", "m/s"},
+                                     {".sxx", "Pa"},
+                                     {".syy", "Pa"},
+                                     {".sxy", "Pa"}})
       columns.push_back({name + end, units});
   return columns;
 }

@@ -15,8 +15,8 @@ namespace scree::io {
 /// Names of the monitors as names of groups: '/' becomes '_', an empty one "monitor", a repeated one gets a number.
 [[nodiscard]] std::vector<std::string> monitor_names(const Model& model);
 
-/// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column, energy,
-/// closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
+/// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column,
+/// energy, closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
 class HistoryWriter {
  public:
   HistoryWriter(const h5::File& file, const Model& model);

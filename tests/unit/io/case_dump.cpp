@@ -91,7 +91,8 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
            static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
            s.stiffness_damping, s.local_damping, static_cast<int>(s.newmark), s.dynamics, s.rest_force, s.rest_steps);
     for (const coupling::MethodRule& r : s.rules)
-      for (const BlockId b : r.blocks) d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
+      for (const BlockId b : r.blocks)
+        d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
   }
   d.line("output {} {}", p.output.every, p.output.history_every);
   d.line("live {} {} {}", p.live.enabled, p.live.url, p.live.rate);

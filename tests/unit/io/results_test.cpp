@@ -257,8 +257,9 @@ TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
   std::getline(in, header);
   std::getline(in, row);
   EXPECT_TRUE(header.starts_with("time [s],\"crest, left.x [m]\",\"crest, left.y [m]\",")) << header;
-  EXPECT_TRUE(header.ends_with("\"crest, left_2.vy [m/s]\",\"crest, left_2.sxx [Pa]\",\"crest, left_2.syy [Pa]\","
-                               "\"crest, left_2.sxy [Pa]\""))
+  EXPECT_TRUE(
+      header.ends_with("\"crest, left_2.vy [m/s]\",\"crest, left_2.sxx [Pa]\",\"crest, left_2.syy [Pa]\","
+                       "\"crest, left_2.sxy [Pa]\""))
       << header;
   std::vector<double> numbers;
   for (std::istringstream fields(row); std::getline(fields, row, ',');)

@@ -79,11 +79,11 @@ TEST(EdgesOnLine, several_edges_on_one_line_are_all_found) {
 
 TEST(EdgesOnLine, edges_across_or_beside_the_line_do_not_count) {
   const Polygon p = framed();
-  EXPECT_TRUE(edges_on_line(kBlock, p, {2, -1}, {2, 3}, 1e-6).empty());         // across
+  EXPECT_TRUE(edges_on_line(kBlock, p, {2, -1}, {2, 3}, 1e-6).empty());             // across
   EXPECT_TRUE(edges_on_line(kBlock, p, {0, 2.00001}, {4, 2.00001}, 1e-6).empty());  // beside
   EXPECT_EQ(edges_on_line(kBlock, p, {0, 2.0000009}, {4, 2}, 1e-6).size(), 1u);
-  EXPECT_TRUE(edges_on_line(kBlock, p, {4, 2}, {8, 2}, 1e-6).empty());  // only a corner in common
-  EXPECT_TRUE(edges_on_line(kBlock, p, {0, 2}, {4, 2.1}, 1e-6).empty());        // leaves the edge at once
+  EXPECT_TRUE(edges_on_line(kBlock, p, {4, 2}, {8, 2}, 1e-6).empty());    // only a corner in common
+  EXPECT_TRUE(edges_on_line(kBlock, p, {0, 2}, {4, 2.1}, 1e-6).empty());  // leaves the edge at once
 }
 
 TEST(NearestEdge, tells_how_far_the_line_strays) {
@@ -121,9 +121,8 @@ TEST(EdgesOnLine, random_stretches_of_turned_rectangles_come_back) {
                  y0 = height * between(random, 0.1, 0.4), y1 = height * between(random, 0.6, 0.9);
     Polygon flat{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
     orient(flat);
-    const Polygon p =
-        transformed(flat, {size * between(random, -20, 20), size * between(random, -20, 20)},
-                    rotation(between(random, 0.0, 2.0 * std::numbers::pi)));
+    const Polygon p = transformed(flat, {size * between(random, -20, 20), size * between(random, -20, 20)},
+                                  rotation(between(random, 0.0, 2.0 * std::numbers::pi)));
     const double tolerance = 1e-6 * std::max(width, height);
 
     const OutlineEdge wanted{between(random, 0, 1) < 0.5 ? 0 : 1, static_cast<std::int32_t>(between(random, 0, 4))};
