@@ -38,11 +38,22 @@ ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat
   return out;
 }
 
-Mat2 strain_of_kirchhoff(const Elasticity& law, const Mat2& kirchhoff) {
-  Mat2 e = law.strain(kirchhoff);
+ElasticResponse linear_response(const Elasticity& law, const Mat2& F, const Mat2& s0) {
+  ElasticResponse out;
+  out.R = Mat2::Identity();
+  const Mat2 e = 0.5 * (F + F.transpose()) - Mat2::Identity();
+  const Mat2 se = law.stress(e);
+  out.stress = se + s0;
+  out.energy = 0.5 * se.cwiseProduct(e).sum() + s0.cwiseProduct(e).sum();
+  out.P = out.stress;
+  return out;
+}
+
+Mat2 strain_of_kirchhoff(const Elasticity& law, const Mat2& kirchhoff, const Mat2& s0) {
+  Mat2 e = law.strain(kirchhoff - s0);
   for (int i = 0; i < 60; ++i) {
-    const Mat2 stress = kirchhoff * (Mat2::Identity() + e).inverse();  // C(e) and I + e commute
-    const Mat2 next = law.strain(0.5 * (stress + stress.transpose()));
+    const Mat2 stress = kirchhoff * (Mat2::Identity() + e).inverse();  // C:e and I + e commute
+    const Mat2 next = law.strain(0.5 * (stress + stress.transpose()) - s0);
     const double change = (next - e).norm();
     e = next;
     if (change <= 1e-17 * e.norm()) break;

@@ -36,8 +36,11 @@ struct ElasticResponse {
 /// @source nmm.md "Kinematics and stress"; initial stress s0 is given in the co-rotated frame
 [[nodiscard]] ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
 
-/// Strain e of an affine body in the co-rotated frame whose Kirchhoff stress C(e)(I + e) is the one given [Pa].
+/// Small strain and rotation: e = sym(F) - I, P = s = C:e + s0, R = I.
+[[nodiscard]] ElasticResponse linear_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
+
+/// Strain e of an affine body in the co-rotated frame whose Kirchhoff stress (C:e + s0)(I + e) is the one given [Pa].
 /// @pre the strain is small against 1 (fixed-point iteration with the factor |e|)
-[[nodiscard]] Mat2 strain_of_kirchhoff(const Elasticity& law, const Mat2& kirchhoff);
+[[nodiscard]] Mat2 strain_of_kirchhoff(const Elasticity& law, const Mat2& kirchhoff, const Mat2& s0);
 
 }  // namespace scree

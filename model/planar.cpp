@@ -33,6 +33,31 @@ std::vector<Polygon> Clipper::intersection(const Ring& cell) const {
   return pieces;
 }
 
+std::vector<Polygon> cut_by_lines(const Polygon& polygon, std::span<const CutLine> lines) {
+  const Geos geos;
+  const auto area = geos.polygon(polygon);
+  const auto boundary = geos.own(GEOSBoundary_r(geos.get(), area.get()), "boundary");
+  std::vector<GEOSGeometry*> parts;
+  for (const CutLine& s : lines) parts.push_back(geos.line(s.from, s.to));
+  const auto drawn = geos.own(
+      GEOSGeom_createCollection_r(geos.get(), GEOS_MULTILINESTRING, parts.data(), static_cast<unsigned>(parts.size())),
+      "lines");
+  const auto noded = geos.own(GEOSUnion_r(geos.get(), boundary.get(), drawn.get()), "noding");
+  const GEOSGeometry* all = noded.get();
+  const auto faces = geos.own(GEOSPolygonize_r(geos.get(), &all, 1), "polygons");
+  std::vector<Polygon> found, inside;
+  geos.collect(faces.get(), found);
+  for (Polygon& face : found) {  // lines beyond the polygon, and holes, bound faces of their own
+    const auto g = geos.polygon(face);
+    const auto point = geos.own(GEOSPointOnSurface_r(geos.get(), g.get()), "point");
+    double x = 0.0, y = 0.0;
+    GEOSGeomGetX_r(geos.get(), point.get(), &x);
+    GEOSGeomGetY_r(geos.get(), point.get(), &y);
+    if (contains(polygon, {x, y})) inside.push_back(std::move(face));
+  }
+  return inside;
+}
+
 std::string invalidity(const Polygon& polygon) {
   const Geos geos;
   const auto g = geos.polygon(polygon);

@@ -1,6 +1,7 @@
 // Planar geometry by GEOS: intersections of polygons, validity, triangulation.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ class Clipper {
   struct Impl;
   Impl* impl_;
 };
+
+/// A straight line between two points [m].
+struct CutLine {
+  Vec2 from{0.0, 0.0}, to{0.0, 0.0};
+};
+/// The parts into which lines cut a polygon, oriented: one where no line runs through it. Ends within it cut nothing.
+[[nodiscard]] std::vector<Polygon> cut_by_lines(const Polygon& polygon, std::span<const CutLine> lines);
 
 /// Reason why a polygon is not simple and valid, with the place; empty if it is.
 [[nodiscard]] std::string invalidity(const Polygon& polygon);

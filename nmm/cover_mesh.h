@@ -3,26 +3,17 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "model/planar.h"
 #include "model/pool.h"
 
 namespace scree::nmm {
 
-/// One connected piece of block and mesh triangle, with the triangle's three covers.
-struct Element {
-  std::array<std::int32_t, 3> cover{};
-  std::array<Vec2, 3> star{};  // reference positions of the covers [m]
-  Polygon piece;               // the material [m]
-  double area = 0.0;           // [m2]
-  Vec2 centroid{0.0, 0.0};
-  double fraction = 0.0;  // area over the triangle's area
-
-  /// Gradients of the three weights, one a column [1/m].
-  [[nodiscard]] Eigen::Matrix<double, 2, 3> gradients() const;
-  /// Barycentric weights of a point in the reference triangle (any point: weights may be negative).
-  [[nodiscard]] std::array<double, 3> weights(const Vec2& X) const;
-};
+/// Gradients of an element's three weights, one a column [1/m].
+using Gradients = Eigen::Matrix<double, 2, 3>;
+[[nodiscard]] Gradients gradients_of(const std::array<Vec2, 3>& star);
 
 /// A cover without an element of at least half its triangle follows three others by barycentric extrapolation.
 /// @source nmm.md "Small cuts"; aggregated finite elements: Badia, Verdugo, Martin 2018
@@ -32,22 +23,53 @@ struct Tie {
   std::array<double, 3> w;
 };
 
+/// Structure of arrays: most elements are whole triangles of the lattice and carry nothing of their own but covers.
+/// An element is one connected piece of block and mesh triangle, with the triangle's three covers. Elements run by
+/// rows of the lattice and along them, covers likewise, so that neighbours are near in memory.
 struct CoverMesh {
-  std::vector<Vec2> star;  // reference position of each physical cover [m]
-  std::vector<Element> elements;
-  std::vector<Tie> ties;  // by cover; roots are never tied
-  Boundary boundary;      // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
-  bool onefold = false;   // one triangle around the whole block
+  // A place a physical cover.
+  std::vector<Vec2> star;               // reference position [m]
+  std::vector<std::int32_t> component;  // connected part of the block, counted from 0
+  std::int32_t components = 0;
+  // A place an element.
+  std::vector<std::array<std::int32_t, 3>> cover;  // counter-clockwise
+  std::vector<std::uint16_t> shape;                // into shapes
+  std::vector<double> area;                        // of the material [m2]
+  std::vector<std::int32_t> piece;                 // into pieces; -1: the whole triangle
 
+  std::vector<Gradients> shapes;       // the lattice's two triangles, then one a onefold cover
+  std::vector<double> triangle_areas;  // a shape [m2]
+  std::vector<Polygon> pieces;         // material of the elements that boundaries or cracks cut [m]
+  std::vector<Tie> ties;               // by cover; roots are never tied
+  Boundary boundary;            // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
+  bool onefold = false;         // one triangle around the whole block
+  double crack_length = 0.0;    // along which the block is cut [m]
+  double trimmed_length = 0.0;  // of crack ends within triangles, which do not cut [m]
+
+  [[nodiscard]] std::size_t elements() const { return area.size(); }
+  [[nodiscard]] std::array<Vec2, 3> stars(std::size_t element) const;
+  /// The material of an element.
+  [[nodiscard]] Polygon material(std::size_t element) const;
+  [[nodiscard]] Vec2 centroid(std::size_t element) const;
+  /// Part of the triangle that is material.
+  [[nodiscard]] double fraction(std::size_t element) const { return area[element] / triangle_areas[shape[element]]; }
+  /// Barycentric weights of a point in the element's triangle (any point: weights may be negative).
+  [[nodiscard]] std::array<double, 3> weights(std::size_t element, const Vec2& X) const;
   /// Element that holds a point, or the nearest one.
   [[nodiscard]] std::int32_t locate(const Vec2& X) const;
   [[nodiscard]] Row row(std::int32_t element, const Vec2& X) const;
 };
 
+/// True where two rows of a point are the same sum of nodes, whatever the nodes' positions.
+[[nodiscard]] bool same_place(const Row& a, const Row& b);
+
 /// Covers a block with the hexagonal stars of a lattice of edge length `cover_size` [m], anchored to its centre of
-/// mass. A block with no element of half a triangle takes one triangle of its own (onefold cover, thesis 7.3.1).
-/// Connected pieces share covers only where they share an edge length, so a narrow slot separates its two sides.
-[[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size);
+/// mass. Connected pieces share covers only where they share an edge length that is not on a crack, so a narrow slot
+/// separates its two sides, and a crack its two faces. A crack that ends inside a triangle does not cut it. A connected
+/// part without an element of half a triangle takes one triangle of its own (onefold cover, thesis 7.3.1).
+/// @throws std::runtime_error where GEOS cannot intersect
+[[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size,
+                                        std::span<const CutLine> cracks = {});
 
 /// The onefold cover of a block.
 [[nodiscard]] CoverMesh make_onefold(const Polygon& outline);

@@ -1,14 +1,14 @@
 #include "nmm/nmm_pool.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
-#include "model/parallel.h"
 #include "model/planar.h"
-#include "nmm/step_bound.h"
 
 namespace scree::nmm {
 namespace {
@@ -18,51 +18,71 @@ Vec2 node(std::span<const double> q, std::int32_t k) {
   return {q[i], q[i + 1]};
 }
 
+Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const double> q) {
+  const Mat2 P = elements.response(e, q).P;
+  if (elements.law(e).kinematics == Kinematics::linear) return P;
+  const Mat2 F = elements.gradient(e, q);
+  return P * F.transpose() / F.determinant();
+}
+
 }  // namespace
 
 void NmmPool::add(const Model& model, const BodyRecord& record) {
   auto body = std::make_unique<Body>();
   body->shape = record.shape;
-  body->mesh = make_cover_mesh(record.shape.outline, record.form.cover_size);
-  const std::int32_t first = first_.back();
-  if (!body->mass.make(body->mesh, record.shape, first)) {
-    body->mesh = make_onefold(record.shape.outline);
-    if (!body->mass.make(body->mesh, record.shape, first))
-      throw std::runtime_error("block '" + model.blocks[record.block.index()].name + "': no positive lumped mass");
+  body->name = model.blocks[record.block.index()].name;
+  const Formulation& form = record.form;
+  const AffineMotion to_origin = affine_fit(record.shape.outline, record.shape.origin);
+  std::vector<CutLine> cracks;
+  if (form.cracks) {
+    const Mat2 back = to_origin.F.inverse();
+    for (const Crack& c : model.cracks)
+      if (c.block == record.block) cracks.push_back({back * (c.from - to_origin.c), back * (c.to - to_origin.c)});
   }
-  body->first_element = static_cast<std::int32_t>(area_.size());
-  const Elasticity law = model.elasticity_of(record.block);
+  body->mesh = form.onefold ? make_onefold(record.shape.outline)
+                            : make_cover_mesh(record.shape.outline, form.cover_size, cracks);
+  const std::int32_t first = first_.back();
+  if (!mass_.add(body->mesh, first, record.shape, form.mass)) {
+    if (body->mesh.components > 1)
+      throw std::runtime_error(fmt::format(
+          "block '{}': its cracks leave a part on which no lumped mass is positive; choose another cover size",
+          body->name));
+    body->mesh = make_onefold(record.shape.outline);
+    if (!mass_.add(body->mesh, first, record.shape, form.mass))
+      throw std::runtime_error(fmt::format("block '{}': no positive lumped mass", body->name));
+  }
+  const CoverMesh& mesh = body->mesh;
+  chart_.add(mesh, first);
+  body->first_element = static_cast<std::int32_t>(elements_.size());
+  body->law = model.elasticity_of(record.block);
   // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
   double drawn = 0.0;
-  for (const Element& e : body->mesh.elements) drawn += e.area;
-  const double scale = record.shape.area / drawn;
-  body->frequency = scale * frequency_bound_of(body->mesh, body->mass, law);
-  for (const Element& e : body->mesh.elements) {
-    cover_.push_back({e.cover[0] + first, e.cover[1] + first, e.cover[2] + first});
-    gradient_.push_back(e.gradients());
-    area_.push_back(scale * e.area);
-    law_.push_back(law);
-    drawn_.push_back(static_cast<std::int32_t>(drawing_cells(e.piece).size()));
+  for (const double a : mesh.area) drawn += a;
+  body->scale = record.shape.area / drawn;
+  std::vector<std::array<double, 3>> initial;
+  if (const auto& in_situ = model.material_of(record.block).initial_stress) {
+    // Constant in an element, its value at the centroid: the mean of a linear stress, so that its force is exact.
+    const Mat2 R = polar_rotation(to_origin.F);
+    for (std::size_t e = 0; e < mesh.elements(); ++e) {
+      const Mat2 s = R.transpose() * in_situ->at(to_origin.c + to_origin.F * mesh.centroid(e)) * R;
+      initial.push_back({s(0, 0), s(1, 1), s(0, 1)});
+    }
   }
+  elements_.add(mesh, first, body->scale, {body->law, form.kinematics}, std::move(initial));
   for (Row& row : body->mesh.boundary.nodes)
     for (std::int32_t& n : row.node) n += first;
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
-  first_.push_back(first + static_cast<std::int32_t>(body->mesh.star.size()));
+  first_.push_back(first + static_cast<std::int32_t>(mesh.star.size()));
   bodies_.push_back(std::move(body));
 }
 
 void NmmPool::finish() {
-  gather_start_.assign(static_cast<std::size_t>(first_.back()) + 1, 0);
-  for (const auto& covers : cover_)
-    for (std::int32_t c : covers) ++gather_start_[static_cast<std::size_t>(c) + 1];
-  for (std::size_t k = 1; k < gather_start_.size(); ++k) gather_start_[k] += gather_start_[k - 1];
-  gather_.resize(3 * cover_.size());
-  std::vector<std::int32_t> next(gather_start_.begin(), gather_start_.end() - 1);
-  for (std::size_t e = 0; e < cover_.size(); ++e)
-    for (std::size_t k = 0; k < 3; ++k)
-      gather_[static_cast<std::size_t>(next[static_cast<std::size_t>(cover_[e][k])]++)] =
-          static_cast<std::int32_t>(3 * e + k);
-  corner_force_.resize(3 * cover_.size());
+  chart_.finish();
+  elements_.finish(first_.back());
+  for (int b = 0; b < bodies(); ++b) {
+    Body& body = *bodies_[static_cast<std::size_t>(b)];
+    body.frequency = frequency_bound_of(body.mesh, chart_, first_node(b), mass_.lumped(), body.scale, body.law);
+  }
   ones_.assign(static_cast<std::size_t>(first_.back()), 1.0);
 }
 
@@ -90,78 +110,56 @@ void NmmPool::place(int body, const AffineMotion& m, std::span<double> q, std::s
   }
 }
 
-Mat2 NmmPool::gradient(std::size_t e, std::span<const double> q) const {
-  const auto& c = cover_[e];
-  const auto& g = gradient_[e];
-  return node(q, c[0]) * g.col(0).transpose() + node(q, c[1]) * g.col(1).transpose() +
-         node(q, c[2]) * g.col(2).transpose();
-}
-
 double NmmPool::internal_force(std::span<const double> q, std::span<double> f) const {
-  const Mat2 none = Mat2::Zero();
-  const auto count = static_cast<std::int64_t>(area_.size());
-  const double energy = parallel_sum(count, partial_, [&](std::int64_t begin, std::int64_t end) {
-    double sum = 0.0;
-    for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e) {
-      const ElasticResponse r = elastic_response(law_[e], gradient(e, q), none);
-      const Mat2 AP = area_[e] * r.P;
-      for (int k = 0; k < 3; ++k) corner_force_[3 * e + static_cast<std::size_t>(k)] = AP * gradient_[e].col(k);
-      sum += area_[e] * r.energy;
-    }
-    return sum;
-  });
-  parallel_for(first_.back(), [&](std::int64_t c) {
-    const auto k = static_cast<std::size_t>(c);
-    Vec2 sum = Vec2::Zero();
-    for (std::int32_t s = gather_start_[k]; s < gather_start_[k + 1]; ++s)
-      sum += corner_force_[static_cast<std::size_t>(gather_[static_cast<std::size_t>(s)])];
-    f[2 * k] -= sum.x();
-    f[2 * k + 1] -= sum.y();
-  });
-  return energy;
+  return elements_.add_force(q, f);
 }
 
-void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
-  for (const auto& b : bodies_) b->mass.add_weight(acceleration, f);
+void NmmPool::stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
+                                std::span<double> f) const {
+  elements_.add_rate_force(q, v, rate, f);
 }
+
+void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const { mass_.add_weight(acceleration, f); }
 
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
-  for (const auto& b : bodies_) b->mass.solve(f, a);
+  mass_.solve(chart_, f, a);
 }
+
+double NmmPool::mass_ratio(int body) const { return mass_.theta(first_node(body), first_node(body + 1)); }
 
 double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> v,
                                std::span<const char> counted) const {
   double sum = 0.0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (counted[b] != 0) sum += bodies_[b]->mass.kinetic_energy(v);
+  for (int b = 0; b < bodies(); ++b)
+    if (counted[static_cast<std::size_t>(b)] != 0) sum += mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
   return sum;
 }
 
 void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
-  for (const auto& b : bodies_) b->mass.damp(factor, rate, v, f);
+  mass_.damp(factor, rate, v, f);
 }
 
-double NmmPool::compliance(int body, const Row& row) const {
-  std::vector<std::pair<std::int32_t, double>> folded;
-  of(body).mass.fold(row, folded);
+double NmmPool::compliance(int, const Row& row) const {
+  std::vector<Share> folded;
+  chart_.fold(row, folded);
   double sum = 0.0;
-  for (const auto& [cover, w] : folded) sum += w * w / of(body).mass.lumped()[static_cast<std::size_t>(cover)];
+  for (const Share& s : folded) sum += s.w * s.w / mass_.lumped()[static_cast<std::size_t>(s.cover)];
   return sum;
 }
 
-void NmmPool::bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const {
-  std::vector<std::pair<std::int32_t, double>> folded;
-  of(body).mass.fold(row, folded);
+void NmmPool::bound_groups(int, const Row& row, std::vector<std::int32_t>& groups) const {
+  std::vector<Share> folded;
+  chart_.fold(row, folded);
   groups.clear();
-  for (const auto& [cover, w] : folded)
-    if (std::abs(w) > 1e-12) groups.push_back(first_node(body) + cover);
+  for (const Share& s : folded)
+    if (std::abs(s.w) > 1e-12) groups.push_back(s.cover);
 }
 
 BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const double> v) const {
   const Body& b = of(body);
   std::vector<double> p(q.size(), 0.0), weight(q.size(), 0.0);
-  b.mass.apply(v, p);
-  b.mass.add_weight({1.0, 1.0}, weight);
+  mass_.apply(first_node(body), first_node(body + 1), v, p);
+  mass_.add_weight({1.0, 1.0}, weight);
   BodyTotals t;
   for (std::int32_t k = first_node(body); k < first_node(body + 1); ++k) {
     const double m = weight[2 * static_cast<std::size_t>(k)];
@@ -171,11 +169,10 @@ BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const 
     t.angular_momentum += cross(node(q, k), node(p, k));
   }
   t.centre /= t.mass;
-  t.kinetic = b.mass.kinetic_energy(v);
-  for (std::size_t e = 0; e < b.mesh.elements.size(); ++e) {
-    const std::size_t i = static_cast<std::size_t>(b.first_element) + e;
-    t.elastic += area_[i] * elastic_response(law_[i], gradient(i, q), Mat2::Zero()).energy;
-  }
+  t.kinetic = mass_.kinetic_energy(first_node(body), first_node(body + 1), v);
+  const auto first = static_cast<std::size_t>(b.first_element);
+  for (std::size_t e = first; e < first + b.mesh.elements(); ++e)
+    t.elastic += elements_.area(e) * elements_.response(e, q).energy;
   return t;
 }
 
@@ -187,8 +184,8 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
 
   // Affine part in the operator really used: c, S, v_c, B, and the fit of x to X.
   std::vector<double> weight(q.size(), 0.0), p(q.size(), 0.0), r(q.size(), 0.0), Mr(q.size(), 0.0);
-  b.mass.add_weight({1.0, 1.0}, weight);
-  b.mass.apply(v, p);
+  mass_.add_weight({1.0, 1.0}, weight);
+  mass_.apply(begin, end, v, p);
   Vec2 c = Vec2::Zero(), momentum = Vec2::Zero();
   double mass = 0.0;
   for (std::int32_t k = begin; k < end; ++k) {
@@ -200,7 +197,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Vec2 vc = momentum / mass;
   for (std::int32_t k = begin; k < end; ++k)
     for (int d = 0; d < 2; ++d) r[2 * static_cast<std::size_t>(k) + static_cast<std::size_t>(d)] = node(q, k)[d] - c[d];
-  b.mass.apply(r, Mr);
+  mass_.apply(begin, end, r, Mr);
   Mat2 S = Mat2::Zero(), B = Mat2::Zero(), fit = Mat2::Zero();
   for (std::int32_t k = begin; k < end; ++k) {
     S += node(Mr, k) * node(r, k).transpose();
@@ -213,16 +210,17 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   // The stress that keeps the affine part of the internal force, and the stretch that carries it.
   const Mat2 R = polar_rotation(fit);
   const auto first = static_cast<std::size_t>(b.first_element);
-  Mat2 virial = Mat2::Zero();
+  const std::size_t last = first + b.mesh.elements();
+  Mat2 virial = Mat2::Zero(), initial = Mat2::Zero();
   double area = 0.0;
-  for (std::size_t e = first; e < first + b.mesh.elements.size(); ++e) {
-    const Mat2 F = gradient(e, q);
-    virial += area_[e] * elastic_response(law_[e], F, Mat2::Zero()).P * F.transpose();
-    area += area_[e];
+  for (std::size_t e = first; e < last; ++e) {
+    virial += elements_.area(e) * elements_.response(e, q).P * elements_.gradient(e, q).transpose();
+    initial += elements_.area(e) * elements_.initial_stress(e);
+    area += elements_.area(e);
   }
+  initial /= area;
   const Mat2 local_virial = R.transpose() * virial * R;
-  const Elasticity law = law_[first];
-  const Mat2 strain = strain_of_kirchhoff(law, 0.5 * (local_virial + local_virial.transpose()) / area);
+  const Mat2 strain = strain_of_kirchhoff(b.law, 0.5 * (local_virial + local_virial.transpose()) / area, initial);
   const Mat2 F = R * (Mat2::Identity() + strain), F_inverse = F.inverse();
   out.motion = {c, F, vc, G * F};
 
@@ -247,58 +245,134 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     w[2 * static_cast<std::size_t>(k) + 1] = rest.y();
     out.velocity_rest.insert(out.velocity_rest.end(), {turned.x(), turned.y()});
   }
-  out.kinetic_rest = b.mass.kinetic_energy(w);
-  const Mat2 mean = law.stress(strain);
-  for (std::size_t e = first; e < first + b.mesh.elements.size(); ++e) {
-    const Mat2 F_e = gradient(e, q);
-    const Mat2 U = polar_rotation(F_e).transpose() * F_e;
-    const Mat2 difference = 0.5 * (U + U.transpose()) - Mat2::Identity() - strain;
-    const Mat2 ds = law.stress(difference);
-    out.elastic_rest += 0.5 * area_[e] * ds.cwiseProduct(difference).sum();
-    out.elastic_cross += area_[e] * mean.cwiseProduct(difference).sum();
-    out.stress_rest.insert(out.stress_rest.end(), {ds(0, 0), ds(1, 1), ds(0, 1)});
+  out.kinetic_rest = mass_.kinetic_energy(begin, end, w);
+  const Mat2 mean = b.law.stress(strain) + initial;
+  for (std::size_t e = first; e < last; ++e) {
+    const Mat2 F_e = elements_.gradient(e, q), U = polar_rotation(F_e).transpose() * F_e;
+    const Mat2 own = 0.5 * (U + U.transpose()) - Mat2::Identity(), difference = own - strain;
+    const Mat2 ds = b.law.stress(difference), extra = elements_.initial_stress(e) - initial;
+    const double A = elements_.area(e);
+    out.elastic_rest += 0.5 * A * ds.cwiseProduct(difference).sum();
+    out.elastic_cross += A * (mean.cwiseProduct(difference).sum() + extra.cwiseProduct(own).sum());
+    out.stress_rest.insert(out.stress_rest.end(),
+                           {ds(0, 0) + extra(0, 0), ds(1, 1) + extra(1, 1), ds(0, 1) + extra(0, 1)});
   }
   return out;
 }
 
 void NmmPool::topology(MeshPart& mesh) const {
   mesh.offsets.assign(1, 0);
+  std::vector<std::int32_t> point_of;  // a cover: the mesh point at its star, where whole triangles show it
   for (int b = 0; b < bodies(); ++b) {
     const Body& body = of(b);
     // The affine map from the reference shape to where the model first had the block.
     const AffineMotion origin = affine_fit(body.shape.outline, body.shape.origin);
     const Box box = bounds(body.shape.outline);
     const double grid = 1e-8 * (box.hi - box.lo).maxCoeff();
-    std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> known;  // points shared by neighbouring cells
-    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
-      for (const Ring& ring : drawing_cells(body.mesh.elements[e].piece)) {
+    std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::int32_t>> known;  // corners of pieces
+    point_of.assign(body.mesh.star.size(), -1);
+    const auto add = [&](std::size_t e, const Vec2& X) {
+      Row row = body.mesh.row(static_cast<std::int32_t>(e), X);
+      for (std::int32_t& n : row.node) n += first_node(b);
+      mesh.points.push_back(row);
+      mesh.origin.push_back(origin.c + origin.F * X);
+      return static_cast<std::int32_t>(mesh.points.size()) - 1;
+    };
+    const auto close_cell = [&] {
+      mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+      mesh.body.push_back(b);
+    };
+    const auto star_point = [&](std::size_t e, std::int32_t cover) {
+      std::int32_t& point = point_of[static_cast<std::size_t>(cover)];
+      if (point < 0) point = add(e, body.mesh.star[static_cast<std::size_t>(cover)]);
+      return point;
+    };
+    for (std::size_t e = 0; e < body.mesh.elements(); ++e) {
+      if (body.mesh.piece[e] < 0) {
+        for (const std::int32_t c : body.mesh.cover[e]) mesh.connectivity.push_back(star_point(e, c));
+        close_cell();
+        continue;
+      }
+      for (const Ring& ring : drawing_cells(body.mesh.material(e))) {
         for (const Vec2& X : ring) {
-          const std::pair key(std::llround(X.x() / grid), std::llround(X.y() / grid));
-          const auto [it, fresh] = known.emplace(key, static_cast<std::int32_t>(mesh.points.size()));
-          mesh.connectivity.push_back(it->second);
-          if (!fresh) continue;
+          // A corner at a star is that of whole triangles; others are shared with pieces of the same covers, which
+          // move them alike, and not across cracks.
+          const auto w = body.mesh.weights(e, X);
+          const auto most = std::max_element(w.begin(), w.end());
+          if (*most > 1.0 - 1e-9) {
+            mesh.connectivity.push_back(star_point(e, body.mesh.cover[e][static_cast<std::size_t>(most - w.begin())]));
+            continue;
+          }
+          auto& here = known[{std::llround(X.x() / grid), std::llround(X.y() / grid)}];
           Row row = body.mesh.row(static_cast<std::int32_t>(e), X);
           for (std::int32_t& n : row.node) n += first_node(b);
-          mesh.points.push_back(row);
-          mesh.origin.push_back(origin.c + origin.F * X);
+          const auto same = std::find_if(here.begin(), here.end(), [&](std::int32_t p) {
+            return same_place(mesh.points[static_cast<std::size_t>(p)], row);
+          });
+          if (same == here.end()) {
+            here.push_back(add(e, X));
+            mesh.connectivity.push_back(here.back());
+          } else {
+            mesh.connectivity.push_back(*same);
+          }
         }
-        mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
-        mesh.body.push_back(b);
+        close_cell();
       }
+    }
   }
 }
 
 void NmmPool::stress(std::span<const double> q, std::span<double> cells) const {
   std::size_t cell = 0;
-  for (std::size_t e = 0; e < area_.size(); ++e) {
-    const Mat2 F = gradient(e, q);
-    const Mat2 cauchy = elastic_response(law_[e], F, Mat2::Zero()).P * F.transpose() / F.determinant();
-    for (std::int32_t k = 0; k < drawn_[e]; ++k, ++cell) {
-      cells[3 * cell] = cauchy(0, 0);
-      cells[3 * cell + 1] = cauchy(1, 1);
-      cells[3 * cell + 2] = 0.5 * (cauchy(0, 1) + cauchy(1, 0));
+  for (int b = 0; b < bodies(); ++b)
+    for (std::size_t e = 0; e < of(b).mesh.elements(); ++e) {
+      const Mat2 cauchy = cauchy_stress(elements_, static_cast<std::size_t>(of(b).first_element) + e, q);
+      const std::size_t drawn = of(b).mesh.piece[e] < 0 ? 1 : drawing_cells(of(b).mesh.material(e)).size();
+      for (std::size_t k = 0; k < drawn; ++k, ++cell) {
+        cells[3 * cell] = cauchy(0, 0);
+        cells[3 * cell + 1] = cauchy(1, 1);
+        cells[3 * cell + 2] = 0.5 * (cauchy(0, 1) + cauchy(1, 0));
+      }
+    }
+}
+
+void NmmPool::recovered_stress(std::span<const double> q, std::span<double> nodes) const {
+  // Normal equations of the plane s = a + b.(X - X_star)/h of each cover, over its elements' centroids.
+  struct Fit {
+    Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), rhs = Eigen::Matrix3d::Zero();
+  };
+  std::vector<Fit> fit;
+  for (int b = 0; b < bodies(); ++b) {
+    const CoverMesh& mesh = of(b).mesh;
+    fit.assign(mesh.star.size(), {});
+    for (std::size_t e = 0; e < mesh.elements(); ++e) {
+      const Mat2 s = cauchy_stress(elements_, static_cast<std::size_t>(of(b).first_element) + e, q);
+      const Eigen::RowVector3d values(s(0, 0), s(1, 1), 0.5 * (s(0, 1) + s(1, 0)));
+      const Vec2 centroid = mesh.centroid(e);
+      const double size = std::sqrt(mesh.triangle_areas[mesh.shape[e]]), weight = mesh.area[e] / (size * size);
+      for (const std::int32_t c : mesh.cover[e]) {
+        const Vec2 arm = (centroid - mesh.star[static_cast<std::size_t>(c)]) / size;
+        const Eigen::Vector3d p(1.0, arm.x(), arm.y());
+        fit[static_cast<std::size_t>(c)].A += weight * p * p.transpose();
+        fit[static_cast<std::size_t>(c)].rhs += weight * p * values;
+      }
+    }
+    for (std::size_t c = 0; c < mesh.star.size(); ++c) {
+      const Fit& f = fit[c];
+      Eigen::RowVector3d value = f.rhs.row(0) / f.A(0, 0);  // the mean, where too few elements give no plane
+      const Eigen::LDLT<Eigen::Matrix3d> solver(f.A);
+      if (solver.info() == Eigen::Success && solver.vectorD().minCoeff() > 1e-3 * f.A(0, 0))
+        value = solver.solve(f.rhs).row(0);
+      const std::size_t i = 3 * (static_cast<std::size_t>(first_node(b)) + c);
+      for (std::size_t d = 0; d < 3; ++d) nodes[i + d] = value[static_cast<Eigen::Index>(d)];
     }
   }
+  for (const Tie& t : chart_.ties())
+    for (std::size_t d = 0; d < 3; ++d) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * nodes[3 * static_cast<std::size_t>(t.root[k]) + d];
+      nodes[3 * static_cast<std::size_t>(t.cover) + d] = sum;
+    }
 }
 
 }  // namespace scree::nmm

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "model/pool.h"
-#include "nmm/affine_mass.h"
+#include "nmm/element_forces.h"
+#include "nmm/lumped_mass.h"
+#include "nmm/step_bound.h"
 
 namespace scree::nmm {
 
-/// Numerical manifold method, co-rotational stress, affine-exact lumped mass. A node is a physical cover, its position
-/// that of the cover's star. Blocks share no cover.
+/// Numerical manifold method. A node is a physical cover, its position that of the cover's star. Blocks share no cover.
 /// @source nmm.md; Qu 2013 ch. 3, 4, 6
 class NmmPool final : public Pool {
  public:
@@ -32,43 +34,44 @@ class NmmPool final : public Pool {
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
   void damp(double factor, double rate, std::span<double> v, std::span<double> f) const override;
-  [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency; }
-  [[nodiscard]] double mass_ratio(int body) const override { return of(body).mass.theta(); }
+  void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
+                         std::span<double> f) const override;
+  [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency.lambda; }
+  [[nodiscard]] double mass_ratio(int body) const override;
   [[nodiscard]] double compliance(int body, const Row& row) const override;
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
+  /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
+  /// @source Zienkiewicz, Zhu 1992 (superconvergent patch recovery); deviation: areas as weights
+  void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 
   /// The mesh of a body, for tests and reports; covers and elements counted from the body's first.
   [[nodiscard]] const CoverMesh& mesh(int body) const { return of(body).mesh; }
-  [[nodiscard]] const AffineMass& mass(int body) const { return of(body).mass; }
-  [[nodiscard]] std::int64_t elements() const { return static_cast<std::int64_t>(area_.size()); }
+  [[nodiscard]] const LumpedMass& mass() const { return mass_; }
+  [[nodiscard]] const CoverChart& chart() const { return chart_; }
+  [[nodiscard]] const ElementForces& elements() const { return elements_; }
+  [[nodiscard]] const FrequencyBound& bound(int body) const { return of(body).frequency; }
 
  private:
   struct Body {
     CoverMesh mesh;  // boundary rows and cells count within the pool
-    AffineMass mass;
     ReferenceShape shape;
+    Elasticity law;
+    double scale = 1.0;  // of the elements' areas
     std::int32_t first_element = 0;
-    double frequency = 0.0;
+    FrequencyBound frequency;
+    std::string name;
   };
   [[nodiscard]] const Body& of(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
-  [[nodiscard]] Mat2 gradient(std::size_t element, std::span<const double> q) const;  // F
 
   std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<std::int32_t> first_{0};
-  // A place an element, all bodies.
-  std::vector<std::array<std::int32_t, 3>> cover_;
-  std::vector<Eigen::Matrix<double, 2, 3>> gradient_;
-  std::vector<double> area_;
-  std::vector<Elasticity> law_;
-  std::vector<std::int32_t> drawn_;  // output cells of the element
-  // Corner forces of each element, gathered by cover in a fixed order: the same bits for any number of threads.
-  std::vector<std::int32_t> gather_start_, gather_;
+  CoverChart chart_;
+  LumpedMass mass_;
+  ElementForces elements_;
   std::vector<double> ones_;
-  mutable std::vector<Vec2> corner_force_;
-  mutable std::vector<double> partial_;
 };
 
 }  // namespace scree::nmm

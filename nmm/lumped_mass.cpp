@@ -1,0 +1,234 @@
+#include "nmm/lumped_mass.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "model/parallel.h"
+
+namespace scree::nmm {
+namespace {
+
+Eigen::Vector3d basis(const Vec2& X) { return {1.0, X.x(), X.y()}; }
+
+Vec2 at(std::span<const double> v, std::size_t node) { return {v[2 * node], v[2 * node + 1]}; }
+
+/// Mass, centre and second moments about it of each connected part.
+struct PartMoments {
+  double mass = 0.0;
+  Vec2 centre{0.0, 0.0};
+  Mat2 second = Mat2::Zero();
+};
+
+std::vector<PartMoments> part_moments(const CoverMesh& mesh, const ReferenceShape& shape, double density) {
+  if (mesh.components == 1) return {{shape.mass, Vec2(0.0, 0.0), shape.second}};
+  std::vector<PartMoments> parts(static_cast<std::size_t>(mesh.components));
+  std::vector<Moments> of(mesh.elements());
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    of[e] = moments(mesh.material(e));
+    PartMoments& p = parts[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(mesh.cover[e][0])])];
+    p.mass += density * of[e].area;
+    p.centre += density * of[e].area * of[e].centroid;
+  }
+  for (PartMoments& p : parts) p.centre /= p.mass;
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    PartMoments& p = parts[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(mesh.cover[e][0])])];
+    const Vec2 arm = of[e].centroid - p.centre;
+    p.second += density * (of[e].second + of[e].area * arm * arm.transpose());
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind) {
+  const std::size_t covers = mesh.star.size(), begin = static_cast<std::size_t>(first);
+  double area = 0.0;
+  for (const double a : mesh.area) area += a;
+  const double density = shape.mass / area;
+  std::vector<double> raw(covers, 0.0);
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    // Weights are linear: their integral is the area times their value at the centroid.
+    const std::array<double, 3> third{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+    const auto w = mesh.piece[e] < 0 ? third : mesh.weights(e, mesh.centroid(e));
+    for (std::size_t k = 0; k < 3; ++k)
+      raw[static_cast<std::size_t>(mesh.cover[e][k])] += density * mesh.area[e] * w[k];
+  }
+  std::vector<double> lumped = raw;  // row sums of C^T M C are C^T m, because C 1 = 1
+  for (const Tie& t : mesh.ties) {
+    lumped[static_cast<std::size_t>(t.cover)] = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      lumped[static_cast<std::size_t>(t.root[k])] += t.w[k] * raw[static_cast<std::size_t>(t.cover)];
+  }
+  std::vector<char> tied(covers, 0);
+  for (const Tie& t : mesh.ties) tied[static_cast<std::size_t>(t.cover)] = 1;
+  for (std::size_t k = 0; k < covers; ++k)
+    if (tied[k] == 0 && !(lumped[k] > 0.0)) return false;
+
+  lumped_.resize(begin);
+  lumped_.insert(lumped_.end(), lumped.begin(), lumped.end());
+  inverse_.resize(begin + covers);
+  unit_.resize(begin + covers);
+  X_.resize(begin + covers);
+  part_of_.resize(begin + covers);
+  const std::vector<PartMoments> exact = part_moments(mesh, shape, density);
+  const auto first_part = static_cast<std::int32_t>(parts_.size());
+  for (std::size_t k = 0; k < covers; ++k) {
+    inverse_[begin + k] = tied[k] != 0 ? 0.0 : 1.0 / lumped[k];
+    unit_[begin + k] = lumped[k];
+    X_[begin + k] = mesh.star[k] - exact[static_cast<std::size_t>(mesh.component[k])].centre;
+    part_of_[begin + k] = first_part + mesh.component[k];
+  }
+  for (std::int32_t p = 0; p < mesh.components; ++p) {
+    Part part;
+    part.begin = static_cast<std::int32_t>(chunks_.size());
+    for (std::size_t from = 0; from < covers; from += kChunk) {
+      const std::size_t to = std::min(covers, from + static_cast<std::size_t>(kChunk));
+      const auto mine = std::count(mesh.component.begin() + static_cast<std::ptrdiff_t>(from),
+                                   mesh.component.begin() + static_cast<std::ptrdiff_t>(to), p);
+      if (mine > 0)
+        chunks_.push_back({first + static_cast<std::int32_t>(from), first + static_cast<std::int32_t>(to),
+                           first_part + p, static_cast<std::size_t>(mine) < to - from});
+    }
+    part.end = static_cast<std::int32_t>(chunks_.size());
+    if (kind == MassKind::affine_exact) {
+      Eigen::Matrix3d hat = Eigen::Matrix3d::Zero(), affine = Eigen::Matrix3d::Zero();
+      for (std::size_t k = 0; k < covers; ++k)
+        if (mesh.component[k] == p) hat += lumped[k] * basis(X_[begin + k]) * basis(X_[begin + k]).transpose();
+      affine(0, 0) = exact[static_cast<std::size_t>(p)].mass;
+      affine.bottomRightCorner<2, 2>() = exact[static_cast<std::size_t>(p)].second;
+      part.hat_inverse = hat.inverse();
+      part.inverse_correction = affine.inverse() - part.hat_inverse;
+      part.correction = part.hat_inverse * (hat - affine) * part.hat_inverse;
+      part.theta = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, affine, Eigen::EigenvaluesOnly)
+                       .eigenvalues()(2);
+      const Eigen::Vector3d y = part.hat_inverse * affine.col(0);
+      for (std::size_t k = 0; k < covers; ++k)
+        if (mesh.component[k] == p) unit_[begin + k] = lumped[k] * basis(X_[begin + k]).dot(y);
+    } else {
+      Eigen::Matrix3d hat = Eigen::Matrix3d::Zero();
+      for (std::size_t k = 0; k < covers; ++k)
+        if (mesh.component[k] == p) hat += lumped[k] * basis(X_[begin + k]) * basis(X_[begin + k]).transpose();
+      part.hat_inverse = hat.inverse();  // damp() needs the affine part all the same
+    }
+    parts_.push_back(part);
+  }
+  partial_.resize(chunks_.size());
+  moment_.resize(parts_.size());
+  return true;
+}
+
+void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
+  if (first == last) return;
+  const std::int64_t from = parts_[first].begin, count = parts_[last - 1].end - from;
+  const auto sum_of = [&](const Chunk& chunk, std::int32_t begin, std::int32_t end, Moments3& z) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      if (chunk.mixed && part_of_[k] != chunk.part) continue;
+      const double w = weighted ? lumped_[k] : 1.0, x = w * v[2 * k], y = w * v[2 * k + 1];
+      z(0, 0) += x;
+      z(0, 1) += y;
+      z(1, 0) += X_[k].x() * x;
+      z(1, 1) += X_[k].x() * y;
+      z(2, 0) += X_[k].y() * x;
+      z(2, 1) += X_[k].y() * y;
+    }
+  };
+#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
+  for (std::int64_t n = 0; n < count; ++n) {
+    const auto c = static_cast<std::size_t>(from + n);
+    const Chunk& chunk = chunks_[c];
+    // Four sums side by side: one would wait for each addition.
+    Moments3 z[4] = {Moments3::Zero(), Moments3::Zero(), Moments3::Zero(), Moments3::Zero()};
+    const std::int32_t quarter = (chunk.end - chunk.begin) / 4;
+    for (std::int32_t s = 0; s < 4; ++s)
+      sum_of(chunk, chunk.begin + s * quarter, s == 3 ? chunk.end : chunk.begin + (s + 1) * quarter, z[s]);
+    partial_[c] = (z[0] + z[1]) + (z[2] + z[3]);
+  }
+  for (std::size_t p = first; p < last; ++p) {
+    moment_[p].setZero();
+    for (auto c = static_cast<std::size_t>(parts_[p].begin); c < static_cast<std::size_t>(parts_[p].end); ++c)
+      moment_[p] += partial_[c];
+  }
+}
+
+void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::span<double> a) const {
+  // P^T C^T f: ties keep affine fields, so the moments of the folded forces are those of the forces.
+  project(0, parts_.size(), f, false);
+  for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].inverse_correction * moment_[p]).eval();
+  const auto count = static_cast<std::int64_t>(chunks_.size());
+#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
+  for (std::int64_t n = 0; n < count; ++n) {
+    const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
+    const Moments3 z = moment_[static_cast<std::size_t>(chunk.part)];
+    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) {
+      if (chunk.mixed && part_of_[k] != chunk.part) continue;
+      a[2 * k] = f[2 * k] * inverse_[k] + (z(0, 0) + X_[k].x() * z(1, 0) + X_[k].y() * z(2, 0));
+      a[2 * k + 1] = f[2 * k + 1] * inverse_[k] + (z(0, 1) + X_[k].x() * z(1, 1) + X_[k].y() * z(2, 1));
+    }
+  }
+  chart.gather(f, inverse_, a);
+  chart.follow(a);
+}
+
+std::pair<std::size_t, std::size_t> LumpedMass::parts_of(std::int32_t begin, std::int32_t end) const {
+  std::size_t low = parts_.size(), high = 0;
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+    low = std::min(low, static_cast<std::size_t>(part_of_[k]));
+    high = std::max(high, static_cast<std::size_t>(part_of_[k]) + 1);
+  }
+  return {low, high};
+}
+
+void LumpedMass::apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const {
+  const auto [first, last] = parts_of(begin, end);
+  project(first, last, v, true);
+  for (std::size_t i = first; i < last; ++i) moment_[i] = (parts_[i].correction * moment_[i]).eval();
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+    const Moments3& z = moment_[static_cast<std::size_t>(part_of_[k])];
+    for (std::size_t d = 0; d < 2; ++d) {
+      const auto c = static_cast<Eigen::Index>(d);
+      p[2 * k + d] = lumped_[k] * (v[2 * k + d] - z(0, c) - X_[k].x() * z(1, c) - X_[k].y() * z(2, c));
+    }
+  }
+}
+
+double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const {
+  double sum = 0.0;
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+    sum += lumped_[k] * at(v, k).squaredNorm();
+  const auto [first, last] = parts_of(begin, end);
+  project(first, last, v, true);
+  for (std::size_t p = first; p < last; ++p)
+    sum -= (moment_[p].transpose() * parts_[p].correction * moment_[p]).trace();
+  return 0.5 * sum;
+}
+
+void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+  project(0, parts_.size(), v, true);
+  for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
+  parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
+    const auto k = static_cast<std::size_t>(n);
+    const Moments3& z = moment_[static_cast<std::size_t>(part_of_[k])];
+    for (std::size_t d = 0; d < 2; ++d) {
+      const auto c = static_cast<Eigen::Index>(d);
+      const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[2 * k + d] - affine);
+      v[2 * k + d] = affine + w;
+      f[2 * k + d] -= rate * lumped_[k] * w;  // P^T M_L w = 0, so M w = M_L w
+    }
+  });
+}
+
+void LumpedMass::add_weight(const Vec2& g, std::span<double> f) const {
+  for (std::size_t k = 0; k < unit_.size(); ++k) {
+    f[2 * k] += unit_[k] * g.x();
+    f[2 * k + 1] += unit_[k] * g.y();
+  }
+}
+
+double LumpedMass::theta(std::int32_t begin, std::int32_t end) const {
+  const auto [first, last] = parts_of(begin, end);
+  double most = 1.0;
+  for (std::size_t p = first; p < last; ++p) most = std::max(most, parts_[p].theta);
+  return most;
+}
+
+}  // namespace scree::nmm

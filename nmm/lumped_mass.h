@@ -1,0 +1,67 @@
+// The lumped masses of all blocks of a pool, affine-exact or plain.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/formulation.h"
+#include "nmm/cover_chart.h"
+
+namespace scree::nmm {
+
+/// Row sums on the free covers. `lumped` leaves it at that (thesis 4.3.1). `affine_exact` corrects each connected part
+/// so that its mass, momentum and rotational inertia are exact:
+///   M~^-1 = M_L^-1 + P (M_a^-1 - S^^-1) P^T,  P = [1, X - c],  M_a = diag(m, S),  S^ = P^T M_L P.
+/// Still explicit: a correction of rank 3 a part; on a onefold cover it is the consistent mass. Ties are folded in:
+/// forces on a tied cover go to its roots, its motion follows them.
+/// @source nmm.md "Mass"
+class LumpedMass {
+ public:
+  /// Appends the parts of a block.   @param first  its first cover in the pool
+  /// @return false where a row sum is not positive: the mesh cannot carry a lumped mass
+  [[nodiscard]] bool add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind);
+
+  /// a = M^-1 f on the free covers, followed by the ties.
+  void solve(const CoverChart& chart, std::span<const double> f, std::span<double> a) const;
+  /// p = M v on the covers of one block: on free ones, zero on tied ones.
+  void apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const;
+  /// 1/2 v^T M v over the covers of one block [J]
+  [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
+  /// w *= factor, f -= rate M w; w = v - P S^^-1 P^T M_L v, the part that is M-orthogonal to affine fields of each
+  /// part.
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// f += M 1 g
+  void add_weight(const Vec2& g, std::span<double> f) const;
+
+  /// Row sums, a cover; 0 for tied ones [kg].
+  [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
+  [[nodiscard]] std::span<const double> inverse() const { return inverse_; }
+  /// theta, the largest eigenvalue of M_a^-1 S^ over the parts of the block with these covers; 1 for `lumped`.
+  [[nodiscard]] double theta(std::int32_t begin, std::int32_t end) const;
+
+ private:
+  using Moments3 = Eigen::Matrix<double, 3, 2>;
+  struct Part {                                                    // a connected part of a block
+    std::int32_t begin = 0, end = 0;                               // its chunks
+    Eigen::Matrix3d inverse_correction = Eigen::Matrix3d::Zero();  // M_a^-1 - S^^-1
+    Eigen::Matrix3d correction = Eigen::Matrix3d::Zero();          // S^^-1 (S^ - M_a) S^^-1
+    Eigen::Matrix3d hat_inverse = Eigen::Matrix3d::Zero();         // S^^-1
+    double theta = 1.0;
+  };
+  struct Chunk {
+    std::int32_t begin = 0, end = 0, part = 0;  // covers
+    bool mixed = false;                         // it holds covers of other parts too, which it leaves out
+  };
+  /// P^T v, or P^T M_L v, of every part in [first, last).
+  void project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const;
+  [[nodiscard]] std::pair<std::size_t, std::size_t> parts_of(std::int32_t begin, std::int32_t end) const;
+
+  std::vector<Part> parts_;
+  std::vector<Chunk> chunks_;                       // by part, each of at most kChunk covers
+  std::vector<std::int32_t> part_of_;               // a cover
+  std::vector<double> lumped_, inverse_, unit_;     // M_L, 1/M_L (0 for tied covers), M 1
+  std::vector<Vec2> X_;                             // reference position less the part's centre of mass [m]
+  mutable std::vector<Moments3> partial_, moment_;  // of chunks and parts
+};
+
+}  // namespace scree::nmm
