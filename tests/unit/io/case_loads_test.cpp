@@ -7,8 +7,8 @@ namespace scree::io::test {
 namespace {
 
 const Model& full_model() {
-  static const Case c = read("full_case.toml");
-  return c.model;
+  static const Case kCase = read("full_case.toml");
+  return kCase.model;
 }
 
 TEST(Functions, have_their_shape_and_numbers) {
