@@ -63,6 +63,21 @@ std::string run_name(const std::filesystem::path& case_file) {
   return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
 }
 
+/// What there is of functions, loads, viscous edges and cracks.
+void print_loads(const Model& m) {
+  std::string line;
+  const auto add = [&line](std::size_t count, std::string_view one, std::string_view many) {
+    if (count > 0) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, count == 1 ? one : many);
+  };
+  add(m.functions.size(), "function", "functions");
+  add(m.point_loads.size(), "point load", "point loads");
+  add(m.tractions.size(), "edge with a traction", "edges with a traction");
+  add(m.body_accelerations.size(), "body acceleration", "body accelerations");
+  add(m.viscous_edges.size(), "viscous edge", "viscous edges");
+  add(m.cracks.size(), "straight piece of cracks", "straight pieces of cracks");
+  if (!line.empty()) fmt::print("  {}\n", line);
+}
+
 void print(const CuttingReport& r) {
   fmt::print("  cutting: {} blocks of {:.6g} m2 from {} lines, snapped to {:g} m\n", r.blocks, r.area, r.lines, r.snap);
   fmt::print("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
@@ -155,6 +170,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   fmt::print("{}: {}\n", case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
   fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
              c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  print_loads(c.model);
   if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();

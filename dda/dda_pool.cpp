@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <limits>
+#include <algorithm>
 
 #include "model/outline.h"
 #include "model/planar.h"
@@ -236,16 +237,33 @@ void DdaPool::topology(MeshPart& mesh) const {
   }
 }
 
+Mat2 DdaPool::cauchy(int body, std::span<const double> q) const {
+  const Mat2 F = load(body, q, q).F;
+  const Mat2 s = elastic_response(of(body).law, F, Mat2::Zero()).P * F.transpose() / F.determinant();
+  return 0.5 * (s + s.transpose());
+}
+
 void DdaPool::stress(std::span<const double> q, std::span<double> cells) const {
   std::size_t cell = 0;
   for (int b = 0; b < bodies(); ++b) {
-    const Mat2 F = load(b, q, q).F;
-    const Mat2 cauchy = elastic_response(of(b).law, F, Mat2::Zero()).P * F.transpose() / F.determinant();
+    const Mat2 s = cauchy(b, q);
     for (std::size_t k = 0; k < of(b).cells.size(); ++k, ++cell) {
-      cells[3 * cell] = cauchy(0, 0);
-      cells[3 * cell + 1] = cauchy(1, 1);
-      cells[3 * cell + 2] = 0.5 * (cauchy(0, 1) + cauchy(1, 0));
+      cells[3 * cell] = s(0, 0);
+      cells[3 * cell + 1] = s(1, 1);
+      cells[3 * cell + 2] = s(0, 1);
     }
+  }
+}
+
+void DdaPool::recovered_stress(std::span<const double> q, std::span<double> nodes) const {
+  // Rows weigh the first node of a block, its centre, with 1: the stress of the block is that of every point.
+  std::fill(nodes.begin(), nodes.end(), 0.0);
+  for (int b = 0; b < bodies(); ++b) {
+    const Mat2 s = cauchy(b, q);
+    const auto centre = 3 * static_cast<std::size_t>(first_node(b));
+    nodes[centre] = s(0, 0);
+    nodes[centre + 1] = s(1, 1);
+    nodes[centre + 2] = s(0, 1);
   }
 }
 

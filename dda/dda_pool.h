@@ -46,8 +46,12 @@ class DdaPool final : public Pool {
 
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
+  void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 
  private:
+  /// Cauchy stress of a block [Pa].
+  [[nodiscard]] Mat2 cauchy(int body, std::span<const double> q) const;
+
   struct Body {
     ReferenceShape shape;
     Elasticity law;

@@ -211,6 +211,7 @@ class Cutter {
       block.name = fmt::format("{}-{}", free ? domain_.prefix : region->name, ++count[region_[f]]);
       block.material = free ? domain_.material : region->material;
       block.joint = !free && region->joint.valid() ? region->joint : domain_.joint;
+      if (!free) block.cover_size = region->cover_size;
       block.polygon.holes.resize(faces[f].rings.size() - 1);
       std::vector<std::vector<Corner>> rings;
       for (const auto& ring : faces[f].rings) rings.push_back(straightened(ring));

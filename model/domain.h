@@ -16,8 +16,9 @@ struct Region {
   std::string name;
   Ring outline;  // [m]; what lies outside the domain does not count
   MaterialId material;
-  JointId joint;    // law of its outline, and of its blocks' edges on no joint; invalid: the domain's
-  bool cut = true;  // false: discontinuities end at it
+  JointId joint;            // law of its outline, and of its blocks' edges on no joint; invalid: the domain's
+  bool cut = true;          // false: discontinuities end at it
+  double cover_size = 0.0;  // of the NMM in its blocks; 0: as the stage says [m]
 };
 
 struct Domain {

@@ -42,6 +42,13 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
     monitors_.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * m.point)));
   }
+  recovered_.resize(setup.pools());
+  for (const Monitor& m : setup.model().monitors) {
+    const auto p = static_cast<std::size_t>(setup.bodies()[m.block.index()].pool);
+    monitor_pool_.push_back(p);
+    recovered_[p].resize(3 * static_cast<std::size_t>(setup.pool_first(p + 1) - setup.pool_first(p)));
+  }
+  monitor_stress_.resize(3 * monitors_.size());
   for (auto* v : {&monitor_position_, &monitor_displacement_, &monitor_velocity_}) v->resize(2 * monitors_.size());
   view_.id = mesh_id;
   view_.offsets = offsets_;
@@ -75,6 +82,23 @@ FrameView Observer::frame(const State& state, const RunStats& stats) {
   return f;
 }
 
+void Observer::recover_stress(const State& state) {
+  for (std::size_t p = 0; p < recovered_.size(); ++p)
+    if (!recovered_[p].empty())
+      setup_->pool(p).recovered_stress(setup_->part(std::span<const double>(state.q), p), recovered_[p]);
+  for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    const std::size_t p = monitor_pool_[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      double s = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto node = static_cast<std::size_t>(monitors_[i].node[k] - setup_->pool_first(p));
+        s += monitors_[i].w[k] * recovered_[p][3 * node + c];
+      }
+      monitor_stress_[3 * i + c] = s;
+    }
+  }
+}
+
 HistoryView Observer::history(const State& state, const RunStats& stats) {
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
     const Vec2 x = scree::coupling::position(monitors_[i], state.q);
@@ -82,12 +106,14 @@ HistoryView Observer::history(const State& state, const RunStats& stats) {
     put(x - setup_->model().monitors[i].point, i, monitor_displacement_);
     put(scree::coupling::position(monitors_[i], state.v), i, monitor_velocity_);
   }
+  recover_stress(state);
   HistoryView h;
   h.time = seconds(state.time);
   h.tick = state.time;
   h.position = monitor_position_;
   h.displacement = monitor_displacement_;
   h.velocity = monitor_velocity_;
+  h.stress = monitor_stress_;
   h.ledger = &state.ledger;
   h.stats = &stats;
   return h;

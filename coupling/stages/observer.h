@@ -18,12 +18,16 @@ class Observer {
   HistoryView history(const State& state, const RunStats& stats);
 
  private:
+  void recover_stress(const State& state);
+
   const Setup* setup_;
   std::vector<Row> points_;
   std::vector<std::int32_t> offsets_, connectivity_, cell_block_, cell_material_, cell_method_;
   std::vector<double> origin_, position_, velocity_, stress_;
   std::vector<Row> monitors_;
-  std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_;
+  std::vector<std::size_t> monitor_pool_;
+  std::vector<std::vector<double>> recovered_;  // a pool: stress a node; empty where no monitor needs it
+  std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_, monitor_stress_;
   std::vector<std::int32_t> pool_cells_;  // first cell of each pool
   MeshView view_;
 };

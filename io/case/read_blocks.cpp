@@ -28,6 +28,7 @@ Block read_block(const Section& s, const Model& model) {
   block.name = s.text("name");
   block.material = MaterialId{find_name(s, "material", "material", names_of(model.materials))};
   if (s.has("joint")) block.joint = JointId{find_name(s, "joint", "joint", joints)};
+  if (s.has("cover_size")) block.cover_size = s.number("cover_size");
   block.polygon.outer = s.ring("polygon");
   block.polygon.holes = s.rings("holes");
   for (std::size_t k = 0; k < block.polygon.rings(); ++k) block.edges.emplace_back(block.polygon.ring(k).size());

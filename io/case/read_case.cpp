@@ -26,9 +26,12 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
 
   const Section root(out.path, document, "");
   read_laws(root, out.model);
+  read_functions(root, file.parent_path(), out.model);
   read_blocks(root, file.parent_path(), out.model);
+  read_cracks(root, out.model);
   read_motions(root, file.parent_path(), out.model);
   read_supports(root, out.model);
+  read_loads(root, out.model);
   read_monitors(root, out.model);
   out.plan = read_plan(root, out.model, methods);
   out.resolved = to_toml(document);

@@ -107,6 +107,7 @@ class DomainReader {
     if (r.has("material")) out.material = MaterialId{find_name(r, "material", "material", materials_)};
     if (r.has("joint")) out.joint = joint(r);
     out.cut = r.boolean("cut");
+    if (r.has("cover_size")) out.cover_size = r.number("cover_size");
     return out;
   }
 

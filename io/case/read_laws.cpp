@@ -28,6 +28,30 @@ JointLaw joint_law(const Section::Named& named) {
   return law;
 }
 
+InitialStress initial_stress(const Section& s) {
+  const auto tensor = [&s](const std::string& prefix) {
+    const double xy = s.number(prefix + "xy");
+    return (Mat2() << s.number(prefix + "xx"), xy, xy, s.number(prefix + "yy")).finished();
+  };
+  InitialStress stress{tensor(""), tensor("gradient_"), 0.0};
+  const bool grows = stress.gradient != Mat2::Zero();
+  if (grows && !s.has("level"))
+    throw s.error("level", "the stress grows with depth, and nothing says from where", "number [m]",
+                  "add level = ..., the y at which the stress is xx, yy, xy");
+  if (!grows && s.has("level"))
+    throw s.error("level", "the stress is constant: it has no level", "a level beside a gradient",
+                  "remove level, or add gradient_xx and gradient_yy");
+  if (grows) stress.level = s.number("level");
+  return stress;
+}
+
+Material material(const Section::Named& named) {
+  const Section& s = named.section;
+  Material m{named.name, s.number("density"), s.number("young"), s.number("poisson")};
+  if (s.has("initial_stress")) m.initial_stress = initial_stress(s.table("initial_stress"));
+  return m;
+}
+
 }  // namespace
 
 void read_laws(const Section& root, Model& model) {
@@ -35,9 +59,7 @@ void read_laws(const Section& root, Model& model) {
   model.title = root.text("title");
   model.plane = m.text("plane") == "strain" ? Plane::strain : Plane::stress;
   model.gravity = m.point("gravity");
-  for (const Section::Named& named : root.named("material"))
-    model.materials.push_back(
-        {named.name, named.section.number("density"), named.section.number("young"), named.section.number("poisson")});
+  for (const Section::Named& named : root.named("material")) model.materials.push_back(material(named));
   for (const Section::Named& named : root.named("joint")) model.joints.push_back(joint_law(named));
 
   if (m.has("default_joint")) {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <optional>
 
+#include "io/case/data_file.h"
 #include "io/case/read_parts.h"
 #include "io/case/record.h"
 #include "model/record_processing.h"
@@ -12,27 +12,9 @@
 namespace scree::io {
 namespace {
 
-constexpr std::string_view kRecords = "$SCREE_RECORDS/";
-
-std::filesystem::path record_path(const Section& s, const std::filesystem::path& folder) {
-  const std::string& file = s.text("file");
-  if (file.empty())
-    throw s.error("file", "the path is empty", "path of a record", "give the file with the recorded motion");
-  if (!file.starts_with('$')) return folder / file;  // an absolute path stays one
-  if (!file.starts_with(kRecords))
-    throw s.error("file", "only the variable SCREE_RECORDS is known", "a path, or \"$SCREE_RECORDS/...\"",
-                  "write the path out");
-  const char* records = std::getenv("SCREE_RECORDS");
-  if (!records || !*records)
-    throw s.error("file", "the environment variable SCREE_RECORDS is not set",
-                  "a path, or \"$SCREE_RECORDS/...\" with the variable set",
-                  "export SCREE_RECORDS=FOLDER, the folder with the recorded motions");
-  return std::filesystem::path(records) / file.substr(kRecords.size());
-}
-
 /// A file that cannot be read is a fault of the key that names it; wrong rows are faults of the file.
 Record record_of(const Section& s, const std::filesystem::path& folder) {
-  const std::filesystem::path file = record_path(s, folder);
+  const std::filesystem::path file = data_path(s, "file", folder, "the recorded motion");
   try {
     return read_record(file, s.has("resample") ? Gaps::accept : Gaps::refuse);
   } catch (const CaseError& e) {

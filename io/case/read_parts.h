@@ -14,16 +14,25 @@ namespace scree::io {
 
 /// Title, plane, gravity, materials and joint laws.
 void read_laws(const Section& root, Model& model);
+/// Time functions of loads.   @param folder  that relative paths start from
+void read_functions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.
 /// @param folder  that relative paths start from     @pre read_laws
 void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Appends the blocks of [domain], its lines and cracks.   @pre read_laws
 void read_domain(const Section& section, const std::filesystem::path& folder, Model& model);
+/// Cracks inside blocks, after those that a domain left.   @pre read_blocks
+void read_cracks(const Section& root, Model& model);
 /// Ground motions from their files.   @param folder  that relative paths start from
 void read_motions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Supports and monitors.   @pre read_blocks, read_motions
 void read_supports(const Section& root, Model& model);
 void read_monitors(const Section& root, Model& model);
+/// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
+void read_loads(const Section& root, Model& model);
+/// How a stage represents blocks, damps and comes to rest; what does not go together is refused.
+/// @param nmm  a block of the stage uses the NMM     @pre its method and integrator are set
+void read_stage_options(const Section& s, bool nmm, coupling::Stage& stage);
 /// Stages, output, streaming, threads.   @pre read_blocks
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 

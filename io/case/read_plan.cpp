@@ -39,9 +39,28 @@ std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& mode
       }
     (void)find_name(r, "method", "method", methods);
     rule.method = r.text("method");
+    rule.onefold = r.boolean("onefold");
+    if (r.has("cover_size")) rule.cover_size = r.number("cover_size");
+    for (const char* key : {"onefold", "cover_size"})
+      if (rule.method != "nmm" && (key == std::string("onefold") ? rule.onefold : r.has(key)))
+        throw r.error(key, fmt::format("the method {} has no covers", in_quotes(rule.method)), "the key beside \"nmm\"",
+                      "remove it, or set method = \"nmm\"");
+    if (rule.onefold && r.has("cover_size"))
+      throw r.error("cover_size", "one cover around the whole block has no size to choose",
+                    "onefold = true or cover_size", "remove one of the two");
     rules.push_back(std::move(rule));
   }
   return rules;
+}
+
+/// The first block with the NMM whose covers have no size; invalid: none.
+BlockId without_covers(const coupling::Stage& stage, const std::vector<std::string>& methods, const Model& model) {
+  std::vector<char> sized(methods.size(), stage.cover_size > 0.0 ? 1 : 0);
+  for (std::size_t b = 0; b < methods.size(); ++b) sized[b] |= methods[b] != "nmm" || model.blocks[b].cover_size > 0.0;
+  for (const coupling::MethodRule& rule : stage.rules)
+    for (const BlockId b : rule.blocks) sized[b.index()] |= rule.onefold || rule.cover_size > 0.0;
+  const auto bare = std::find(sized.begin(), sized.end(), 0);
+  return bare == sized.end() ? BlockId{} : BlockId{static_cast<std::int32_t>(bare - sized.begin())};
 }
 
 void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const Model& model) {
@@ -56,9 +75,11 @@ void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const
                   fmt::format("the NMM, which block {} uses in this stage, is explicit in this version", block),
                   "\"explicit\" where a block uses the NMM",
                   "set integrator = \"explicit\", or method = \"dda\" for implicit steps");
-  if (stage.cover_size == 0.0)
-    throw s.error("cover_size", fmt::format("block {} uses the NMM and no cover_size is given", block),
-                  "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
+  if (const BlockId bare = without_covers(stage, used, model); bare.valid())
+    throw s.error(
+        "cover_size",
+        fmt::format("block {} uses the NMM and no cover_size is given", in_quotes(model.blocks[bare.index()].name)),
+        "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
 }
 
 coupling::Stage read_stage(const Section& s, const Section& m, const Model& model,
@@ -72,15 +93,33 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.dt = s.number_or_auto("dt");
   stage.safety = s.number("safety");
   stage.duration = ticks(s.number("duration"));
-  stage.damping = s.number("damping");
-  stage.rest = s.boolean("rest");
   stage.control.max_passes = s.integer("max_passes");
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);
+  const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), stage);
   if (stage.integrator == Integrator::implicit && !stage.dt)
     throw s.error("dt", "an implicit stage needs a time step", "number [s], > 0",
                   "implicit steps have no stability bound to take dt from: write dt = 1e-3, for example");
   return stage;
+}
+
+/// In-situ stress enters with the first mesh of a block; a block that begins affine would lose it unseen.
+void check_initial_stress(const Section& root, const coupling::Stage& first, const Model& model) {
+  const std::vector<std::string> methods = methods_of_blocks(first, model.blocks.size());
+  for (std::size_t b = 0; b < methods.size(); ++b) {
+    const Material& material = model.materials[model.blocks[b].material.index()];
+    const BlockId block{static_cast<std::int32_t>(b)};
+    if (!material.initial_stress || methods[b] == "nmm" || model.support_of(block)) continue;
+    for (const Section::Named& named : root.named("material"))
+      if (named.name == material.name)
+        throw named.section.error(
+            "initial_stress",
+            fmt::format("block {} begins with the method {}, which takes no initial stress",
+                        in_quotes(model.blocks[b].name), in_quotes(methods[b])),
+            "blocks of the material begin with \"nmm\"",
+            fmt::format("begin with the NMM in stage {}, or give the block another material", in_quotes(first.name)));
+  }
 }
 
 coupling::OutputPlan read_output(const Section& s, Tick total) {
@@ -134,6 +173,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
       throw s.error("duration", "the stages together are too long", fmt::format("at most {:g} s in all", kLongestRun),
                     "shorten a stage");
   }
+  check_initial_stress(root, plan.stages.front(), model);
   Tick run = 0;
   for (const coupling::Stage& stage : plan.stages) run += stage.duration;
   plan.output = read_output(root.table("output"), run);

@@ -1,70 +1,13 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 
+#include "io/case/block_choice.h"
 #include "io/case/read_parts.h"
 
 namespace scree::io {
 namespace {
-
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double s = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - s * d).norm();
-}
-
-/// True inside the block and on its outline, within rounding of the coordinates as people write them.
-bool on_block(const Polygon& polygon, const Vec2& point) {
-  if (contains(polygon, point)) return true;
-  const Box box = bounds(polygon);
-  const double near = 1e-6 * (box.hi - box.lo).maxCoeff();
-  for (std::size_t k = 0; k < polygon.rings(); ++k) {
-    const Ring& ring = polygon.ring(k);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (distance_to_segment(point, ring[i], ring[(i + 1) % ring.size()]) <= near) return true;
-  }
-  return false;
-}
-
-void check_point(const Section& s, const Model& model, BlockId block, const Vec2& point) {
-  const Polygon& polygon = model.blocks[block.index()].polygon;
-  if (on_block(polygon, point)) return;
-  const Box box = bounds(polygon);
-  throw s.error("point", fmt::format("the point is not on block {}", in_quotes(model.blocks[block.index()].name)),
-                "a point inside the block or on its outline",
-                fmt::format("the block lies within [{:g}, {:g}] to [{:g}, {:g}]", box.lo.x(), box.lo.y(), box.hi.x(),
-                            box.hi.y()));
-}
-
-/// The one block that holds the point under a key.
-BlockId block_at(const Section& s, std::string_view key, const Model& model) {
-  const Vec2 point = s.point(key);
-  std::vector<std::size_t> holding;
-  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const Box box = bounds(model.blocks[b].polygon);
-    const double near = 1e-6 * (box.hi - box.lo).maxCoeff();
-    if ((point.array() < box.lo.array() - near).any() || (point.array() > box.hi.array() + near).any()) continue;
-    if (on_block(model.blocks[b].polygon, point)) holding.push_back(b);
-  }
-  if (holding.empty())
-    throw s.error(key, "the point is in no block", "a point inside a block",
-                  "check the point, or give block = \"NAME\"");
-  if (holding.size() > 1)
-    throw s.error(key,
-                  fmt::format("the point lies on the boundary of blocks {} and {}",
-                              in_quotes(model.blocks[holding[0]].name), in_quotes(model.blocks[holding[1]].name)),
-                  "a point inside one block", "move the point, or say which with block = \"NAME\"");
-  return BlockId{static_cast<std::int32_t>(holding.front())};
-}
-
-/// The one block that block or at names.
-BlockId block_of(const Section& s, const Model& model) {
-  if (!s.has("block")) return block_at(s, "at", model);
-  return BlockId{find_name(s, "block", "block", names_of(model.blocks))};
-}
 
 /// Blocks that a support names, with the place of each name.
 struct Held {

@@ -21,13 +21,18 @@ enum class Gaps { refuse, accept };
 /// @throws CaseError without line and column: unreadable; with them: what read_at2 and read_columns throw
 [[nodiscard]] Record read_record(const std::filesystem::path& file, Gaps gaps);
 
+/// Two columns of a file, steps as they are: the history of a load.   @param quantity  in the second column
+/// @throws CaseError as read_record
+[[nodiscard]] Record read_history(const std::filesystem::path& file, std::string_view quantity);
+
 /// Time [s] and acceleration in two columns, separated by comma, semicolon or white space. '#' begins a comment; one
 /// line of headings may come before the numbers. A step is a gap where it differs from the median step by more than
 /// what rounding of the times explains (a unit of their last decimal, at most half a step) and by more than 0.1 %.
-/// @param text  of the file     @param name  of the file, for errors
+/// @param text  of the file     @param name  of the file, for errors     @param quantity  in the second column
 /// @throws CaseError with line and column: no number, not finite, not two columns, time that does not increase, a gap,
 ///         fewer than two rows
-[[nodiscard]] Record read_columns(std::string_view text, const std::string& name, Gaps gaps);
+[[nodiscard]] Record read_columns(std::string_view text, const std::string& name, Gaps gaps,
+                                  std::string_view quantity = "acceleration");
 
 /// A PEER strong motion record: lines of title, one of which says "IN UNITS OF G" (or cm/s/s, gal, m/s/s in their usual
 /// spellings), then "NPTS=  3930, DT= .00500 SEC" or "3930 0.00500 NPTS, DT", then NPTS numbers in rows of any length.

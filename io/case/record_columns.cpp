@@ -11,8 +11,6 @@
 namespace scree::io {
 namespace {
 
-constexpr const char* kForm = "two columns: time [s], acceleration";
-
 /// One unit of the last digit of a number: 0.01 for "1.25", 100 for "3e2".
 double last_place(std::string_view number) {
   const std::size_t exponent = number.find_first_of("eEdD");
@@ -57,7 +55,8 @@ void refuse_gaps(const std::string& name, const std::vector<double>& time, const
 
 }  // namespace
 
-Record read_columns(std::string_view text, const std::string& name, Gaps gaps) {
+Record read_columns(std::string_view text, const std::string& name, Gaps gaps, std::string_view quantity) {
+  const std::string form = fmt::format("two columns: time [s], {}", quantity);
   Record record;
   std::vector<Stamp> stamps;
   bool heading_may_come = true;
@@ -71,17 +70,17 @@ Record read_columns(std::string_view text, const std::string& name, Gaps gaps) {
     heading_may_come = false;
     if (heading) continue;
     if (!t)
-      fail(name, line, fields[0], "this is not a number", kForm,
+      fail(name, line, fields[0], "this is not a number", form,
            "decimals have a point; comments begin with #; a PEER record is to be called .AT2");
     if (fields.size() != 2)
       fail(name, line, fields.size() < 2 ? fields[0] : fields[2], fmt::format("the row has {} columns", fields.size()),
-           kForm, "decimals have a point, not a comma; keep one row a line");
+           form, "decimals have a point, not a comma; keep one row a line");
     const std::optional<double> a = number_of_text(fields[1].text);
-    if (!a) fail(name, line, fields[1], "this is not a number", kForm, "decimals have a point; comments begin with #");
+    if (!a) fail(name, line, fields[1], "this is not a number", form, "decimals have a point; comments begin with #");
     if (!std::isfinite(*t))
       fail(name, line, fields[0], "the time is not finite", "a finite number [s]", "remove the row");
     if (!std::isfinite(*a))
-      fail(name, line, fields[1], "the acceleration is not finite", "a finite number",
+      fail(name, line, fields[1], fmt::format("the {} is not finite", quantity), "a finite number",
            "find out what stood there; a record with a hole is not to be filled by guess");
     if (!record.time.empty() && !(*t > record.time.back()))
       fail(name, line, fields[0],
@@ -94,7 +93,7 @@ Record read_columns(std::string_view text, const std::string& name, Gaps gaps) {
   if (record.time.size() < 2)
     throw CaseError(
         name, {std::max(lines.row(), 1), 1},
-        {fmt::format("the record has {} rows of numbers", record.time.size()), "", "", "at least two rows", kForm});
+        {fmt::format("the record has {} rows of numbers", record.time.size()), "", "", "at least two rows", form});
   if (gaps == Gaps::refuse) refuse_gaps(name, record.time, stamps);
   return record;
 }

@@ -15,6 +15,10 @@ constexpr Range kDipDeviation{.low = 0.0, .high = 45.0};
 constexpr Range kChords{.low = 1.0, .high = 10000.0};
 constexpr Range kSeed{.low = 0.0, .high = 2147483647.0};
 constexpr Range kSafety{.low = 0.0, .high = 1.0, .low_open = true};
+constexpr Range kBelowOne{.low = 0.0, .high = 1.0, .high_open = true};
+constexpr Range kCount{.low = 1.0, .high = 2147483647.0};
+constexpr Range kIndex{.low = 0.0, .high = 2147483647.0};
+constexpr Range kShift{.low = -1e6, .high = 1e6};
 constexpr Range kPasses{.low = 1.0, .high = 1000.0};
 constexpr Range kFrameRate{.low = 0.0, .high = 1000.0, .low_open = true};
 constexpr Range kThreads{.low = 0.0, .high = 1024.0};
@@ -37,10 +41,42 @@ constexpr Key kKeys[] = {
     {"model.cover_size", Type::number, "m", kPositive, "", false, "",
      "Size of the mathematical covers of the NMM, for stages that give none."},
 
+    {"function", Type::named_tables, "", kAny, "", false, "",
+     "A number that depends on time; loads refer to it by NAME and are multiplied by it. It is zero before its start."},
+    {"function.NAME.shape", Type::choice, "", kAny, "", true, "constant|ramp|sine|half_sine|sine_squared|table",
+     "With s the time since start and T the duration: constant 1; ramp s/T, then 1; sine sin(2 pi frequency s), until "
+     "T "
+     "if that is given; half_sine sin(pi s/T), then 0; sine_squared sin^2(pi s/T), then 0; table straight lines "
+     "through given points, zero before the first, then the last value."},
+    {"function.NAME.amplitude", Type::number, "", kAny, "1.0", false, "", "Factor on the shape."},
+    {"function.NAME.start", Type::number, "s", kShift, "0.0", false, "", "Simulated time at which the shape begins."},
+    {"function.NAME.duration", Type::number, "s", kTime, "", false, "",
+     "T of the shape. Needed for ramp, half_sine and sine_squared; may be given for sine."},
+    {"function.NAME.frequency", Type::number, "Hz", kPositive, "", false, "", "Of a sine, which needs it."},
+    {"function.NAME.file", Type::text, "", kAny, "", false, "",
+     "Text file with the points of a table in two columns, time [s] and value; form and path as motion.NAME.file, but "
+     "the steps may differ. A table needs either this or points."},
+    {"function.NAME.points", Type::line, "", kAny, "", false, "",
+     "Points [time, value] of a table, times in s from start on, increasing, none negative."},
+
     {"material", Type::named_tables, "", kAny, "", true, "", "A rock or soil; blocks refer to it by NAME."},
     {"material.NAME.density", Type::number, "kg/m3", kPositive, "", true, "", "Mass density."},
     {"material.NAME.young", Type::number, "Pa", kPositive, "", true, "", "Young's modulus."},
     {"material.NAME.poisson", Type::number, "", kPoisson, "", true, "", "Poisson's ratio."},
+    {"material.NAME.initial_stress", Type::table, "", kAny, "", false, "",
+     "In-situ stress of the material in the axes of the model, tension positive: constant, or growing with depth as "
+     "stress + (level - y) gradient. For blocks that begin with the NMM."},
+    {"material.NAME.initial_stress.xx", Type::number, "Pa", kAny, "", true, "", "Stress along x, at level."},
+    {"material.NAME.initial_stress.yy", Type::number, "Pa", kAny, "", true, "", "Stress along y, at level."},
+    {"material.NAME.initial_stress.xy", Type::number, "Pa", kAny, "0.0", false, "", "Shear stress, at level."},
+    {"material.NAME.initial_stress.gradient_xx", Type::number, "Pa/m", kAny, "0.0", false, "",
+     "Growth of xx with depth; negative where compression grows."},
+    {"material.NAME.initial_stress.gradient_yy", Type::number, "Pa/m", kAny, "0.0", false, "",
+     "Growth of yy with depth: -density g under the weight of the rock."},
+    {"material.NAME.initial_stress.gradient_xy", Type::number, "Pa/m", kAny, "0.0", false, "",
+     "Growth of xy with depth."},
+    {"material.NAME.initial_stress.level", Type::number, "m", kCoordinate, "", false, "",
+     "y from which depth counts. Needed with a gradient."},
 
     {"joint", Type::named_tables, "", kAny, "", false, "", "A Coulomb law of block edges; blocks refer to it by NAME."},
     {"joint.NAME.friction_deg", Type::number, "deg", kFriction, "", true, "", "Friction angle."},
@@ -107,6 +143,8 @@ constexpr Key kKeys[] = {
     {"block[].edge_joints", Type::names, "", kAny, "[]", false, "",
      "Joint laws, one an edge: the first for the edge from the first corner of polygon to the second. \"\" stands for "
      "the joint of the block."},
+    {"block[].cover_size", Type::number, "m", kPositive, "(as the stage says)", false, "",
+     "Size of the mathematical covers of the NMM in this block."},
     {"block[].velocity", Type::point, "m/s", kAny, "[0.0, 0.0]", false, "", "Initial velocity of the centroid."},
     {"block[].spin", Type::number, "rad/s", kAny, "0.0", false, "", "Initial angular velocity, counter-clockwise."},
 
@@ -147,6 +185,8 @@ constexpr Key kKeys[] = {
      "Joint law of the region's outline, and of edges of its blocks that lie on no joint."},
     {"domain.region[].cut", Type::boolean, "", kAny, "true", false, "",
      "With false joints end at the region: it stays one block, a base for example."},
+    {"domain.region[].cover_size", Type::number, "m", kPositive, "(as the stage says)", false, "",
+     "Size of the mathematical covers of the NMM in its blocks."},
     {"domain.joint_set", Type::table_list, "", kAny, "", false, "",
      "A family of parallel joints. What varies is drawn from a generator with a seed: the same lines on every "
      "machine. Distributions: normal and lognormal with the standard deviation, uniform with half its width as "
@@ -197,6 +237,14 @@ constexpr Key kKeys[] = {
     {"domain.arc[].chords", Type::integer, "", kChords, "36", false, "", "Number of chords."},
     {"domain.arc[].joint", Type::name, "", kAny, "", true, "", "Joint law of the line."},
 
+    {"crack", Type::table_list, "", kAny, "", false, "",
+     "A discontinuity inside a block, beside those that a domain leaves. Stages with cracks = true cut the covers of "
+     "the NMM along it; the block stays one block even where the crack runs through it."},
+    {"crack[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
+    {"crack[].points", Type::line, "m", kCoordinate, "", true, "",
+     "Points of the line in order, inside the block or on its outline."},
+    {"crack[].joint", Type::name, "", kAny, "(that of the block)", false, "", "Joint law of the crack."},
+
     {"support", Type::table_list, "", kAny, "", false, "",
      "What holds blocks: whole blocks fixed or moving with the ground, or points on springs."},
     {"support[].block", Type::name, "", kAny, "", false, "", "Name of the block. Either this or blocks or at."},
@@ -212,6 +260,42 @@ constexpr Key kKeys[] = {
      "Stiffness of the spring at the point. \"auto\" is 10 (K + 4G/3) of the block."},
     {"support[].motion", Type::name, "", kAny, "", false, "", "Name of a ground motion that the whole block follows."},
 
+    {"point_load", Type::table_list, "", kAny, "", false, "",
+     "A force on a material point of a block; its direction stays."},
+    {"point_load[].block", Type::name, "", kAny, "(the block that holds the point)", false, "", "Name of the block."},
+    {"point_load[].point", Type::point, "m", kCoordinate, "", true, "",
+     "The point where the model starts, on the outline of the block or inside."},
+    {"point_load[].force", Type::point, "N", kAny, "", true, "", "Force for unit thickness."},
+    {"point_load[].function", Type::name, "", kAny, "(constant)", false, "",
+     "Name of the function that multiplies it."},
+
+    {"traction", Type::table_list, "", kAny, "", false, "",
+     "A force per length of outline as the model first has it; its direction stays (a dead load)."},
+    {"traction[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
+    {"traction[].on", Type::line, "m", kCoordinate, "", false, "",
+     "Ends of a straight line: the parts of the outline that lie on it, holes too, within 1e-6 of the extent of the "
+     "block. Either this or edge."},
+    {"traction[].edge", Type::integer, "", kIndex, "", false, "",
+     "Edge of a listed block, from 0: edge 0 runs from the first corner of polygon to the second."},
+    {"traction[].traction", Type::point, "Pa", kAny, "", false, "",
+     "Force per area in the axes of the model. Either this or pressure."},
+    {"traction[].pressure", Type::number, "Pa", kAny, "", false, "",
+     "Force per area at right angles to the outline; positive pushes into the block."},
+    {"traction[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
+
+    {"body_acceleration", Type::table_list, "", kAny, "", false, "", "A force per mass on blocks, beside gravity."},
+    {"body_acceleration[].acceleration", Type::point, "m/s2", kAny, "", true, "", "Force per mass."},
+    {"body_acceleration[].function", Type::name, "", kAny, "(constant)", false, "",
+     "Name of the function that multiplies it."},
+    {"body_acceleration[].blocks", Type::names, "", kAny, "(all)", false, "",
+     "Names of the blocks; * stands for any characters. Patterns pass over blocks that are held whole."},
+
+    {"viscous_edge", Type::table_list, "", kAny, "", false, "",
+     "Outline that absorbs waves: dashpots of rho c_p and rho c_s per area, exact for waves at right angles to it."},
+    {"viscous_edge[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
+    {"viscous_edge[].on", Type::line, "m", kCoordinate, "", false, "", "As traction.on. Either this or edge."},
+    {"viscous_edge[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge."},
+
     {"monitor", Type::table_list, "", kAny, "", false, "", "A point whose history is written."},
     {"monitor[].block", Type::name, "", kAny, "(the block that holds the point)", false, "", "Name of the block."},
     {"monitor[].point", Type::point, "m", kCoordinate, "", true, "",
@@ -222,21 +306,49 @@ constexpr Key kKeys[] = {
     {"stage", Type::table_list, "", kAny, "", true, "", "A part of the run; stages follow one another."},
     {"stage[].name", Type::name, "", kAny, "", true, "", "Name, given once only."},
     {"stage[].method", Type::name, "", kAny, "", true, "", "Discretisation of the blocks: \"nmm\" or \"dda\"."},
-    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit",
-     "Time integration. The NMM is explicit."},
+    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit", "Time integration."},
     {"stage[].dt", Type::number_or_auto, "s", kTime, "\"auto\"", false, "",
      "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
     {"stage[].safety", Type::number, "", kSafety, "0.8", false, "",
      "Fraction of the stability bound that dt = \"auto\" takes."},
     {"stage[].cover_size", Type::number, "m", kPositive, "(model.cover_size)", false, "",
-     "Size of the mathematical covers. Needed, here or in model, where a block of the stage uses the NMM."},
+     "Size of the mathematical covers, for blocks without a cover_size of their own. Needed, here or in model, where "
+     "such a block uses the NMM."},
+    {"stage[].kinematics", Type::choice, "", kAny, "\"corotational\"", false, "corotational|linear",
+     "Of the NMM: small strain in a frame that turns with the rock, or small strain and small rotation, for "
+     "comparisons "
+     "with linear theory."},
+    {"stage[].mass", Type::choice, "", kAny, "\"auto\"", false, "auto|affine-exact|lumped|consistent",
+     "Mass of the NMM. lumped: row sums; affine-exact, explicit: row sums corrected so that mass, momenta and "
+     "rotational "
+     "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, "
+     "consistent "
+     "in implicit ones."},
+    {"stage[].cracks", Type::boolean, "", kAny, "false", false, "",
+     "Cut the covers of the NMM along the cracks of its blocks. The faces of a crack do not touch each other."},
     {"stage[].damping", Type::number, "1/s", kNotNegative, "0.0", false, "",
-     "Mass-proportional damping of explicit steps, on velocities less their affine part, so that sliding is not "
-     "slowed."},
+     "Mass-proportional damping, on velocities less their affine part, so that sliding is not slowed."},
+    {"stage[].damp_rigid_motion", Type::boolean, "", kAny, "false", false, "",
+     "Let damping act on all of the velocity. Goes with damping."},
+    {"stage[].stiffness_damping", Type::number, "s", kNotNegative, "0.0", false, "",
+     "Rayleigh damping proportional to stiffness; rigid motion has none. It lowers the stable explicit step."},
+    {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
+     "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
+     "statics."},
+    {"stage[].newmark", Type::choice, "", kAny, "(\"damped\", in implicit stages)", false, "damped|trapezoidal",
+     "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
+     "without contacts."},
+    {"stage[].dynamics", Type::number, "", kFraction, "(1, in implicit stages without rest)", false, "",
+     "Fraction of the velocity that an implicit step hands to the next: 1 dynamic, 0 static."},
     {"stage[].rest", Type::boolean, "", kAny, "false", false, "",
      "Bring the model to rest: explicit steps drop all velocities when the kinetic energy has passed a peak, implicit "
      "ones after every step (a static solution). Meant for gravity before a motion starts."},
+    {"stage[].rest_force", Type::number, "", kSafety, "", false, "",
+     "The stage ends once no unbalanced force is above this fraction of the largest force; where that does not come "
+     "before the duration ends, the run fails. Goes with rest."},
+    {"stage[].rest_steps", Type::integer, "", kCount, "(until the duration ends)", false, "",
+     "Steps within which rest_force has to be reached. Goes with rest_force."},
     {"stage[].max_passes", Type::integer, "", kPasses, "12", false, "",
      "Open-close passes of an implicit step before it is cut."},
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
@@ -245,6 +357,10 @@ constexpr Key kKeys[] = {
     {"stage[].method_of[].blocks", Type::names, "", kAny, "", true, "",
      "Names of the blocks; * stands for any characters."},
     {"stage[].method_of[].method", Type::name, "", kAny, "", true, "", "Their method."},
+    {"stage[].method_of[].cover_size", Type::number, "m", kPositive, "(as the block or the stage says)", false, "",
+     "Size of the mathematical covers of the NMM in these blocks."},
+    {"stage[].method_of[].onefold", Type::boolean, "", kAny, "false", false, "",
+     "One cover around the whole block, in place of a mesh: six unknowns. NMM only."},
 
     {"output", Type::table, "", kAny, "", false, "", "What is written and how often."},
     {"output.every", Type::number, "s", kTime, "(a hundredth of the run)", false, "", "Simulated time between frames."},
@@ -265,25 +381,5 @@ constexpr Key kKeys[] = {
 }  // namespace
 
 std::span<const Key> schema() { return kKeys; }
-
-bool Range::holds(double value) const {
-  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-const Key* find_key(std::string_view path) {
-  for (const Key& k : kKeys)
-    if (k.path == path) return &k;
-  return nullptr;
-}
-
-std::string_view last_part(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string_view::npos ? path : path.substr(dot + 1);
-}
-
-std::string_view parent_of(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
-}
 
 }  // namespace scree::io

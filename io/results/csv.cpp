@@ -23,8 +23,15 @@ std::string field(const std::string& text) {
 std::vector<CsvFile::Column> history_columns(const Model& model) {
   std::vector<CsvFile::Column> columns{{"time", "s"}};
   for (const std::string& name : monitor_names(model))
-    for (const auto& [end, units] :
-         {std::pair{".x", "m"}, {".y", "m"}, {".ux", "m"}, {".uy", "m"}, {".vx", "m/s"}, {".vy", "m/s"}})
+    for (const auto& [end, units] : {std::pair{".x", "m"},
+                                     {".y", "m"},
+                                     {".ux", "m"},
+                                     {".uy", "m"},
+                                     {".vx", "m/s"},
+                                     {".vy", "m/s"},
+                                     {".sxx", "Pa"},
+                                     {".syy", "Pa"},
+                                     {".sxy", "Pa"}})
       columns.push_back({name + end, units});
   return columns;
 }
@@ -78,9 +85,11 @@ CsvHistories::CsvHistories(const std::filesystem::path& history, const std::file
 
 void CsvHistories::append(const coupling::HistoryView& view) {
   row_.assign(1, view.time);
-  for (std::size_t i = 0; i + 1 < view.position.size(); i += 2)
+  for (std::size_t i = 0; 2 * i < view.position.size(); ++i) {
     for (const auto& span : {view.position, view.displacement, view.velocity})
-      row_.insert(row_.end(), {span[i], span[i + 1]});
+      row_.insert(row_.end(), {span[2 * i], span[2 * i + 1]});
+    row_.insert(row_.end(), {view.stress[3 * i], view.stress[3 * i + 1], view.stress[3 * i + 2]});
+  }
   history_.row(row_);
 
   row_.assign(1, view.time);

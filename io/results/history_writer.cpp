@@ -41,7 +41,8 @@ HistoryWriter::HistoryWriter(const h5::File& file, const Model& model) {
     monitors_.push_back({{file, group + "/time", 1, {"s", "time"}},
                          {file, group + "/position", 2, {"m", "position x, y"}},
                          {file, group + "/displacement", 2, {"m", "displacement x, y since the start"}},
-                         {file, group + "/velocity", 2, {"m/s", "velocity x, y"}}});
+                         {file, group + "/velocity", 2, {"m/s", "velocity x, y"}},
+                         {file, group + "/stress", 3, {"Pa", "recovered Cauchy stress xx, yy, xy; tension positive"}}});
     file.attribute(group, "name", model.monitors[i].name);
     file.attribute(group, "block", model.blocks[model.monitors[i].block.index()].name);
     file.attribute(group, "long_name", "monitor " + model.monitors[i].name);
@@ -61,12 +62,14 @@ HistoryWriter::HistoryWriter(const h5::File& file, const Model& model) {
 }
 
 void HistoryWriter::append(const coupling::HistoryView& history) {
-  SCREE_ASSERT(history.ledger != nullptr && history.position.size() == 2 * monitors_.size());
+  SCREE_ASSERT(history.ledger != nullptr && history.position.size() == 2 * monitors_.size() &&
+               history.stress.size() == 3 * monitors_.size());
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
     monitors_[i].time.append(history.time);
     monitors_[i].position.append(history.position.subspan(2 * i, 2));
     monitors_[i].displacement.append(history.displacement.subspan(2 * i, 2));
     monitors_[i].velocity.append(history.velocity.subspan(2 * i, 2));
+    monitors_[i].stress.append(history.stress.subspan(3 * i, 3));
   }
   for (int c = 0; c < coupling::kColumns; ++c)
     columns_[static_cast<std::size_t>(c)].append((*history.ledger)[static_cast<coupling::Column>(c)]);
@@ -78,7 +81,7 @@ void HistoryWriter::append(const coupling::HistoryView& history) {
 
 template <class Visitor>
 void HistoryWriter::each(Visitor&& see) {
-  for (Monitor& m : monitors_) see(m.position), see(m.displacement), see(m.velocity), see(m.time);
+  for (Monitor& m : monitors_) see(m.position), see(m.displacement), see(m.velocity), see(m.stress), see(m.time);
   for (h5::Series<double>& column : columns_) see(column);
   see(energy_), see(closure_), see(moved_), see(time_);
 }

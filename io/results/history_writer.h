@@ -15,19 +15,19 @@ namespace scree::io {
 /// Names of the monitors as names of groups: '/' becomes '_', an empty one "monitor", a repeated one gets a number.
 [[nodiscard]] std::vector<std::string> monitor_names(const Model& model);
 
-/// /history/<monitor>/{time, position, displacement, velocity} and /energy/{time, a dataset a ledger column, energy,
-/// closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
+/// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column,
+/// energy, closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
 class HistoryWriter {
  public:
   HistoryWriter(const h5::File& file, const Model& model);
-  /// Adds one row everywhere.   @pre spans hold x, y of every monitor of the model; ledger is set
+  /// Adds one row everywhere.   @pre spans hold every monitor of the model; ledger is set
   void append(const coupling::HistoryView& history);
   void flush();
   void close();
 
  private:
   struct Monitor {
-    h5::Series<double> time, position, displacement, velocity;
+    h5::Series<double> time, position, displacement, velocity, stress;
   };
   template <class Visitor>
   void each(Visitor&& see);

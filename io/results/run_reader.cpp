@@ -208,7 +208,10 @@ std::vector<StoredMonitor> RunReader::monitors() const {
     const auto time = h5::read<double>(file, group + "time");
     const auto rows = static_cast<std::int64_t>(time.size());
     const auto pairs = [&](const char* what) { return h5::read<double>(file, group + what, 0, rows); };
-    monitors.push_back({name, time, pairs("position"), pairs("displacement"), pairs("velocity")});
+    StoredMonitor monitor{name, time, pairs("position"), pairs("displacement"), pairs("velocity"), {}};
+    const std::vector<std::string> there = h5::children(file, "/history/" + name);
+    if (std::find(there.begin(), there.end(), "stress") != there.end()) monitor.stress = pairs("stress");
+    monitors.push_back(std::move(monitor));
   }
   return monitors;
 }

@@ -41,6 +41,7 @@ struct StoredLedger {
 struct StoredMonitor {
   std::string name;
   std::vector<double> time, position, displacement, velocity;  // x, y a time
+  std::vector<double> stress;                                  // xx, yy, xy a time [Pa]; empty in older runs
 };
 
 struct StoredEvent {

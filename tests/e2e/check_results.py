@@ -162,8 +162,8 @@ def check_histories(file, last):
         time = monitor["time"][...]
         expect(np.all(np.diff(time) >= 0.0), f"times of monitor {name} go back")
         expect(len(time) > 0 and abs(time[-1] - last) <= 1e-9 * max(1.0, last), f"monitor {name} does not reach the last frame")
-        for field in ("position", "displacement", "velocity"):
-            expect(monitor[field].shape == (len(time), 2), f"monitor {name}: {field} has another shape")
+        for field, width in (("position", 2), ("displacement", 2), ("velocity", 2), ("stress", 3)):
+            expect(monitor[field].shape == (len(time), width), f"monitor {name}: {field} has another shape")
         shift = monitor["position"][...] - monitor["displacement"][...]
         expect(len(time) == 0 or np.allclose(shift, shift[0], atol=1e-9), f"monitor {name}: position less displacement varies")
 
@@ -183,7 +183,8 @@ def check_tables(folder, file):
     for i, name in enumerate(names):
         monitor, _, what = name.rpartition(".")
         field = {"x": ("position", 0), "y": ("position", 1), "ux": ("displacement", 0), "uy": ("displacement", 1),
-                 "vx": ("velocity", 0), "vy": ("velocity", 1)}.get(what)
+                 "vx": ("velocity", 0), "vy": ("velocity", 1),
+                 "sxx": ("stress", 0), "syy": ("stress", 1), "sxy": ("stress", 2)}.get(what)
         if field and monitor in file["history"]:
             expect(np.array_equal(numbers[:, i], file["history"][monitor][field[0]][:, field[1]]), f"history.csv: {name} differs from /history")
 

@@ -20,13 +20,18 @@ void dump_model(Dump& d, const Model& m) {
   d.line("title {}", m.title);
   d.line("plane {} gravity {} default joint {}", m.plane == Plane::strain ? "strain" : "stress", Dump::of(m.gravity),
          m.default_joint.value);
-  for (const Material& x : m.materials) d.line("material {} {} {} {}", x.name, x.density, x.young, x.poisson);
+  for (const Material& x : m.materials) {
+    d.line("material {} {} {} {}", x.name, x.density, x.young, x.poisson);
+    if (!x.initial_stress) continue;
+    for (const Mat2& s : {x.initial_stress->stress, x.initial_stress->gradient})
+      d.line("  {} {} {} {} from {}", s(0, 0), s(0, 1), s(1, 0), s(1, 1), x.initial_stress->level);
+  }
   for (const JointLaw& x : m.joints)
     d.line("joint {} {} {} {} {} {} {} {} {}", x.name, x.friction, x.cohesion, x.contact_length,
            Dump::of(x.normal_stiffness), Dump::of(x.shear_stiffness), Dump::of(x.penalty), Dump::of(x.shear_penalty),
            x.damping);
   for (const Block& b : m.blocks) {
-    d.line("block {} material {} joint {}", b.name, b.material.value, b.joint.value);
+    d.line("block {} material {} joint {} covers {}", b.name, b.material.value, b.joint.value, b.cover_size);
     for (std::size_t k = 0; k < b.polygon.rings(); ++k)
       for (std::size_t i = 0; i < b.polygon.ring(k).size(); ++i)
         d.line("  {} {} {}", k, Dump::of(b.polygon.ring(k)[i]), b.edges[k][i].value);
@@ -50,14 +55,44 @@ void dump_model(Dump& d, const Model& m) {
   }
 }
 
+void dump_span(Dump& d, const EdgeSpan& s) {
+  d.line("  block {} edge {} {} from {} to {}", s.block.value, s.edge.ring, s.edge.edge, s.s0, s.s1);
+}
+
+void dump_loads(Dump& d, const Model& m) {
+  for (const TimeFunction& f : m.functions) {
+    d.line("function {} {} {} {} {} {}", f.name, static_cast<int>(f.shape), f.amplitude, f.start, f.duration,
+           f.frequency);
+    for (std::size_t i = 0; i < f.time.size(); ++i) d.line("  {} {}", f.time[i], f.table[i]);
+  }
+  for (const PointLoad& x : m.point_loads)
+    d.line("load {} {} {} {}", x.block.value, Dump::of(x.point), Dump::of(x.force), x.function.value);
+  for (const EdgeTraction& x : m.tractions) {
+    d.line("traction {} {}", Dump::of(x.traction), x.function.value);
+    dump_span(d, x.span);
+  }
+  for (const BodyAcceleration& x : m.body_accelerations) {
+    d.line("acceleration {} {}", Dump::of(x.acceleration), x.function.value);
+    for (const BlockId b : x.blocks) d.line("  of {}", b.value);
+  }
+  for (const ViscousEdge& x : m.viscous_edges) {
+    d.line("viscous");
+    dump_span(d, x.span);
+  }
+}
+
 void dump_plan(Dump& d, const coupling::Plan& p) {
   d.line("detection {} threads {}", p.detection, p.threads);
   for (const coupling::Stage& s : p.stages) {
     d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {} rest {}", s.name,
            s.method, s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", Dump::of(s.dt), s.safety,
            s.duration, s.cover_size, s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
+    d.line("  kinematics {} mass {} cracks {} rigid {} stiffness {} local {} newmark {} dynamics {} rest {} {}",
+           static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
+           s.stiffness_damping, s.local_damping, static_cast<int>(s.newmark), s.dynamics, s.rest_force, s.rest_steps);
     for (const coupling::MethodRule& r : s.rules)
-      for (const BlockId b : r.blocks) d.line("  {} by {}", b.value, r.method);
+      for (const BlockId b : r.blocks)
+        d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
   }
   d.line("output {} {}", p.output.every, p.output.history_every);
   d.line("live {} {} {}", p.live.enabled, p.live.url, p.live.rate);
@@ -68,6 +103,7 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
 std::string dump(const Case& c) {
   Dump d;
   dump_model(d, c.model);
+  dump_loads(d, c.model);
   dump_plan(d, c.plan);
   return d.out;
 }

@@ -193,11 +193,11 @@ TEST(Case, motion_file_is_found_through_the_variable) {
 
 TEST(Case, plan_holds_rules_and_controls) {
   const coupling::Plan p = read("full_case.toml").plan;
-  ASSERT_EQ(p.stages.size(), 2u);
+  ASSERT_EQ(p.stages.size(), 3u);
   EXPECT_FALSE(p.stages[0].dt);
   EXPECT_EQ(p.stages[0].cover_size, 0.2);
-  ASSERT_EQ(p.stages[0].rules.size(), 1u);
-  EXPECT_EQ(p.stages[0].rules[0].blocks, std::vector<BlockId>{BlockId{0}});
+  ASSERT_EQ(p.stages[0].rules.size(), 3u);
+  EXPECT_EQ(p.stages[0].rules[0].blocks, std::vector<BlockId>{BlockId{2}});
   EXPECT_EQ(p.stages[0].rules[0].method, "dda");
   EXPECT_EQ(p.stages[1].control.max_passes, 6);
   EXPECT_EQ(p.stages[1].control.max_displacement, 1e-3);

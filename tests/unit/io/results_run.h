@@ -145,9 +145,10 @@ struct SmallRun {
     ledger.book(Column::friction, 0.25 * time);
     const std::array<double, 4> x{4.0, 2.0 + time, 6.0, 2.0 + time}, u{0.0, time, 0.0, time},
         v{0.1, 0.2, 0.3, 1.0 / 3.0};
+    const std::array<double, 6> s{-1e6 * time, -2e6, 1e5 / 3.0, 4e6, 5e6 * time, 6e6};
     coupling::HistoryView h;
     h.time = time, h.tick = ticks(time);
-    h.position = x, h.displacement = u, h.velocity = v;
+    h.position = x, h.displacement = u, h.velocity = v, h.stress = s;
     h.ledger = &ledger, h.stats = &stats;
     sink.history(h);
   }

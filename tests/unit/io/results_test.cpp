@@ -117,6 +117,9 @@ TEST_F(Results, monitors_of_one_name_are_both_kept) {
   EXPECT_EQ(monitors[1].name, "crest, left_2");
   EXPECT_EQ(monitors[1].time.size(), 5u);
   EXPECT_EQ(monitors[1].velocity[1], 1.0 / 3.0);
+  ASSERT_EQ(monitors[1].stress.size(), 15u);  // xx, yy, xy a time
+  EXPECT_EQ(monitors[0].stress[1], -2e6);
+  EXPECT_EQ(monitors[1].stress[13], 5e6 * 2.0);
 }
 
 TEST_F(Results, provenance_names_the_case) {
@@ -254,8 +257,17 @@ TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
   std::getline(in, header);
   std::getline(in, row);
   EXPECT_TRUE(header.starts_with("time [s],\"crest, left.x [m]\",\"crest, left.y [m]\",")) << header;
-  EXPECT_EQ(std::strtod(row.substr(row.rfind(',') + 1).c_str(), nullptr), 1.0 / 3.0);
-  EXPECT_EQ(std::count(row.begin(), row.end(), ','), 12);
+  EXPECT_TRUE(
+      header.ends_with("\"crest, left_2.vy [m/s]\",\"crest, left_2.sxx [Pa]\",\"crest, left_2.syy [Pa]\","
+                       "\"crest, left_2.sxy [Pa]\""))
+      << header;
+  std::vector<double> numbers;
+  for (std::istringstream fields(row); std::getline(fields, row, ',');)
+    numbers.push_back(std::strtod(row.c_str(), nullptr));
+  ASSERT_EQ(numbers.size(), 19u);
+  EXPECT_EQ(numbers[9], 1e5 / 3.0);   // sxy of the first
+  EXPECT_EQ(numbers[15], 1.0 / 3.0);  // vy of the second
+  EXPECT_EQ(numbers[18], 6e6);
   EXPECT_TRUE(text_of(run / "energy.csv").starts_with("time [s],kinetic [J],elastic [J],"));
 }
 

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/case/block_choice.h"
+#include "io/case/edge_choice.h"
+#include "io/case/read_parts.h"
+#include "model/edge_selection.h"
+
+namespace scree::io {
+namespace {
+
+/// Stretches that share no more than this part of an edge only touch: their ends were rounded.
+constexpr double kTouching = 1e-9;
+
+FunctionId function_of(const Section& s, const Model& model) {
+  if (!s.has("function")) return {};
+  return FunctionId{find_name(s, "function", "function", names_of(model.functions))};
+}
+
+std::string held_text(const Model& model, BlockId block) {
+  return fmt::format("block {} is held whole: nothing else moves it", in_quotes(model.blocks[block.index()].name));
+}
+
+/// The block of a load, which must be free to move.
+/// @param what  acts on it: "a load"
+BlockId free_block(const Section& s, const Model& model, std::string_view what) {
+  const BlockId block = block_of(s, model, "point");
+  if (model.support_of(block))
+    throw s.error(s.has("block") ? "block" : "point", held_text(model, block), "a block that is free",
+                  fmt::format("remove {}, or the support of the block", what));
+  return block;
+}
+
+void read_point_load(const Section& s, Model& model) {
+  const PointLoad load{free_block(s, model, "the load"), s.point("point"), s.point("force"), function_of(s, model)};
+  check_point(s, model, load.block, load.point);
+  model.point_loads.push_back(load);
+}
+
+void read_traction(const Section& s, const Section& root, Model& model) {
+  if (s.has("traction") == s.has("pressure"))
+    throw s.error(s.has("traction") ? "pressure" : "traction",
+                  s.has("traction") ? "traction and pressure are both given" : "the load has no size",
+                  "either traction or pressure", "write traction = [x, y], or pressure = p, which pushes if positive");
+  const BlockId block = free_block(s, model, "the traction");
+  const Polygon& polygon = model.blocks[block.index()].polygon;
+  const FunctionId function = function_of(s, model);
+  for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
+    const Vec2 traction =
+        s.has("traction") ? s.point("traction") : Vec2(-s.number("pressure") * outward_normal(polygon, span.edge));
+    model.tractions.push_back({span, traction, function});
+  }
+}
+
+/// Blocks of a body acceleration, each once, in the order of the model.
+std::vector<BlockId> accelerated(const Section& s, const Model& model) {
+  const std::vector<std::string> patterns = s.texts("blocks"), known = names_of(model.blocks);
+  std::vector<BlockId> blocks;
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+    for (const std::int32_t b : find_names(s, "blocks", i, "block", known)) {
+      const BlockId block{b};
+      if (!model.support_of(block)) {
+        blocks.push_back(block);
+      } else if (known[block.index()] == patterns[i]) {
+        throw s.error("blocks", i, held_text(model, block), "blocks that are free", "remove the name");
+      }
+    }
+  if (blocks.empty())
+    throw s.error("blocks", patterns.empty() ? "the list of blocks is empty" : "all of these blocks are held whole",
+                  "names of blocks that are free", "name the blocks, or remove the key: then all are meant");
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
+}
+
+void read_body_acceleration(const Section& s, Model& model) {
+  BodyAcceleration load;
+  load.acceleration = s.point("acceleration");
+  load.function = function_of(s, model);
+  if (s.has("blocks")) load.blocks = accelerated(s, model);
+  model.body_accelerations.push_back(std::move(load));
+}
+
+void read_viscous_edge(const Section& s, const Section& root, Model& model) {
+  const BlockId block = free_block(s, model, "the viscous edge");
+  for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
+    for (const ViscousEdge& other : model.viscous_edges) {
+      const EdgeSpan& o = other.span;
+      const double common = std::min(o.s1, span.s1) - std::max(o.s0, span.s0);
+      if (o.block != block || o.edge != span.edge || common <= kTouching) continue;
+      throw s.error(s.has("on") ? "on" : "edge", "a part of this stretch is viscous already",
+                    "stretches that do not overlap", "it would absorb twice: remove one, or shorten it");
+    }
+    model.viscous_edges.push_back({span});
+  }
+}
+
+}  // namespace
+
+void read_loads(const Section& root, Model& model) {
+  for (const Section& s : root.list("point_load")) read_point_load(s, model);
+  for (const Section& s : root.list("traction")) read_traction(s, root, model);
+  for (const Section& s : root.list("body_acceleration")) read_body_acceleration(s, model);
+  for (const Section& s : root.list("viscous_edge")) read_viscous_edge(s, root, model);
+}
+
+}  // namespace scree::io

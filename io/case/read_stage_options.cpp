@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include "io/case/read_parts.h"
+
+namespace scree::io {
+namespace {
+
+using coupling::Integrator;
+
+/// A choice that changes nothing in this stage, which the user would not notice.
+void refuse(const Section& s, std::string_view key, bool wrong, std::string problem, std::string allowed,
+            std::string hint) {
+  if (wrong) throw s.error(key, std::move(problem), std::move(allowed), std::move(hint));
+}
+
+void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
+  const bool implicit = stage.integrator == Integrator::implicit;
+  const std::string &kinematics = s.text("kinematics"), &mass = s.text("mass");
+  stage.kinematics = kinematics == "linear" ? Kinematics::linear : Kinematics::corotational;
+  stage.cracks = s.boolean("cracks");
+  refuse(s, "mass", implicit && mass == "affine-exact",
+         "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
+         "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
+  refuse(s, "mass", !implicit && mass == "consistent", "explicit steps do not solve with the consistent mass",
+         "\"auto\", \"affine-exact\" or \"lumped\"",
+         "affine-exact has the same mass, momenta and inertia: leave mass out, or set integrator = \"implicit\"");
+  if (mass != "auto")
+    stage.mass = mass == "consistent" ? MassKind::consistent
+                 : mass == "lumped"   ? MassKind::lumped
+                                      : MassKind::affine_exact;
+  if (nmm) return;
+  const char *problem = "no block uses the NMM in this stage", *hint = "remove the key, or set method = \"nmm\"";
+  refuse(s, "kinematics", stage.kinematics != Kinematics::corotational, problem, "\"corotational\"", hint);
+  refuse(s, "mass", stage.mass.has_value(), problem, "\"auto\"", hint);
+  refuse(s, "cracks", stage.cracks, problem, "false", hint);
+}
+
+void read_damping(const Section& s, coupling::Stage& stage) {
+  stage.damping = s.number("damping");
+  stage.damp_rigid_motion = s.boolean("damp_rigid_motion");
+  stage.stiffness_damping = s.number("stiffness_damping");
+  stage.local_damping = s.number("local_damping");
+  refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to act on it",
+         "true beside damping", "give damping = ... [1/s], or remove the key");
+  refuse(s, "local_damping", stage.local_damping > 0.0 && stage.integrator == Integrator::implicit,
+         "local damping is one of explicit steps", "0 in implicit stages",
+         "for a static solution by implicit steps set rest = true, or dynamics below 1");
+}
+
+void read_newmark(const Section& s, coupling::Stage& stage) {
+  for (const char* key : {"newmark", "dynamics"})
+    refuse(s, key, s.has(key) && stage.integrator == Integrator::explicit_,
+           fmt::format("{} is a setting of implicit steps", key), "the key in implicit stages",
+           "remove it, or set integrator = \"implicit\"");
+  if (stage.integrator == Integrator::explicit_) return;
+  if (!s.has("newmark")) s.settle("newmark", "damped");
+  stage.newmark =
+      s.text("newmark") == "trapezoidal" ? coupling::NewmarkScheme::trapezoidal : coupling::NewmarkScheme::damped;
+  if (stage.rest) {
+    refuse(s, "dynamics", s.has("dynamics") && s.number("dynamics") > 0.0,
+           "rest = true takes all velocity out after every step", "0, or no dynamics, in stages with rest",
+           "remove one of the two");
+  } else if (!s.has("dynamics")) {
+    s.settle("dynamics", 1.0);
+  }
+  if (s.has("dynamics")) stage.dynamics = s.number("dynamics");
+}
+
+void read_rest(const Section& s, coupling::Stage& stage) {
+  stage.rest = s.boolean("rest");
+  refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
+         "rest_force beside rest = true", "add rest = true, or remove rest_force");
+  refuse(s, "rest_steps", s.has("rest_steps") && !s.has("rest_force"), "nothing says when the model is at rest",
+         "rest_steps beside rest_force", "add rest_force = 1e-4, for example");
+  if (s.has("rest_force")) stage.rest_force = s.number("rest_force");
+  if (s.has("rest_steps")) stage.rest_steps = s.integer("rest_steps");
+}
+
+}  // namespace
+
+void read_stage_options(const Section& s, bool nmm, coupling::Stage& stage) {
+  read_formulation(s, nmm, stage);
+  read_damping(s, stage);
+  read_rest(s, stage);
+  read_newmark(s, stage);
+}
+
+}  // namespace scree::io

@@ -1,0 +1,40 @@
+// Stretches of a block's outline by where they are: what a load or a support along a line acts on.
+#pragma once
+
+#include <vector>
+
+#include "model/geometry.h"
+#include "model/loads.h"
+
+namespace scree {
+
+/// Distance from a point to the straight piece a -> b [m]; a = b is a point.
+[[nodiscard]] double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b);
+
+/// Ends of an outline edge: vertex `edge` and the one after it.
+/// @pre the polygon has that edge
+struct EdgeEnds {
+  Vec2 from, to;
+};
+[[nodiscard]] EdgeEnds ends_of(const Polygon& polygon, const OutlineEdge& edge);
+
+/// Unit normal of an outline edge that points out of the solid; in a hole that is into the hole.
+///   n = (d.y, -d.x)/|d|,  d = to - from
+/// @pre the polygon is oriented, the edge has a length
+[[nodiscard]] Vec2 outward_normal(const Polygon& polygon, const OutlineEdge& edge);
+
+/// Parts of the outline, holes too, that lie on the straight piece a -> b, whichever way that runs; by ring, edge.
+/// A part lies on it where it runs beside it and both its ends are within the tolerance of it. Ends of a part within
+/// the tolerance of a vertex are that vertex; parts shorter than twice the tolerance do not count.
+/// @param tolerance [m], > 0      @pre |b - a| > tolerance
+[[nodiscard]] std::vector<EdgeSpan> edges_on_line(BlockId block, const Polygon& polygon, const Vec2& a, const Vec2& b,
+                                                  double tolerance);
+
+/// The outline edge that comes nearest to holding the whole of a -> b, and how far the piece strays from it.
+struct NearestEdge {
+  OutlineEdge edge;
+  double distance = 0.0;  // largest distance of a point of a -> b from the edge [m]
+};
+[[nodiscard]] NearestEdge nearest_edge(const Polygon& polygon, const Vec2& a, const Vec2& b);
+
+}  // namespace scree

@@ -1,0 +1,166 @@
+// Cases with wrong loads, time functions, cracks and stage options: one error each, with place, value, what is allowed
+// and what to do.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/unit/io/case_read.h"
+
+namespace scree::io::test {
+namespace {
+
+/// The case is CASE.toml; the error lies in it or in the table beside it.
+struct WrongLoad {
+  const char *name, *kind;
+  int line, column;
+  const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
+};
+
+std::ostream& operator<<(std::ostream& out, const WrongLoad& wrong) { return out << wrong.name; }
+class WrongLoadFile : public testing::TestWithParam<WrongLoad> {};
+
+TEST_P(WrongLoadFile, gives_place_value_allowed_and_hint) {
+  const WrongLoad& w = GetParam();
+  const CaseError e = error_of_file(kFaults + w.name + ".toml");
+  EXPECT_EQ(e.file, kFaults + w.name + w.kind) << e.what();
+  expect_told(e, w);
+}
+
+const WrongLoad kWrong[] = {
+    {"load_ramp_without_duration", ".toml", 21, 1, "function.push.duration", "", "ramp needs a duration",
+     "number [s], > 0", "add duration"},
+    {"load_pulse_with_frequency", ".toml", 24, 13, "function.push.frequency", "50.0", "half_sine has no frequency",
+     "\"duration\"", "remove it"},
+    {"load_table_backwards", ".toml", 23, 36, "function.push.points.2", "[0.01, 0.0]", "0.01 s comes after 0.02 s",
+     "> 0.02 s", "sort the points"},
+    {"load_table_before_zero", ".toml", 23, 11, "function.push.points.0", "[-0.01, 0.0]", "time is negative", ">= 0 s",
+     "start"},
+    {"load_table_number", ".csv", 3, 7, "", "0.5O", "not a number", "time [s], value", "decimals have a point"},
+    {"load_table_missing", ".toml", 23, 8, "function.push.file", "nowhere.csv", "does not exist", "two columns",
+     "folder of the case"},
+    {"load_table_empty", ".toml", 21, 1, "function.push.file", "", "no points", "either file or points", "points = [["},
+    {"load_unknown_function", ".toml", 28, 12, "point_load.0.function", "psuh", "no function of that name", "\"push\"",
+     "did you mean"},
+    {"load_point_off", ".toml", 23, 9, "point_load.0.point", "[1.5, 2.1]", "not on block \"slider\"",
+     "inside the block or on its outline", "[1, 1] to [2, 2]"},
+    {"load_unit", ".toml", 24, 10, "point_load.0.force.0", "1 kPa", "does not measure", "[N]", "plain number [N]"},
+    {"load_held_block", ".toml", 22, 9, "point_load.0.point", "[0.5, 0.5]", "\"base\" is held whole", "that is free",
+     "the support of the block"},
+    {"load_line_off", ".toml", 23, 6, "traction.0.on", "[[1.0, 2.1]", "no edge of block \"slider\"", "within 1e-06 m",
+     "from (2, 2) to (1, 2); the line is up to 0.1 m away"},
+    {"load_line_bent", ".toml", 23, 6, "traction.0.on", "[[1.0, 1.0]", "two ends, not 3", "[[x, y], [x, y]]",
+     "one section for each"},
+    {"load_edge_number", ".toml", 23, 8, "traction.0.edge", "7", "4 edges", "0 to 3", "first corner"},
+    {"load_edge_of_domain", ".toml", 14, 8, "traction.0.edge", "0", "cut from the domain", "on = ", "with on"},
+    {"load_twice", ".toml", 25, 12, "traction.0.pressure", "1000.0", "both given", "either traction or pressure",
+     "pushes"},
+    {"load_nowhere", ".toml", 21, 1, "traction.0.on", "", "which part of the outline", "either on or edge", "on = [["},
+    {"load_acceleration_held", ".toml", 23, 21, "body_acceleration.0.blocks.1", "base", "held whole", "free",
+     "remove the name"},
+    {"load_viscous_twice", ".toml", 27, 6, "viscous_edge.1.on", "[[2.0, 1.5]", "viscous already", "do not overlap",
+     "absorb twice"},
+    {"load_crack_outside", ".toml", 23, 35, "crack.0.points.2", "[2.2, 1.9]", "leaves block \"slider\"",
+     "end on its outline", "[1, 1] to [2, 2]"},
+    {"load_crack_on_edge", ".toml", 23, 23, "crack.0.points.1", "[1.8, 2.0]", "along the outline", "inside the block",
+     "edge_joints"},
+    {"load_stress_without_level", ".toml", 8, 1, "material.rock.initial_stress.level", "", "grows with depth",
+     "number [m]", "add level"},
+    {"load_stress_in_dda", ".toml", 8, 1, "material.rock.initial_stress", "",
+     "\"slider\" begins with the method \"dda\"", "\"nmm\"", "another material"},
+    {"stage_local_implicit", ".toml", 27, 17, "stage.0.local_damping", "0.8", "explicit steps", "0 in implicit",
+     "rest = true"},
+    {"stage_local_whole", ".toml", 27, 17, "stage.0.local_damping", "1.0", "out of range", "0 <= value < 1", "smaller"},
+    {"stage_consistent_explicit", ".toml", 27, 8, "stage.0.mass", "consistent", "explicit steps do not solve",
+     "\"lumped\"", "leave mass out"},
+    {"stage_affine_implicit", ".toml", 27, 8, "stage.0.mass", "affine-exact", "sparse", "\"consistent\"",
+     "leave mass out"},
+    {"stage_newmark_explicit", ".toml", 27, 11, "stage.0.newmark", "trapezoidal", "implicit steps", "implicit stages",
+     "integrator = \"implicit\""},
+    {"stage_dynamics_with_rest", ".toml", 28, 12, "stage.0.dynamics", "0.5", "all velocity out", "0, or no dynamics",
+     "remove one"},
+    {"stage_rest_force_alone", ".toml", 27, 14, "stage.0.rest_force", "0.0001", "not brought to rest", "rest = true",
+     "remove rest_force"},
+    {"stage_rest_steps_alone", ".toml", 28, 14, "stage.0.rest_steps", "100", "when the model is at rest",
+     "beside rest_force", "add rest_force"},
+    {"stage_damps_nothing", ".toml", 27, 21, "stage.0.damp_rigid_motion", "true", "no damping", "beside damping",
+     "give damping"},
+    {"stage_linear_dda", ".toml", 27, 14, "stage.0.kinematics", "linear", "no block uses the NMM", "\"corotational\"",
+     "method = \"nmm\""},
+    {"stage_onefold_dda", ".toml", 31, 11, "stage.0.method_of.0.onefold", "true", "\"dda\" has no covers", "\"nmm\"",
+     "method = \"nmm\""},
+    {"stage_onefold_sized", ".toml", 32, 14, "stage.0.method_of.0.cover_size", "0.25", "no size to choose",
+     "onefold = true or cover_size", "remove one"}};
+
+INSTANTIATE_TEST_SUITE_P(Files, WrongLoadFile, testing::ValuesIn(kWrong),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(WrongLoads, folder_holds_no_case_without_a_test) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFaults)) {
+    const std::string name = entry.path().filename().string();
+    count += entry.path().extension() == ".toml" && (name.starts_with("load_") || name.starts_with("stage_"));
+  }
+  EXPECT_EQ(count, std::size(kWrong));
+}
+
+/// Changes of a key of the full case, and what the reader says.
+struct WrongSet {
+  std::vector<std::string> set;
+  const char *key, *problem;  // key whole, problem in part
+};
+std::ostream& operator<<(std::ostream& out, const WrongSet& wrong) { return out << wrong.set.front(); }
+class WrongLoadSet : public testing::TestWithParam<WrongSet> {};
+
+TEST_P(WrongLoadSet, is_refused_at_the_key) {
+  const CaseError e = error_of_file(kFolder + "full_case.toml", GetParam().set);
+  EXPECT_EQ(e.key, GetParam().key) << e.what();
+  EXPECT_TRUE(holds(e.problem, GetParam().problem)) << e.what();
+  EXPECT_FALSE(e.allowed.empty() || e.hint.empty()) << e.what();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Case, WrongLoadSet,
+    testing::Values(
+        WrongSet{{"function.rise={shape=\"sine\"}"}, "function.rise.frequency", "needs a frequency"},
+        WrongSet{{"function.rise={shape=\"sine_squared\"}"}, "function.rise.duration", "needs a duration"},
+        WrongSet{{"function.rise={shape=\"half_sine\"}"}, "function.rise.duration", "needs a duration"},
+        WrongSet{{"function.steady.duration=1"}, "function.steady.duration", "constant has no duration"},
+        WrongSet{{"function.listed.duration=1"}, "function.listed.duration", "table has no duration"},
+        WrongSet{{"function.hit.points=[[0, 0], [1, 1]]"}, "function.hit.points", "sine_squared has no points"},
+        WrongSet{{"function.hit.file=\"pulse.csv\""}, "function.hit.file", "sine_squared has no file"},
+        WrongSet{{"function.listed.file=\"pulse.csv\""}, "function.listed.points", "both given"},
+        WrongSet{{"function.listed.points=[[0, 0]]"}, "function.listed.points", "1 points has no length"},
+        WrongSet{{"function.filed.file=\"pulse.AT2\""}, "function.filed.file", "ground motion is no table"},
+        WrongSet{{"function.filed.file=\"$HOME/pulse.csv\""}, "function.filed.file", "only the variable"},
+        WrongSet{{"function.filed.file=\"\""}, "function.filed.file", "empty"},
+        WrongSet{{"function.hit.duration=0"}, "function.hit.duration", "out of range"},
+        WrongSet{{"function.hit.shape=\"sinus\""}, "function.hit.shape", "not one of the choices"},
+        WrongSet{{"traction.0.on=[[1, 1], [1, 1.0000001]]"}, "traction.0.on", "no length"},
+        WrongSet{{"traction.1.on=[[1, 1], [2, 1]]"}, "traction.1.edge", "both given"},
+        WrongSet{{"traction.1.edge=-1"}, "traction.1.edge", "out of range"},
+        WrongSet{{"traction.0.block=\"base\""}, "traction.0.block", "held whole"},
+        WrongSet{{"traction.0={block=\"slider\", edge=0}"}, "traction.0.traction", "no size"},
+        WrongSet{{"viscous_edge.0.block=\"wall\""}, "viscous_edge.0.block", "held whole"},
+        WrongSet{{"body_acceleration.0.blocks=[]"}, "body_acceleration.0.blocks", "empty"},
+        WrongSet{{"body_acceleration.0.blocks=[\"*wall\"]"}, "body_acceleration.0.blocks", "all of these blocks"},
+        WrongSet{{"body_acceleration.0.blocks=[\"nobody*\"]"}, "body_acceleration.0.blocks.0", "fits the pattern"},
+        WrongSet{{"point_load.1.point=[5.5, 0.5]"}, "point_load.1.point", "held whole"},
+        WrongSet{{"point_load.1.point=[50, 50]"}, "point_load.1.point", "in no block"},
+        WrongSet{{"crack.0.points=[[1.1, 1.1], [1.1, 1.1]]"}, "crack.0.points.1", "no length"},
+        WrongSet{{"crack.0.points=[[1.1, 1.5], [1.9, 1.5]]"}, "crack.0.points.1", "leaves block"},  // over the hole
+        WrongSet{{"crack.0.joint=\"plain\""}, "crack.0.joint", "no joint of that name"},
+        WrongSet{{"material.soil.initial_stress={xx=0, yy=0, level=1}"},
+                 "material.soil.initial_stress.level",
+                 "is constant"},
+        WrongSet{{"material.soil.initial_stress={xx=0}"}, "material.soil.initial_stress.yy", "missing"},
+        WrongSet{{"block.1.cover_size=0"}, "block.1.cover_size", "out of range"},
+        WrongSet{{"stage.1.dynamics=1.5"}, "stage.1.dynamics", "out of range"},
+        WrongSet{{"stage.0.dynamics=0"}, "stage.0.dynamics", "implicit steps"},
+        WrongSet{{"stage.1.cracks=true"}, "stage.1.cracks", "no block uses the NMM"},
+        WrongSet{{"stage.1.mass=\"lumped\""}, "stage.1.mass", "no block uses the NMM"},
+        WrongSet{{"stage.2.rest_steps=0"}, "stage.2.rest_steps", "out of range"},
+        WrongSet{{"stage.2.rest_force=0"}, "stage.2.rest_force", "out of range"},
+        WrongSet{{"stage.0.method_of.0.cover_size=0.5"}, "stage.0.method_of.0.cover_size", "has no covers"}));
+
+}  // namespace
+}  // namespace scree::io::test
