@@ -52,6 +52,7 @@ struct HistoryView {
   double time = 0.0;
   Tick tick = 0;
   std::span<const double> position, displacement, velocity;  // x, y a monitor
+  std::span<const double> stress;  // xx, yy, xy a monitor, recovered Cauchy stress [Pa]; empty: none
   const Ledger* ledger = nullptr;
   const RunStats* stats = nullptr;
 };
