@@ -47,12 +47,12 @@ struct FrameView {
   const RunStats* stats = nullptr;
 };
 
-/// Monitors and ledger, more often than frames. Positions in the order of Model::monitors.
+/// Monitors and ledger, more often than frames. Spans in the order of Model::monitors.
 struct HistoryView {
   double time = 0.0;
   Tick tick = 0;
   std::span<const double> position, displacement, velocity;  // x, y a monitor
-  std::span<const double> stress;  // xx, yy, xy a monitor, recovered Cauchy stress [Pa]; empty: none
+  std::span<const double> stress;                            // xx, yy, xy a monitor, recovered Cauchy stress [Pa]
   const Ledger* ledger = nullptr;
   const RunStats* stats = nullptr;
 };
