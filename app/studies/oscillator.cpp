@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <stdexcept>
 
 #include "coupling/integrate/central_difference.h"
@@ -40,12 +39,17 @@ Model model_of(double Omega) {
   return model;
 }
 
-/// The movers by themselves: a driver would refuse explicit steps beyond the stable one.
-std::unique_ptr<coupling::Mover> mover_of(coupling::Integrator integrator, const coupling::Setup& setup) {
-  coupling::StepControl control;
-  control.max_displacement = kRoom;
-  if (integrator == coupling::Integrator::implicit) return std::make_unique<coupling::Newmark>(setup, control, 1.0);
-  return std::make_unique<coupling::CentralDifference>(setup, control, 1.0, 0.0);
+/// z at the start and after every step.
+std::vector<Vec2> steps_of(coupling::Mover& mover, coupling::State& state, int steps) {
+  (void)mover.enter(state);
+  std::vector<Vec2> z{{state.q[0], kStep * state.v[0]}};
+  for (int i = 0; i < steps; ++i) {
+    const coupling::StepReport report = mover.step(state, ticks(kStep));
+    if (report.status != coupling::StepReport::Status::ok)
+      throw std::runtime_error("the oscillator's step failed: " + report.cause);
+    z.emplace_back(state.q[0], kStep * state.v[0]);
+  }
+  return z;
 }
 
 }  // namespace
@@ -65,16 +69,15 @@ std::vector<Vec2> oscillator_steps(coupling::Integrator integrator, double Omega
   setup.pool(0).place(0, start, state.q, state.v);
   state.ledger.open(std::array{0.5 * kMass * kSpeed * kSpeed});
 
-  const std::unique_ptr<coupling::Mover> mover = mover_of(integrator, setup);
-  (void)mover->enter(state);
-  std::vector<Vec2> z{{state.q[0], kStep * state.v[0]}};
-  for (int i = 0; i < steps; ++i) {
-    const coupling::StepReport report = mover->step(state, ticks(kStep));
-    if (report.status != coupling::StepReport::Status::ok)
-      throw std::runtime_error("the oscillator's step failed: " + report.cause);
-    z.emplace_back(state.q[0], kStep * state.v[0]);
+  // The movers by themselves: a driver would refuse explicit steps beyond the stable one.
+  coupling::StepControl control;
+  control.max_displacement = kRoom;
+  if (integrator == coupling::Integrator::implicit) {
+    coupling::Newmark mover(setup, control, kRoom, {});
+    return steps_of(mover, state, steps);
   }
-  return z;
+  coupling::CentralDifference mover(setup, control, kRoom, {});
+  return steps_of(mover, state, steps);
 }
 
 MeasuredStep measured_step(const std::vector<Vec2>& z) {

@@ -1,38 +1,16 @@
 #include "app/verify/measures.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 
 #include "app/verify/reference.h"
+#include "tests/unit/app/folder.h"
 
 namespace scree::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of this test's own, removed at its end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "scree-measures-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  void put(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 constexpr int kSamples = 101;  // of a second
 
