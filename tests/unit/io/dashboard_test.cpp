@@ -253,7 +253,7 @@ TEST(DashboardSource, stream_is_followed_and_malformed_messages_are_counted) {
   state.ledger.set(coupling::Column::kinetic, 5.0);
   const std::vector<double> position{1.0, 2.0}, displacement{3.0, 4.0}, velocity{0.5, 0.0};
   const coupling::RunStats stats;
-  sink.history({2.5, ticks(2.5), position, displacement, velocity, &state.ledger, &stats});
+  sink.history({2.5, ticks(2.5), position, displacement, velocity, {}, &state.ledger, &stats});
   sink.event({coupling::EventKind::step_cut, 2.0, "too long", nullptr});
   coupling::FrameView last;
   last.time = 3.0;

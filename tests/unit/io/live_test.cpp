@@ -143,7 +143,7 @@ TEST(LiveRoundTrip, frame_on_memory_queue_equals_the_runs_to_quantisation) {
   sink.event({coupling::EventKind::transfer, 0.25, "block 3", &row});
   std::vector<double> xy(1200);
   std::iota(xy.begin(), xy.end(), 0.0);
-  sink.history({0.25, ticks(0.25), xy, xy, xy, &strip.state.ledger, &strip.stats});
+  sink.history({0.25, ticks(0.25), xy, xy, xy, {}, &strip.state.ledger, &strip.stats});
   sink.frame(strip.frame);
   sink.end({coupling::RunEnd::Status::interrupted, "by hand"}, strip.frame);
   ASSERT_TRUE(
@@ -220,7 +220,7 @@ TEST(LiveKeyframes, viewer_that_comes_late_gets_everything_while_the_run_stands_
   for (int i = 0; i < 15; ++i) sink.event({coupling::EventKind::step_cut, 0.0, std::to_string(i), nullptr});
   sink.frame(strip.frame);
   const std::vector<double> xy(4, 1.5);
-  sink.history({0.25, ticks(0.25), xy, xy, xy, &strip.state.ledger, &strip.stats});
+  sink.history({0.25, ticks(0.25), xy, xy, xy, {}, &strip.state.ledger, &strip.stats});
   std::this_thread::sleep_for(500ms);
   recorder.drain();
   recorder.messages.clear();
