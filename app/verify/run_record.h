@@ -19,7 +19,7 @@ struct MonitorHistory {
   std::vector<Eigen::Vector3d> stress;  // xx, yy, xy [Pa]; not a number where the run has none
 
   /// @pre the component is one of components()
-  [[nodiscard]] std::vector<double> component(std::string_view name) const;
+  [[nodiscard]] std::vector<double> component(std::string_view wanted) const;
 };
 
 struct RunRecord {
