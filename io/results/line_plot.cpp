@@ -19,6 +19,7 @@ constexpr int kPixels = 1680;
 std::vector<double> on_axis(const std::vector<double>& values, bool log) {
   if (!log) return values;
   std::vector<double> decades;
+  decades.reserve(values.size());
   for (const double v : values) decades.push_back(v > 0.0 ? std::log10(v) : std::numeric_limits<double>::quiet_NaN());
   return decades;
 }
