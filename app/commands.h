@@ -25,8 +25,14 @@ int run(const RunOptions& options);
 /// Validates a case and says what it holds; writes nothing.
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& set);
 int cases_list();
-/// Runs the wanted cases, or all, and compares them with expected.toml, a row a quantity.
-int cases_verify(const std::vector<std::string>& wanted, bool full, int threads);
+struct VerifyCommand {
+  std::vector<std::string> names;       // empty: all
+  bool full = false;                    // the full tier too
+  int threads = 0;                      // 0: as many as OpenMP takes
+  std::filesystem::path table, report;  // a table as .md or .html; a folder for tables and plots; empty: none
+};
+/// Runs cases and compares them with expected.toml, a row a quantity.
+int cases_verify(const VerifyCommand& command);
 int schema(bool markdown);
 
 struct WatchOptions {

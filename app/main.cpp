@@ -49,13 +49,20 @@ int dispatch(int argc, char** argv) {
   cases_command->require_subcommand(1);
   CLI::App* list_command = cases_command->add_subcommand("list", "the cases there are");
   CLI::App* verify_command = cases_command->add_subcommand("verify", "run cases and compare with what they must show");
-  std::vector<std::string> names;
-  bool quick = false, full = false;
-  int threads = 0;
-  verify_command->add_option("names", names, "cases (default: all)");
+  VerifyCommand verify;
+  bool quick = false;
+  verify_command->add_option("names", verify.names, "cases (default: all)");
   verify_command->add_flag("--quick", quick, "the quick tier (default)");
-  verify_command->add_flag("--full", full, "the quick and the full tier")->excludes("--quick");
-  verify_command->add_option("--threads", threads, "threads")->check(CLI::Range(1, 1024));
+  verify_command->add_flag("--full", verify.full, "the quick and the full tier")->excludes("--quick");
+  verify_command->add_option("--threads", verify.threads, "threads")->check(CLI::Range(1, 1024));
+  verify_command->add_option("--table", verify.table, "write the table to a file")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            const bool known = name.ends_with(".md") || name.ends_with(".html");
+            return known ? std::string() : "the name of a table ends in .md or .html";
+          },
+          "FILE.md|FILE.html"));
+  verify_command->add_option("--report", verify.report, "write tables and plots into a folder")->type_name("DIR");
 
   SnapshotCommand picture;
   CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw a stored run");
@@ -117,7 +124,7 @@ int dispatch(int argc, char** argv) {
   if (*run_command) return run(options);
   if (*check_command) return check(case_file, set);
   if (*list_command) return cases_list();
-  if (*verify_command) return cases_verify(names, full, threads);
+  if (*verify_command) return cases_verify(verify);
   if (*snapshot_command) return snapshot(picture);
   if (*for_option) look.seconds = look_for;
   if (*watch_command) return watch(look);

@@ -1,0 +1,46 @@
+// Masses in a row joined by springs, fixed at one end and pushed at the other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/integrate/cholesky.h"
+
+namespace scree::app {
+
+/// n equal masses m, n equal springs k, the first to a wall; F(t) = F0 sin(w t) on the last mass, at rest before.
+struct ChainSetting {
+  int n = 10;
+  double mass = 1000.0, stiffness = 1e7;  // [kg], [N/m]
+  double force = 1e4, frequency = 0.0;    // F0 [N], w [rad/s]
+};
+
+class MassChain {
+ public:
+  MassChain(const ChainSetting& setting, double h);
+
+  /// Central difference, kick - drift - kick, as in coupling/integrate/central_difference.
+  void step_explicit();
+  /// Newmark (1/2, 1): (2 M/h^2 + K) d = F - K u + 2 M v/h, v' = 2 d/h - v. The matrix is assembled and factorised anew
+  /// in each step, as contacts that open and close make necessary.
+  void step_implicit();
+
+  [[nodiscard]] double time() const { return h_ * steps_; }
+  [[nodiscard]] std::span<const double> displacement() const { return u_; }
+
+  /// Exact displacement of a mass by superposition of the chain's modes
+  ///   w_j = 2 (k/m)^1/2 sin((2j-1) pi/(2 (2n+1))),  phi_j(i) = 2 (2n+1)^-1/2 sin(i (2j-1) pi/(2n+1)).
+  /// @param i  0 to n-1
+  [[nodiscard]] static double exact(const ChainSetting& setting, int i, double t);
+
+ private:
+  void forces(double t);
+
+  ChainSetting setting_;
+  double h_;
+  double steps_ = 0.0;
+  std::vector<double> u_, v_, f_, d_;
+  coupling::Cholesky matrix_;
+};
+
+}  // namespace scree::app

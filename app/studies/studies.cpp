@@ -1,0 +1,10 @@
+#include "app/studies/studies.h"
+
+namespace scree::app {
+
+const std::map<std::string, Study>& studies() {
+  static const std::map<std::string, Study> kAll{{"sdof", sdof}, {"spring-chain", spring_chain}};
+  return kAll;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,27 @@
+// Studies: cases that are no runs of a case file, but numbers computed with Scree's own classes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/results/line_plot.h"
+
+namespace scree::app {
+
+struct StudyResult {
+  std::map<std::string, double> numbers;  // by the names that expected.toml uses
+  std::vector<io::LinePlot> plots;
+  std::vector<std::string> notes;  // lines for the report
+};
+
+using Study = StudyResult (*)(bool full);
+/// All studies by name. A new one is a file of this folder and an entry.
+[[nodiscard]] const std::map<std::string, Study>& studies();
+
+/// One oscillator: theory of Newmark's schemes and what Scree's steps really do (thesis 2.5.1).
+[[nodiscard]] StudyResult sdof(bool full);
+/// Chains of masses and springs, explicit against implicit (thesis 2.5.2).
+[[nodiscard]] StudyResult spring_chain(bool full);
+
+}  // namespace scree::app

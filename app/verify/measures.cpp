@@ -1,0 +1,272 @@
+#include "app/verify/measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/verify/reference.h"
+#include "io/case/suggest.h"
+
+namespace scree::app {
+namespace {
+
+using Kind = MeasureKey::Kind;
+using Plots = std::vector<io::LinePlot>;
+
+constexpr MeasureKey kMonitor{Kind::text, "of", true, ""};
+constexpr MeasureKey kComponent{Kind::text, "component", true, ""};
+constexpr MeasureKey kFrom{Kind::number, "from", false, ""}, kUntil{Kind::number, "until", false, ""};
+const std::vector<std::string> kStatistics{"end", "peak", "max", "min"};
+
+const char* unit_of(const std::string& component) {
+  return component[0] == 's' ? "Pa" : component[0] == 'v' ? "m/s" : "m";
+}
+
+/// A component of a monitor in the window of the quantity.
+struct Samples {
+  std::vector<double> time, value;
+};
+
+Samples samples(const Quantity& q, const RunRecord& run, const std::string& monitor) {
+  const std::string& component = q.text("component");
+  const std::vector<double> all = run.monitor(monitor)->component(component);
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const double from = q.number("from").value_or(-kInf), until = q.number("until").value_or(kInf);
+  Samples s;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (run.time[i] < from || run.time[i] > until) continue;
+    if (!std::isfinite(all[i]))
+      throw q.error("component", fmt::format("the run has no {} of monitor {}", component, io::in_quotes(monitor)),
+                    "a component that the method of the block gives");
+    s.time.push_back(run.time[i]);
+    s.value.push_back(all[i]);
+  }
+  if (s.time.empty())
+    throw q.error("from", "the run has no samples in the window", fmt::format("within 0 to {:g} s", run.time.back()));
+  return s;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+double statistic(const std::string& name, const std::vector<double>& values) {
+  if (name == "end") return values.back();
+  if (name == "peak") return largest(values);
+  return name == "max" ? *std::max_element(values.begin(), values.end())
+                       : *std::min_element(values.begin(), values.end());
+}
+
+std::filesystem::path beside(const Quantity& q, const std::string& file) {
+  return std::filesystem::path(q.file).parent_path() / file;
+}
+
+/// Largest |found - wanted| over the largest |wanted|.
+double curve_error(const std::vector<double>& found, const std::vector<double>& wanted) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(found[i] - wanted[i]));
+  const double scale = largest(wanted);
+  return scale > 0.0 ? worst / scale : worst;
+}
+
+double history_error(const Quantity& q, const std::string& variant, const RunRecords& runs, Plots& plots) {
+  const std::string &monitor = q.text("of"), &component = q.text("component");
+  const Samples found = samples(q, runs.at(variant), monitor);
+  std::vector<double> wanted;
+  std::string what;
+  if (const std::string& against = q.text("against"); !against.empty()) {
+    const Samples other = samples(q, runs.at(against), monitor);
+    for (const double t : found.time) wanted.push_back(interpolated(other.time, other.value, t));
+    what = against;
+  } else {
+    const ReferenceTable table = read_reference(beside(q, q.text("file")));
+    const std::string column = q.text("column").empty() ? component : q.text("column");
+    for (const double t : found.time) wanted.push_back(interpolated(table.column("time"), table.column(column), t));
+    what = "reference";
+  }
+  plots.push_back({q.name,
+                   "time [s]",
+                   fmt::format("{} of {} [{}]", component, monitor, unit_of(component)),
+                   {{what, found.time, wanted, false, true}, {variant, found.time, found.value}}});
+  return curve_error(found.value, wanted);
+}
+
+/// Values at several monitors against a table with columns monitor, x, and the component.
+double profile_error(const Quantity& q, const std::string& variant, const RunRecords& runs, Plots& plots) {
+  const std::string& component = q.text("component");
+  const RunRecord& run = runs.at(variant);
+  const ReferenceTable table = read_reference(beside(q, q.text("file")));
+  const std::string column = q.text("column").empty() ? component : q.text("column");
+  const std::vector<double>&wanted = table.column(column), &x = table.column("x");
+  std::vector<double> found;
+  for (const std::string& name : table.names) {
+    if (run.monitor(name) == nullptr)
+      throw q.error(
+          "file", fmt::format("{} names the monitor {}, which the case does not have", table.file, io::in_quotes(name)),
+          "monitors of the case");
+    found.push_back(statistic(q.text("statistic"), samples(q, run, name).value));
+  }
+  if (found.size() != wanted.size())
+    throw q.error("file", fmt::format("the first column of {} holds no names", table.file), "monitor, x, values");
+  plots.push_back({q.name,
+                   "x [m]",
+                   fmt::format("{} [{}]", component, unit_of(component)),
+                   {{"reference", x, wanted, false, true}, {variant, x, found, true}}});
+  return curve_error(found, wanted);
+}
+
+double transfer_energy_error(const RunRecord& run) {
+  // Of a whole hand-over: a block that hardly carries any energy has nothing but round-off of its positions to show.
+  std::map<double, std::pair<double, double>> handed;  // time: errors and energies summed [J]
+  for (const coupling::TransferRow& row : run.transfers) {
+    const double energy = row.before.kinetic + row.before.elastic;
+    handed[row.time].first += row.energy_error * energy;
+    handed[row.time].second += energy;
+  }
+  double worst = 0.0;
+  for (const auto& [time, sums] : handed)
+    if (sums.second > 0.0) worst = std::max(worst, sums.first / sums.second);
+  return worst;
+}
+
+double transfer_momentum_error(const RunRecord& run) {
+  double worst = 0.0;
+  for (const coupling::TransferRow& row : run.transfers)
+    worst = std::max({worst, row.mass_error, row.momentum_error, row.angular_error});
+  return worst;
+}
+
+/// Kinetic energy after the latest hand-over [J].
+double kinetic_at_handover(const RunRecord& run) {
+  double sum = 0.0;
+  for (const coupling::TransferRow& row : run.transfers)
+    if (row.time == run.transfers.back().time) sum += row.after.kinetic;
+  return sum;
+}
+
+double scheme_share(const RunRecord& run) {
+  double worst = 0.0;
+  for (int i = 0; i < coupling::kColumns; ++i) {
+    const auto column = static_cast<coupling::Column>(i);
+    if (info(column).side == coupling::Side::scheme) worst = std::max(worst, std::abs(run.ledger[column]));
+  }
+  return run.ledger.moved() > 0.0 ? worst / run.ledger.moved() : worst;
+}
+
+double drift_in_stage(const Quantity& q, const RunRecord& run) {
+  for (const coupling::StageTravel& t : run.travels)
+    if (t.stage == q.text("of")) return t.farthest;
+  throw q.error("of", fmt::format("the run did not reach the stage {}", io::in_quotes(q.text("of"))), "a stage");
+}
+
+double on_variant(const Quantity& q, const std::string& variant, const RunRecords& runs, Plots& plots) {
+  const RunRecord& run = runs.at(variant);
+  const std::string& m = q.measure;
+  const auto count = [&](auto&& wanted) {
+    return static_cast<double>(std::count_if(run.moved.begin(), run.moved.end(), wanted));
+  };
+  if (m == "monitor") return statistic(q.text("statistic"), samples(q, run, q.text("of")).value);
+  if (m == "history_error") return history_error(q, variant, runs, plots);
+  if (m == "profile_error") return profile_error(q, variant, runs, plots);
+  if (m == "blocks_moved_above") return count([&](double d) { return d > *q.number("of"); });
+  if (m == "blocks_moved_below") return count([&](double d) { return d < *q.number("of"); });
+  if (m == "drift_in_stage") return drift_in_stage(q, run);
+  if (m == "kinetic_at_handover") return kinetic_at_handover(run);
+  if (m == "ledger_closure") return run.ledger.relative_closure();
+  if (m == "scheme_share") return scheme_share(run);
+  if (m == "transfer_momentum_error") return transfer_momentum_error(run);
+  if (m == "transfer_energy_error") return transfer_energy_error(run);
+  if (m == "stepping_time") return run.stepping;
+  if (m == "steps") return static_cast<double>(run.stats.steps);
+  return run.refused.empty() ? 0.0 : 1.0;  // refused
+}
+
+/// Slope of the straight line through (log size, log |value - exact|), least squares.
+double observed_order(const Quantity& q, const RunRecords& runs, Plots& plots) {
+  std::vector<double> error, x, y;
+  for (const std::string& variant : q.variants) {
+    error.push_back(std::abs(on_variant(q, variant, runs, plots) - q.exact));
+    x.push_back(std::log(q.sizes[error.size() - 1]));
+    y.push_back(std::log(error.back()));
+  }
+  plots.push_back({q.name, "size", "error", {{"error", q.sizes, error, true}, {"", q.sizes, error}}, true, true});
+  const auto n = static_cast<double>(x.size());
+  double mx = 0.0, my = 0.0, xx = 0.0, xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) mx += x[i] / n, my += y[i] / n;
+  for (std::size_t i = 0; i < x.size(); ++i) xx += (x[i] - mx) * (x[i] - mx), xy += (x[i] - mx) * (y[i] - my);
+  return xy / xx;
+}
+
+}  // namespace
+
+const std::vector<MeasureInfo>& measures() {
+  static const std::vector<MeasureInfo> kAll{
+      {"monitor",
+       "a component of a monitor: at the end, its largest magnitude, largest or least value",
+       {kMonitor, kComponent, {Kind::text, "statistic", false, "end"}, kFrom, kUntil}},
+      {"history_error",
+       "largest difference to a reference history, or to another variant, over the reference's peak",
+       {kMonitor,
+        kComponent,
+        {Kind::text, "file", false, ""},
+        {Kind::text, "column", false, ""},
+        {Kind::text, "against", false, ""},
+        kFrom,
+        kUntil}},
+      {"profile_error",
+       "largest difference to a table of values at monitors, over the largest of them",
+       {kComponent,
+        {Kind::text, "file", true, ""},
+        {Kind::text, "column", false, ""},
+        {Kind::text, "statistic", false, "end"},
+        kFrom,
+        kUntil}},
+      {"blocks_moved_above", "free blocks that moved farther than a distance", {{Kind::number, "of", true, ""}}},
+      {"blocks_moved_below", "free blocks that moved less than a distance", {{Kind::number, "of", true, ""}}},
+      {"drift_in_stage", "farthest displacement of a free block in a stage [m]", {{Kind::text, "of", true, ""}}},
+      {"kinetic_at_handover", "kinetic energy after the latest hand-over [J]", {}},
+      {"ledger_closure", "what the ledger leaves over, of the energy moved", {}},
+      {"scheme_share", "largest scheme term of the ledger, of the energy moved", {}},
+      {"transfer_momentum_error", "largest relative error of mass and momenta in hand-overs", {}},
+      {"transfer_energy_error", "largest relative error of energy in hand-overs", {}},
+      {"stepping_time", "wall time of the steps, the least of the repeats [s]; meant for ratios", {}},
+      {"steps", "steps made", {}},
+      {"refused", "1 where the plan was refused before a step, else 0", {}},
+      {"study", "a number that the study computed", {{Kind::text, "of", true, ""}}}};
+  return kAll;
+}
+
+double measure(const Quantity& q, const RunRecords& runs, std::vector<io::LinePlot>& plots) {
+  if (q.is_order()) {
+    std::vector<io::LinePlot> own;  // of each variant: one picture of the convergence says it
+    const double order = observed_order(q, runs, own);
+    plots.push_back(std::move(own.back()));
+    return order;
+  }
+  const double value = on_variant(q, q.variants.front(), runs, plots);
+  return q.over.empty() ? value : value / on_variant(q, q.over, runs, plots);
+}
+
+void check_names(const Quantity& q, const Model& model, const coupling::Plan& plan) {
+  const auto check = [&](const char* key, const char* kind, const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), q.text(key)) == known.end())
+      throw q.error(key, fmt::format("unknown {} {}", kind, io::in_quotes(q.text(key))), io::listed(known),
+                    io::did_you_mean(q.text(key), known, ""));
+  };
+  std::vector<std::string> monitors, stages;
+  for (const Monitor& m : model.monitors) monitors.push_back(m.name);
+  for (const coupling::Stage& s : plan.stages) stages.push_back(s.name);
+  if (q.texts.count("component") > 0) check("component", "component", components());
+  if (q.texts.count("statistic") > 0) check("statistic", "statistic", kStatistics);
+  if (q.measure == "monitor" || q.measure == "history_error") check("of", "monitor", monitors);
+  if (q.measure == "drift_in_stage") check("of", "stage", stages);
+  if (q.measure == "history_error" && q.text("file").empty() == q.text("against").empty())
+    throw q.error("file", "a history is compared with a file or with a variant", "file or against, one of the two");
+}
+
+}  // namespace scree::app

@@ -1,0 +1,24 @@
+// The rows of verified cases as text for a terminal, as Markdown and as HTML, with pictures.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/verify/evaluate.h"
+
+namespace scree::app {
+
+/// A line a row, under a line a case.
+[[nodiscard]] std::string terminal_text(const CaseReport& report);
+
+/// Tables of all cases. @param pictures  with links to CASE-N.svg beside the file
+[[nodiscard]] std::string markdown_report(const std::vector<CaseReport>& reports, bool pictures);
+[[nodiscard]] std::string html_report(const std::vector<CaseReport>& reports, bool pictures);
+
+/// Writes one table, as the name's ending says: .md or .html.   @throws io::FileError
+void write_table(const std::vector<CaseReport>& reports, const std::filesystem::path& file);
+/// Writes cases.md, cases.html and the plots as CASE-N.svg into a folder, which is made.   @throws io::FileError
+void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder);
+
+}  // namespace scree::app

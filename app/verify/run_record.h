@@ -1,0 +1,48 @@
+// What measures need of a finished run: plain data, so that several runs can be compared.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupling/stages/driver.h"
+
+namespace scree::app {
+
+/// Components of a monitor: position, displacement, velocity, recovered stress, and the magnitudes u and v.
+[[nodiscard]] const std::vector<std::string>& components();
+
+/// One monitor through a run, a number a sample.
+struct MonitorHistory {
+  std::string name;
+  std::vector<Vec2> position, displacement, velocity;
+  std::vector<Eigen::Vector3d> stress;  // xx, yy, xy [Pa]; not a number where the run has none
+
+  /// @pre the component is one of components()
+  [[nodiscard]] std::vector<double> component(std::string_view wanted) const;
+};
+
+struct RunRecord {
+  coupling::RunEnd end;
+  std::string refused;  // what the plan was refused for; empty: it was carried out
+  std::uint64_t hash = 0;
+  std::vector<double> time;  // of the samples [s]
+  std::vector<MonitorHistory> monitors;
+  std::vector<double> moved;  // distance of each free block's centre from where the model had it [m]
+  std::vector<coupling::StageTravel> travels;
+  std::vector<coupling::TransferRow> transfers;
+  coupling::Ledger ledger;
+  coupling::RunStats stats;
+  double stepping = 0.0;  // wall time of the steps alone, the least of the repeats [s]
+  double wall = 0.0;      // of everything, all repeats [s]
+
+  [[nodiscard]] bool done() const { return refused.empty() && end.status == coupling::RunEnd::Status::done; }
+  /// Why it has no measures; empty where it has.
+  [[nodiscard]] std::string trouble() const { return refused.empty() ? end.reason : refused; }
+  [[nodiscard]] const MonitorHistory* monitor(std::string_view name) const;
+};
+
+/// Runs a plan once, writing nothing.
+[[nodiscard]] RunRecord record_run(const Model& model, const coupling::Plan& plan);
+
+}  // namespace scree::app

@@ -1,0 +1,197 @@
+#include "app/verify/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "app/verify/reference.h"
+#include "tests/unit/app/folder.h"
+
+namespace scree::app {
+namespace {
+
+constexpr int kSamples = 101;  // of a second
+
+/// A run that never was: one monitor "a" moving as amplitude sin(2 pi t) along x, "b" at rest at (3, 4) from its start.
+RunRecord made_up(double amplitude) {
+  RunRecord run;
+  MonitorHistory a{"a", {}, {}, {}, {}}, b{"b", {}, {}, {}, {}};
+  for (int i = 0; i < kSamples; ++i) {
+    const double t = 0.01 * i, u = amplitude * std::sin(2.0 * std::numbers::pi * t);
+    run.time.push_back(t);
+    a.displacement.emplace_back(u, 0.0);
+    a.position.emplace_back(1.0 + u, 2.0);
+    a.velocity.emplace_back(2.0 * std::numbers::pi * amplitude * std::cos(2.0 * std::numbers::pi * t), 0.0);
+    a.stress.emplace_back(-1e6 * u, t, 5.0);
+    b.displacement.emplace_back(3.0, 4.0);
+    b.position.emplace_back(4.0, 6.0);
+    b.velocity.emplace_back(0.0, 0.0);
+    b.stress.push_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  }
+  run.monitors = {a, b};
+  run.moved = {0.0, 0.5, 2.0};
+  run.stats.steps = 40;
+  run.stepping = amplitude;
+  return run;
+}
+
+class Measures : public ::testing::Test {
+ protected:
+  Quantity quantity(const std::string& keys) {
+    const std::string text =
+        "[[variant]]\nname=\"one\"\n[[variant]]\nname=\"two\"\n[[variant]]\nname=\"four\"\n"
+        "[[quantity]]\nname=\"q\"\nreason=\"r\"\nat_most=1\n" +
+        keys;
+    return read_expected_text(text, folder_.path() / "expected.toml").quantities.front();
+  }
+  double value(const std::string& keys) { return measure(quantity(keys), runs_, plots_); }
+
+  Folder folder_;
+  RunRecords runs_{{"one", made_up(1.0)}, {"two", made_up(2.0)}, {"four", made_up(4.0)}};
+  std::vector<io::LinePlot> plots_;
+};
+
+TEST_F(Measures, monitor_gives_components_and_statistics) {
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\""), 0.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"max\""), 1.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"min\""), -1.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"sxx\"\nstatistic=\"peak\""), 1e6, 1e-6);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"syy\""), 1.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"sxy\""), 5.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"b\"\ncomponent=\"u\""), 5.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"b\"\ncomponent=\"y\""), 6.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"v\""), 2.0 * std::numbers::pi, 1e-12);
+}
+
+TEST_F(Measures, window_leaves_other_samples_out) {
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"max\"\nfrom=0.5"), 0.0, 1e-12);
+  EXPECT_NEAR(value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nuntil=0.25"), 1.0, 1e-12);
+  EXPECT_THROW((void)value("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nfrom=2"), io::CaseError);
+}
+
+TEST_F(Measures, stress_that_was_not_recorded_is_an_error_not_a_number) {
+  EXPECT_THROW((void)value("measure=\"monitor\"\nof=\"b\"\ncomponent=\"sxx\""), io::CaseError);
+}
+
+TEST_F(Measures, over_divides_by_the_other_variant) {
+  EXPECT_DOUBLE_EQ(value("measure=\"stepping_time\"\nvariant=\"four\"\nover=\"one\""), 4.0);
+}
+
+TEST_F(Measures, history_error_is_relative_to_the_peak_of_the_reference) {
+  std::string csv = "# made here\ntime [s], ux [m], twice\n";
+  for (int i = 0; i < kSamples; ++i) {
+    const double u = 1.1 * std::sin(2.0 * std::numbers::pi * 0.01 * i);
+    csv += std::to_string(0.01 * i) + ", " + std::to_string(u) + ", " + std::to_string(2.0 * u) + "\n";
+  }
+  folder_.put("r.csv", csv);
+  const std::string base = "measure=\"history_error\"\nof=\"a\"\ncomponent=\"ux\"\nfile=\"r.csv\"\n";
+  EXPECT_NEAR(value(base), 0.1 / 1.1, 1e-5);
+  EXPECT_NEAR(value(base + "variant=\"two\"\ncolumn=\"twice\""), 0.2 / 2.2, 1e-5);
+  EXPECT_EQ(plots_.size(), 2U);
+  EXPECT_THROW((void)value(base + "column=\"thrice\""), io::CaseError);
+}
+
+TEST_F(Measures, history_error_compares_variants) {
+  EXPECT_NEAR(value("measure=\"history_error\"\nof=\"a\"\ncomponent=\"ux\"\nvariant=\"one\"\nagainst=\"four\""), 0.75,
+              1e-12);
+}
+
+TEST_F(Measures, profile_error_takes_each_monitor_s_value) {
+  folder_.put("p.csv", "monitor, x, u\na, 0.5, 0.5\nb, 1.5, 10\n");
+  EXPECT_NEAR(value("measure=\"profile_error\"\ncomponent=\"u\"\nfile=\"p.csv\""), 0.5, 1e-12);  // b: 5 for 10
+  folder_.put("p.csv", "monitor, x, u\nc, 0.5, 0.5\n");
+  EXPECT_THROW((void)value("measure=\"profile_error\"\ncomponent=\"u\"\nfile=\"p.csv\""), io::CaseError);
+}
+
+TEST_F(Measures, order_is_the_slope_of_the_errors) {
+  // |value - exact| = 1, 2, 4 at sizes 1, 2, 4: first order; at sizes 1, sqrt 2, 2: second.
+  const std::string base =
+      "measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"max\"\nvariants=[\"one\",\"two\",\"four\"]\n";
+  EXPECT_NEAR(value(base + "sizes=[1, 2, 4]"), 1.0, 1e-10);
+  EXPECT_NEAR(value(base + "sizes=[1, 1.4142135623730951, 2]"), 2.0, 1e-10);
+  EXPECT_NEAR(value(base + "sizes=[1, 2, 4]\nexact=-1"), std::log(2.5) / std::log(4.0), 0.02);
+  EXPECT_EQ(plots_.size(), 3U);
+}
+
+TEST_F(Measures, blocks_are_counted_by_distance) {
+  EXPECT_EQ(value("measure=\"blocks_moved_above\"\nof=0.4"), 2.0);
+  EXPECT_EQ(value("measure=\"blocks_moved_below\"\nof=0.4"), 1.0);
+}
+
+TEST_F(Measures, latest_hand_over_counts) {
+  coupling::TransferRow row;
+  for (const auto& [time, kinetic] : {std::pair{1.0, 7.0}, {2.0, 3.0}, {2.0, 4.5}}) {
+    row.time = time;
+    row.after.kinetic = kinetic;
+    row.before.kinetic = 10.0;
+    row.energy_error = time == 1.0 ? 0.0 : 0.2;
+    row.angular_error = 1e-3 * time;
+    runs_.at("one").transfers.push_back(row);
+  }
+  EXPECT_DOUBLE_EQ(value("measure=\"kinetic_at_handover\""), 7.5);
+  EXPECT_DOUBLE_EQ(value("measure=\"transfer_energy_error\""), 0.2);
+  EXPECT_DOUBLE_EQ(value("measure=\"transfer_momentum_error\""), 2e-3);
+}
+
+TEST_F(Measures, refusal_counts_as_a_number) {
+  EXPECT_EQ(value("measure=\"refused\""), 0.0);
+  runs_.at("one").refused = "too large a step";
+  EXPECT_EQ(value("measure=\"refused\""), 1.0);
+  EXPECT_FALSE(runs_.at("one").done());
+}
+
+TEST_F(Measures, names_are_checked_before_anything_runs) {
+  Model model;
+  model.monitors.push_back({"a", BlockId{0}, {0.0, 0.0}});
+  coupling::Plan plan;
+  plan.stages.emplace_back().name = "shake";
+  const auto fault = [&](const std::string& keys) -> std::string {
+    try {
+      check_names(quantity(keys), model, plan);
+    } catch (const io::CaseError& e) {
+      return e.message;
+    }
+    return "";
+  };
+  EXPECT_EQ(fault("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\""), "");
+  EXPECT_NE(
+      fault("measure=\"monitor\"\nof=\"aa\"\ncomponent=\"ux\"").find("expected.toml:12:4: error: unknown monitor"),
+      std::string::npos);
+  EXPECT_NE(fault("measure=\"monitor\"\nof=\"a\"\ncomponent=\"uz\"").find("unknown component"), std::string::npos);
+  EXPECT_NE(fault("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"mean\"").find("unknown statistic"),
+            std::string::npos);
+  EXPECT_NE(fault("measure=\"drift_in_stage\"\nof=\"shape\"").find("unknown stage"), std::string::npos);
+  EXPECT_NE(fault("measure=\"history_error\"\nof=\"a\"\ncomponent=\"ux\"").find("file or against"), std::string::npos);
+}
+
+TEST(Reference, faults_are_placed) {
+  const Folder folder;
+  const auto fault = [&](const std::string& text) {
+    folder.put("t.csv", text);
+    try {
+      (void)read_reference(folder.path() / "t.csv");
+    } catch (const io::CaseError& e) {
+      return std::pair(e.line, e.column);
+    }
+    return std::pair(-1, -1);
+  };
+  EXPECT_EQ(fault("time, u\n0, 1\n1, 2\n"), std::pair(-1, -1));
+  EXPECT_EQ(fault("time, u\n0, 1\n1, x\n"), std::pair(3, 3));
+  EXPECT_EQ(fault("# c\ntime, u\n0, 1, 2\n"), std::pair(3, 1));
+  EXPECT_EQ(fault("time, u\n0, nan\n"), std::pair(2, 3));
+  EXPECT_EQ(fault("time, u\n").first, 0);
+  EXPECT_EQ(fault("").first, 0);
+}
+
+TEST(Reference, interpolation_is_straight_and_stays_at_the_ends) {
+  const std::vector<double> x{0.0, 1.0, 3.0}, y{0.0, 2.0, -2.0};
+  EXPECT_EQ(interpolated(x, y, -1.0), 0.0);
+  EXPECT_EQ(interpolated(x, y, 0.5), 1.0);
+  EXPECT_EQ(interpolated(x, y, 2.0), 0.0);
+  EXPECT_EQ(interpolated(x, y, 9.0), -2.0);
+}
+
+}  // namespace
+}  // namespace scree::app
