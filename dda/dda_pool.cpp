@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <algorithm>
 
 #include "model/outline.h"
 #include "model/planar.h"
