@@ -11,10 +11,10 @@ namespace scree::nmm {
 
 /// What a mass needs of an element: the moments of its material and the weights there.
 struct MassElement {
-  std::array<std::int32_t, 3> cover{};                // counted from the block's first
-  std::array<double, 3> weight{};                     // of the three covers at the centroid of the material
-  Eigen::Matrix<double, 2, 3> gradient;               // of the weights [1/m]
-  Moments material;                                   // area, centroid, second moment about it (reference shape)
+  std::array<std::int32_t, 3> cover{};   // counted from the block's first
+  std::array<double, 3> weight{};        // of the three covers at the centroid of the material
+  Eigen::Matrix<double, 2, 3> gradient;  // of the weights [1/m]
+  Moments material;                      // area, centroid, second moment about it (reference shape)
 };
 
 /// M = C^T M_covers C with the exact scalar mass of each piece of material,
@@ -59,13 +59,13 @@ class ConsistentMass {
   std::int32_t first_ = 0;
   std::vector<Mat3> element_;
   std::vector<Tie> ties_;
-  std::vector<std::int32_t> cover_of_;      // a free cover
+  std::vector<std::int32_t> cover_of_;        // a free cover
   std::vector<std::int32_t> start_, column_;  // rows over free covers
   std::vector<double> value_;
-  std::vector<double> row_sum_;             // a cover
-  std::vector<Eigen::Vector3d> basis_;      // M [1, X] of a free cover
-  std::vector<Vec2> X_;                     // of a free cover [m]
-  Mat3 inverse_ = Mat3::Zero();             // (P^T M P)^-1, P = [1, X]
+  std::vector<double> row_sum_;         // a cover
+  std::vector<Eigen::Vector3d> basis_;  // M [1, X] of a free cover
+  std::vector<Vec2> X_;                 // of a free cover [m]
+  Mat3 inverse_ = Mat3::Zero();         // (P^T M P)^-1, P = [1, X]
   mutable std::unique_ptr<Factor> factor_;
 };
 

@@ -51,7 +51,7 @@ void FoldedElements::make(std::int32_t covers, std::span<const std::array<std::i
 
 Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> FoldedElements::chart(std::size_t e) const {
   return Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>(weight_.data() + weight_start_[e], 3,
-                                                                   start_[e + 1] - start_[e]);
+                                                                    start_[e + 1] - start_[e]);
 }
 
 void FoldedElements::fold(std::size_t e, const Mat3& M, std::span<double> lower) const {
