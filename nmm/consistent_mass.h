@@ -1,6 +1,7 @@
 // The consistent mass of one block, int rho w_i w_j over its material, ties folded in.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,10 +32,11 @@ class ConsistentMass {
   ~ConsistentMass();
 
   /// @param folded  the block's elements, in the order of `elements`
+  /// @param star    reference position of every cover of the block [m]
   /// @param shape   mass and second moment to reproduce
   /// @param first   first cover of the block in the pool's arrays; the spans below hold the whole pool
-  void make(const FoldedElements& folded, std::span<const MassElement> elements, const ReferenceShape& shape,
-            std::int32_t first);
+  void make(const FoldedElements& folded, std::span<const MassElement> elements, std::span<const Vec2> star,
+            const ReferenceShape& shape, std::int32_t first);
 
   /// a = M^-1 f on the free covers (forces on tied ones go to their roots), followed by the ties. The first call
   /// factorises. f and a may be the same.
@@ -59,13 +61,12 @@ class ConsistentMass {
   std::int32_t first_ = 0;
   std::vector<Mat3> element_;
   std::vector<Tie> ties_;
-  std::vector<std::int32_t> cover_of_;        // a free cover
-  std::vector<std::int32_t> start_, column_;  // rows over free covers
-  std::vector<double> value_;
-  std::vector<double> row_sum_;         // a cover
-  std::vector<Eigen::Vector3d> basis_;  // M [1, X] of a free cover
-  std::vector<Vec2> X_;                 // of a free cover [m]
-  Mat3 inverse_ = Mat3::Zero();         // (P^T M P)^-1, P = [1, X]
+  std::vector<std::int32_t> cover_of_;                            // a free cover
+  Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t> M_;  // over free covers, both triangles
+  std::vector<double> row_sum_;                                   // a cover
+  std::vector<Eigen::Vector3d> basis_;                            // M [1, X] of a free cover
+  std::vector<Vec2> X_;                                           // of a free cover [m]
+  Mat3 inverse_ = Mat3::Zero();                                   // (P^T M P)^-1, P = [1, X]
   mutable std::unique_ptr<Factor> factor_;
 };
 

@@ -42,13 +42,77 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     gradient_.push_back(e.gradients());
     area_.push_back(scale * e.area);
     law_.push_back(law);
+    linear_.push_back(record.form.kinematics == Kinematics::linear ? 1 : 0);
     drawn_.push_back(static_cast<std::int32_t>(drawing_cells(e.piece).size()));
   }
+  body->form = record.form;
+  body->consistent_mass = record.form.mass == MassKind::consistent;
+  if (record.form.mass != MassKind::affine_exact) make_implicit(*body, first);
   for (Row& row : body->mesh.boundary.nodes)
     for (std::int32_t& n : row.node) n += first;
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
   first_.push_back(first + static_cast<std::int32_t>(body->mesh.star.size()));
   bodies_.push_back(std::move(body));
+}
+
+void NmmPool::make_implicit(Body& body, std::int32_t first) {
+  const CoverMesh& mesh = body.mesh;
+  std::vector<std::array<std::int32_t, 3>> covers;
+  std::vector<MassElement> elements;
+  for (const Element& e : mesh.elements) {
+    covers.push_back(e.cover);
+    elements.push_back({e.cover, e.weights(e.centroid), e.gradients(), moments(e.piece)});
+  }
+  FoldedElements folded;
+  folded.make(static_cast<std::int32_t>(mesh.star.size()), covers, mesh.ties);
+  body.consistent.make(folded, elements, mesh.star, body.shape, first);
+  std::vector<Mat3> masses;
+  for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
+  body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first);
+}
+
+void NmmPool::gather(std::span<double> f) const {
+  for (int b = 0; b < bodies(); ++b)
+    for (const Tie& t : of(b).mesh.ties) {
+      const std::size_t from = 2 * static_cast<std::size_t>(first_node(b) + t.cover);
+      for (std::size_t d = 0; d < 2; ++d) {
+        for (std::size_t k = 0; k < 3; ++k)
+          f[2 * static_cast<std::size_t>(first_node(b) + t.root[k]) + d] += t.w[k] * f[from + d];
+        f[from + d] = 0.0;
+      }
+    }
+}
+
+std::string NmmPool::implicit_obstacle(int body) const {
+  if (of(body).form.mass != MassKind::affine_exact) return {};
+  return "its mass is affine-exact, which couples all covers of a block; implicit steps take mass = \"consistent\" or "
+         "\"lumped\"";
+}
+
+ChartRow NmmPool::chart_row(int body, const Row& row, std::span<const double>) const {
+  return of(body).implicit.chart_row(row);
+}
+
+void NmmPool::element_masses(int body, std::span<const double>, std::span<double> mass) const {
+  of(body).implicit.element_masses(mass);
+}
+
+void NmmPool::rates(int body, std::span<const double>, std::span<const double> v, std::span<double> rate) const {
+  of(body).implicit.rates(v, rate);
+}
+
+double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
+                          std::span<double> force) const {
+  const auto first = static_cast<std::size_t>(of(body).first_element), count = of(body).mesh.elements.size();
+  return of(body).implicit.linearise(
+      std::span(cover_).subspan(first, count), q, kind, stiffness, force, [&](std::size_t e) {
+        return StiffElement{gradient_[first + e], area_[first + e], law_[first + e], of(body).form.kinematics};
+      });
+}
+
+void NmmPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+                      std::span<double> v) const {
+  of(body).implicit.retract(d, rate, q, v);
 }
 
 void NmmPool::finish() {
@@ -90,6 +154,10 @@ void NmmPool::place(int body, const AffineMotion& m, std::span<double> q, std::s
   }
 }
 
+ElasticResponse NmmPool::respond(std::size_t e, const Mat2& F) const {
+  return linear_[e] != 0 ? linear_response(law_[e], F, Mat2::Zero()) : elastic_response(law_[e], F, Mat2::Zero());
+}
+
 Mat2 NmmPool::gradient(std::size_t e, std::span<const double> q) const {
   const auto& c = cover_[e];
   const auto& g = gradient_[e];
@@ -98,12 +166,11 @@ Mat2 NmmPool::gradient(std::size_t e, std::span<const double> q) const {
 }
 
 double NmmPool::internal_force(std::span<const double> q, std::span<double> f) const {
-  const Mat2 none = Mat2::Zero();
   const auto count = static_cast<std::int64_t>(area_.size());
   const double energy = parallel_sum(count, partial_, [&](std::int64_t begin, std::int64_t end) {
     double sum = 0.0;
     for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e) {
-      const ElasticResponse r = elastic_response(law_[e], gradient(e, q), none);
+      const ElasticResponse r = respond(e, gradient(e, q));
       const Mat2 AP = area_[e] * r.P;
       for (int k = 0; k < 3; ++k) corner_force_[3 * e + static_cast<std::size_t>(k)] = AP * gradient_[e].col(k);
       sum += area_[e] * r.energy;
@@ -122,23 +189,33 @@ double NmmPool::internal_force(std::span<const double> q, std::span<double> f) c
 }
 
 void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
-  for (const auto& b : bodies_) b->mass.add_weight(acceleration, f);
+  for (const auto& b : bodies_)
+    b->consistent_mass ? b->consistent.add_weight(acceleration, f) : b->mass.add_weight(acceleration, f);
 }
 
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
-  for (const auto& b : bodies_) b->mass.solve(f, a);
+  for (const auto& b : bodies_) b->consistent_mass ? b->consistent.solve(f, a) : b->mass.solve(f, a);
+}
+
+double NmmPool::kinetic_of(const Body& b, std::span<const double> v) {
+  return b.consistent_mass ? b.consistent.kinetic_energy(v) : b.mass.kinetic_energy(v);
+}
+
+void NmmPool::apply(const Body& b, std::span<const double> v, std::span<double> p) {
+  b.consistent_mass ? b.consistent.apply(v, p) : b.mass.apply(v, p);
 }
 
 double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> v,
                                std::span<const char> counted) const {
   double sum = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (counted[b] != 0) sum += bodies_[b]->mass.kinetic_energy(v);
+    if (counted[b] != 0) sum += kinetic_of(*bodies_[b], v);
   return sum;
 }
 
 void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
-  for (const auto& b : bodies_) b->mass.damp(factor, rate, v, f);
+  for (const auto& b : bodies_)
+    b->consistent_mass ? b->consistent.damp(factor, rate, v, f) : b->mass.damp(factor, rate, v, f);
 }
 
 double NmmPool::compliance(int body, const Row& row) const {
@@ -160,8 +237,8 @@ void NmmPool::bound_groups(int body, const Row& row, std::vector<std::int32_t>& 
 BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const double> v) const {
   const Body& b = of(body);
   std::vector<double> p(q.size(), 0.0), weight(q.size(), 0.0);
-  b.mass.apply(v, p);
-  b.mass.add_weight({1.0, 1.0}, weight);
+  apply(b, v, p);
+  b.consistent_mass ? b.consistent.add_weight({1.0, 1.0}, weight) : b.mass.add_weight({1.0, 1.0}, weight);
   BodyTotals t;
   for (std::int32_t k = first_node(body); k < first_node(body + 1); ++k) {
     const double m = weight[2 * static_cast<std::size_t>(k)];
@@ -171,10 +248,10 @@ BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const 
     t.angular_momentum += cross(node(q, k), node(p, k));
   }
   t.centre /= t.mass;
-  t.kinetic = b.mass.kinetic_energy(v);
+  t.kinetic = kinetic_of(b, v);
   for (std::size_t e = 0; e < b.mesh.elements.size(); ++e) {
     const std::size_t i = static_cast<std::size_t>(b.first_element) + e;
-    t.elastic += area_[i] * elastic_response(law_[i], gradient(i, q), Mat2::Zero()).energy;
+    t.elastic += area_[i] * respond(i, gradient(i, q)).energy;
   }
   return t;
 }
@@ -187,8 +264,8 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
 
   // Affine part in the operator really used: c, S, v_c, B, and the fit of x to X.
   std::vector<double> weight(q.size(), 0.0), p(q.size(), 0.0), r(q.size(), 0.0), Mr(q.size(), 0.0);
-  b.mass.add_weight({1.0, 1.0}, weight);
-  b.mass.apply(v, p);
+  b.consistent_mass ? b.consistent.add_weight({1.0, 1.0}, weight) : b.mass.add_weight({1.0, 1.0}, weight);
+  apply(b, v, p);
   Vec2 c = Vec2::Zero(), momentum = Vec2::Zero();
   double mass = 0.0;
   for (std::int32_t k = begin; k < end; ++k) {
@@ -200,7 +277,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Vec2 vc = momentum / mass;
   for (std::int32_t k = begin; k < end; ++k)
     for (int d = 0; d < 2; ++d) r[2 * static_cast<std::size_t>(k) + static_cast<std::size_t>(d)] = node(q, k)[d] - c[d];
-  b.mass.apply(r, Mr);
+  apply(b, r, Mr);
   Mat2 S = Mat2::Zero(), B = Mat2::Zero(), fit = Mat2::Zero();
   for (std::int32_t k = begin; k < end; ++k) {
     S += node(Mr, k) * node(r, k).transpose();
@@ -247,7 +324,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     w[2 * static_cast<std::size_t>(k) + 1] = rest.y();
     out.velocity_rest.insert(out.velocity_rest.end(), {turned.x(), turned.y()});
   }
-  out.kinetic_rest = b.mass.kinetic_energy(w);
+  out.kinetic_rest = kinetic_of(b, w);
   const Mat2 mean = law.stress(strain);
   for (std::size_t e = first; e < first + b.mesh.elements.size(); ++e) {
     const Mat2 F_e = gradient(e, q);

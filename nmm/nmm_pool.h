@@ -5,6 +5,7 @@
 
 #include "model/pool.h"
 #include "nmm/affine_mass.h"
+#include "nmm/implicit.h"
 
 namespace scree::nmm {
 
@@ -37,6 +38,19 @@ class NmmPool final : public Pool {
   [[nodiscard]] double compliance(int body, const Row& row) const override;
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
+  void gather(std::span<double> f) const override;
+  [[nodiscard]] int dofs(int body) const override { return of(body).implicit.dofs(); }
+  [[nodiscard]] bool nonlinear(int body) const override { return of(body).form.kinematics == Kinematics::corotational; }
+  [[nodiscard]] std::string implicit_obstacle(int body) const override;
+  [[nodiscard]] ElementDofs element_dofs(int body) const override { return of(body).implicit.element_dofs(); }
+  [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
+  void element_masses(int body, std::span<const double> q, std::span<double> mass) const override;
+  void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const override;
+  double linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
+                   std::span<double> force) const override;
+  void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+               std::span<double> v) const override;
+
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
 
@@ -49,11 +63,19 @@ class NmmPool final : public Pool {
   struct Body {
     CoverMesh mesh;  // boundary rows and cells count within the pool
     AffineMass mass;
+    bool consistent_mass = false;
+    ConsistentMass consistent;  // and what implicit steps need, where the form asks for either
+    ImplicitBody implicit;
+    Formulation form;
     ReferenceShape shape;
     std::int32_t first_element = 0;
     double frequency = 0.0;
   };
   [[nodiscard]] const Body& of(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
+  static void make_implicit(Body& body, std::int32_t first);
+  [[nodiscard]] static double kinetic_of(const Body& b, std::span<const double> v);
+  static void apply(const Body& b, std::span<const double> v, std::span<double> p);
+  [[nodiscard]] ElasticResponse respond(std::size_t element, const Mat2& F) const;
   [[nodiscard]] Mat2 gradient(std::size_t element, std::span<const double> q) const;  // F
 
   std::vector<std::unique_ptr<Body>> bodies_;
@@ -63,6 +85,7 @@ class NmmPool final : public Pool {
   std::vector<Eigen::Matrix<double, 2, 3>> gradient_;
   std::vector<double> area_;
   std::vector<Elasticity> law_;
+  std::vector<char> linear_;
   std::vector<std::int32_t> drawn_;  // output cells of the element
   // Corner forces of each element, gathered by cover in a fixed order: the same bits for any number of threads.
   std::vector<std::int32_t> gather_start_, gather_;
