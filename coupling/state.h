@@ -53,6 +53,7 @@ struct State {
   std::vector<BodyRecord> bodies;       // in the order of their blocks
   std::vector<double> q, v;             // x, y a node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;                // acceleration at `time`, same layout (explicit stages; else empty)
+  std::vector<double> v_before;         // velocity of the half step before, where damping lags on it (else empty)
   std::vector<ContactMemory> contacts;  // sorted by key
   std::vector<Remainder> rest;
   Ledger ledger;
@@ -93,6 +94,7 @@ void State::visit(Visitor&& see) {
   see("q", q);
   see("v", v);
   see("a", a);
+  see("v_before", v_before);
   see.size("contacts", contacts);
   for (ContactMemory& c : contacts) {
     see("contact.block_p", c.key.block_p);

@@ -1,6 +1,10 @@
 #include "dda/dda_pool.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
+#include <cmath>
+#include <limits>
 
 #include "model/outline.h"
 #include "model/planar.h"
@@ -108,9 +112,39 @@ double DdaPool::internal_force(std::span<const double> q, std::span<double> f) c
     f[i + 3] -= area * r.P(1, 0);
     f[i + 4] -= area * r.P(0, 1);
     f[i + 5] -= area * r.P(1, 1);
-    energy += area * r.energy;
+    energy += s.F.determinant() > 0.0 ? area * r.energy : std::numeric_limits<double>::quiet_NaN();
   }
   return energy;
+}
+
+Fault DdaPool::find_fault(std::span<const double> q) const {
+  for (int b = 0; b < bodies(); ++b) {
+    const AffineState s = load(b, q, q);
+    const double J = s.F.determinant();
+    if (!std::isfinite(J) || !s.c.allFinite()) return {b, "its position or gradient is not finite"};
+    if (J <= 0.0) return {b, fmt::format("it is turned inside out (det F = {:.3g})", J)};
+  }
+  return {};
+}
+
+void DdaPool::stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
+                                std::span<double> f) const {
+  // Gradient of the dissipation A0/2 rate U':C:U' by F', U' the rate of the stretch U = R^T F:
+  //   R^T F' = omega W U + U',  omega = W:(R^T F')/tr U,  P = R (s + w W),  s = C:U',  w = -(s:WU)/tr U
+  for (int b = 0; b < bodies(); ++b) {
+    const auto i = 6 * static_cast<std::size_t>(b);
+    const AffineState s = load(b, q, v);
+    const Mat2 R = polar_rotation(s.F), U = R.transpose() * s.F, Z = R.transpose() * s.Fdot, W = quarter_turn(),
+               WU = W * U;
+    const Mat2 stretching = Z - W.cwiseProduct(Z).sum() / U.trace() * WU;
+    const Mat2 stress = of(b).law.stress(0.5 * (stretching + stretching.transpose()));
+    const Mat2 P = R * (stress - stress.cwiseProduct(WU).sum() / U.trace() * W);
+    const double scale = rate * of(b).shape.area;
+    f[i + 2] -= scale * P(0, 0);
+    f[i + 3] -= scale * P(1, 0);
+    f[i + 4] -= scale * P(0, 1);
+    f[i + 5] -= scale * P(1, 1);
+  }
 }
 
 void DdaPool::body_force(const Vec2& a, std::span<double> f) const {

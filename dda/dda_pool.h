@@ -29,6 +29,9 @@ class DdaPool final : public Pool {
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
+  [[nodiscard]] Fault find_fault(std::span<const double> q) const override;
+  void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
+                         std::span<double> f) const override;
   [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency; }
   [[nodiscard]] double mass_ratio(int) const override { return 1.0; }
   [[nodiscard]] double compliance(int body, const Row& row) const override;

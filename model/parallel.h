@@ -15,7 +15,11 @@ inline constexpr std::int64_t kSerialBelow = 4096;  // fewer items are not worth
 /// body(i) for i in [0, n); iterations must not share anything they write.
 template <class Body>
 void parallel_for(std::int64_t n, Body&& body) {
-#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
+  if (n < kSerialBelow) {  // a parallel region costs something even with one thread
+    for (std::int64_t i = 0; i < n; ++i) body(i);
+    return;
+  }
+#pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < n; ++i) body(i);
 }
 
@@ -23,20 +27,22 @@ void parallel_for(std::int64_t n, Body&& body) {
 template <class Chunk>
 void parallel_for_chunks(std::int64_t n, Chunk&& chunk) {
   const std::int64_t chunks = (n + kChunk - 1) / kChunk;
-#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
-  for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, c * kChunk + kChunk < n ? c * kChunk + kChunk : n);
+  const auto end_of = [n](std::int64_t c) { return c * kChunk + kChunk < n ? c * kChunk + kChunk : n; };
+  if (n < kSerialBelow) {
+    for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, end_of(c));
+    return;
+  }
+#pragma omp parallel for schedule(static)
+  for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, end_of(c));
 }
 
 /// Sum of chunk(begin, end) over [0, n) in chunks of kChunk: the same bits for any number of threads.
 template <class Chunk>
 double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk) {
-  const std::int64_t chunks = (n + kChunk - 1) / kChunk;
-  partial.resize(static_cast<std::size_t>(chunks));
-#pragma omp parallel for schedule(static) if (n >= kSerialBelow)
-  for (std::int64_t c = 0; c < chunks; ++c) {
-    const std::int64_t begin = c * kChunk, end = begin + kChunk < n ? begin + kChunk : n;
-    partial[static_cast<std::size_t>(c)] = chunk(begin, end);
-  }
+  partial.resize(static_cast<std::size_t>((n + kChunk - 1) / kChunk));
+  parallel_for_chunks(n, [&](std::int64_t begin, std::int64_t end) {
+    partial[static_cast<std::size_t>(begin / kChunk)] = chunk(begin, end);
+  });
   double sum = 0.0;
   for (double p : partial) sum += p;
   return sum;

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "model/parallel.h"
 
@@ -30,12 +31,27 @@ AffineMotion affine_fit(const Polygon& from, const Polygon& to) {
   return map;
 }
 
-void Pool::drift(double h, std::span<double> q, std::span<double> v) const {
-  parallel_for(static_cast<std::int64_t>(q.size()),
-               [&](std::int64_t i) { q[static_cast<std::size_t>(i)] += h * v[static_cast<std::size_t>(i)]; });
+void Pool::drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const {
+  parallel_for_chunks(static_cast<std::int64_t>(q.size()), [&](std::int64_t begin, std::int64_t end) {
+    const double *from = q.data(), *rate = v.data();
+    double* to = moved.data();
+#pragma omp simd
+    for (std::int64_t i = begin; i < end; ++i) to[i] = from[i] + h * rate[i];
+  });
 }
 
-void Pool::damp(double, double, std::span<double>, std::span<double>) const {}
+void Pool::damp(double, double, std::span<double>, std::span<double> f, std::span<double>) const {
+  std::fill(f.begin(), f.end(), 0.0);
+}
+std::string Pool::binding(int) const { return {}; }
+Fault Pool::find_fault(std::span<const double> q) const {
+  for (int b = 0; b < bodies(); ++b)
+    for (std::int32_t k = first_node(b); k < first_node(b + 1); ++k) {
+      const auto i = 2 * static_cast<std::size_t>(k);
+      if (!std::isfinite(q[i]) || !std::isfinite(q[i + 1])) return {b, "a position is not finite"};
+    }
+  return {};
+}
 void Pool::stiffness_damping(std::span<const double>, std::span<const double>, double, std::span<double>) const {}
 void Pool::recovered_stress(std::span<const double>, std::span<double> nodes) const {
   std::fill(nodes.begin(), nodes.end(), 0.0);

@@ -131,6 +131,12 @@ enum class Stiffness {
   material   // without the part of the stress that turns with the rock: rigid motion has no force, always definite
 };
 
+/// A body that its unknowns leave without a meaning.
+struct Fault {
+  int body = -1;      // in the pool; -1: none
+  std::string where;  // what is wrong and where in it, e.g. "element 12 near (0.5, 2) is turned inside out"
+};
+
 /// All bodies of one method in contiguous arrays. Spans q, v, f hold two numbers (x, y) a node of this pool.
 class Pool {
  public:
@@ -162,7 +168,10 @@ class Pool {
   [[nodiscard]] virtual BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const = 0;
 
   // --- explicit dynamics ---
-  /// f += internal force; returns the elastic energy of every body summed in a fixed order [J].
+  /// The first body that cannot be as q says: not finite, or turned inside out.
+  [[nodiscard]] virtual Fault find_fault(std::span<const double> q) const;
+  /// f += internal force; returns the elastic energy of every body summed in a fixed order [J]. Not a number where a
+  /// body cannot be as q says (turned inside out); find_fault() then tells which.
   virtual double internal_force(std::span<const double> q, std::span<double> f) const = 0;
   /// f += body force of a uniform acceleration.
   virtual void body_force(const Vec2& acceleration, std::span<double> f) const = 0;
@@ -171,17 +180,20 @@ class Pool {
   /// 1/2 v^T M v, bodies in `counted` only (one flag a body).
   [[nodiscard]] virtual double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                               std::span<const char> counted) const = 0;
-  /// q += h v, velocities carried along where the method's nodes turn. The default is the plain sum.
-  virtual void drift(double h, std::span<double> q, std::span<double> v) const;
-  /// w *= factor and f -= rate M w, w = v minus its affine part: mass-proportional damping that spares rigid motion and
-  /// sliding. Methods whose bodies are affine have no w.   @param rate [1/s], w taken after the scaling
-  virtual void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// moved = q + h v, velocities carried along where the method's nodes turn. The default is the plain sum.
+  virtual void drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const;
+  /// w *= factor, then f = -rate M w and a -= rate w; w = v minus its affine part: mass-proportional damping that
+  /// spares rigid motion and sliding. Methods whose bodies are affine have no w, and f = 0.
+  /// @param rate [1/s], w taken after the scaling
+  virtual void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
   /// f -= rate times the tangent stiffness of the bodies applied to v: Rayleigh damping proportional to stiffness.
   /// Rigid motion has none.   @param rate [s]
   virtual void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
                                  std::span<double> f) const;
   /// Largest eigenvalue of D^-1 K of a body's own stiffness, D the method's diagonal mass: a certified bound [1/s2].
   [[nodiscard]] virtual double frequency_bound(int body) const = 0;
+  /// What sets frequency_bound(): an element and its place, for messages. Empty: the body as a whole.
+  [[nodiscard]] virtual std::string binding(int body) const;
   /// theta: D <= theta M. Squared frequencies in M are at most theta times those in D.
   [[nodiscard]] virtual double mass_ratio(int body) const = 0;
   /// J D^-1 J^T of a row: the acceleration of the point per unit force on it [1/kg].

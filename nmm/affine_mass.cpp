@@ -123,7 +123,7 @@ double AffineMass::kinetic_energy(std::span<const double> v) const {
   return 0.5 * (sum - (z.transpose() * correction_ * z).trace());
 }
 
-void AffineMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+void AffineMass::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
   const Moments3 z = hat_inverse_ * projection(v, true);
   parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
     const auto k = static_cast<std::size_t>(n);
@@ -132,7 +132,8 @@ void AffineMass::damp(double factor, double rate, std::span<double> v, std::span
       const auto c = static_cast<Eigen::Index>(d);
       const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[i + d] - affine);
       v[i + d] = affine + w;
-      f[i + d] -= rate * lumped_[k] * w;  // P^T M_L w = 0, so M~ w = M_L w
+      f[i + d] = -rate * lumped_[k] * w;  // P^T M_L w = 0, so M~ w = M_L w
+      a[i + d] -= rate * w;
     }
   });
 }

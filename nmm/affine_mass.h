@@ -25,8 +25,8 @@ class AffineMass {
   void apply(std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M~ v [J]
   [[nodiscard]] double kinetic_energy(std::span<const double> v) const;
-  /// w *= factor, f -= rate M~ w; w = v - P S^^-1 P^T M_L v, the part that is M~-orthogonal to affine fields.
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// w *= factor, f = -rate M~ w, a -= rate w; w = v - P S^^-1 P^T M_L v, the part M~-orthogonal to affine fields.
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
   /// f += M~ 1 g
   void add_weight(const Vec2& g, std::span<double> f) const;
 

@@ -52,6 +52,7 @@ ConsistentMass::~ConsistentMass() = default;
 void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElement> elements,
                           std::span<const Vec2> star, const ReferenceShape& shape, std::int32_t first) {
   first_ = first;
+  star_.assign(star.begin(), star.end());
   ties_.assign(folded.ties().begin(), folded.ties().end());
   double area = 0.0;
   for (const MassElement& e : elements) area += e.material.area;
@@ -82,18 +83,16 @@ void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElem
   M_.setFromTriplets(entries.begin(), entries.end());
 
   cover_of_.resize(free);
-  X_.resize(free);
   basis_.assign(free, Eigen::Vector3d::Zero());
   for (std::size_t k = 0; k < free; ++k) {
     cover_of_[k] = folded.cover_of(static_cast<std::int32_t>(k));
-    X_[k] = star[static_cast<std::size_t>(cover_of_[k])];
   }
   Mat3 PMP = Mat3::Zero();
   row_sum_.assign(star.size(), 0.0);
   for (std::size_t k = 0; k < free; ++k) {
     for (decltype(M_)::InnerIterator it(M_, static_cast<Eigen::Index>(k)); it; ++it)
-      basis_[k] += it.value() * basis(X_[static_cast<std::size_t>(it.col())]);
-    PMP += basis_[k] * basis(X_[k]).transpose();
+      basis_[k] += it.value() * basis(star[static_cast<std::size_t>(cover_of_[static_cast<std::size_t>(it.col())])]);
+    PMP += basis_[k] * basis(star[static_cast<std::size_t>(cover_of_[k])]).transpose();
     row_sum_[static_cast<std::size_t>(cover_of_[k])] = basis_[k][0];
   }
   inverse_ = (0.5 * (PMP + PMP.transpose())).inverse();
@@ -174,33 +173,23 @@ Moments3 ConsistentMass::affine_part(std::span<const double> v) const {
   return inverse_ * z;
 }
 
-void ConsistentMass::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+void ConsistentMass::damp(double factor, double rate, std::span<double> v, std::span<double> f,
+                          std::span<double> a) const {
   const Moments3 z = affine_part(v);
   const auto first = static_cast<std::size_t>(first_);
-  std::vector<double> rest(2 * cover_of_.size());
-  for (std::size_t k = 0; k < cover_of_.size(); ++k)
+  std::vector<double> rest(v.size(), 0.0);
+  const auto split = [&](std::size_t cover, const Vec2& X) {
     for (std::size_t d = 0; d < 2; ++d) {
-      double& x = v[2 * (first + static_cast<std::size_t>(cover_of_[k])) + d];
-      const double affine = basis(X_[k]).dot(z.col(static_cast<Eigen::Index>(d)));
-      rest[2 * k + d] = factor * (x - affine);
-      x = affine + rest[2 * k + d];
+      const std::size_t i = 2 * (first + cover) + d;
+      const double affine = basis(X).dot(z.col(static_cast<Eigen::Index>(d)));
+      rest[i] = factor * (v[i] - affine);
+      v[i] = affine + rest[i];
+      a[i] -= rate * rest[i];
     }
-  for (const Tie& t : ties_)
-    for (std::size_t d = 0; d < 2; ++d) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * v[2 * (first + static_cast<std::size_t>(t.root[k])) + d];
-      v[2 * (first + static_cast<std::size_t>(t.cover)) + d] = sum;
-    }
-  for (std::size_t k = 0; k < cover_of_.size(); ++k) {
-    Vec2 sum = Vec2::Zero();
-    for (decltype(M_)::InnerIterator it(M_, static_cast<Eigen::Index>(k)); it; ++it) {
-      const std::size_t i = 2 * static_cast<std::size_t>(it.col());
-      sum += it.value() * Vec2(rest[i], rest[i + 1]);
-    }
-    const std::size_t i = 2 * (first + static_cast<std::size_t>(cover_of_[k]));
-    f[i] -= rate * sum.x();
-    f[i + 1] -= rate * sum.y();
-  }
+  };
+  for (std::size_t c = 0; c < star_.size(); ++c) split(c, star_[c]);  // tied covers too: affine fields are theirs
+  apply(rest, f);
+  for (std::size_t i = 2 * first; i < 2 * (first + star_.size()); ++i) f[i] *= -rate;
 }
 
 void ConsistentMass::add_weight(const Vec2& g, std::span<double> f) const {

@@ -45,8 +45,8 @@ class ConsistentMass {
   void apply(std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M v [J]
   [[nodiscard]] double kinetic_energy(std::span<const double> v) const;
-  /// w *= factor, f -= rate M w; w = v minus its affine part, to which it is M-orthogonal.
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const;
+  /// w *= factor, f = -rate M w, a -= rate w; w = v minus its affine part, to which it is M-orthogonal.
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
   /// f += M 1 g
   void add_weight(const Vec2& g, std::span<double> f) const;
   /// Exact scalar mass of an element over its three covers, before ties [kg].
@@ -65,7 +65,7 @@ class ConsistentMass {
   Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t> M_;  // over free covers, both triangles
   std::vector<double> row_sum_;                                   // a cover
   std::vector<Eigen::Vector3d> basis_;                            // M [1, X] of a free cover
-  std::vector<Vec2> X_;                                           // of a free cover [m]
+  std::vector<Vec2> star_;              // reference position of a cover [m]
   Mat3 inverse_ = Mat3::Zero();                                   // (P^T M P)^-1, P = [1, X]
   mutable std::unique_ptr<Factor> factor_;
 };

@@ -213,9 +213,9 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
   return sum;
 }
 
-void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f) const {
+void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
   for (const auto& b : bodies_)
-    b->consistent_mass ? b->consistent.damp(factor, rate, v, f) : b->mass.damp(factor, rate, v, f);
+    b->consistent_mass ? b->consistent.damp(factor, rate, v, f, a) : b->mass.damp(factor, rate, v, f, a);
 }
 
 double NmmPool::compliance(int body, const Row& row) const {

@@ -32,7 +32,7 @@ class NmmPool final : public Pool {
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f) const override;
+  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const override;
   [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency; }
   [[nodiscard]] double mass_ratio(int body) const override { return of(body).mass.theta(); }
   [[nodiscard]] double compliance(int body, const Row& row) const override;

@@ -26,7 +26,15 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       springs_(setup),
       pairs_(setup, springs_, 2.0 * detection),
       known_(setup.outlines()),
-      x_(setup.outlines().nodes.size()) {}
+      x_(setup.outlines().nodes.size()) {
+  const Outlines& o = setup.outlines();
+  for (std::size_t i = 0; i < o.nodes.size(); ++i) {
+    const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
+    largest_weights_ =
+        std::max(largest_weights_, std::abs(o.nodes[i].w[0]) + std::abs(o.nodes[i].w[1]) + std::abs(o.nodes[i].w[2]));
+    compliance_.push_back(b.driven ? 0.0 : setup.pool_of(b).compliance(b.index, setup.local(b, o.nodes[i])));
+  }
+}
 
 ContactKey ContactFinder::key_of(std::int32_t vertex, std::int32_t edge) const {
   const Outlines& o = setup_->outlines();
@@ -151,12 +159,7 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 }
 
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
-  const Outlines& o = setup_->outlines();
-  const auto compliance = [&](std::int32_t node) {
-    const Body& b = setup_->bodies()[static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(node)])];
-    return b.driven ? 0.0
-                    : setup_->pool_of(b).compliance(b.index, setup_->local(b, o.nodes[static_cast<std::size_t>(node)]));
-  };
+  const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
   const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
   p.cn = 2.0 * fraction * std::sqrt(m.kn / mu);

@@ -25,6 +25,9 @@ class ContactFinder {
   /// A share that changes while a contact stays of its kind keeps gap and stretch, and with them the traction.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out);
+  /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
+  /// candidates now.
+  [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
   /// Gives closed points that changed between edge-edge and angle-edge the stiffness of their new kind; force and state
   /// stay, gap0 and anchor move.
   /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
@@ -60,6 +63,8 @@ class ContactFinder {
   JointSprings springs_;
   ContactPairs pairs_;
   KnownContacts known_;
+  double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
+  std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on driven bodies
   std::vector<Vec2> x_;                     // outline nodes
   std::vector<std::int32_t> fresh_, gone_;  // points without memory, and closed memory without a point
 };

@@ -31,6 +31,8 @@ class ContactPairs {
   /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
   /// @return pairs in order, each once; valid until the next call
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known);
+  /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
+  [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
   [[nodiscard]] const Vec2& direction(std::int32_t edge) const { return direction_[static_cast<std::size_t>(edge)]; }
   /// Of the two edges that meet at a vertex, the one that turns towards an edge.

@@ -41,6 +41,17 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
 
 }  // namespace
 
+ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {
+  const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
+  for (ContactList* list : {&now_, &before_}) {
+    list->points.reserve(expected);
+    list->memory.reserve(expected);
+  }
+  left_.reserve(expected);
+  kept_.reserve(expected);
+  trial_.reserve(expected);
+}
+
 void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   finder_.restore(state.contacts, before_);
   finder_.find(state.q, before_, at_start, now_);
@@ -51,6 +62,13 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
     apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
   }
   state.contacts = now_.memory;
+  clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
+}
+
+void ExplicitContact::undo(State& state) {
+  std::swap(now_, before_);
+  state.contacts = now_.memory;
+  clear_ = 0.0;
 }
 
 void ExplicitContact::add(std::span<double> f) const {
@@ -112,8 +130,11 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
-void ExplicitContact::arrive(double h, std::span<const double> q, std::span<const double> v, State& state) {
+void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
+                             State& state) {
+  clear_ -= farthest;
   std::swap(now_, before_);
+  if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
   trial_.resize(now_.points.size());
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
@@ -153,6 +174,7 @@ void ExplicitContact::arrive(double h, std::span<const double> q, std::span<cons
   ledger.book(Column::contact_share, finder_.adopt_kinds(now_));
   state.contacts = now_.memory;
   ledger.set(Column::contact_springs, contact_energy(now_));
+  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 }  // namespace scree::coupling

@@ -12,7 +12,7 @@ namespace scree::coupling {
 /// arrive() with the positions reached and the velocity that brought them there.
 class ExplicitContact {
  public:
-  ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {}
+  ExplicitContact(const Setup& setup, double detection);
 
   /// Finds the points of a state and the forces of their springs.
   /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
@@ -23,7 +23,10 @@ class ExplicitContact {
   /// First half of a step's books, v the velocity of the step at the instant left.
   void leave(double h, std::span<const double> v);
   /// Points at the new positions, return mapping, second half of the books.
-  void arrive(double h, std::span<const double> q, std::span<const double> v, State& state);
+  /// @param farthest  no node of the state has moved farther since the instant left [m]
+  void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
+  /// Goes back to the instant left, after arrive().
+  void undo(State& state);
 
   [[nodiscard]] const ContactList& list() const { return now_; }
 
@@ -39,6 +42,7 @@ class ExplicitContact {
   const Setup* setup_;
   ContactFinder finder_;
   ContactList now_, before_;
+  double clear_ = 0.0;         // while nothing is near: how far nodes may still move before something can be [m]
   std::vector<Half> left_;     // a point of before_
   std::vector<char> kept_;     // 1: the point of before_ goes on in now_
   std::vector<double> trial_;  // stretch before return mapping, a point of now_

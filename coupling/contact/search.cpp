@@ -57,7 +57,7 @@ Search::~Search() {
   for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
 }
 
-std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
+bool Search::refit(std::span<const Vec2> x, bool all) {
   Impl& s = *impl_;
   const Outlines& o = s.setup->outlines();
   const bool first = s.proxies.empty();
@@ -68,7 +68,7 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
     const Vec2 &a = x[static_cast<std::size_t>(o.segments[i].a)], &b = x[static_cast<std::size_t>(o.segments[i].b)];
     const Vec2 lo = a.cwiseMin(b).array() - need, hi = a.cwiseMax(b).array() + need;
     Box& fat = s.fat[i];
-    if (!first && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
+    if (!first && !all && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
     moved = true;
     fat.lo = lo.array() - slack;
     fat.hi = hi.array() + slack;
@@ -81,7 +81,24 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
       s.tree.setAabb(s.proxies[i], low, high, nullptr);
     }
   }
-  if (!moved) return s.pairs;
+  return moved;
+}
+
+std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
+  if (refit(x, false)) collect();
+  return impl_->pairs;
+}
+
+double Search::clearance(std::span<const Vec2> x) {
+  if (!impl_->pairs.empty()) return 0.0;
+  (void)refit(x, true);
+  collect();
+  return impl_->pairs.empty() ? impl_->reach : 0.0;  // the slack of every box
+}
+
+void Search::collect() {
+  Impl& s = *impl_;
+  const Outlines& o = s.setup->outlines();
   s.tree.calculateOverlappingPairs(nullptr);
   btOverlappingPairCache* cache = s.tree.getOverlappingPairCache();
   s.pairs.clear();
@@ -95,7 +112,6 @@ std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
   }
   std::sort(s.pairs.begin(), s.pairs.end());
   s.pairs.erase(std::unique(s.pairs.begin(), s.pairs.end()), s.pairs.end());
-  return s.pairs;
 }
 
 }  // namespace scree::coupling

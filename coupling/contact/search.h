@@ -30,8 +30,14 @@ class Search {
   /// @param x  positions of the outline nodes, in their order
   /// @return pairs in order, each once; valid until the next call
   std::span<const EdgePair> update(std::span<const Vec2> x);
+  /// How far every outline node may move before update() can find a pair [m]; 0 if there are pairs already. Fattens all
+  /// boxes anew, which is worth it where the answer saves many updates.   @pre update() was called with x
+  double clearance(std::span<const Vec2> x);
 
  private:
+  bool refit(std::span<const Vec2> x, bool all);
+  void collect();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -5,87 +5,141 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/integrate/step_bound.h"
-#include "model/parallel.h"
+#include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
+namespace {
 
-CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping,
-                                     bool rest)
+/// out = v + k a over a chunk; returns out.f.
+double kick_and_work(const Chunk& c, const double* v, double k, const double* a, const double* f, double* out) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = c.begin; i < c.end; ++i) {
+    out[i] = v[i] + k * a[i];
+    sum += out[i] * f[i];
+  }
+  return sum;
+}
+
+/// out = v + k a over a chunk; returns a number that is finite if all of out is (and smaller than 1e150).
+double kick(const Chunk& c, const double* v, double k, const double* a, double* out) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = c.begin; i < c.end; ++i) {
+    out[i] = v[i] + k * a[i];
+    sum += out[i] * out[i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+CentralDifference::CentralDifference(const Setup& setup, const StepControl& control, double detection,
+                                     const ExplicitDamping& damping, bool rest)
     : setup_(&setup),
       control_(control),
       damping_(damping),
       rest_(rest),
+      lags_(damping.stiffness > 0.0 || damping.local > 0.0 || !setup.model().viscous_edges.empty()),
       contact_(setup, detection),
-      damping_force_(2 * static_cast<std::size_t>(setup.nodes()), 0.0) {
-  add_term(std::make_unique<InternalForce>(setup));
-  add_term(std::make_unique<Gravity>(setup));
+      chunks_(setup),
+      weights_(body_loads(setup)),
+      factor_(weights_.size(), 0.0),
+      weight_power_(weights_.size(), 0.0),
+      partial_(chunks_.count() * (weights_.size() + 1), 0.0) {
+  const std::size_t n = 2 * static_cast<std::size_t>(setup.nodes());
+  for (auto* v : {&stress_, &total_, &q_new_, &v_half_, &v_new_, &a_new_}) v->assign(n, 0.0);
+  if (damps_rest()) mass_damping_.assign(n, 0.0);
+  if (damping.stiffness > 0.0) stiffness_.force.assign(n, 0.0);
+  if (damping.local > 0.0) local_.force.assign(n, 0.0);
 }
 
-void CentralDifference::add_term(std::unique_ptr<ForceTerm> term) {
-  terms_.push_back(std::move(term));
-  force_.emplace_back(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
-  half_free_.push_back(0.0);
-  half_driven_.push_back(0.0);
+void CentralDifference::add_term(std::unique_ptr<ForceTerm> term) { terms_.push_back(std::move(term)); }
+
+Instant CentralDifference::lagging(const State& state) const {
+  return {state.q, lags() ? state.v_before : state.v, seconds(state.time)};
 }
 
-double CentralDifference::work(std::span<const double> v, std::span<const double> f, bool free) const {
-  const std::vector<double>& mask = setup_->free();
-  return parallel_sum(static_cast<std::int64_t>(mask.size()), partial_, [&](std::int64_t begin, std::int64_t end) {
-    double sum = 0.0;
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      const double take = free ? mask[k] : 1.0 - mask[k];
-      sum += take * (v[2 * k] * f[2 * k] + v[2 * k + 1] * f[2 * k + 1]);
+double CentralDifference::stress(std::span<const double> q) {
+  std::fill(stress_.begin(), stress_.end(), 0.0);
+  double energy = 0.0;
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    energy += setup_->pool(p).internal_force(setup_->part(q, p), setup_->part(std::span<double>(stress_), p));
+  return energy;
+}
+
+void CentralDifference::sum_up(const Instant& at) {
+  for (std::size_t i = 0; i < weights_.size(); ++i) factor_[i] = setup_->model().factor(weights_[i].function, at.t);
+  const std::size_t sums = weights_.size() + 1;
+  chunks_.for_free([&](const Chunk& c, std::size_t index) {
+    const double *v = at.v.data(), *stress = stress_.data();
+    double *total = total_.data(), *partial = &partial_[index * sums];
+    double power = 0.0;
+#pragma omp simd reduction(+ : power)
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      total[i] = stress[i];
+      power += v[i] * stress[i];
     }
-    return sum;
+    partial[0] = power;
+    for (std::size_t w = 0; w + 1 < sums; ++w) {
+      const double factor = factor_[w], *weight = weights_[w].force.data();
+      power = 0.0;
+#pragma omp simd reduction(+ : power)
+      for (std::size_t i = c.begin; i < c.end; ++i) {
+        total[i] += factor * weight[i];
+        power += v[i] * weight[i];
+      }
+      partial[w + 1] = power;
+    }
   });
-}
-
-void CentralDifference::evaluate(const State& state, std::vector<std::vector<double>>& forces,
-                                 std::vector<double>& total) {
-  const std::size_t n = state.q.size();
-  contact_force_.assign(n, 0.0);
-  contact_.add(contact_force_);
-  total.assign(contact_force_.begin(), contact_force_.end());
-  const auto count = static_cast<std::int64_t>(n);
-  for (std::size_t i = 0; i < terms_.size(); ++i) {
-    std::vector<double>& f = forces[i];
-    parallel_for(count, [&](std::int64_t k) { f[static_cast<std::size_t>(k)] = 0.0; });
-    terms_[i]->add(state.q, seconds(state.time), f);
-    parallel_for(count, [&](std::int64_t k) { total[static_cast<std::size_t>(k)] += f[static_cast<std::size_t>(k)]; });
+  stress_right_ = 0.0;
+  std::fill(weight_power_.begin(), weight_power_.end(), 0.0);
+  for (std::size_t index = 0; index < chunks_.count(); ++index) {
+    stress_right_ += partial_[index * sums];
+    for (std::size_t w = 0; w + 1 < sums; ++w) weight_power_[w] += partial_[index * sums + w + 1];
   }
+  for (const Chunk& c : chunks_.driven())
+    std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
+              total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
+  contact_.add(total_);
+  for (const auto& term : terms_) term->add(at, total_);
+  if (!stiffness_.force.empty()) {
+    std::fill(stiffness_.force.begin(), stiffness_.force.end(), 0.0);
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      setup_->pool(p).stiffness_damping(setup_->part(at.q, p), setup_->part(at.v, p), damping_.stiffness,
+                                        setup_->part(std::span<double>(stiffness_.force), p));
+    chunks_.for_free([&](const Chunk& c, std::size_t) {
+      for (std::size_t i = c.begin; i < c.end; ++i) total_[i] += stiffness_.force[i];
+    });
+  }
+  if (!local_.force.empty())
+    chunks_.for_free([&](const Chunk& c, std::size_t) {
+      for (std::size_t i = c.begin; i < c.end; ++i) {
+        const double sign = at.v[i] > 0.0 ? 1.0 : (at.v[i] < 0.0 ? -1.0 : 0.0);
+        local_.force[i] = -damping_.local * std::abs(total_[i]) * sign;
+        total_[i] += local_.force[i];
+      }
+    });
 }
 
-void CentralDifference::damp(State& state, double factor) {
-  std::fill(damping_force_.begin(), damping_force_.end(), 0.0);
+void CentralDifference::accelerate(std::span<const double> q, std::span<double> a) const {
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).damp(factor, damping_, setup_->part(std::span<double>(state.v), p),
-                         setup_->part(std::span<double>(damping_force_), p));
-  parallel_for(static_cast<std::int64_t>(total_.size()), [&](std::int64_t i) {
-    total_[static_cast<std::size_t>(i)] += damping_force_[static_cast<std::size_t>(i)];
-  });
-  accelerate(state);
+    setup_->pool(p).mass_solve(setup_->part(q, p), setup_->part(std::span<const double>(total_), p),
+                               setup_->part(a, p));
+  for (const Chunk& c : chunks_.driven())
+    std::fill(a.begin() + static_cast<std::ptrdiff_t>(c.begin), a.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
 }
 
-void CentralDifference::kick(State& state, double h) {
-  parallel_for(static_cast<std::int64_t>(state.v.size()), [&](std::int64_t i) {
-    state.v[static_cast<std::size_t>(i)] += h * state.a[static_cast<std::size_t>(i)];
-  });
+double CentralDifference::acceleration_energy(const State& state) const {
+  const double* a = state.a.data();
+  double energy = chunks_.sum_free([&](const Chunk& c) { return dot(c, a, total_.data()); });
+  if (damps_rest()) energy += chunks_.sum_free([&](const Chunk& c) { return dot(c, a, mass_damping_.data()); });
+  if (damps_all()) {  // M a = F - rate M v, so a.M.a = a.F - rate v.M a = a.F - rate (v.F - rate v.M v)
+    const double power = chunks_.sum_free([&](const Chunk& c) { return dot(c, state.v.data(), total_.data()); });
+    energy -= damping_.mass * (power - 2.0 * damping_.mass * kinetic_energy(state.q, state.v));
+  }
+  return energy;
 }
-
-void CentralDifference::accelerate(State& state) const {
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
-                               setup_->part(std::span<const double>(total_), p),
-                               setup_->part(std::span<double>(state.a), p));
-  const std::vector<double>& free = setup_->free();
-  parallel_for(static_cast<std::int64_t>(free.size()), [&](std::int64_t n) {
-    const auto k = static_cast<std::size_t>(n);
-    if (free[k] == 0.0) state.a[2 * k] = state.a[2 * k + 1] = 0.0;
-  });
-}
-
-double CentralDifference::acceleration_energy(const State& state) const { return work(state.a, total_, true); }
 
 void CentralDifference::change_step(State& state, double h) {
   const double energy = acceleration_energy(state), last = seconds(state.last_step);
@@ -94,131 +148,279 @@ void CentralDifference::change_step(State& state, double h) {
 }
 
 double CentralDifference::enter(State& state) {
-  auto springs = point_springs(*setup_, state);
-  if (!springs.empty()) add_term(std::make_unique<PointSupports>(std::move(springs)));
-  contact_.enter(state, state.step == 0, !state.a.empty());
-  state.a.assign(state.q.size(), 0.0);
-  evaluate(state, force_, total_);
-  if (damping_ > 0.0)
-    damp(state, 1.0);
-  else
-    accelerate(state);
+  if (auto springs = point_springs(*setup_, state); !springs.empty())
+    add_term(std::make_unique<PointSupports>(std::move(springs)));
+  if (auto forces = point_forces(*setup_, state); !forces.empty())
+    add_term(std::make_unique<PointLoads>(setup_->model(), std::move(forces)));
+  if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
+  const bool goes_on = !state.a.empty();
+  contact_.enter(state, state.step == 0, goes_on);
+  if (lags() && state.v_before.size() != state.v.size()) state.v_before = state.v;
+  (void)stress(state.q);
+  sum_up(lagging(state));
+  accelerate(state.q, a_new_);
+  if (damps_rest()) {
+    v_new_ = state.v;
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      setup_->pool(p).damp(1.0, damping_.mass, setup_->part(std::span<double>(v_new_), p),
+                           setup_->part(std::span<double>(mass_damping_), p),
+                           setup_->part(std::span<double>(a_new_), p));
+  } else if (damps_all()) {
+    for (std::size_t i = 0; i < a_new_.size(); ++i) a_new_[i] -= damping_.mass * state.v[i];
+  }
+  for (const Chunk& c : chunks_.driven())
+    for (std::size_t i = c.begin; i < c.end; ++i) a_new_[i] = 0.0;
+  if (!goes_on) state.a = a_new_;
   return contact_energy(contact_.list());
 }
 
-StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
-  StepReport report;
-  const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
-  const std::size_t nodes = setup_->free().size();
+double CentralDifference::reach(const State& state, double h) {
+  // The largest component bounds the longest way within sqrt(2); a sum catches what is not a number.
+  const double *v = state.v.data(), *a = state.a.data(), half = 0.5 * h;
+  chunks_.for_free([&](const Chunk& c, std::size_t index) {
+    double largest = 0.0, sum = 0.0;
+#pragma omp simd reduction(max : largest) reduction(+ : sum)
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      const double u = std::abs(v[i] + half * a[i]);
+      largest = u > largest ? u : largest;
+      sum += u;
+    }
+    partial_[index] = std::isfinite(sum) ? largest : sum;
+  });
+  double largest = 0.0;
+  for (std::size_t i = 0; i < chunks_.count() && !std::isnan(largest); ++i)
+    largest = partial_[i] <= largest ? largest : partial_[i];
+  return h * std::sqrt(2.0) * largest;
+}
 
-  // Nothing has changed yet: a step that would go too far is refused here.
-  std::vector<std::size_t>& farthest_in = farthest_;  // by chunk, then over the chunks: the first of the largest
-  farthest_in.assign((nodes + kChunk - 1) / kChunk, 0);
-  const auto reach = [&](std::size_t k) {  // squared displacement of a node in this step
-    const double x = state.v[2 * k] + 0.5 * h * state.a[2 * k], y = state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1];
+StepReport CentralDifference::refuse(const State& state, double h) const {
+  const auto squared = [&](std::size_t k) {
+    const bool driven = setup_->free()[k] == 0.0;
+    const double x = driven ? v_half_[2 * k] : state.v[2 * k] + 0.5 * h * state.a[2 * k],
+                 y = driven ? v_half_[2 * k + 1] : state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1];
     return h * h * (x * x + y * y);
   };
-  parallel_for_chunks(static_cast<std::int64_t>(nodes), [&](std::int64_t begin, std::int64_t chunk_end) {
-    auto best = static_cast<std::size_t>(begin);
-    for (std::size_t k = best + 1; k < static_cast<std::size_t>(chunk_end); ++k)
-      if (!(reach(k) <= reach(best))) best = k;
-    farthest_in[static_cast<std::size_t>(begin / kChunk)] = best;
-  });
   std::size_t where = 0;
-  for (std::size_t k : farthest_in)
-    if (!(reach(k) <= reach(where))) where = k;
-  const double farthest = std::sqrt(reach(where));
-  const auto body_at = [&] {
-    const auto& bodies = setup_->bodies();
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (static_cast<std::int32_t>(where) >= bodies[b].first_node &&
-          static_cast<std::int32_t>(where) < bodies[b].first_node + bodies[b].nodes)
-        return static_cast<std::int32_t>(b);
-    return std::int32_t{-1};
-  };
-  if (!(farthest <= control_.max_displacement)) {
-    report.body = body_at();
-    report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
-    report.suggested = std::isfinite(farthest) ? control_.max_displacement / farthest : 0.0;
-    report.cause =
-        std::isfinite(farthest)
-            ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed", farthest,
-                          control_.max_displacement)
-            : "a velocity is not finite: the step is above the stable one, or an element was turned inside out";
-    return report;
-  }
-
-  if (state.last_step != ticks_of_step) change_step(state, h);
-  // Kick by half a step; driven bodies go where they are told.
-  kick(state, 0.5 * h);
-  for (const Body& b : setup_->bodies()) {
-    if (!b.driven) continue;
-    const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
-    const auto t = setup_->pool_of(b).translation(b.index);
-    for (std::int32_t k = 0; k < b.nodes; ++k) {
-      const auto i = 2 * static_cast<std::size_t>(b.first_node + k);
-      state.v[i] = t[static_cast<std::size_t>(k)] * u.x();
-      state.v[i + 1] = t[static_cast<std::size_t>(k)] * u.y();
-    }
-  }
-  contact_.leave(h, state.v);
-  for (std::size_t i = 0; i < terms_.size(); ++i) {
-    half_free_[i] = work(state.v, force_[i], true);
-    half_driven_[i] = work(state.v, force_[i], false);
-  }
-  double driven = work(state.v, contact_force_, false);
-  const double damped = damping_ > 0.0 ? work(state.v, damping_force_, true) : 0.0;
-
-  // Drift, forces at the new instant.
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).drift(h, setup_->part(std::span<double>(state.q), p), setup_->part(std::span<double>(state.v), p));
-  state.time += ticks_of_step;
-  contact_.arrive(h, state.q, state.v, state);
-  evaluate(state, force_, total_);
-  driven += work(state.v, contact_force_, false);
-  state.ledger.book(Column::prescribed_motion, -0.5 * h * driven);
-  for (std::size_t i = 0; i < terms_.size(); ++i)
-    terms_[i]->book(0.5 * h * (half_free_[i] + work(state.v, force_[i], true)),
-                    0.5 * h * (half_driven_[i] + work(state.v, force_[i], false)), state.ledger);
-
-  // Kick by the other half.
-  accelerate(state);
-  const std::span<double> v(state.v);
-  if (damping_ > 0.0) v_before_.assign(v.begin(), v.end());
-  kick(state, 0.5 * h);
-  if (damping_ > 0.0) {
-    damp(state, 1.0 / (1.0 + 0.5 * h * damping_));
-    state.ledger.book(Column::mass_damping, -0.5 * h * (damped + work(v_before_, damping_force_, true)));
-  }
-  setup_->prescribe(end, state.q, state.v);
-  if (rest_) relax(state);
-  state.last_step = ticks_of_step;
-  ++state.step;
+  for (std::size_t k = 1; k < state.v.size() / 2 && std::isfinite(squared(where)); ++k)
+    if (!(squared(k) <= squared(where))) where = k;
+  const double farthest = std::sqrt(squared(where));
+  StepReport report;
+  if (farthest <= control_.max_displacement) return report;
+  const auto& bodies = setup_->bodies();
+  const auto here = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) {
+    const auto k = static_cast<std::int32_t>(where);
+    return k >= b.first_node && k < b.first_node + b.nodes;
+  });
+  report.body = static_cast<std::int32_t>(here - bodies.begin());
+  report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
+  report.suggested = std::isfinite(farthest) ? control_.max_displacement / farthest : 0.0;
+  report.cause = std::isfinite(farthest) ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed",
+                                                       farthest, control_.max_displacement)
+                                         : "a velocity is not finite";
   return report;
 }
 
-double CentralDifference::kinetic_energy(const State& state) const {
+StepReport CentralDifference::lost(std::span<const double> q, double t) const {
+  StepReport report;
+  report.status = StepReport::Status::non_finite;
+  std::string where = "a velocity is not finite";
+  for (std::size_t p = 0; p < setup_->pools() && report.body < 0; ++p) {
+    const Fault fault = setup_->pool(p).find_fault(setup_->part(q, p));
+    if (fault.body < 0) continue;
+    where = fault.where;
+    const auto& bodies = setup_->bodies();
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (bodies[b].pool == static_cast<std::int32_t>(p) && bodies[b].index == fault.body)
+        report.body = static_cast<std::int32_t>(b);
+  }
+  report.cause = fmt::format(
+      "at t = {:.6g} s {}; likely causes: loads or impacts beyond what a linear elastic material bears (stress of the "
+      "order of Young's modulus), a step above the stable one, or a mesh too coarse for them; the last good state is "
+      "kept",
+      t, where);
+  return report;
+}
+
+void CentralDifference::move_driven(const State& state, double h, double end, double& farthest) {
+  for (const Body& b : setup_->bodies()) {
+    if (!b.driven) continue;
+    const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
+    if (h * u.norm() > farthest) farthest = h * u.norm();
+    const auto t = setup_->pool_of(b).translation(b.index);
+    for (std::int32_t k = 0; k < b.nodes; ++k) {
+      const auto i = 2 * static_cast<std::size_t>(b.first_node + k);
+      v_half_[i] = t[static_cast<std::size_t>(k)] * u.x();
+      v_half_[i + 1] = t[static_cast<std::size_t>(k)] * u.y();
+    }
+  }
+}
+
+void CentralDifference::kick_off(const State& state, double h) {
+  const double *v = state.v.data(), *a = state.a.data();
+  stress_left_ =
+      chunks_.sum_free([&](const Chunk& c) { return kick_and_work(c, v, 0.5 * h, a, stress_.data(), v_half_.data()); });
+  stress_left_driven_ = dot(chunks_.driven(), v_half_.data(), stress_.data());
+  contact_.leave(h, v_half_);
+  for (const auto& term : terms_) term->leave(h, v_half_);
+  for (Lagged* l : {&stiffness_, &local_})
+    if (!l->force.empty())
+      l->left = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), l->force.data()); });
+  if (damps_rest())
+    mass_left_ = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), mass_damping_.data()); });
+  if (damps_all()) {
+    // -rate v_{n+1/2}.M v_n with v_{n+1/2} = v_n + h/2 a_n and M a_n = F_n - rate M v_n
+    const double twice = 2.0 * kinetic_energy(state.q, state.v),
+                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, v, total_.data()); });
+    mass_left_ = -damping_.mass * (twice * (1.0 - 0.5 * h * damping_.mass) + 0.5 * h * power);
+  }
+}
+
+void CentralDifference::book_step(double h, double stress_energy, double driven_before, Ledger& ledger) {
+  const double half = 0.5 * h, *v = v_half_.data();
+  // Forces on driven nodes in total_ are those of contacts alone.
+  ledger.book(Column::prescribed_motion, -half * (driven_before + dot(chunks_.driven(), v, total_.data())));
+  const double free = half * (stress_left_ + stress_right_),
+               driven = half * (stress_left_driven_ + dot(chunks_.driven(), v, stress_.data()));
+  const double change = stress_energy - ledger[Column::elastic];
+  ledger.set(Column::elastic, stress_energy);
+  ledger.book(Column::elastic_trapezoid, change + free + driven);
+  ledger.book(Column::prescribed_motion, -driven);
+  for (const auto& term : terms_) term->arrive(h, v_half_, ledger);
+  for (const auto& [lagged, column] :
+       {std::pair(&stiffness_, Column::stiffness_damping), std::pair(&local_, Column::local_damping)})
+    if (!lagged->force.empty())
+      ledger.book(column, -half * (lagged->left + chunks_.sum_free([&, l = lagged](const Chunk& c) {
+                    return dot(c, v, l->force.data());
+                  })));
+}
+
+bool CentralDifference::arrive(double h) {
+  const double check =
+      chunks_.sum_free([&](const Chunk& c) { return kick(c, v_half_.data(), 0.5 * h, a_new_.data(), v_new_.data()); });
+  for (const Chunk& c : chunks_.driven())
+    for (std::size_t i = c.begin; i < c.end; ++i) v_new_[i] = v_half_[i];
+  return std::isfinite(check);
+}
+
+void CentralDifference::damp(double h, Ledger& ledger) {
+  const double rate = damping_.mass, factor = 1.0 / (1.0 + 0.5 * h * rate);
+  double right = 0.0;
+  if (damps_rest()) {
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      setup_->pool(p).damp(factor, rate, setup_->part(std::span<double>(v_new_), p),
+                           setup_->part(std::span<double>(mass_damping_), p),
+                           setup_->part(std::span<double>(a_new_), p));
+    right = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), mass_damping_.data()); });
+    for (const Chunk& c : chunks_.driven())
+      for (std::size_t i = c.begin; i < c.end; ++i) a_new_[i] = 0.0;
+  } else if (damps_all()) {
+    chunks_.for_free([&](const Chunk& c, std::size_t) {
+      for (std::size_t i = c.begin; i < c.end; ++i) {
+        v_new_[i] *= factor;
+        a_new_[i] -= rate * v_new_[i];
+      }
+    });
+    // -rate v_{n+1/2}.M v_{n+1} with v_{n+1/2} = v_{n+1} - h/2 a_{n+1} and M a_{n+1} = F_{n+1} - rate M v_{n+1}
+    const double twice = 2.0 * kinetic_energy(q_new_, v_new_),
+                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, v_new_.data(), total_.data()); });
+    right = -rate * (twice * (1.0 + 0.5 * h * rate) - 0.5 * h * power);
+  } else {
+    return;
+  }
+  ledger.book(Column::mass_damping, -0.5 * h * (mass_left_ + right));
+}
+
+StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
+  const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
+  // Nothing has changed yet: a step that would go too far is refused here.
+  double farthest = reach(state, h);
+  move_driven(state, h, end, farthest);
+  if (!(farthest <= control_.max_displacement)) {
+    const StepReport report = refuse(state, h);
+    if (report.status != StepReport::Status::ok) return report;
+  }
+  const Ledger before = state.ledger;
+  if (state.last_step != ticks_of_step) change_step(state, h);
+
+  // Kick by half a step, drift; driven bodies go where they are told.
+  kick_off(state, h);
+  const double driven_left = dot(chunks_.driven(), v_half_.data(), total_.data());
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).drift(h, setup_->part(std::span<const double>(state.q), p),
+                          setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
+
+  // Forces at the new instant.
+  const double energy = stress(q_new_);
+  if (!std::isfinite(energy)) {
+    const StepReport report = lost(q_new_, end);
+    state.ledger = before;
+    (void)stress(state.q);
+    return report;
+  }
+  contact_.arrive(h, farthest, q_new_, v_half_, state);
+  const Instant now{q_new_, v_half_, end};
+  sum_up(now);
+
+  // Kick by the other half.
+  accelerate(q_new_, a_new_);
+  if (!arrive(h)) {
+    const StepReport report = lost(q_new_, end);
+    contact_.undo(state);
+    state.ledger = before;
+    (void)stress(state.q);
+    sum_up(lagging(state));
+    return report;
+  }
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const double then = setup_->model().factor(weights_[i].function, seconds(state.time));
+    state.ledger.book(weights_[i].column, 0.5 * h * (then + factor_[i]) * weight_power_[i]);
+  }
+  book_step(h, energy, driven_left, state.ledger);
+  damp(h, state.ledger);
+
+  state.q.swap(q_new_);
+  state.v.swap(v_new_);
+  state.a.swap(a_new_);
+  if (lags()) state.v_before.swap(v_half_);
+  state.time += ticks_of_step;
+  setup_->prescribe(end, state.q, state.v);
+  state.last_step = ticks_of_step;
+  ++state.step;
+  if (rest_) relax(state);
+  return {};
+}
+
+double CentralDifference::kinetic_energy(std::span<const double> q, std::span<const double> v) const {
   double kinetic = 0.0;
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    kinetic += setup_->pool(p).kinetic_energy(setup_->part(std::span<const double>(state.q), p),
-                                              setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
+    kinetic += setup_->pool(p).kinetic_energy(setup_->part(q, p), setup_->part(v, p), setup_->counted(p));
   return kinetic;
 }
 
-void CentralDifference::relax(State& state) const {
-  const double kinetic = kinetic_energy(state);
+void CentralDifference::relax(State& state) {
+  const double kinetic = kinetic_energy(state.q, state.v);
   if (kinetic >= state.relaxing) {
     state.relaxing = kinetic;
     return;
   }
+  // Damping ends with the motion, and with it the acceleration changes at this instant.
+  const bool damped = damps_all() || damps_rest() || lags();
+  const double shadow = damped ? acceleration_energy(state) : 0.0;
   state.ledger.book(Column::rest_damping, kinetic);
   std::fill(state.v.begin(), state.v.end(), 0.0);
   setup_->prescribe(seconds(state.time), state.q, state.v);
   state.relaxing = 0.0;
+  if (!damped) return;
+  std::fill(state.v_before.begin(), state.v_before.end(), 0.0);
+  std::fill(mass_damping_.begin(), mass_damping_.end(), 0.0);
+  sum_up(lagging(state));
+  accelerate(state.q, state.a);
+  const double h = seconds(state.last_step);
+  state.ledger.book(Column::step_change, -h * h / 8.0 * (acceleration_energy(state) - shadow));
 }
 
 void CentralDifference::update_ledger(State& state) {
-  state.ledger.set(Column::kinetic, kinetic_energy(state));
+  state.ledger.set(Column::kinetic, kinetic_energy(state.q, state.v));
   // Within a stage the shadow follows the acceleration; only a change of the step is booked.
   const double h = seconds(state.last_step);
   state.ledger.set(Column::shadow, -h * h / 8.0 * acceleration_energy(state));
@@ -230,15 +432,16 @@ void CentralDifference::leave(State& state) {
   state.last_step = 0;
   state.relaxing = 0.0;
   state.a.clear();
+  state.v_before.clear();
 }
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {
-  std::vector<PointSpring> springs = point_springs(*setup_, state);
   const ContactList& list = contact_.list();
   bound_.clear();
   for (std::size_t i = 0; i < list.points.size(); ++i)
     bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
-  return certified_step(*setup_, contact_.list(), springs, binding);
+  return certified_step(*setup_, {contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state), damping_},
+                        binding);
 }
 
 bool CentralDifference::step_still_stable() const {

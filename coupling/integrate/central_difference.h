@@ -5,22 +5,27 @@
 
 #include "coupling/contact/explicit_contact.h"
 #include "coupling/integrate/force_term.h"
+#include "coupling/integrate/loads.h"
 #include "coupling/integrate/mover.h"
+#include "coupling/integrate/node_chunks.h"
+#include "coupling/integrate/step_bound.h"
 
 namespace scree::coupling {
 
 ///   v_{n+1/2} = v_n + h/2 M^-1 F(x_n),  x_{n+1} = x_n + h v_{n+1/2},  v_{n+1} = v_{n+1/2} + h/2 M^-1 F(x_{n+1})
 /// The stored velocity is the synchronised one, so the step may change; the ledger books (h'^2 - h^2)/8 a.M.a.
-/// Every force comes through a ForceTerm or the contacts, and each books its own work.
-/// Mass-proportional damping at the rate a acts on w = v minus its affine part: w_n = w*/(1 + a h/2), force -a M w_n,
-/// which is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq. in 4.3.3) on synchronised velocities.
+/// Stress and weights are summed in the integrator's own loops, the rest comes through ForceTerms and the contacts;
+/// each books its own work. Mass-proportional damping at the rate a acts on w = v minus its affine part, or on all of
+/// v: w_n = w*/(1 + a h/2), force -a M w_n, which is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq.
+/// in 4.3.3) on synchronised velocities. Everything else that damps (stiffness, viscous edges, contacts) lags half a
+/// step behind: F(x_n, v_{n-1/2}). Local damping: -alpha |F| sign(v_{n-1/2}) on every component of every node, F the
+/// unbalanced force (Cundall 1987); on DDA blocks the nodes are the centre and the columns of the gradient.
 /// @source thesis 4.3, 6.5; nmm.md "Time integration"
 class CentralDifference final : public Mover {
  public:
-  /// @param damping  a [1/s]
-  /// @param rest     kinetic damping: all velocities are dropped when the kinetic energy has passed a peak
-  CentralDifference(const Setup& setup, const StepControl& control, double detection, double damping,
-                    bool rest = false);
+  /// @param rest  kinetic damping: all velocities are dropped when the kinetic energy has passed a peak
+  CentralDifference(const Setup& setup, const StepControl& control, double detection,
+                    const ExplicitDamping& damping = {}, bool rest = false);
 
   double enter(State& state) override;
   StepReport step(State& state, Tick ticks_of_step) override;
@@ -29,31 +34,54 @@ class CentralDifference final : public Mover {
   double stable_step(const State& state, std::string* binding) override;
   [[nodiscard]] bool step_still_stable() const override;
 
-  /// Adds a force beside the standard ones (internal, gravity, point supports).
+  /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);
 
  private:
-  void evaluate(const State& state, std::vector<std::vector<double>>& forces, std::vector<double>& total);
-  [[nodiscard]] double work(std::span<const double> v, std::span<const double> f, bool free) const;
-  static void kick(State& state, double h);
-  void accelerate(State& state) const;
-  void damp(State& state, double factor);
+  /// Forces that damp and lag, a number each of a node; empty while the plan has none of the kind.
+  struct Lagged {
+    std::vector<double> force;
+    double left = 0.0;  // first half of a step's work
+  };
+  [[nodiscard]] bool damps_all() const { return damping_.rigid && damping_.mass > 0.0; }
+  [[nodiscard]] bool damps_rest() const { return !damping_.rigid && damping_.mass > 0.0; }
+  [[nodiscard]] bool lags() const { return lags_; }
+
+  [[nodiscard]] double reach(const State& state, double h);
+  StepReport refuse(const State& state, double h) const;
+  StepReport lost(std::span<const double> q, double t) const;
+  void move_driven(const State& state, double h, double end, double& farthest);
+  void kick_off(const State& state, double h);
+  [[nodiscard]] double stress(std::span<const double> q);
+  void sum_up(const Instant& at);
+  void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
+  void accelerate(std::span<const double> q, std::span<double> a) const;
+  [[nodiscard]] bool arrive(double h);
+  void damp(double h, Ledger& ledger);
+  void relax(State& state);
+  [[nodiscard]] Instant lagging(const State& state) const;
+
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
-  [[nodiscard]] double kinetic_energy(const State& state) const;
-  void relax(State& state) const;
+  [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v) const;
   void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
 
   const Setup* setup_;
   StepControl control_;
-  double damping_;
-  bool rest_;
+  ExplicitDamping damping_;
+  bool rest_, lags_;
   ExplicitContact contact_;
+  NodeChunks chunks_;
+  std::vector<BodyLoad> weights_;
+  std::vector<double> factor_;  // a weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  std::vector<std::vector<double>> force_;  // a term: its forces at the present instant
-  std::vector<double> contact_force_, damping_force_, total_, v_before_;
-  std::vector<std::size_t> farthest_;
-  std::vector<double> half_free_, half_driven_;  // a term: half works of the step so far
-  mutable std::vector<double> partial_;
+  // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
+  // nodes.
+  std::vector<double> stress_, total_, mass_damping_;
+  Lagged stiffness_, local_;
+  std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
+  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0;
+  std::vector<double> weight_power_;  // a weight: force at a factor of 1 times velocity
+  std::vector<double> partial_;       // a chunk and a sum
   struct Bound {
     ContactKey key;
     double stiffness = 0.0;  // [N/m]

@@ -1,4 +1,5 @@
-// A force in explicit steps, with its place in the ledger. There is no other way to apply one.
+// A force in explicit steps, with its place in the ledger. Beside contacts, the stress inside the bodies and weights,
+// which the integrator sums in its own loops, there is no other way to apply one.
 #pragma once
 
 #include <memory>
@@ -10,54 +11,42 @@
 
 namespace scree::coupling {
 
+/// What a force may depend on.
+struct Instant {
+  std::span<const double> q;
+  std::span<const double> v;  // of the half step that led here: what explicit damping lags on
+  double t = 0.0;             // [s]
+};
+
+/// A force on some nodes of free bodies. A step calls leave(), add() at its end, arrive(); its work is the trapezoid
+/// u.(f_n + f_{n+1})/2, one half a call.
 class ForceTerm {
  public:
   ForceTerm() = default;
   ForceTerm(const ForceTerm&) = delete;
   ForceTerm& operator=(const ForceTerm&) = delete;
   virtual ~ForceTerm() = default;
-  /// f += force at the positions q and time t [s]; keeps the energy of the instant if it has one.
-  virtual void add(std::span<const double> q, double t, std::span<double> f) = 0;
-  /// Books a step: `free` and `driven` are the trapezoid works 1/2 u.(f_n + f_{n+1}) on free and on driven nodes [J].
-  virtual void book(double free, double driven, Ledger& ledger) = 0;
-  /// Writes the energy of the last add() where no step led to it.
-  virtual void start(Ledger& ledger) { (void)ledger; }
-};
-
-/// Stress inside the bodies.
-class InternalForce final : public ForceTerm {
- public:
-  explicit InternalForce(const Setup& setup) : setup_(&setup) {}
-  void add(std::span<const double> q, double t, std::span<double> f) override;
-  void book(double free, double driven, Ledger& ledger) override;
-  void start(Ledger& ledger) override { ledger.set(Column::elastic, energy_); }
-
- private:
-  const Setup* setup_;
-  double energy_ = 0.0;
-};
-
-class Gravity final : public ForceTerm {
- public:
-  explicit Gravity(const Setup& setup);
-  void add(std::span<const double> q, double t, std::span<double> f) override;
-  void book(double free, double driven, Ledger& ledger) override;
-
- private:
-  std::vector<double> weight_;
+  /// f += force at an instant. Called again at the same instant it gives the same.
+  virtual void add(const Instant& at, std::span<double> f) = 0;
+  /// Takes the first half, h/2 v.f with the force last added.   @param v  velocity of the step that begins
+  virtual void leave(double h, std::span<const double> v) = 0;
+  /// Takes the second half with the force added since, and books the step.
+  virtual void arrive(double h, std::span<const double> v, Ledger& ledger) = 0;
 };
 
 class PointSupports final : public ForceTerm {
  public:
   explicit PointSupports(std::vector<PointSpring> springs) : springs_(std::move(springs)) {}
-  void add(std::span<const double> q, double t, std::span<double> f) override;
-  void book(double free, double driven, Ledger& ledger) override;
-  void start(Ledger& ledger) override { ledger.set(Column::support_springs, energy_); }
-  [[nodiscard]] const std::vector<PointSpring>& springs() const { return springs_; }
+  void add(const Instant& at, std::span<double> f) override;
+  void leave(double h, std::span<const double> v) override { work_ = half_work(h, v); }
+  void arrive(double h, std::span<const double> v, Ledger& ledger) override;
 
  private:
+  [[nodiscard]] double half_work(double h, std::span<const double> v) const;
+
   std::vector<PointSpring> springs_;
-  double energy_ = 0.0;
+  std::vector<Vec2> force_;  // a spring
+  double energy_ = 0.0, work_ = 0.0;
 };
 
 }  // namespace scree::coupling

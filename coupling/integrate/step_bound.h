@@ -1,21 +1,42 @@
-// Certified bound of the explicit step with contacts and supports.
+// Certified bound of the explicit step with contacts, supports and damping.
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 #include "coupling/contact/contact_finder.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
 
-/// h <= 2/sqrt(lambda),  lambda <= theta [lambda_body + max over groups of sum_{c touching it} k_c (mu_c + mu_c')]
+/// Damping of explicit steps.
+struct ExplicitDamping {
+  double mass = 0.0;       // proportional to mass [1/s]
+  bool rigid = false;      // that acts on all of the velocity, not only on the part beside the affine one
+  double stiffness = 0.0;  // Rayleigh damping proportional to stiffness [s]
+  double local = 0.0;      // fraction of the unbalanced force, 0 <= alpha < 1
+};
+
+/// What an explicit step has to resolve, beside the bodies themselves.
+struct StepParts {
+  const ContactList& contacts;  // every point in the list counts as closed
+  std::vector<PointSpring> springs;
+  std::vector<Dashpot> dashpots;
+  ExplicitDamping damping;
+};
+
+/// h^2 lambda + 2 h gamma <= 4, which is 4 M - 2 h C - h^2 K >= 0 for damping that lags half a step:
+///   h = (sqrt(gamma^2 + 4 lambda) - gamma)/lambda
+///   lambda <= theta [lambda_body + max over groups of sum_{c touching it} k_c (mu_c + mu_c')]
+///   gamma  <= theta [max over groups of sum_{d touching it} c_d mu_d + rate lambda_body]
 /// with the groups of the method (covers, whole bodies), mu the compliance of a row in the method's diagonal mass (none
-/// for driven bodies) and k_c the larger of the two stiffnesses of a point. Every point in the list counts as closed.
-/// @param binding  receives what binds the step, if given
+/// for driven bodies), k_c the larger of the two stiffnesses of a point, c_d the larger coefficient of a dashpot.
+/// Mass-proportional damping is taken at the new velocity and leaves the bound as it is. Local damping makes a force up
+/// to 1 + alpha times as large: lambda (1 + alpha), an estimate, since it is not linear.
+/// @param binding  receives the block that binds the step and the shares of what does it, if given
 /// @return the bound [s]; infinite if nothing is stiff
 /// @source contact.md "Explicit"
-[[nodiscard]] double certified_step(const Setup& setup, const ContactList& contacts,
-                                    std::span<const PointSpring> springs, std::string* binding);
+[[nodiscard]] double certified_step(const Setup& setup, const StepParts& parts, std::string* binding);
 
 }  // namespace scree::coupling

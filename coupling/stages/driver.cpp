@@ -157,7 +157,8 @@ void Driver::change_stage(std::size_t index) {
   // A point may not pass through the detection distance in one step.
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   if (stage.integrator == Integrator::explicit_) {
-    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, stage.damping, stage.rest);
+    const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
+    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
   } else {
     for (const Body& b : setup_->bodies())
       if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)

@@ -119,6 +119,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.q = std::move(q);
   state.v = std::move(v);
   state.a.clear();
+  state.v_before.clear();
 
   // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
   Ledger& ledger = state.ledger;

@@ -43,7 +43,7 @@ struct Big {
     State s = state;
     StepControl control;
     control.max_displacement = 1.0;
-    CentralDifference mover(*setup, control, 0.5, 10.0);
+    CentralDifference mover(*setup, control, 0.5, {.mass = 10.0});
     mover.enter(s);
     const Tick h = ticks(0.5 * mover.stable_step(s, nullptr));
     const auto start = std::chrono::steady_clock::now();
@@ -109,7 +109,7 @@ TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
     control.max_displacement = 0.01;
     const auto make = [&]() -> std::unique_ptr<Mover> {
       if (implicit) return std::make_unique<Newmark>(setup, control, 0.05);
-      return std::make_unique<CentralDifference>(setup, control, 0.05, 0.0);
+      return std::make_unique<CentralDifference>(setup, control, 0.05);
     };
     auto first = make();
     first->enter(state);

@@ -144,7 +144,7 @@ TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
       setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
                              setup.part(std::span<double>(state.v), p));
     }
-    coupling::CentralDifference mover(setup, {}, coupling::auto_detection(scene.model), 0.0);
+    coupling::CentralDifference mover(setup, {}, coupling::auto_detection(scene.model));
     state.a.clear();
     (void)mover.enter(state);
     ++state.step;

@@ -30,10 +30,11 @@ TEST(Ledger, unknown_work_shows_as_closure) {
 /// A force that reaches the bodies but not the books.
 class Hidden final : public ForceTerm {
  public:
-  void add(std::span<const double>, double, std::span<double> f) override {
+  void add(const Instant&, std::span<double> f) override {
     for (std::size_t i = 0; i < f.size(); i += 2) f[i] += 1.0;
   }
-  void book(double, double, coupling::Ledger&) override {}
+  void leave(double, std::span<const double>) override {}
+  void arrive(double, std::span<const double>, coupling::Ledger&) override {}
 };
 
 /// Runs the falling block by hand, with or without a hidden force.
@@ -54,7 +55,7 @@ double closure_of_fall(bool hide) {
   }
   StepControl control;
   control.max_displacement = 0.01;
-  CentralDifference mover(setup, control, 0.05, 0.0);
+  CentralDifference mover(setup, control, 0.05);
   if (hide) mover.add_term(std::make_unique<Hidden>());
   mover.enter(state);
   const Tick h = ticks(0.5 * mover.stable_step(state, nullptr));

@@ -1,0 +1,33 @@
+// The part of an outline that a stretch of an edge covers, as the bodies of a stage carry it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+/// A piece of one boundary segment a -> b, from a fraction of it to another.
+struct EdgeStretch {
+  std::int32_t body = -1;
+  Row a, b;  // in the state's nodes
+  double from = 0.0, to = 1.0;
+  double length = 0.0;  // as the model first had it [m]
+
+  /// Position, or velocity, at a fraction of the segment.
+  [[nodiscard]] Vec2 at(double s, std::span<const double> q) const {
+    return (1.0 - s) * position(a, q) + s * position(b, q);
+  }
+  /// f += J^T force at a fraction of the segment.
+  void push(double s, const Vec2& force, std::span<double> f) const {
+    add_force(a, (1.0 - s) * force, f);
+    add_force(b, s * force, f);
+  }
+};
+
+/// Pieces of a span, along the edge; none on a driven body.
+/// @pre the span's edge exists and 0 <= s0 < s1 <= 1
+[[nodiscard]] std::vector<EdgeStretch> edge_stretches(const Setup& setup, const State& state, const EdgeSpan& span);
+
+}  // namespace scree::coupling

@@ -1,0 +1,91 @@
+#include "coupling/integrate/loads.h"
+
+#include <algorithm>
+
+#include "coupling/integrate/edge_stretch.h"
+
+namespace scree::coupling {
+namespace {
+
+/// Nodal forces of a uniform acceleration of some free bodies; empty: of all.
+std::vector<double> forces_of(const Setup& setup, const Vec2& acceleration, const std::vector<BlockId>& blocks) {
+  std::vector<double> force(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
+  for (std::size_t p = 0; p < setup.pools(); ++p)
+    setup.pool(p).body_force(acceleration, setup.part(std::span<double>(force), p));
+  for (const Body& b : setup.bodies()) {
+    const bool meant = blocks.empty() || std::find(blocks.begin(), blocks.end(), b.block) != blocks.end();
+    if (meant && !b.driven) continue;
+    const auto first = force.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node);
+    std::fill(first, first + 2 * static_cast<std::ptrdiff_t>(b.nodes), 0.0);
+  }
+  return force;
+}
+
+}  // namespace
+
+std::vector<BodyLoad> body_loads(const Setup& setup) {
+  const Model& model = setup.model();
+  std::vector<BodyLoad> out;
+  if (model.gravity != Vec2(0.0, 0.0))
+    out.push_back({forces_of(setup, model.gravity, {}), FunctionId{}, Column::gravity});
+  for (const BodyAcceleration& b : model.body_accelerations) {
+    if (b.acceleration == Vec2(0.0, 0.0)) continue;
+    std::vector<double> force = forces_of(setup, b.acceleration, b.blocks);
+    const auto same = std::find_if(out.begin(), out.end(), [&](const BodyLoad& l) {
+      return l.column == Column::loads && l.function == b.function;
+    });
+    if (same == out.end())
+      out.push_back({std::move(force), b.function, Column::loads});
+    else
+      std::transform(force.begin(), force.end(), same->force.begin(), same->force.begin(), std::plus<>());
+  }
+  return out;
+}
+
+std::vector<PointForce> point_forces(const Setup& setup, const State& state) {
+  const Model& model = setup.model();
+  std::vector<PointForce> out;
+  std::int32_t load = 0;
+  for (const PointLoad& p : model.point_loads) {
+    const Body& b = setup.bodies()[p.block.index()];
+    if (!b.driven) {
+      // Material point: from where the model first had it to the present reference shape.
+      const ReferenceShape& shape = state.bodies[p.block.index()].shape;
+      const AffineMotion map = affine_fit(shape.origin, shape.outline);
+      out.push_back({setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * p.point)), p.force, load});
+    }
+    ++load;
+  }
+  for (const EdgeTraction& t : model.tractions) {
+    for (const EdgeStretch& s : edge_stretches(setup, state, t.span)) {
+      const double middle = 0.5 * (s.from + s.to);
+      out.push_back({s.a, (1.0 - middle) * s.length * t.traction, load});
+      out.push_back({s.b, middle * s.length * t.traction, load});
+    }
+    ++load;
+  }
+  return out;
+}
+
+double load_factor(const Model& model, std::int32_t load, double t) {
+  const auto i = static_cast<std::size_t>(load), points = model.point_loads.size();
+  return model.factor(i < points ? model.point_loads[i].function : model.tractions[i - points].function, t);
+}
+
+PointLoads::PointLoads(const Model& model, std::vector<PointForce> forces)
+    : model_(&model), forces_(std::move(forces)), factor_(model.point_loads.size() + model.tractions.size(), 0.0) {}
+
+void PointLoads::add(const Instant& at, std::span<double> f) {
+  for (std::size_t i = 0; i < factor_.size(); ++i)
+    factor_[i] = load_factor(*model_, static_cast<std::int32_t>(i), at.t);
+  for (const PointForce& p : forces_) add_force(p.row, factor_[static_cast<std::size_t>(p.load)] * p.force, f);
+}
+
+double PointLoads::half_work(double h, std::span<const double> v) const {
+  double power = 0.0;
+  for (const PointForce& p : forces_)
+    power += factor_[static_cast<std::size_t>(p.load)] * p.force.dot(position(p.row, v));
+  return 0.5 * h * power;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,51 @@
+// Dead loads of a stage: forces whose direction and size do not depend on the motion.
+#pragma once
+
+#include <vector>
+
+#include "coupling/integrate/force_term.h"
+
+namespace scree::coupling {
+
+/// A load that acts on all of some bodies: nodal forces times a factor of time.
+struct BodyLoad {
+  std::vector<double> force;  // x, y a node of the state; 0 on driven bodies [N]
+  FunctionId function;        // invalid: constant
+  Column column;              // where its work is booked
+};
+/// Gravity, then the model's body accelerations; those with the same time function are one load. Zero ones are left
+/// out.
+[[nodiscard]] std::vector<BodyLoad> body_loads(const Setup& setup);
+
+/// A force on a point.
+struct PointForce {
+  Row row;                 // in the state's nodes
+  Vec2 force{0.0, 0.0};    // at a factor of 1 [N]
+  std::int32_t load = -1;  // into the model's loads: point loads, then tractions
+};
+/// Point loads, and tractions as the consistent forces of their stretches: on straight segments, along which the
+/// weights of a row are linear, those of the stretch's middle. None on driven bodies.
+[[nodiscard]] std::vector<PointForce> point_forces(const Setup& setup, const State& state);
+/// Factor of a load at a time.   @param load  as in PointForce
+[[nodiscard]] double load_factor(const Model& model, std::int32_t load, double t);
+
+/// Point loads and tractions in explicit steps.
+class PointLoads final : public ForceTerm {
+ public:
+  PointLoads(const Model& model, std::vector<PointForce> forces);
+  void add(const Instant& at, std::span<double> f) override;
+  void leave(double h, std::span<const double> v) override { work_ = half_work(h, v); }
+  void arrive(double h, std::span<const double> v, Ledger& ledger) override {
+    ledger.book(Column::loads, work_ + half_work(h, v));
+  }
+
+ private:
+  [[nodiscard]] double half_work(double h, std::span<const double> v) const;
+
+  const Model* model_;
+  std::vector<PointForce> forces_;
+  std::vector<double> factor_;  // a load
+  double work_ = 0.0;
+};
+
+}  // namespace scree::coupling
