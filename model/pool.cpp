@@ -59,6 +59,7 @@ void Pool::recovered_stress(std::span<const double>, std::span<double> nodes) co
 void Pool::gather(std::span<double>) const {}
 int Pool::dofs(int) const { return 0; }
 bool Pool::nonlinear(int) const { return false; }
+bool Pool::constant_chart(int) const { return false; }
 std::string Pool::implicit_obstacle(int) const { return {}; }
 ElementDofs Pool::element_dofs(int) const { return {}; }
 ChartRow Pool::chart_row(int, const Row&, std::span<const double>) const { return {}; }

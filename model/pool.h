@@ -210,6 +210,8 @@ class Pool {
   [[nodiscard]] virtual int dofs(int body) const;
   /// True where the internal force is not linear in the unknowns of a step: Newton's method goes on at new iterates.
   [[nodiscard]] virtual bool nonlinear(int body) const;
+  /// True where the chart is a constant matrix, so that accelerations are those of the nodes.
+  [[nodiscard]] virtual bool constant_chart(int body) const;
   /// Why the body cannot take implicit steps although its method can; empty: it can.
   [[nodiscard]] virtual std::string implicit_obstacle(int body) const;
   /// Unknowns of the body's elements; the same during a stage.

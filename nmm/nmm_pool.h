@@ -41,6 +41,7 @@ class NmmPool final : public Pool {
   void gather(std::span<double> f) const override;
   [[nodiscard]] int dofs(int body) const override { return of(body).implicit.dofs(); }
   [[nodiscard]] bool nonlinear(int body) const override { return of(body).form.kinematics == Kinematics::corotational; }
+  [[nodiscard]] bool constant_chart(int) const override { return true; }
   [[nodiscard]] std::string implicit_obstacle(int body) const override;
   [[nodiscard]] ElementDofs element_dofs(int body) const override { return of(body).implicit.element_dofs(); }
   [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;

@@ -27,6 +27,7 @@ ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value
           }
       nonlinear_ = nonlinear_ || nonlinear_body_.back() != 0;
       dofs_ += pool.dofs(b.index);
+      nonlinear_dof_.resize(static_cast<std::size_t>(dofs_), nonlinear_body_.back() != 0 ? 1.0 : 0.0);
     }
     first_value_.push_back(row.size());
   }
@@ -63,8 +64,9 @@ void ImplicitSystem::take_masses(std::span<const double> q, std::span<const doub
   }
 }
 
-void ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K,
-                               std::span<double> force) {
+double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K,
+                                 std::span<double> force) {
+  double energy = 0.0;
   for (std::size_t i = 0; i < first_dof_.size(); ++i) {
     if (!takes(i, all)) continue;
     const Body& b = setup_->bodies()[i];
@@ -77,21 +79,23 @@ void ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool a
       // Bodies share no unknown: this one's columns hold nothing else.
       std::fill(K.begin() + pattern_.column_start[first], K.begin() + pattern_.column_start[first + n], 0.0);
     }
-    (void)pool.linearise(b.index, setup_->part(q, static_cast<std::size_t>(b.pool)), kind, values,
-                         force.subspan(first, n));
+    const double stored = pool.linearise(b.index, setup_->part(q, static_cast<std::size_t>(b.pool)), kind, values,
+                                         force.subspan(first, n));
+    if (nonlinear_body_[i] != 0) energy += stored;
     if (!K.empty()) scatter(i, values, K);
   }
+  return energy;
 }
 
-void ImplicitSystem::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c,
-                               std::span<const double> q, const Vec2& driven_move) const {
+void ImplicitSystem::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q,
+                               const Vec2& driven_move) const {
   const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
   if (b.driven) {
     out.known += c.dot(driven_move);
     return;
   }
-  const ChartRow chart = setup_->pool_of(b).chart_row(b.index, setup_->local(b, row),
-                                                      setup_->part(q, static_cast<std::size_t>(b.pool)));
+  const ChartRow chart =
+      setup_->pool_of(b).chart_row(b.index, setup_->local(b, row), setup_->part(q, static_cast<std::size_t>(b.pool)));
   for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k) {
     const std::int32_t dof = chart.dof[k] + first_dof_[static_cast<std::size_t>(body)];
     const double h = c.x() * chart.tx[k] + c.y() * chart.ty[k];
@@ -119,6 +123,26 @@ void ImplicitSystem::add_forces(std::span<const double> f, std::span<const doubl
         out[static_cast<std::size_t>(chart.dof[j] + first_dof_[i])] += f[n] * chart.tx[j] + f[n + 1] * chart.ty[j];
     }
   }
+}
+
+void ImplicitSystem::accelerations(std::span<const double> q, std::span<const double> nodes,
+                                   std::span<double> dofs) const {
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (first_dof_[i] < 0) continue;
+    const Body& b = setup_->bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    const Pool& pool = setup_->pool_of(b);
+    pool.rates(b.index, setup_->part(q, p), setup_->part(nodes, p),
+               dofs.subspan(static_cast<std::size_t>(first_dof_[i]), static_cast<std::size_t>(pool.dofs(b.index))));
+  }
+}
+
+void ImplicitSystem::node_accelerations(std::span<const double> dofs, std::span<double> nodes) const {
+  // A constant chart takes rates to velocities as it takes accelerations.
+  std::vector<double> nowhere(nodes.size(), 0.0);
+  const std::vector<double> still(dofs.size(), 0.0);
+  std::fill(nodes.begin(), nodes.end(), 0.0);
+  retract(still, dofs, true, nowhere, nodes);
 }
 
 void ImplicitSystem::retract(std::span<const double> d, std::span<const double> rate, bool all, std::span<double> q,

@@ -25,6 +25,8 @@ class ImplicitSystem {
   [[nodiscard]] std::int32_t dofs() const { return dofs_; }
   /// -1: the body is driven.
   [[nodiscard]] std::int32_t first_dof(std::size_t body) const { return first_dof_[body]; }
+  /// 1 for unknowns of bodies whose force is not linear, else 0.
+  [[nodiscard]] std::span<const double> nonlinear_dofs() const { return nonlinear_dof_; }
   /// Body of an unknown.
   [[nodiscard]] std::int32_t body_of(std::int32_t dof) const;
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
@@ -35,7 +37,8 @@ class ImplicitSystem {
   /// Stiffness and internal force of the bodies whose force is not linear, or of all.
   /// @param K      numbers on the pattern; empty: only the force
   /// @param force  a number an unknown
-  void linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K, std::span<double> force);
+  /// @return elastic energy of the bodies whose force is not linear [J]
+  double linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K, std::span<double> force);
   [[nodiscard]] std::span<const double> mass() const { return mass_; }
   [[nodiscard]] std::span<const double> rate() const { return rate_; }
 
@@ -45,6 +48,9 @@ class ImplicitSystem {
                  const Vec2& driven_move) const;
   /// out += forces on nodes, in the unknowns.   @param f  x, y a node of the state's arrays
   void add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const;
+  /// Accelerations of the free bodies' nodes in the unknowns, and back.   @pre constant charts
+  void accelerations(std::span<const double> q, std::span<const double> nodes, std::span<double> dofs) const;
+  void node_accelerations(std::span<const double> dofs, std::span<double> nodes) const;
   /// q, v of the free bodies, or only of those whose force is not linear.
   void retract(std::span<const double> d, std::span<const double> rate, bool all, std::span<double> q,
                std::span<double> v) const;
@@ -63,7 +69,7 @@ class ImplicitSystem {
   bool nonlinear_ = false;
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
-  std::vector<double> mass_, rate_, scratch_;
+  std::vector<double> mass_, rate_, nonlinear_dof_, scratch_;
 };
 
 }  // namespace scree::coupling

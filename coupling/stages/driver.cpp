@@ -29,6 +29,30 @@ double smallest_width(const Model& model) {
   return least;
 }
 
+/// Throws where a body, or the scheme, cannot take the stage's implicit steps.
+void check_implicit(const Stage& stage, const Setup& setup) {
+  const auto refuse = [&](const std::string& why) {
+    throw PlanError(fmt::format("stage '{}' is implicit: {}", stage.name, why));
+  };
+  const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
+  if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
+    refuse("the trapezoidal scheme carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
+  for (const Body& b : setup.bodies()) {
+    if (b.driven) continue;
+    const Pool& pool = setup.pool_of(b);
+    const std::string block = setup.model().blocks[b.block.index()].name;
+    if (const std::string obstacle = pool.implicit_obstacle(b.index); !obstacle.empty())
+      refuse(fmt::format("block '{}': {}", block, obstacle));
+    if (pool.dofs(b.index) == 0)
+      refuse(fmt::format("block '{}' uses the method {}, which is explicit only", block, pool.method()));
+    if (trapezoidal && !pool.constant_chart(b.index))
+      refuse(
+          fmt::format("block '{}' uses the method {}, whose unknowns turn with the block from step to step; the "
+                      "trapezoidal scheme needs the NMM",
+                      block, pool.method()));
+  }
+}
+
 }  // namespace
 
 std::string_view name(EventKind kind) {
@@ -160,11 +184,10 @@ void Driver::change_stage(std::size_t index) {
     const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
     mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
   } else {
-    for (const Body& b : setup_->bodies())
-      if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)
-        throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only",
-                                    stage.name, model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
-    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, stage.rest);
+    check_implicit(stage, *setup_);
+    const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
+                                  stage.damp_rigid_motion, stage.stiffness_damping};
+    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
   }
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
@@ -225,7 +248,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
                           model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
             : std::string();
     const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
-    if (report.status == StepReport::Status::non_finite || ++cuts > step_control_.max_cuts || h <= 3) {
+    const bool hopeless =
+        report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
+    if (hopeless || ++cuts > step_control_.max_cuts || h <= 3) {
       const auto status =
           report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
       const std::string reason =
