@@ -239,6 +239,10 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+      if (balance_) {
+        const RunEnd rest = check_rest(stage, stage_end_);
+        if (rest.status != RunEnd::Status::done || rested_) return rest;
+      }
       continue;
     }
     ++stats_.cuts;
@@ -265,20 +269,59 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   return {};
 }
 
+void Driver::drop_velocities() {
+  mover_->update_ledger(state_);
+  const double kinetic = state_.ledger[Column::kinetic];
+  state_.ledger.book(Column::rest_damping, kinetic);
+  state_.ledger.set(Column::kinetic, 0.0);
+  std::fill(state_.v.begin(), state_.v.end(), 0.0);
+  setup_->prescribe(seconds(state_.time), state_.q, state_.v);
+}
+
+RunEnd Driver::check_rest(const Stage& stage, Tick end) {
+  const ForceBalance::Result found = balance_->measure(state_, *mover_);
+  const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
+  rested_ = found.ratio <= stage.rest_force;
+  const bool over = state_.time >= end || (stage.rest_steps > 0 && state_.step - first_step_ >= stage.rest_steps);
+  if (!rested_ && !over) return {};
+  std::string reason;
+  if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
+    reason = fmt::format("block '{}' has no path of closed contacts to a support", block_name(loose));
+  else if (!rested_)
+    reason = fmt::format(
+        "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
+        "({:.2g} "
+        "allowed)",
+        state_.step - first_step_,
+        found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
+        found.force, found.ratio, stage.rest_force);
+  if (reason.empty()) {
+    drop_velocities();  // an oscillation may be caught as it passes the balance
+    return {};
+  }
+  reason = fmt::format("t = {:.6g} s, stage '{}', {}", seconds(state_.time), stage.name, reason);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
 RunEnd Driver::run_stage(std::size_t index, Tick end) {
   const Stage& stage = plan_->stages[index];
+  const bool to_balance = stage.rest && stage.rest_force > 0.0;
+  balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
+  rested_ = false;
+  first_step_ = state_.step;
   event(EventKind::stage_start,
         fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                     stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
   look(true);
   const std::vector<Vec2> begin = centres();
-  while (state_.time < end) {
+  while (state_.time < end && !rested_) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
     const Tick target = std::min({frame, history, end});
     RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
-    look(target == frame || target == end);
+    look(target == frame || target == end || rested_);
   }
   travels_.push_back(travel_since(begin));
   const StageTravel& travel = travels_.back();
@@ -295,12 +338,11 @@ RunEnd Driver::run(std::optional<double> until) {
   for (Sink* s : sinks_) s->begin(*model_, *plan_);
   start();
   RunEnd result;
-  Tick stage_end = 0;
   for (std::size_t i = 0; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
-    if (i > 0 && stage_end >= stop) break;
-    stage_end += plan_->stages[i].duration;
+    if (i > 0 && state_.time >= stop) break;
     change_stage(i);
-    result = run_stage(i, std::min(stage_end, stop));
+    stage_end_ = state_.time + plan_->stages[i].duration;  // a stage that comes to rest ends before its time
+    result = run_stage(i, std::min(stage_end_, stop));
   }
   mover_->update_ledger(state_);
   FrameView last = observer_->frame(state_, stats_);

@@ -51,11 +51,6 @@ void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const
   if (s.has("cover_size")) stage.cover_size = s.number("cover_size");
   if (first == used.end()) return;
   const std::string block = in_quotes(model.blocks[static_cast<std::size_t>(first - used.begin())].name);
-  if (stage.integrator == Integrator::implicit)
-    throw s.error("integrator",
-                  fmt::format("the NMM, which block {} uses in this stage, is explicit in this version", block),
-                  "\"explicit\" where a block uses the NMM",
-                  "set integrator = \"explicit\", or method = \"dda\" for implicit steps");
   if (stage.cover_size == 0.0)
     throw s.error("cover_size", fmt::format("block {} uses the NMM and no cover_size is given", block),
                   "number [m], > 0", "add cover_size here or to [model]: a tenth of the smallest block is a start");
