@@ -49,6 +49,15 @@ double Newmark::enter(State& state) {
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it
   state.contacts = list_.memory;
   state.last_step = 0;
+  reference_.assign(state.q.size(), 0.0);
+  node_scratch_.assign(state.q.size(), 0.0);
+  for (const Body& b : setup_->bodies()) {
+    AffineMotion still;
+    still.c = b.centre;
+    const auto p = static_cast<std::size_t>(b.pool);
+    setup_->pool_of(b).place(b.index, still, setup_->part(std::span<double>(reference_), p),
+                             setup_->part(std::span<double>(node_scratch_), p));
+  }
   if (trapezoidal()) {
     if (state.a.empty()) {
       // M a = f - C v at the start: the residual of a step that has not moved yet.
@@ -187,7 +196,9 @@ std::vector<StepSpring> Newmark::step_springs(const State& state, double h) cons
   }
   // A dashpot's force -c v', v' = 2 u/h - v.
   for (const Dashpot& p : dashpots_) {
-    const Vec2 t = (position(p.stretch.b, state.q) - position(p.stretch.a, state.q)).normalized(), n(t.y(), -t.x());
+    // The trapezoid takes a force twice, at the end of one step and the start of the next: its axes stay.
+    const std::span<const double> at = trapezoidal() ? std::span<const double>(reference_) : state.q;
+    const Vec2 t = (position(p.stretch.b, at) - position(p.stretch.a, at)).normalized(), n(t.y(), -t.x());
     for (const double s : {p.stretch.from, p.stretch.to}) {
       Row row;  // of the point: both ends' rows name the same element's nodes
       const Vec2 v = p.stretch.at(s, state.v);

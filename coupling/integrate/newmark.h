@@ -87,6 +87,7 @@ class Newmark final : public Mover {
   std::vector<LoadVector> loads_;
   std::vector<double> weight_;     // gravity on the nodes
   std::vector<Vec2> driven_move_;  // a body
+  std::vector<double> reference_;  // the nodes of bodies in their reference shape
   // A number an unknown.
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
       rate_, rhs_, out_;

@@ -37,6 +37,9 @@ void check_implicit(const Stage& stage, const Setup& setup) {
   const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
   if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
     refuse("the trapezoidal scheme carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
+  if (trapezoidal && stage.kinematics == Kinematics::corotational &&
+      (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
+    refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
   for (const Body& b : setup.bodies()) {
     if (b.driven) continue;
     const Pool& pool = setup.pool_of(b);
