@@ -306,7 +306,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       return false;
     }
     if (!iterative || left <= kBalanced * largest) return true;
-    if (report.iterations > 2 && left > 0.5 * last && left <= round_off(state)) {
+    const bool at_round_off = left <= round_off(state);
+    if (at_round_off && report.iterations > 2 && left > 0.5 * last) {
       report.at_round_off = true;
       return true;
     }
@@ -322,7 +323,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           report.residual, report.iterations);
       return false;
     }
-    if (system_.nonlinear() && left > 0.05 * last) {  // the kept stiffness is too far from this iterate's
+    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {  // the kept stiffness is too far from this iterate's
       (void)system_.linearise(q_new_, kind, false, K_, force_);
       linear_system(h);
       fresh = true;

