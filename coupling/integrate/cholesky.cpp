@@ -131,7 +131,12 @@ bool Cholesky::factorise() {
   }
   cholmod_factorize(&A, s.factor, &s.common);
   ++s.factorisations;
-  return s.common.status == CHOLMOD_OK && s.factor->minor == static_cast<std::size_t>(s.pattern.n);
+  if (s.common.status != CHOLMOD_OK || s.factor->minor != static_cast<std::size_t>(s.pattern.n)) return false;
+  // Small systems are factorised as L D L', which does not stop at a negative number of D.
+  if (s.factor->is_ll != 0 || s.factor->is_super != 0) return true;
+  const auto* start = static_cast<const std::int32_t*>(s.factor->p);
+  const auto* x = static_cast<const double*>(s.factor->x);
+  return std::all_of(start, start + s.pattern.n, [&](std::int32_t k) { return x[k] > 0.0; });
 }
 
 void Cholesky::solve(std::span<const double> b, std::span<double> x) {
