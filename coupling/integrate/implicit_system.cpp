@@ -114,8 +114,9 @@ void ImplicitSystem::add_forces(std::span<const double> f, std::span<const doubl
     if (first_dof_[i] < 0) continue;
     const Body& b = setup_->bodies()[i];
     const auto of_pool = setup_->part(q, static_cast<std::size_t>(b.pool));
-    for (std::int32_t k = b.first_node; k < b.first_node + b.nodes; ++k) {
-      const auto n = 2 * static_cast<std::size_t>(k);
+    const std::int32_t end = b.first_node + b.nodes;
+    for (std::int32_t k = b.first_node; k < end; ++k) {
+      const std::size_t n = 2 * static_cast<std::size_t>(k);
       if (f[n] == 0.0 && f[n + 1] == 0.0) continue;
       const ChartRow chart =
           setup_->pool_of(b).chart_row(b.index, setup_->local(b, Row{{k, k, k}, {1.0, 0.0, 0.0}}), of_pool);

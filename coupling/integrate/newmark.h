@@ -25,10 +25,10 @@ struct ImplicitOptions {
 ///   beta = 1/2, gamma = 1:    2 M (d - h v)/h^2      + C v' = f(x + d),  f internal, contact, supports, loads
 ///   beta = 1/4, gamma = 1/2:  4 M (d - h v)/h^2 - M a + C v' = f(x + d),  a' = 4 (d - h v)/h^2 - a
 ///   C = damping M + stiffness_damping K_material + dashpots.
-/// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside;
-/// the factor is kept while it halves the residual's exponent fast enough. Contact geometry is that of the step's
-/// start. Then every body is retracted through its chart; what linear forms and exact geometry differ by is booked in
-/// columns of its own.
+/// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside,
+/// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
+/// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
+/// chart; what linear forms and exact geometry differ by is booked in columns of its own.
 /// @source nmm.md "Time integration"; thesis 3.3.2, 3.2.2, 4.5; Shi 1988
 class Newmark final : public Mover {
  public:

@@ -12,9 +12,9 @@ ForceBalance::ForceBalance(const Setup& setup, const State& state)
     const Body& b = setup.bodies()[i];
     if (b.driven) continue;
     const auto moves = setup.pool_of(b).translation(b.index);
-    for (std::int32_t k = 0; k < b.nodes; ++k)
-      lever_[static_cast<std::size_t>(b.first_node + k)] =
-          moves[static_cast<std::size_t>(k)] != 0.0 ? 1.0 : std::sqrt(state.bodies[i].shape.area);
+    const auto first = static_cast<std::size_t>(b.first_node);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(b.nodes); ++k)
+      lever_[first + k] = moves[k] != 0.0 ? 1.0 : std::sqrt(state.bodies[i].shape.area);
   }
 }
 
@@ -54,7 +54,8 @@ ForceBalance::Result ForceBalance::measure(const State& state, const Mover& move
   Result out;
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
     const Body& b = setup_->bodies()[i];
-    for (auto k = static_cast<std::size_t>(b.first_node); k < static_cast<std::size_t>(b.first_node + b.nodes); ++k) {
+    const auto first = static_cast<std::size_t>(b.first_node), end = first + static_cast<std::size_t>(b.nodes);
+    for (std::size_t k = first; k < end; ++k) {
       if (lever_[k] == 0.0) continue;
       const double force = std::max(std::abs(total_[2 * k]), std::abs(total_[2 * k + 1])) / lever_[k];
       if (force <= out.force) continue;
