@@ -38,6 +38,13 @@ void store(int body, const Vec2& c, const Mat2& F, std::span<double> q) {
   q[i + 5] = F(1, 1);
 }
 
+/// Lower triangle, column after column.
+void put_lower(const Mat6& matrix, std::span<double> lower) {
+  std::size_t at = 0;
+  for (int j = 0; j < kUnknowns; ++j)
+    for (int i = j; i < kUnknowns; ++i) lower[at++] = matrix(i, j);
+}
+
 /// Largest squared frequency of a free affine body: A0 C^1/2 (B D^-1 B^T) C^1/2.
 double frequency_of(const ReferenceShape& shape, const Elasticity& law) {
   const Mat2 inverse = shape.second.inverse();
@@ -187,23 +194,32 @@ ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q)
   out.n = kUnknowns;
   for (int k = 0; k < kUnknowns; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    out.dof[i] = kUnknowns * body + k;
+    out.dof[i] = k;
     out.tx[i] = k < 2 ? w[0] * T(0, k) : T(0, k);
     out.ty[i] = k < 2 ? w[0] * T(1, k) : T(1, k);
   }
   return out;
 }
 
-void DdaPool::linearise(int body, std::span<const double> q, std::span<const double> v,
-                        std::vector<ImplicitBlock>& blocks) const {
+ElementDofs DdaPool::element_dofs(int) const { return {{0, kUnknowns}, {0, 1, 2, 3, 4, 5}}; }
+
+void DdaPool::element_masses(int body, std::span<const double> q, std::span<double> mass) const {
+  const Mat2 F = load(body, q, q).F;
+  put_lower(mass_matrix(of(body).shape.mass, F * of(body).shape.second * F.transpose()), mass);
+}
+
+void DdaPool::rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const {
   const AffineState s = load(body, q, v);
+  Eigen::Map<Vec6>(rate.data()) = rates_of(s.vc, s.Fdot * s.F.inverse());
+}
+
+double DdaPool::linearise(int body, std::span<const double> q, Stiffness, std::span<double> stiffness,
+                          std::span<double> force) const {
   const Body& b = of(body);
-  ImplicitBlock& out = blocks.emplace_back();
-  out.first_dof = kUnknowns * body;
-  out.M = mass_matrix(b.shape.mass, s.F * b.shape.second * s.F.transpose());
-  out.K = stiffness_matrix(b.shape.area, b.law);
-  out.force = scree::dda::internal_force(b.shape.area, b.law, s.F);
-  out.rate = rates_of(s.vc, s.Fdot * s.F.inverse());
+  const Mat2 F = load(body, q, q).F;
+  if (!stiffness.empty()) put_lower(stiffness_matrix(b.shape.area, b.law), stiffness);
+  Eigen::Map<Vec6>(force.data()) = scree::dda::internal_force(b.shape.area, b.law, F);
+  return b.shape.area * elastic_response(b.law, F, Mat2::Zero()).energy;
 }
 
 void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,

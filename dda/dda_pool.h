@@ -39,8 +39,11 @@ class DdaPool final : public Pool {
 
   [[nodiscard]] int dofs(int) const override { return kUnknowns; }
   [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
-  void linearise(int body, std::span<const double> q, std::span<const double> v,
-                 std::vector<ImplicitBlock>& blocks) const override;
+  [[nodiscard]] ElementDofs element_dofs(int body) const override;
+  void element_masses(int body, std::span<const double> q, std::span<double> mass) const override;
+  void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const override;
+  double linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
+                   std::span<double> force) const override;
   void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                std::span<double> v) const override;
 

@@ -1,6 +1,9 @@
 #include "model/elasticity.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scree {
@@ -38,14 +41,92 @@ ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat
   return out;
 }
 
+namespace {
+
+/// Change of the stretch U with the unit changes of F, and the rotation that goes with them.
+struct StretchRates {
+  std::array<Mat2, 4> dU;
+  std::array<double, 4> turn;
+};
+
+StretchRates stretch_rates(const Mat2& R, const Mat2& U) {
+  StretchRates out;
+  const Mat2 WU = quarter_turn() * U;
+  for (std::size_t k = 0; k < 4; ++k) {
+    Mat2 dF = Mat2::Zero();
+    dF.data()[k] = 1.0;
+    const Mat2 RdF = R.transpose() * dF;
+    out.turn[k] = (RdF(1, 0) - RdF(0, 1)) / U.trace();
+    const Mat2 dU = RdF - out.turn[k] * WU;
+    out.dU[k] = 0.5 * (dU + dU.transpose());
+  }
+  return out;
+}
+
+}  // namespace
+
+Tangent material_tangent(const Elasticity& law, const Mat2& F) {
+  const Mat2 R = polar_rotation(F);
+  const StretchRates rates = stretch_rates(R, R.transpose() * F);
+  Tangent out;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Mat2 ds = law.stress(rates.dU[k]);
+    for (std::size_t i = 0; i < 4; ++i)
+      out(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = ds.cwiseProduct(rates.dU[i]).sum();
+  }
+  return out;
+}
+
+Tangent elastic_tangent(const Elasticity& law, const Mat2& F, const Mat2& s0) {
+  const Mat2 R = polar_rotation(F), W = quarter_turn();
+  const Mat2 U = R.transpose() * F;
+  const double r = U.trace();
+  const Mat2 s = law.stress(0.5 * (U + U.transpose()) - Mat2::Identity()) + s0;
+  const Mat2 sU = s0 * U;
+  const double w = -(sU(1, 0) - sU(0, 1)) / r;
+  const Mat2 turned = W * (s + w * W);
+  const StretchRates rates = stretch_rates(R, U);
+  Tangent out;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Mat2& dU = rates.dU[k];
+    const Mat2 sdU = s0 * dU;
+    const double dw = -(sdU(1, 0) - sdU(0, 1) + w * dU.trace()) / r;
+    const Mat2 dP = R * (law.stress(dU) + dw * W + rates.turn[k] * turned);
+    out.col(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::Vector4d>(dP.data());
+  }
+  return 0.5 * (out + out.transpose());
+}
+
 ElasticResponse linear_response(const Elasticity& law, const Mat2& F, const Mat2& s0) {
   ElasticResponse out;
   out.R = Mat2::Identity();
   const Mat2 e = 0.5 * (F + F.transpose()) - Mat2::Identity();
   const Mat2 se = law.stress(e);
   out.stress = se + s0;
-  out.energy = 0.5 * se.cwiseProduct(e).sum() + s0.cwiseProduct(e).sum();
   out.P = out.stress;
+  out.energy = 0.5 * se.cwiseProduct(e).sum() + s0.cwiseProduct(e).sum();
+  return out;
+}
+
+Tangent linear_tangent(const Elasticity& law) {
+  Tangent out;
+  for (int k = 0; k < 4; ++k) {
+    Mat2 dF = Mat2::Zero();
+    dF.data()[k] = 1.0;
+    const Mat2 dP = law.stress(0.5 * (dF + dF.transpose()));
+    out.col(k) = Eigen::Map<const Eigen::Vector4d>(dP.data());
+  }
+  return out;
+}
+
+Tangent positive_part(const Tangent& tangent) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(tangent);
+  if (eigen.eigenvalues()(0) >= 0.0) return tangent;
+  Tangent out = Tangent::Zero();
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const Eigen::Vector4d x = eigen.eigenvectors().col(k);
+    out += std::max(eigen.eigenvalues()(k), 0.0) * x * x.transpose();
+  }
   return out;
 }
 

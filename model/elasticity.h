@@ -36,8 +36,21 @@ struct ElasticResponse {
 /// @source nmm.md "Kinematics and stress"; initial stress s0 is given in the co-rotated frame
 [[nodiscard]] ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
 
-/// Small strain and rotation: e = sym(F) - I, P = s = C:e + s0, R = I.
+/// dP/dF of elastic_response(), 4 x 4 over (F11, F21, F12, F22): exact, in closed form, symmetric. With R = polar(F),
+/// r = tr U and W the quarter turn, a change dF turns by dt = [W:(R^T dF)]/r and stretches by dU = R^T dF - dt W U:
+///   dP = R [C:dU + dw W + dt W (s + w W)],  dw = -[(s0 dU)_21 - (s0 dU)_12 + w tr dU]/r.
+using Tangent = Eigen::Matrix<double, 4, 4>;
+[[nodiscard]] Tangent elastic_tangent(const Elasticity& law, const Mat2& F, const Mat2& s0);
+
+/// The part de:C:de of the second derivative, e(F) = U - I: positive semi-definite, zero for rigid motion.
+[[nodiscard]] Tangent material_tangent(const Elasticity& law, const Mat2& F);
+
+/// The same without rotation: W = 1/2 e:C:e + s0:e with e = sym(F) - I, P = C:e + s0.
 [[nodiscard]] ElasticResponse linear_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
+[[nodiscard]] Tangent linear_tangent(const Elasticity& law);
+
+/// The nearest positive semi-definite tangent: negative eigenvalues become zero.
+[[nodiscard]] Tangent positive_part(const Tangent& tangent);
 
 /// Strain e of an affine body in the co-rotated frame whose Kirchhoff stress (C:e + s0)(I + e) is the one given [Pa].
 /// @pre the strain is small against 1 (fixed-point iteration with the factor |e|)

@@ -57,8 +57,16 @@ void Pool::recovered_stress(std::span<const double>, std::span<double> nodes) co
   std::fill(nodes.begin(), nodes.end(), 0.0);
 }
 int Pool::dofs(int) const { return 0; }
+bool Pool::nonlinear(int) const { return false; }
+bool Pool::constant_chart(int) const { return false; }
+std::string Pool::implicit_obstacle(int) const { return {}; }
+ElementDofs Pool::element_dofs(int) const { return {}; }
 ChartRow Pool::chart_row(int, const Row&, std::span<const double>) const { return {}; }
-void Pool::linearise(int, std::span<const double>, std::span<const double>, std::vector<ImplicitBlock>&) const {}
+void Pool::element_masses(int, std::span<const double>, std::span<double>) const {}
+void Pool::rates(int, std::span<const double>, std::span<const double>, std::span<double>) const {}
+double Pool::linearise(int, std::span<const double>, Stiffness, std::span<double>, std::span<double>) const {
+  return 0.0;
+}
 void Pool::retract(int, std::span<const double>, std::span<const double>, std::span<double>, std::span<double>) const {}
 
 }  // namespace scree

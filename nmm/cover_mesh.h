@@ -64,9 +64,10 @@ struct CoverMesh {
 [[nodiscard]] bool same_place(const Row& a, const Row& b);
 
 /// Covers a block with the hexagonal stars of a lattice of edge length `cover_size` [m], anchored to its centre of
-/// mass, which lies at `offset` in a cell (fractions of the cover size). Connected pieces share covers only where they share an edge length that is not on a crack, so a narrow slot
-/// separates its two sides, and a crack its two faces. A crack that ends inside a triangle does not cut it. A connected
-/// part without an element of half a triangle takes one triangle of its own (onefold cover, thesis 7.3.1).
+/// mass, which lies at `offset` in a cell (fractions of the cover size). Connected pieces share covers only where they
+/// share an edge length that is not on a crack, so a narrow slot separates its two sides, and a crack its two faces. A
+/// crack that ends inside a triangle does not cut it. A connected part without an element of half a triangle takes one
+/// triangle of its own (onefold cover, thesis 7.3.1).
 /// @throws std::runtime_error where GEOS cannot intersect
 [[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset = {0.317, 0.271},
                                         std::span<const CutLine> cracks = {});

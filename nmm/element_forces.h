@@ -39,6 +39,7 @@ class ElementForces {
 
   [[nodiscard]] std::size_t size() const { return cover_.size(); }
   [[nodiscard]] const std::array<std::int32_t, 3>& cover(std::size_t e) const { return cover_[e]; }
+  [[nodiscard]] std::span<const std::array<std::int32_t, 3>> covers() const { return cover_; }
   [[nodiscard]] const Gradients& gradients(std::size_t e) const { return shapes_[shape_[e]]; }
   [[nodiscard]] double area(std::size_t e) const { return area_[e]; }
   [[nodiscard]] const ElementLaw& law(std::size_t e) const { return laws_[law_[e]]; }

@@ -202,8 +202,7 @@ double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::spa
   return 0.5 * sum;
 }
 
-void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f,
-                      std::span<double> a) const {
+void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
   project(0, parts_.size(), v, true);
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
   parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
@@ -219,8 +218,8 @@ void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span
   });
 }
 
-void LumpedMass::add_weight(const Vec2& g, std::span<double> f) const {
-  for (std::size_t k = 0; k < unit_.size(); ++k) {
+void LumpedMass::add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const {
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
     f[2 * k] += unit_[k] * g.x();
     f[2 * k + 1] += unit_[k] * g.y();
   }

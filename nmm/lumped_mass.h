@@ -29,8 +29,8 @@ class LumpedMass {
   [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
   /// w *= factor, f = -rate M w, a -= rate w; w = v - P S^^-1 P^T M_L v, M-orthogonal to affine fields of each part.
   void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
-  /// f += M 1 g
-  void add_weight(const Vec2& g, std::span<double> f) const;
+  /// f += M 1 g on the covers of one block
+  void add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const;
 
   /// Row sums, a cover; 0 for tied ones [kg].
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }

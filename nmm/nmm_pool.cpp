@@ -62,6 +62,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
                    : make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks);
   const std::int32_t first = first_.back();
   body->law = model.elasticity_of(record.block);
+  body->form = form;
   if (!body->mesh.onefold && body->mesh.components == 1 && !keeps_its_step(body->mesh, record.shape, form, body->law))
     body->mesh = make_onefold(record.shape.outline);
   const CoverMesh& mesh = body->mesh;
@@ -69,6 +70,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     throw std::runtime_error(fmt::format(
         "block '{}': its cracks leave a part on which no lumped mass is positive; choose another cover size",
         body->name));
+  if (form.mass != MassKind::affine_exact) make_implicit(*body, first);
   chart_.add(mesh, first);
   body->first_element = static_cast<std::int32_t>(elements_.size());
   // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
@@ -90,6 +92,21 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
   first_.push_back(first + static_cast<std::int32_t>(mesh.star.size()));
   bodies_.push_back(std::move(body));
+}
+
+void NmmPool::make_implicit(Body& body, std::int32_t first) {
+  const CoverMesh& mesh = body.mesh;
+  std::vector<MassElement> elements;
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    const Moments material = moments(mesh.material(e));
+    elements.push_back({mesh.cover[e], mesh.weights(e, material.centroid), mesh.shapes[mesh.shape[e]], material});
+  }
+  FoldedElements folded;
+  folded.make(static_cast<std::int32_t>(mesh.star.size()), mesh.cover, mesh.ties);
+  body.consistent.make(folded, elements, mesh.star, body.shape, first);
+  std::vector<Mat3> masses;
+  for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
+  body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first);
 }
 
 void NmmPool::finish() {
@@ -156,10 +173,33 @@ void NmmPool::stiffness_damping(std::span<const double> q, std::span<const doubl
   elements_.add_rate_force(q, v, rate, f);
 }
 
-void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const { mass_.add_weight(acceleration, f); }
+void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
+  for (int b = 0; b < bodies(); ++b) add_weight(b, acceleration, f);
+}
+
+void NmmPool::add_weight(int b, const Vec2& g, std::span<double> f) const {
+  if (of(b).form.mass == MassKind::consistent)
+    of(b).consistent.add_weight(g, f);
+  else
+    mass_.add_weight(first_node(b), first_node(b + 1), g, f);
+}
+
+void NmmPool::apply_mass(int b, std::span<const double> v, std::span<double> p) const {
+  if (of(b).form.mass == MassKind::consistent)
+    of(b).consistent.apply(v, p);
+  else
+    mass_.apply(first_node(b), first_node(b + 1), v, p);
+}
+
+double NmmPool::kinetic_of(int b, std::span<const double> v) const {
+  return of(b).form.mass == MassKind::consistent ? of(b).consistent.kinetic_energy(v)
+                                                 : mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
+}
 
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
   mass_.solve(chart_, f, a);
+  for (const auto& body : bodies_)
+    if (body->form.mass == MassKind::consistent) body->consistent.solve(f, a);
 }
 
 double NmmPool::mass_ratio(int body) const { return mass_.theta(first_node(body), first_node(body + 1)); }
@@ -168,12 +208,13 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
                                std::span<const char> counted) const {
   double sum = 0.0;
   for (int b = 0; b < bodies(); ++b)
-    if (counted[static_cast<std::size_t>(b)] != 0) sum += mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
+    if (counted[static_cast<std::size_t>(b)] != 0) sum += kinetic_of(b, v);
   return sum;
 }
 
 void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
-  mass_.damp(factor, rate, v, f, a);
+  if (bodies() > 0 && of(0).form.mass != MassKind::consistent) return mass_.damp(factor, rate, v, f, a);
+  for (const auto& body : bodies_) body->consistent.damp(factor, rate, v, f, a);
 }
 
 double NmmPool::compliance(int, const Row& row) const {
@@ -195,8 +236,8 @@ void NmmPool::bound_groups(int, const Row& row, std::vector<std::int32_t>& group
 BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const double> v) const {
   const Body& b = of(body);
   std::vector<double> p(q.size(), 0.0), weight(q.size(), 0.0);
-  mass_.apply(first_node(body), first_node(body + 1), v, p);
-  mass_.add_weight({1.0, 1.0}, weight);
+  apply_mass(body, v, p);
+  add_weight(body, {1.0, 1.0}, weight);
   BodyTotals t;
   for (std::int32_t k = first_node(body); k < first_node(body + 1); ++k) {
     const double m = weight[2 * static_cast<std::size_t>(k)];
@@ -206,7 +247,7 @@ BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const 
     t.angular_momentum += cross(node(q, k), node(p, k));
   }
   t.centre /= t.mass;
-  t.kinetic = mass_.kinetic_energy(first_node(body), first_node(body + 1), v);
+  t.kinetic = kinetic_of(body, v);
   const auto first = static_cast<std::size_t>(b.first_element);
   for (std::size_t e = first; e < first + b.mesh.elements(); ++e)
     t.elastic += elements_.area(e) * elements_.response(e, q).energy;
@@ -221,8 +262,8 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
 
   // Affine part in the operator really used: c, S, v_c, B, and the fit of x to X.
   std::vector<double> weight(q.size(), 0.0), p(q.size(), 0.0), r(q.size(), 0.0), Mr(q.size(), 0.0);
-  mass_.add_weight({1.0, 1.0}, weight);
-  mass_.apply(begin, end, v, p);
+  add_weight(body, {1.0, 1.0}, weight);
+  apply_mass(body, v, p);
   Vec2 c = Vec2::Zero(), momentum = Vec2::Zero();
   double mass = 0.0;
   for (std::int32_t k = begin; k < end; ++k) {
@@ -234,7 +275,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Vec2 vc = momentum / mass;
   for (std::int32_t k = begin; k < end; ++k)
     for (int d = 0; d < 2; ++d) r[2 * static_cast<std::size_t>(k) + static_cast<std::size_t>(d)] = node(q, k)[d] - c[d];
-  mass_.apply(begin, end, r, Mr);
+  apply_mass(body, r, Mr);
   Mat2 S = Mat2::Zero(), B = Mat2::Zero(), fit = Mat2::Zero();
   for (std::int32_t k = begin; k < end; ++k) {
     S += node(Mr, k) * node(r, k).transpose();
@@ -282,7 +323,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     w[2 * static_cast<std::size_t>(k) + 1] = rest.y();
     out.velocity_rest.insert(out.velocity_rest.end(), {turned.x(), turned.y()});
   }
-  out.kinetic_rest = mass_.kinetic_energy(begin, end, w);
+  out.kinetic_rest = kinetic_of(body, w);
   const Mat2 mean = b.law.stress(strain) + initial;
   for (std::size_t e = first; e < last; ++e) {
     const Mat2 F_e = elements_.gradient(e, q), U = polar_rotation(F_e).transpose() * F_e;
@@ -295,6 +336,40 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
                            {ds(0, 0) + extra(0, 0), ds(1, 1) + extra(1, 1), ds(0, 1) + extra(0, 1)});
   }
   return out;
+}
+
+std::string NmmPool::implicit_obstacle(int body) const {
+  if (of(body).form.mass != MassKind::affine_exact) return {};
+  return "its mass is affine-exact, which couples all covers of a block; implicit steps take mass = \"consistent\" or "
+         "\"lumped\"";
+}
+
+ChartRow NmmPool::chart_row(int body, const Row& row, std::span<const double>) const {
+  return of(body).implicit.chart_row(row);
+}
+
+void NmmPool::element_masses(int body, std::span<const double>, std::span<double> mass) const {
+  of(body).implicit.element_masses(mass);
+}
+
+void NmmPool::rates(int body, std::span<const double>, std::span<const double> v, std::span<double> rate) const {
+  of(body).implicit.rates(v, rate);
+}
+
+double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
+                          std::span<double> force) const {
+  const auto first = static_cast<std::size_t>(of(body).first_element), count = of(body).mesh.elements();
+  return of(body).implicit.linearise(elements_.covers().subspan(first, count), q, kind, stiffness, force,
+                                     [&](std::size_t e) {
+                                       const std::size_t i = first + e;
+                                       return StiffElement{elements_.gradients(i), elements_.area(i), of(body).law,
+                                                           of(body).form.kinematics, elements_.initial_stress(i)};
+                                     });
+}
+
+void NmmPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+                      std::span<double> v) const {
+  of(body).implicit.retract(d, rate, q, v);
 }
 
 void NmmPool::topology(MeshPart& mesh) const {

@@ -6,6 +6,7 @@
 
 #include "model/pool.h"
 #include "nmm/element_forces.h"
+#include "nmm/implicit.h"
 #include "nmm/lumped_mass.h"
 #include "nmm/step_bound.h"
 
@@ -44,6 +45,19 @@ class NmmPool final : public Pool {
   [[nodiscard]] double compliance(int body, const Row& row) const override;
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
+  [[nodiscard]] int dofs(int body) const override { return of(body).implicit.dofs(); }
+  [[nodiscard]] bool nonlinear(int body) const override { return of(body).form.kinematics == Kinematics::corotational; }
+  [[nodiscard]] bool constant_chart(int) const override { return true; }
+  [[nodiscard]] std::string implicit_obstacle(int body) const override;
+  [[nodiscard]] ElementDofs element_dofs(int body) const override { return of(body).implicit.element_dofs(); }
+  [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
+  void element_masses(int body, std::span<const double> q, std::span<double> mass) const override;
+  void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const override;
+  double linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
+                   std::span<double> force) const override;
+  void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
+               std::span<double> v) const override;
+
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
   /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
@@ -61,12 +75,20 @@ class NmmPool final : public Pool {
   struct Body {
     CoverMesh mesh;  // boundary rows and cells count within the pool
     ReferenceShape shape;
+    Formulation form;
+    ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact
+    ImplicitBody implicit;
     Elasticity law;
     double scale = 1.0;  // of the elements' areas
     std::int32_t first_element = 0;
     FrequencyBound frequency;
     std::string name;
   };
+  /// The mass operator that the block's form asks for.
+  void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
+  void add_weight(int body, const Vec2& g, std::span<double> f) const;
+  [[nodiscard]] double kinetic_of(int body, std::span<const double> v) const;
+  static void make_implicit(Body& body, std::int32_t first);
   /// An element for messages, where the model first had it.
   [[nodiscard]] std::string place_of(int body, std::size_t element) const;
   [[nodiscard]] const Body& of(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }

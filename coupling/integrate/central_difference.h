@@ -32,6 +32,7 @@ class CentralDifference final : public Mover {
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
+  void contact_forces(const State&, std::span<double> f) const override { contact_.add(f); }
   [[nodiscard]] bool step_still_stable() const override;
 
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).

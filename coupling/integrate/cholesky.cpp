@@ -37,71 +37,112 @@ struct Cholesky::Impl {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
-  std::int32_t n = 0;
-  std::vector<std::int32_t> row, column, analysed_row, analysed_column;
+  const SymmetricPattern* fixed = nullptr;
+  std::span<const double> fixed_values;
+  // The h of this system, one after another, and the lists that the present analysis was made for.
+  std::vector<std::int32_t> start{0}, dof, analysed_start, analysed_dof;
+  std::vector<double> h, scale;
+  // The whole system; while there are no h it is the fixed part.
+  SymmetricPattern pattern;
+  std::vector<std::int32_t> place;  // of the fixed part's numbers, then of the lower triangle of every h h^T
   std::vector<double> value;
   std::int64_t factorisations = 0, analyses = 0;
 
-  void add(std::int32_t i, std::int32_t j, double x) {
-    if (i < j) return;  // lower triangle only
-    row.push_back(i);
-    column.push_back(j);
-    value.push_back(x);
-  }
+  void find_places();
+  void assemble();
 };
+
+void Cholesky::Impl::find_places() {
+  std::vector<std::int32_t> i, j;
+  for (std::int32_t c = 0; c < fixed->n; ++c)
+    for (auto k = static_cast<std::size_t>(fixed->column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(fixed->column_start[static_cast<std::size_t>(c) + 1]); ++k) {
+      i.push_back(fixed->row[k]);
+      j.push_back(c);
+    }
+  for (std::size_t s = 0; s + 1 < start.size(); ++s)
+    for (std::int32_t b = start[s]; b < start[s + 1]; ++b)
+      for (std::int32_t a = b; a < start[s + 1]; ++a) {
+        i.push_back(dof[static_cast<std::size_t>(a)]);
+        j.push_back(dof[static_cast<std::size_t>(b)]);
+      }
+  place = pattern.make(fixed->n, i, j);
+}
+
+void Cholesky::Impl::assemble() {
+  value.assign(pattern.size(), 0.0);
+  const std::size_t own = fixed_values.size();
+  for (std::size_t k = 0; k < own; ++k) value[static_cast<std::size_t>(place[k])] = fixed_values[k];
+  std::size_t at = own;
+  for (std::size_t s = 0; s + 1 < start.size(); ++s)
+    for (auto b = static_cast<std::size_t>(start[s]); b < static_cast<std::size_t>(start[s + 1]); ++b)
+      for (std::size_t a = b; a < static_cast<std::size_t>(start[s + 1]); ++a, ++at)
+        value[static_cast<std::size_t>(place[at])] += scale[s] * h[a] * h[b];
+}
 
 Cholesky::Cholesky() : impl_(std::make_unique<Impl>()) {}
 Cholesky::~Cholesky() = default;
 
-void Cholesky::begin(std::int32_t n) {
-  impl_->n = n;
-  impl_->row.clear();
-  impl_->column.clear();
-  impl_->value.clear();
+void Cholesky::set_pattern(const SymmetricPattern& pattern) {
+  impl_->fixed = &pattern;
+  cholmod_free_factor(&impl_->factor, &impl_->common);
+}
+
+void Cholesky::begin(std::span<const double> values) {
+  impl_->fixed_values = values;
+  impl_->start.assign(1, 0);
+  impl_->dof.clear();
+  impl_->h.clear();
+  impl_->scale.clear();
 }
 
 void Cholesky::add_outer(std::span<const std::int32_t> dof, std::span<const double> h, double scale) {
-  for (std::size_t i = 0; i < dof.size(); ++i)
-    for (std::size_t j = 0; j < dof.size(); ++j) impl_->add(dof[i], dof[j], scale * h[i] * h[j]);
-}
-
-void Cholesky::add_block(std::int32_t first, std::int32_t n, const double* m) {
-  for (std::int32_t j = 0; j < n; ++j)
-    for (std::int32_t i = j; i < n; ++i) impl_->add(first + i, first + j, m[static_cast<std::ptrdiff_t>(j) * n + i]);
+  Impl& s = *impl_;
+  s.dof.insert(s.dof.end(), dof.begin(), dof.end());
+  s.h.insert(s.h.end(), h.begin(), h.end());
+  s.start.push_back(static_cast<std::int32_t>(s.dof.size()));
+  s.scale.push_back(scale);
 }
 
 bool Cholesky::factorise() {
   Impl& s = *impl_;
-  cholmod_triplet triplet{};
-  triplet.nrow = triplet.ncol = static_cast<std::size_t>(s.n);
-  triplet.nnz = triplet.nzmax = s.value.size();
-  triplet.i = s.row.data();
-  triplet.j = s.column.data();
-  triplet.x = s.value.data();
-  triplet.stype = -1;
-  triplet.itype = CHOLMOD_INT;
-  triplet.xtype = CHOLMOD_REAL;
-  triplet.dtype = CHOLMOD_DOUBLE;
-  cholmod_sparse* A = cholmod_triplet_to_sparse(&triplet, 0, &s.common);
-  if (A == nullptr) throw std::runtime_error("CHOLMOD: out of memory while assembling");
-  if (s.factor == nullptr || s.row != s.analysed_row || s.column != s.analysed_column) {
+  const bool known = s.factor != nullptr && s.start == s.analysed_start && s.dof == s.analysed_dof;
+  if (!known) s.find_places();
+  s.assemble();
+  cholmod_sparse A{};
+  A.nrow = A.ncol = static_cast<std::size_t>(s.pattern.n);
+  A.nzmax = s.value.size();
+  A.p = s.pattern.column_start.data();
+  A.i = s.pattern.row.data();
+  A.x = s.value.data();
+  A.stype = -1;
+  A.itype = CHOLMOD_INT;
+  A.xtype = CHOLMOD_REAL;
+  A.dtype = CHOLMOD_DOUBLE;
+  A.sorted = 1;
+  A.packed = 1;
+  if (!known) {
     cholmod_free_factor(&s.factor, &s.common);
-    s.factor = cholmod_analyze(A, &s.common);
+    s.factor = cholmod_analyze(&A, &s.common);
     if (s.factor == nullptr) throw std::runtime_error("CHOLMOD: analysis failed");
-    s.analysed_row = s.row;
-    s.analysed_column = s.column;
+    s.analysed_start = s.start;
+    s.analysed_dof = s.dof;
     ++s.analyses;
   }
-  cholmod_factorize(A, s.factor, &s.common);
-  cholmod_free_sparse(&A, &s.common);
+  cholmod_factorize(&A, s.factor, &s.common);
   ++s.factorisations;
-  return s.common.status == CHOLMOD_OK && s.factor->minor == static_cast<std::size_t>(s.n);
+  if (s.common.status != CHOLMOD_OK || s.factor->minor != static_cast<std::size_t>(s.pattern.n)) return false;
+  // Small systems are factorised as L D L', which does not stop at a negative number of D.
+  if (s.factor->is_ll != 0 || s.factor->is_super != 0) return true;
+  const auto* start = static_cast<const std::int32_t*>(s.factor->p);
+  const auto* x = static_cast<const double*>(s.factor->x);
+  return std::all_of(start, start + s.pattern.n, [&](std::int32_t k) { return x[k] > 0.0; });
 }
 
 void Cholesky::solve(std::span<const double> b, std::span<double> x) {
   Impl& s = *impl_;
   cholmod_dense rhs{};
-  rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(s.n);
+  rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(s.pattern.n);
   rhs.ncol = 1;
   rhs.x = const_cast<double*>(b.data());  // NOLINT(cppcoreguidelines-pro-type-const-cast): CHOLMOD only reads it
   rhs.xtype = CHOLMOD_REAL;
@@ -109,10 +150,11 @@ void Cholesky::solve(std::span<const double> b, std::span<double> x) {
   if (cholmod_solve2(CHOLMOD_A, s.factor, &rhs, nullptr, &s.solution, nullptr, &s.work_y, &s.work_e, &s.common) == 0)
     throw std::runtime_error("CHOLMOD: solve failed");
   const auto* found = static_cast<const double*>(s.solution->x);
-  std::copy(found, found + s.n, x.begin());
+  std::copy(found, found + s.pattern.n, x.begin());
 }
 
 std::int64_t Cholesky::factorisations() const { return impl_->factorisations; }
 std::int64_t Cholesky::analyses() const { return impl_->analyses; }
+double Cholesky::factor_size() const { return impl_->common.lnz; }
 
 }  // namespace scree::coupling

@@ -1,13 +1,16 @@
-// Sparse symmetric positive definite systems by CHOLMOD, assembled from small dense blocks.
+// Sparse symmetric positive definite systems by CHOLMOD: a fixed part, and springs that come and go.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
 
+#include "coupling/integrate/symmetric_pattern.h"
+
 namespace scree::coupling {
 
-/// Assemble, factorise, solve; the symbolic analysis is kept while the pattern of the blocks stays the same.
+/// A = values on a fixed pattern + sum of scale h h^T. The symbolic analysis, and the place of every number in the
+/// system, are kept while neither the fixed pattern nor the lists of the h change.
 /// BLAS runs on one thread: results must not depend on their number.
 class Cholesky {
  public:
@@ -16,12 +19,12 @@ class Cholesky {
   Cholesky& operator=(const Cholesky&) = delete;
   ~Cholesky();
 
-  /// Starts an empty system of n unknowns.
-  void begin(std::int32_t n);
+  /// The fixed part's pattern; must outlive this. It is read again only when this is called again.
+  void set_pattern(const SymmetricPattern& pattern);
+  /// Starts a system with the numbers of the fixed part.
+  void begin(std::span<const double> values);
   /// A(dof_i, dof_j) += scale * h_i h_j. Zero scale keeps the places, so that the pattern does not change.
   void add_outer(std::span<const std::int32_t> dof, std::span<const double> h, double scale);
-  /// A(first+i, first+j) += m(i, j), m column-major n x n, symmetric.
-  void add_block(std::int32_t first, std::int32_t n, const double* m);
   /// False where the matrix is not positive definite.
   [[nodiscard]] bool factorise();
   /// x = A^-1 b.
@@ -29,6 +32,8 @@ class Cholesky {
 
   [[nodiscard]] std::int64_t factorisations() const;
   [[nodiscard]] std::int64_t analyses() const;
+  /// Numbers in the factor.
+  [[nodiscard]] double factor_size() const;
 
  private:
   struct Impl;

@@ -16,7 +16,9 @@ struct StepReport {
     too_far,       // a point would move farther than allowed: raise the limit or shorten the step
     no_states,     // open-close iteration found no consistent contact states in the passes allowed
     no_friction,   // friction did not settle with the contact states given
+    no_balance,    // Newton's method left a residual force
     not_definite,  // the implicit matrix could not be factorised
+    refused,       // the scheme cannot do it, whatever the step
     non_finite     // a position or velocity is not a number
   };
   Status status = Status::ok;
@@ -25,6 +27,9 @@ struct StepReport {
   std::string cause;       // for a status other than ok: what, where, likely cause
   int passes = 0;          // open-close passes
   int factorisations = 0;
+  int iterations = 0;       // of Newton's method
+  double residual = 0.0;    // it left, over the largest force
+  bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there
 };
 
 /// Advances a state by whole steps. On any status but ok the state keeps every bit.
@@ -44,6 +49,8 @@ class Mover {
   virtual void update_ledger(State& state) = 0;
   /// Largest stable step [s] and what binds it; infinite for implicit schemes.
   virtual double stable_step(const State& state, std::string* binding) = 0;
+  /// f += forces of the contacts on the nodes at the present instant (for the balance of forces).
+  virtual void contact_forces(const State& state, std::span<double> f) const = 0;
   /// False once contacts have changed by more than the last stable_step() allowed for.
   [[nodiscard]] virtual bool step_still_stable() const { return true; }
 };

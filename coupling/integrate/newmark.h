@@ -1,76 +1,101 @@
-// Implicit Newmark (beta = 1/2, gamma = 1) with open-close iteration, for every method with a chart.
+// Implicit Newmark steps with open-close iteration, for every method with a chart.
 #pragma once
 
 #include <vector>
 
-#include "coupling/contact/contact_energy.h"
-#include "coupling/integrate/cholesky.h"
+#include "coupling/contact/contact_finder.h"
+#include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/mover.h"
+#include "coupling/integrate/open_close.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
 
-/// A scalar of the step, linear in the unknowns: change = h.d + known.
-struct DofRow {
-  std::vector<std::int32_t> dof;
-  std::vector<double> h;
-  double known = 0.0;  // part of driven bodies
-  [[nodiscard]] double change(std::span<const double> d) const;
+/// Choices of an implicit stage.
+struct ImplicitOptions {
+  NewmarkScheme scheme = NewmarkScheme::damped;
+  double dynamics = 1.0;           // fraction of the velocity handed to the next step; 0: a static solution
+  double damping = 0.0;            // mass-proportional [1/s]
+  bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
+  double stiffness_damping = 0.0;  // [s]
 };
 
-///   (2 M/h^2 + K + sum_active k h h^T) d = f_int + f_ext + 2 M v/h - sum_active k g h,  v' = 2 d/h - v
-/// Contact states are found by open-close iteration; friction of sliding points is a load of the right-hand side that
-/// follows their normal force (Anderson acceleration, GMRES for a linear iteration). Then every body is retracted
-/// through its chart. What linear forms and exact geometry differ by is booked in columns of its own.
+/// With v' = 2 d/h - v in both schemes, at the end of the step:
+///   beta = 1/2, gamma = 1:    2 M (d - h v)/h^2      + C v' = f(x + d),  f internal, contact, supports, loads
+///   beta = 1/4, gamma = 1/2:  4 M (d - h v)/h^2 - M a + C v' = f(x + d),  a' = 4 (d - h v)/h^2 - a
+///   C = damping M + stiffness_damping K_material + dashpots.
+/// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside,
+/// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
+/// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
+/// chart; what linear forms and exact geometry differ by is booked in columns of its own.
 /// @source nmm.md "Time integration"; thesis 3.3.2, 3.2.2, 4.5; Shi 1988
 class Newmark final : public Mover {
  public:
-  /// @param rest  velocities are dropped after every step: a static solution, reached by steps of the dynamic one
-  Newmark(const Setup& setup, const StepControl& control, double detection, bool rest = false);
+  Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options = {});
 
   double enter(State& state) override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
+  void contact_forces(const State& state, std::span<double> f) const override;
+
+  [[nodiscard]] const Cholesky& cholesky() const { return contacts_.cholesky(); }
+  [[nodiscard]] const ImplicitSystem& system() const { return system_; }
 
  private:
-  struct Trial {  // a contact point during the iteration
-    DofRow normal, tangential;
-    ContactStatus status = ContactStatus::open;
-    double direction = 0.0;  // sign of the friction force while slipping
-    double load = 0.0;       // normal force that its friction limit was taken from [N]
-    double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
+  [[nodiscard]] bool trapezoidal() const { return options_.scheme == NewmarkScheme::trapezoidal; }
+  [[nodiscard]] double kinetic_energy(const State& state) const;
+
+  // newmark.cpp: the step's equations
+  void prepare(const State& state, double h);
+  struct Damping {  // forces in the unknowns
+    std::vector<double> mass, stiffness;
   };
-  void linearise(const State& state, double h);
-  [[nodiscard]] DofRow dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q) const;
-  void add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q) const;
-  void assemble(double h);
-  [[nodiscard]] bool solve_with_friction(StepReport& report);
-  void evaluate_points();
-  [[nodiscard]] double limit(std::size_t i) const;
-  [[nodiscard]] bool may_close(std::size_t i) const;
-  [[nodiscard]] int switch_states(bool only_worst);
-  [[nodiscard]] bool iterate(double h, StepReport& report);
+  void prepare_damping(const State& state);
+  void damping_forces(const State& state, std::span<const double> rate, Damping& out);
+  [[nodiscard]] std::vector<StepSpring> step_springs(const State& state, double h) const;
+  void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
+  [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
+  void linear_system(double h);
+  [[nodiscard]] double residual(const State& state, double h, double& largest);
+  [[nodiscard]] double round_off(const State& state) const;
+  [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
+
+  // newmark_books.cpp: what an accepted step leaves in state and ledger
+  struct Energies {  // as the equations of the step know them, before geometry is updated
+    double springs = 0.0, elastic = 0.0, supports = 0.0, kinetic = 0.0;
+  };
   void accept(State& state, Tick ticks_of_step);
-  void book_linear(Ledger& ledger, double& spring_after, double& elastic_after, double& support_after,
-                   double& kinetic_after, double h);
+  void book_bodies(Ledger& ledger, Energies& after);
+  void book_damping(Ledger& ledger) const;
+  void book_contacts(Ledger& ledger, Energies& after) const;
+  [[nodiscard]] std::vector<double> remember_contacts(const State& state);
+  void book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger);
+  void book_update(State& state, const Energies& after);
 
   const Setup* setup_;
   StepControl control_;
-  bool rest_;
+  ImplicitOptions options_;
   ContactFinder finder_;
   ContactList list_, before_;
-  std::vector<PointSpring> springs_;
-  std::vector<std::array<DofRow, 2>> spring_rows_;
-  std::vector<std::array<double, 2>> spring_offset_;
-  std::vector<std::int32_t> first_dof_;  // a body; -1: driven
-  std::int32_t dofs_ = 0;
-  std::vector<ImplicitBlock> blocks_;  // first_dof counts over all bodies
-  std::vector<Vec2> driven_move_;      // a body
-  std::vector<Trial> trial_;
-  std::vector<double> rhs_, base_, d_, rate_, gravity_, q_new_, v_new_;
-  Cholesky cholesky_;
+  ImplicitSystem system_;
+  OpenClose contacts_;
+  std::vector<PointSpring> supports_;
+  std::vector<Dashpot> dashpots_;
+  std::vector<LoadVector> loads_;
+  std::vector<double> weight_;     // gravity on the nodes
+  std::vector<Vec2> driven_move_;  // a body
+  std::vector<double> reference_;  // the nodes of bodies in their reference shape
+  // A number an unknown.
+  std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
+      rate_, rhs_, out_;
+  Damping damped_before_, damped_after_;
+  // A number of the pattern.
+  std::vector<double> K_, C_, A_;
+  double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear
+  std::vector<double> q_new_, v_new_, node_scratch_, node_scratch2_, node_scratch3_;
 };
 
 }  // namespace scree::coupling

@@ -29,6 +29,33 @@ double smallest_width(const Model& model) {
   return least;
 }
 
+/// Throws where a body, or the scheme, cannot take the stage's implicit steps.
+void check_implicit(const Stage& stage, const Setup& setup) {
+  const auto refuse = [&](const std::string& why) {
+    throw PlanError(fmt::format("stage '{}' is implicit: {}", stage.name, why));
+  };
+  const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
+  if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
+    refuse("the trapezoidal scheme carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
+  if (trapezoidal && stage.kinematics == Kinematics::corotational &&
+      (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
+    refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
+  for (const Body& b : setup.bodies()) {
+    if (b.driven) continue;
+    const Pool& pool = setup.pool_of(b);
+    const std::string block = setup.model().blocks[b.block.index()].name;
+    if (const std::string obstacle = pool.implicit_obstacle(b.index); !obstacle.empty())
+      refuse(fmt::format("block '{}': {}", block, obstacle));
+    if (pool.dofs(b.index) == 0)
+      refuse(fmt::format("block '{}' uses the method {}, which is explicit only", block, pool.method()));
+    if (trapezoidal && !pool.constant_chart(b.index))
+      refuse(
+          fmt::format("block '{}' uses the method {}, whose unknowns turn with the block from step to step; the "
+                      "trapezoidal scheme needs the NMM",
+                      block, pool.method()));
+  }
+}
+
 }  // namespace
 
 std::string_view name(EventKind kind) {
@@ -160,11 +187,10 @@ void Driver::change_stage(std::size_t index) {
     const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
     mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
   } else {
-    for (const Body& b : setup_->bodies())
-      if (!b.driven && setup_->pool_of(b).dofs(b.index) == 0)
-        throw PlanError(fmt::format("stage '{}' is implicit, but block '{}' uses the method {}, which is explicit only",
-                                    stage.name, model_->blocks[b.block.index()].name, setup_->pool_of(b).method()));
-    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, stage.rest);
+    check_implicit(stage, *setup_);
+    const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
+                                  stage.damp_rigid_motion, stage.stiffness_damping};
+    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
   }
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
@@ -216,6 +242,10 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+      if (balance_) {
+        const RunEnd rest = check_rest(stage, stage_end_);
+        if (rest.status != RunEnd::Status::done || rested_) return rest;
+      }
       continue;
     }
     ++stats_.cuts;
@@ -225,7 +255,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
                           model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
             : std::string();
     const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
-    if (report.status == StepReport::Status::non_finite || ++cuts > step_control_.max_cuts || h <= 3) {
+    const bool hopeless =
+        report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
+    if (hopeless || ++cuts > step_control_.max_cuts || h <= 3) {
       const auto status =
           report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
       const std::string reason =
@@ -240,20 +272,59 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   return {};
 }
 
+void Driver::drop_velocities() {
+  mover_->update_ledger(state_);
+  const double kinetic = state_.ledger[Column::kinetic];
+  state_.ledger.book(Column::rest_damping, kinetic);
+  state_.ledger.set(Column::kinetic, 0.0);
+  std::fill(state_.v.begin(), state_.v.end(), 0.0);
+  setup_->prescribe(seconds(state_.time), state_.q, state_.v);
+}
+
+RunEnd Driver::check_rest(const Stage& stage, Tick end) {
+  const ForceBalance::Result found = balance_->measure(state_, *mover_);
+  const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
+  rested_ = found.ratio <= stage.rest_force;
+  const bool over = state_.time >= end || (stage.rest_steps > 0 && state_.step - first_step_ >= stage.rest_steps);
+  if (!rested_ && !over) return {};
+  std::string reason;
+  if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
+    reason = fmt::format("block '{}' has no path of closed contacts to a support", block_name(loose));
+  else if (!rested_)
+    reason = fmt::format(
+        "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
+        "({:.2g} "
+        "allowed)",
+        state_.step - first_step_,
+        found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
+        found.force, found.ratio, stage.rest_force);
+  if (reason.empty()) {
+    drop_velocities();  // an oscillation may be caught as it passes the balance
+    return {};
+  }
+  reason = fmt::format("t = {:.6g} s, stage '{}', {}", seconds(state_.time), stage.name, reason);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
 RunEnd Driver::run_stage(std::size_t index, Tick end) {
   const Stage& stage = plan_->stages[index];
+  const bool to_balance = stage.rest && stage.rest_force > 0.0;
+  balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
+  rested_ = false;
+  first_step_ = state_.step;
   event(EventKind::stage_start,
         fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                     stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
   look(true);
   const std::vector<Vec2> begin = centres();
-  while (state_.time < end) {
+  while (state_.time < end && !rested_) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
     const Tick target = std::min({frame, history, end});
     RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
-    look(target == frame || target == end);
+    look(target == frame || target == end || rested_);
   }
   travels_.push_back(travel_since(begin));
   const StageTravel& travel = travels_.back();
@@ -270,12 +341,11 @@ RunEnd Driver::run(std::optional<double> until) {
   for (Sink* s : sinks_) s->begin(*model_, *plan_);
   start();
   RunEnd result;
-  Tick stage_end = 0;
   for (std::size_t i = 0; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
-    if (i > 0 && stage_end >= stop) break;
-    stage_end += plan_->stages[i].duration;
+    if (i > 0 && state_.time >= stop) break;
     change_stage(i);
-    result = run_stage(i, std::min(stage_end, stop));
+    stage_end_ = state_.time + plan_->stages[i].duration;  // a stage that comes to rest ends before its time
+    result = run_stage(i, std::min(stage_end_, stop));
   }
   mover_->update_ledger(state_);
   FrameView last = observer_->frame(state_, stats_);

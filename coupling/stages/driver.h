@@ -8,6 +8,7 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/force_balance.h"
 #include "coupling/stages/observer.h"
 #include "coupling/transfer/transfer.h"
 
@@ -41,6 +42,9 @@ class Driver {
   void start();
   void change_stage(std::size_t index);
   RunEnd run_stage(std::size_t index, Tick end);
+  /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
+  [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
+  void drop_velocities();
   RunEnd advance_to(const Stage& stage, Tick target);
   [[nodiscard]] Tick largest_step(const Stage& stage);
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
@@ -59,7 +63,10 @@ class Driver {
   std::unique_ptr<Mover> mover_;
   StepControl step_control_;
   double detection_ = 0.0;
-  Tick end_ = 0;
+  std::unique_ptr<ForceBalance> balance_;  // of stages with rest_force
+  bool rested_ = false;                    // the stage has found its balance
+  std::int64_t first_step_ = 0;            // of the stage
+  Tick end_ = 0, stage_end_ = 0;
   RunStats stats_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;

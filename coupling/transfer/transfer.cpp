@@ -66,11 +66,15 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
                    State& state) {
   HandOver out;
   const std::size_t count = state.bodies.size();
-  std::vector<char> changed(count, 0);
+  std::vector<char> changed(count, 0), reformed(count, 0);
+  std::vector<BodyTotals> before(count);  // of bodies that keep their unknowns and change their operators
   std::vector<Release> released(count);
   for (std::size_t i = 0; i < count; ++i) {
     BodyRecord& record = state.bodies[i];
     if (record.method == wish[i].method && record.form.same_mesh(wish[i].form)) {
+      if (record.form == wish[i].form) continue;
+      reformed[i] = 1;
+      before[i] = totals_of(from, i, state);
       record.form = wish[i].form;  // the same unknowns with other operators
       continue;
     }
@@ -126,7 +130,15 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   std::size_t next = 0;
   double kinetic = ledger[Column::kinetic], elastic = ledger[Column::elastic], reservoir = ledger[Column::reservoir];
   for (std::size_t i = 0; i < count; ++i) {
-    if (changed[i] == 0 || to.bodies()[i].driven) continue;
+    if (to.bodies()[i].driven) continue;
+    if (reformed[i] != 0) {  // another mass, another measure of strain: what the same motion now holds
+      const BodyTotals after = totals_of(to, i, state);
+      kinetic += after.kinetic - before[i].kinetic;
+      elastic += after.elastic - before[i].elastic;
+      ledger.book(Column::transfer, after.kinetic - before[i].kinetic);
+      ledger.book(Column::transfer, after.elastic - before[i].elastic);
+    }
+    if (changed[i] == 0) continue;
     TransferRow& row = out.rows[next++];
     row.after = totals_of(to, i, state);
     measure(row, released[i].shape.second.trace());

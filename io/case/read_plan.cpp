@@ -65,16 +65,9 @@ BlockId without_covers(const coupling::Stage& stage, const std::vector<std::stri
 
 void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const Model& model) {
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
-  const auto first = std::find(used.begin(), used.end(), "nmm");
   if (!s.has("cover_size") && m.has("cover_size")) s.settle("cover_size", m.number("cover_size"));
   if (s.has("cover_size")) stage.cover_size = s.number("cover_size");
-  if (first == used.end()) return;
-  const std::string block = in_quotes(model.blocks[static_cast<std::size_t>(first - used.begin())].name);
-  if (stage.integrator == Integrator::implicit)
-    throw s.error("integrator",
-                  fmt::format("the NMM, which block {} uses in this stage, is explicit in this version", block),
-                  "\"explicit\" where a block uses the NMM",
-                  "set integrator = \"explicit\", or method = \"dda\" for implicit steps");
+  if (std::find(used.begin(), used.end(), "nmm") == used.end()) return;
   if (const BlockId bare = without_covers(stage, used, model); bare.valid())
     throw s.error(
         "cover_size",

@@ -94,16 +94,20 @@ class RigidPool final : public Pool {
     std::array<double, 3> w{};
     for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(r.node[k] - 3 * body)] += r.w[k];
     const Vec2 lever = quarter_turn() * (gradient(body, q) * Vec2(w[1], w[2]));
-    return {3, {3 * body, 3 * body + 1, 3 * body + 2}, {w[0], 0.0, lever.x()}, {0.0, w[0], lever.y()}};
+    return {3, {0, 1, 2}, {w[0], 0.0, lever.x()}, {0.0, w[0], lever.y()}};
   }
-  void linearise(int body, std::span<const double> q, std::span<const double> v,
-                 std::vector<ImplicitBlock>& blocks) const override {
-    ImplicitBlock& out = blocks.emplace_back();
-    out.first_dof = 3 * body;
-    out.M = Eigen::Vector3d(shape(body).mass, shape(body).mass, inertia(body)).asDiagonal();
-    out.K = Eigen::Matrix3d::Zero();
-    out.force = Eigen::Vector3d::Zero();
-    out.rate = Eigen::Vector3d(centre(body, v).x(), centre(body, v).y(), spin(body, q, v));
+  [[nodiscard]] ElementDofs element_dofs(int) const override { return {{0, 3}, {0, 1, 2}}; }
+  void element_masses(int body, std::span<const double>, std::span<double> mass) const override {
+    const std::array lower{shape(body).mass, 0.0, 0.0, shape(body).mass, 0.0, inertia(body)};
+    std::copy(lower.begin(), lower.end(), mass.begin());
+  }
+  void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const override {
+    Eigen::Map<Eigen::Vector3d>(rate.data()) << centre(body, v), spin(body, q, v);
+  }
+  double linearise(int, std::span<const double>, Stiffness, std::span<double> K, std::span<double> f) const override {
+    std::fill(K.begin(), K.end(), 0.0);
+    std::fill(f.begin(), f.end(), 0.0);
+    return 0.0;
   }
   void retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                std::span<double> v) const override {

@@ -69,8 +69,11 @@ test::Scene layers(const Patch& patch, double poisson, const std::vector<Polygon
   for (const Polygon& p : lower) low.blocks.push_back(scene.add("low" + std::to_string(low.blocks.size()), p));
   for (const Polygon& p : upper) high.blocks.push_back(scene.add("high" + std::to_string(high.blocks.size()), p));
   const bool implicit = patch.integrator == Integrator::implicit;
-  coupling::Stage& stage =
-      scene.stage("dda", patch.integrator, implicit ? 0.2 : 2.0, implicit ? std::optional(1e-3) : std::nullopt, 0.37);
+  const bool dda = std::string(patch.lower) == "dda" && std::string(patch.upper) == "dda";
+  // Long steps come to rest sooner; DDA, exact for this stress, is there at once.
+  const double step = dda ? 1e-3 : 1e-2;
+  coupling::Stage& stage = scene.stage("dda", patch.integrator, implicit ? 200.0 * step : 2.0,
+                                       implicit ? std::optional(step) : std::nullopt, 0.37);
   stage.rules = {below, low, high};
   stage.rest = true;
   stage.damping = implicit ? 0.0 : 100.0;
@@ -158,7 +161,8 @@ TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
   const double scale = pressure / (2500.0 * scene.plan.stages[0].cover_size);
   double largest = 0.0;
   for (const double a : state.a) largest = std::max(largest, std::abs(a));
-  EXPECT_LT(largest, 1e-8 * scale);
+  // The consistent mass of implicit stages answers the same forces with up to four times the acceleration.
+  EXPECT_LT(largest, (GetParam().integrator == Integrator::implicit ? 4e-8 : 1e-8) * scale);
 }
 
 INSTANTIATE_TEST_SUITE_P(methods, ContactPatch,
@@ -166,6 +170,9 @@ INSTANTIATE_TEST_SUITE_P(methods, ContactPatch,
                                            Patch{"nmm_dda", "nmm", "dda", Integrator::explicit_},
                                            Patch{"dda_nmm", "dda", "nmm", Integrator::explicit_},
                                            Patch{"dda_dda", "dda", "dda", Integrator::explicit_},
+                                           Patch{"nmm_nmm_implicit", "nmm", "nmm", Integrator::implicit},
+                                           Patch{"nmm_dda_implicit", "nmm", "dda", Integrator::implicit},
+                                           Patch{"dda_nmm_implicit", "dda", "nmm", Integrator::implicit},
                                            Patch{"dda_dda_implicit", "dda", "dda", Integrator::implicit}),
                          [](const auto& of) { return std::string(of.param.name); });
 

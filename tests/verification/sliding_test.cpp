@@ -1,4 +1,4 @@
-// A block on an inclined plane: explicit NMM, explicit and implicit DDA against g (sin a - cos a tan phi) t^2/2.
+// A block on an inclined plane: NMM and DDA, explicit and implicit, against g (sin a - cos a tan phi) t^2/2.
 #include <gtest/gtest.h>
 
 #include "tests/support/scene.h"
@@ -14,8 +14,8 @@ struct Outcome {
 
 /// A 1 x 1 m block on a long fixed plane at 30 degrees, released at rest.
 Outcome slide(const std::string& method, Integrator integrator, double friction_deg, double duration,
-              std::optional<double> dt) {
-  Scene scene(1e9, 0.2, 2600.0, friction_deg);
+              std::optional<double> dt, double young = 1e9) {
+  Scene scene(young, 0.2, 2600.0, friction_deg);
   const double a = 30.0 * kDegree;
   const Mat2 R = rotation(-a);
   scene.add("plane", transformed(rectangle(-5, -2, 30, 0), Vec2(0, 0), R), true);
@@ -39,18 +39,21 @@ class Sliding : public testing::TestWithParam<std::tuple<std::string, double>> {
 
 TEST_P(Sliding, incline_follows_coulomb) {
   const auto& [scheme, phi] = GetParam();
-  const bool implicit = scheme == "dda-implicit";
-  const double t = 1.0;
+  const bool implicit = scheme.ends_with("-implicit");
+  // Until its springs are stretched the block feels less than Coulomb's friction: in stiff rock for a shorter time.
+  const bool stiff = scheme == "nmm-implicit";
+  const double t = stiff ? 2.0 : 1.0;
   const Outcome o = slide(scheme.substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, phi, t,
-                          implicit ? std::optional<double>(1e-3) : std::nullopt);
+                          implicit ? std::optional<double>(1e-3) : std::nullopt, stiff ? 5e10 : 1e9);
   std::printf("%s phi %g: distance %.6f analytic %.6f error %.2e closure %.1e\n", scheme.c_str(), phi, o.distance,
               analytic(phi, t), o.distance / analytic(phi, t) - 1.0, o.closure);
-  EXPECT_NEAR(o.distance / analytic(phi, t), 1.0, 0.01);
+  EXPECT_NEAR(o.distance / analytic(phi, t), 1.0, stiff ? 5e-4 : 0.01);
   EXPECT_LT(o.closure, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(all, Sliding,
-                         testing::Combine(testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"),
+                         testing::Combine(testing::Values("nmm-explicit", "nmm-implicit", "dda-explicit",
+                                                          "dda-implicit"),
                                           testing::Values(10.0, 20.0)));
 
 class Holding : public testing::TestWithParam<std::string> {};
@@ -65,7 +68,7 @@ struct Path final : coupling::Sink {
 };
 
 TEST_P(Holding, incline_steeper_friction_stays) {
-  const bool implicit = GetParam() == "dda-implicit";
+  const bool implicit = GetParam().ends_with("-implicit");
   Scene scene(1e9, 0.2, 2600.0, 40.0);
   scene.model.joints[0].penalty = 1e8;
   const Mat2 R = rotation(-30.0 * kDegree);
@@ -87,9 +90,10 @@ TEST_P(Holding, incline_steeper_friction_stays) {
               settled, end - settled, run.state().ledger.relative_closure());
   EXPECT_LT(end, 2e-3);                      // gravity comes on at once: the springs swing to twice m g/2k = 2.6e-4 m
   EXPECT_LT(std::abs(end - settled), 1e-5);  // what is left of the swing after a second
-  EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
+  // Newton's method leaves 1e-11 of the largest force.
+  EXPECT_LT(run.state().ledger.relative_closure(), GetParam() == "nmm-implicit" ? 1e-10 : 1e-12);
 }
-INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "dda-explicit", "dda-implicit"));
+INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "nmm-implicit", "dda-explicit", "dda-implicit"));
 
 }  // namespace
 }  // namespace scree::test

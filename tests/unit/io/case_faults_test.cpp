@@ -273,8 +273,6 @@ INSTANTIATE_TEST_SUITE_P(
                "given twice"},
         Change{"method = \"nmm\"", "method = \"fem\"", "stage.0.method", "no method of that name"},
         Change{"method = \"nmm\"", "method = 1", "stage.0.method", "wrong type"},
-        Change{"integrator = \"explicit\"", "integrator = \"implicit\"", "stage.0.integrator",
-               "is explicit in this version"},
         Change{"dt = \"1 ms\"", "dt = \"auto\"", "stage.1.dt", "needs a time step"},
         Change{"dt = \"1 ms\"", "dt = 1e-13", "stage.1.dt", "out of range"},
         Change{"duration = 0.1", "duration = 0", "stage.0.duration", "out of range"},
@@ -293,13 +291,6 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
   EXPECT_EQ(e.line, 177) << e.what();
   EXPECT_TRUE(holds(e.problem, "\"far wall\"")) << e.what();  // the others have a size of their own
-}
-
-TEST(Case, nmm_by_rule_in_an_implicit_stage_is_refused) {
-  const CaseError e = error_of_text(bytes_of(kFolder + "full_case.toml"),
-                                    {"stage.runout.method_of=[{blocks=[\"wall\"], method=\"nmm\"}]"});
-  EXPECT_EQ(e.key, "stage.1.integrator");
-  EXPECT_TRUE(holds(e.problem, "\"wall\"")) << e.what();
 }
 
 TEST(Case, without_block_or_stage_is_refused) {

@@ -1,0 +1,161 @@
+#include "coupling/integrate/implicit_system.h"
+
+#include <algorithm>
+
+namespace scree::coupling {
+
+double DofRow::change(std::span<const double> d) const {
+  double sum = known;
+  for (std::size_t i = 0; i < dof.size(); ++i) sum += h[i] * d[static_cast<std::size_t>(dof[i])];
+  return sum;
+}
+
+ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value_(1, 0) {
+  std::vector<std::int32_t> row, column;
+  for (const Body& b : setup.bodies()) {
+    const Pool& pool = setup.pool_of(b);
+    first_dof_.push_back(b.driven ? -1 : dofs_);
+    nonlinear_body_.push_back(!b.driven && pool.nonlinear(b.index) ? 1 : 0);
+    if (!b.driven) {
+      const ElementDofs elements = pool.element_dofs(b.index);
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        for (auto j = static_cast<std::size_t>(elements.start[e]); j < static_cast<std::size_t>(elements.start[e + 1]);
+             ++j)
+          for (std::size_t i = j; i < static_cast<std::size_t>(elements.start[e + 1]); ++i) {
+            row.push_back(dofs_ + elements.dof[i]);
+            column.push_back(dofs_ + elements.dof[j]);
+          }
+      nonlinear_ = nonlinear_ || nonlinear_body_.back() != 0;
+      dofs_ += pool.dofs(b.index);
+      nonlinear_dof_.resize(static_cast<std::size_t>(dofs_), nonlinear_body_.back() != 0 ? 1.0 : 0.0);
+    }
+    first_value_.push_back(row.size());
+  }
+  place_ = pattern_.make(dofs_, row, column);
+  mass_.resize(pattern_.size());
+  rate_.resize(static_cast<std::size_t>(dofs_));
+}
+
+std::int32_t ImplicitSystem::body_of(std::int32_t dof) const {
+  std::int32_t found = -1;
+  for (std::size_t b = 0; b < first_dof_.size(); ++b)
+    if (first_dof_[b] >= 0 && first_dof_[b] <= dof) found = static_cast<std::int32_t>(b);
+  return found;
+}
+
+void ImplicitSystem::scatter(std::size_t body, std::span<const double> values, std::span<double> out) const {
+  const std::size_t first = first_value_[body];
+  for (std::size_t k = 0; k < values.size(); ++k) out[static_cast<std::size_t>(place_[first + k])] += values[k];
+}
+
+void ImplicitSystem::take_masses(std::span<const double> q, std::span<const double> v) {
+  std::fill(mass_.begin(), mass_.end(), 0.0);
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (!takes(i, true)) continue;
+    const Body& b = setup_->bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    const Pool& pool = setup_->pool_of(b);
+    scratch_.resize(first_value_[i + 1] - first_value_[i]);
+    pool.element_masses(b.index, setup_->part(q, p), scratch_);
+    scatter(i, scratch_, mass_);
+    pool.rates(b.index, setup_->part(q, p), setup_->part(v, p),
+               std::span(rate_).subspan(static_cast<std::size_t>(first_dof_[i]),
+                                        static_cast<std::size_t>(pool.dofs(b.index))));
+  }
+}
+
+double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K,
+                                 std::span<double> force) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (!takes(i, all)) continue;
+    const Body& b = setup_->bodies()[i];
+    const Pool& pool = setup_->pool_of(b);
+    const auto first = static_cast<std::size_t>(first_dof_[i]), n = static_cast<std::size_t>(pool.dofs(b.index));
+    std::span<double> values;
+    if (!K.empty()) {
+      scratch_.resize(first_value_[i + 1] - first_value_[i]);
+      values = scratch_;
+      // Bodies share no unknown: this one's columns hold nothing else.
+      std::fill(K.begin() + pattern_.column_start[first], K.begin() + pattern_.column_start[first + n], 0.0);
+    }
+    const double stored = pool.linearise(b.index, setup_->part(q, static_cast<std::size_t>(b.pool)), kind, values,
+                                         force.subspan(first, n));
+    if (nonlinear_body_[i] != 0) energy += stored;
+    if (!K.empty()) scatter(i, values, K);
+  }
+  return energy;
+}
+
+void ImplicitSystem::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q,
+                               const Vec2& driven_move) const {
+  const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
+  if (b.driven) {
+    out.known += c.dot(driven_move);
+    return;
+  }
+  const ChartRow chart =
+      setup_->pool_of(b).chart_row(b.index, setup_->local(b, row), setup_->part(q, static_cast<std::size_t>(b.pool)));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k) {
+    const std::int32_t dof = chart.dof[k] + first_dof_[static_cast<std::size_t>(body)];
+    const double h = c.x() * chart.tx[k] + c.y() * chart.ty[k];
+    const auto at = std::find(out.dof.begin(), out.dof.end(), dof);
+    if (at == out.dof.end()) {
+      out.dof.push_back(dof);
+      out.h.push_back(h);
+    } else {
+      out.h[static_cast<std::size_t>(at - out.dof.begin())] += h;
+    }
+  }
+}
+
+void ImplicitSystem::add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const {
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (first_dof_[i] < 0) continue;
+    const Body& b = setup_->bodies()[i];
+    const auto of_pool = setup_->part(q, static_cast<std::size_t>(b.pool));
+    const std::int32_t end = b.first_node + b.nodes;
+    for (std::int32_t k = b.first_node; k < end; ++k) {
+      const std::size_t n = 2 * static_cast<std::size_t>(k);
+      if (f[n] == 0.0 && f[n + 1] == 0.0) continue;
+      const ChartRow chart =
+          setup_->pool_of(b).chart_row(b.index, setup_->local(b, Row{{k, k, k}, {1.0, 0.0, 0.0}}), of_pool);
+      for (std::size_t j = 0; j < static_cast<std::size_t>(chart.n); ++j)
+        out[static_cast<std::size_t>(chart.dof[j] + first_dof_[i])] += f[n] * chart.tx[j] + f[n + 1] * chart.ty[j];
+    }
+  }
+}
+
+void ImplicitSystem::accelerations(std::span<const double> q, std::span<const double> nodes,
+                                   std::span<double> dofs) const {
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (first_dof_[i] < 0) continue;
+    const Body& b = setup_->bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    const Pool& pool = setup_->pool_of(b);
+    pool.rates(b.index, setup_->part(q, p), setup_->part(nodes, p),
+               dofs.subspan(static_cast<std::size_t>(first_dof_[i]), static_cast<std::size_t>(pool.dofs(b.index))));
+  }
+}
+
+void ImplicitSystem::node_accelerations(std::span<const double> dofs, std::span<double> nodes) const {
+  // A constant chart takes rates to velocities as it takes accelerations.
+  std::vector<double> nowhere(nodes.size(), 0.0);
+  const std::vector<double> still(dofs.size(), 0.0);
+  std::fill(nodes.begin(), nodes.end(), 0.0);
+  retract(still, dofs, true, nowhere, nodes);
+}
+
+void ImplicitSystem::retract(std::span<const double> d, std::span<const double> rate, bool all, std::span<double> q,
+                             std::span<double> v) const {
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (!takes(i, all)) continue;
+    const Body& b = setup_->bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool), first = static_cast<std::size_t>(first_dof_[i]),
+               n = static_cast<std::size_t>(setup_->pool_of(b).dofs(b.index));
+    setup_->pool_of(b).retract(b.index, d.subspan(first, n), rate.subspan(first, n), setup_->part(q, p),
+                               setup_->part(v, p));
+  }
+}
+
+}  // namespace scree::coupling

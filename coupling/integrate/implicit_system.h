@@ -1,0 +1,75 @@
+// Unknowns, masses and stiffnesses of all free bodies in an implicit step.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/integrate/symmetric_pattern.h"
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+/// A scalar of the step, linear in the unknowns: change = h.d + known.
+struct DofRow {
+  std::vector<std::int32_t> dof;  // each once
+  std::vector<double> h;
+  double known = 0.0;  // part of driven bodies
+  [[nodiscard]] double change(std::span<const double> d) const;
+};
+
+/// Numbers the unknowns of free bodies and sums their element matrices on one pattern, found once a stage.
+class ImplicitSystem {
+ public:
+  explicit ImplicitSystem(const Setup& setup);
+
+  [[nodiscard]] std::int32_t dofs() const { return dofs_; }
+  /// -1: the body is driven.
+  [[nodiscard]] std::int32_t first_dof(std::size_t body) const { return first_dof_[body]; }
+  /// 1 for unknowns of bodies whose force is not linear, else 0.
+  [[nodiscard]] std::span<const double> nonlinear_dofs() const { return nonlinear_dof_; }
+  /// Body of an unknown.
+  [[nodiscard]] std::int32_t body_of(std::int32_t dof) const;
+  [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
+  [[nodiscard]] bool nonlinear() const { return nonlinear_; }
+
+  /// Masses and velocities in the unknowns at a state.
+  void take_masses(std::span<const double> q, std::span<const double> v);
+  /// Stiffness and internal force of the bodies whose force is not linear, or of all.
+  /// @param K      numbers on the pattern; empty: only the force
+  /// @param force  a number an unknown
+  /// @return elastic energy of the bodies whose force is not linear [J]
+  double linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K, std::span<double> force);
+  [[nodiscard]] std::span<const double> mass() const { return mass_; }
+  [[nodiscard]] std::span<const double> rate() const { return rate_; }
+
+  /// out += c.(displacement of a row of a body); what a driven body does is known.
+  /// @param q  positions at the start of the step   @param driven_move  of a driven body in the step
+  void add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q,
+                 const Vec2& driven_move) const;
+  /// out += forces on nodes, in the unknowns.   @param f  x, y a node of the state's arrays
+  void add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const;
+  /// Accelerations of the free bodies' nodes in the unknowns, and back.   @pre constant charts
+  void accelerations(std::span<const double> q, std::span<const double> nodes, std::span<double> dofs) const;
+  void node_accelerations(std::span<const double> dofs, std::span<double> nodes) const;
+  /// q, v of the free bodies, or only of those whose force is not linear.
+  void retract(std::span<const double> d, std::span<const double> rate, bool all, std::span<double> q,
+               std::span<double> v) const;
+
+ private:
+  [[nodiscard]] bool takes(std::size_t body, bool all) const {
+    return first_dof_[body] >= 0 && (all || nonlinear_body_[body] != 0);
+  }
+  void scatter(std::size_t body, std::span<const double> values, std::span<double> out) const;
+
+  const Setup* setup_;
+  std::vector<std::int32_t> first_dof_;   // a body
+  std::vector<char> nonlinear_body_;      // a body
+  std::vector<std::size_t> first_value_;  // a body: into place_
+  std::int32_t dofs_ = 0;
+  bool nonlinear_ = false;
+  SymmetricPattern pattern_;
+  std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
+  std::vector<double> mass_, rate_, nonlinear_dof_, scratch_;
+};
+
+}  // namespace scree::coupling

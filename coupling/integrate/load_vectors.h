@@ -1,0 +1,26 @@
+// Dead loads as vectors of nodal forces, the same for every scheme.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+
+/// Forces that share a time function: f times the function's value.
+struct LoadVector {
+  std::vector<double> f;  // x, y a node of the state's arrays, at the factor 1 [N]
+  FunctionId function;    // invalid: constant
+};
+
+/// Point loads, tractions and body accelerations of the model, one vector a time function; gravity is not among them.
+/// A traction is a force per length of the outline where the model first had it, spread consistently: every stretch of
+/// boundary between two nodes gives each the integral of its weight. Loads on driven bodies are left out.
+/// @param bodies  the records that the setup was made from
+[[nodiscard]] std::vector<LoadVector> load_vectors(const Setup& setup, std::span<const BodyRecord> bodies);
+
+/// f += the loads at a time [s].
+void add_loads(const Model& model, std::span<const LoadVector> loads, double time, std::span<double> f);
+
+}  // namespace scree::coupling

@@ -1,0 +1,194 @@
+// What an accepted implicit step leaves in the state and the ledger.
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/integrate/newmark.h"
+
+namespace scree::coupling {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+void Newmark::book_bodies(Ledger& ledger, Energies& after) {
+  const auto mask = system_.nonlinear_dofs();
+  ledger.book(Column::gravity, dot(gravity_, d_));
+  if (!loads_.empty())
+    ledger.book(Column::loads, trapezoidal() ? 0.5 * (dot(load_, d_) + dot(load_before_, d_)) : dot(load_, d_));
+  // Bodies whose force is linear in the unknowns: U' - U = -f.d + 1/2 d.K.d.
+  std::vector<double> linear(d_.size()), curved(d_.size());
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    linear[i] = mask[i] != 0.0 ? 0.0 : d_[i];
+    curved[i] = mask[i] * d_[i];
+  }
+  system_.pattern().multiply(K_, linear, out_);
+  const double damping = 0.5 * dot(linear, out_);
+  if (!trapezoidal()) ledger.book(Column::newmark_damping, damping);
+  after.elastic += -dot(force_before_, linear) + damping;
+  if (system_.nonlinear()) {
+    const double change = energy_after_ - energy_before_;
+    after.elastic += change;
+    if (trapezoidal())
+      ledger.book(Column::elastic_trapezoid, change + 0.5 * (dot(force_before_, curved) + dot(force_after_, curved)));
+    else
+      ledger.book(Column::newmark_damping, -dot(force_after_, curved) - change);
+  }
+  system_.pattern().multiply(system_.mass(), rate_, out_);
+  after.kinetic += 0.5 * dot(rate_, out_);
+}
+
+void Newmark::book_damping(Ledger& ledger) const {
+  const auto work = [&](const std::vector<double>& before, const std::vector<double>& now) {
+    return trapezoidal() ? 0.5 * (dot(before, d_) + dot(now, d_)) : dot(now, d_);
+  };
+  if (options_.damping > 0.0) ledger.book(Column::mass_damping, -work(damped_before_.mass, damped_after_.mass));
+  if (!C_.empty()) ledger.book(Column::stiffness_damping, -work(damped_before_.stiffness, damped_after_.stiffness));
+}
+
+void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
+  for (std::size_t i = 0; i < contacts_.springs().size(); ++i) {
+    const StepSpring& s = contacts_.springs()[i];
+    const double u = s.row.change(d_);
+    if (i < 2 * supports_.size()) {
+      if (!trapezoidal()) ledger.book(Column::newmark_damping, 0.5 * s.k * u * u);
+      after.supports += 0.5 * s.k * (s.at + u) * (s.at + u);
+    } else {  // a dashpot: its force at the start of the step was k at
+      ledger.book(Column::viscous_edges, trapezoidal() ? 0.5 * s.k * u * u : -s.force(d_) * u);
+    }
+  }
+  for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
+    const OpenClose::Trial& t = contacts_.trials()[i];
+    const ContactMemory& m = list_.memory[i];
+    ledger.book(Column::prescribed_motion, -(t.fn * t.normal.known + t.ft * t.tangential.known));
+    // Normal: -(f dg + dU), split by what happened.
+    const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
+    const bool counted =
+        !list_.points[i].suppressed && !list_.points[i].beyond;  // its energy, at the start of the step
+    if (t.fn > 0.0) {
+      if (counted && g0 < 0.0)
+        ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
+      else
+        ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
+      after.springs += 0.5 * m.kn * g1 * g1;
+    } else if (counted && g0 < 0.0) {
+      ledger.book(Column::contact_closing, 0.5 * m.kn * g0 * g0);
+    }
+    // Tangential.
+    const double e0 = m.status == ContactStatus::open ? 0.0 : m.stretch, e1 = t.stretch;
+    if (t.status == ContactStatus::open) {
+      ledger.book(Column::springs_dropped, 0.5 * m.kt * e0 * e0);
+      continue;
+    }
+    ledger.book(Column::newmark_damping, 0.5 * m.kt * (e1 - e0) * (e1 - e0));
+    if (t.status == ContactStatus::slip) ledger.book(Column::friction, -t.ft * (e0 + t.moved - e1));
+    after.springs += 0.5 * m.kt * e1 * e1;
+  }
+}
+
+std::vector<double> Newmark::remember_contacts(const State& state) {
+  // A stick keeps its anchor in the material, a slip has its spring at the limit on the new geometry.
+  const Outlines& o = setup_->outlines();
+  std::vector<double> linear(contacts_.trials().size(), 0.0);
+  for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
+    const OpenClose::Trial& t = contacts_.trials()[i];
+    ContactMemory& m = list_.memory[i];
+    const ContactPoint& p = list_.points[i];
+    linear[i] = 0.5 * m.kn * (t.fn > 0.0 ? t.gap * t.gap : 0.0) +
+                (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
+    if (t.status == ContactStatus::slip) {
+      const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
+      m.slip += std::abs(before + t.moved - t.stretch);
+      if (setup_->model().joints[static_cast<std::size_t>(m.joint)].cohesion > 0.0) m.failed = 1;
+      const ContactGeometry g = contact_geometry(position(o.nodes[static_cast<std::size_t>(p.node[0])], state.q),
+                                                 position(o.nodes[static_cast<std::size_t>(p.node[1])], state.q),
+                                                 position(o.nodes[static_cast<std::size_t>(p.node[2])], state.q));
+      m.anchor = g.xi - t.stretch / g.length;
+    }
+    m.status = t.status;
+    m.fn = t.fn;
+    m.fd = m.fdt = 0.0;
+    m.ft = t.ft;
+  }
+  return linear;
+}
+
+void Newmark::book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger) {
+  std::swap(list_, before_);
+  finder_.find(state.q, before_, false, list_);
+  for (std::size_t b = 0; b < list_.memory.size(); ++b) {
+    const ContactPoint& p = list_.points[b];
+    ContactMemory m = list_.memory[b];
+    const double now = normal_energy(p, m) + tangential_energy(m);
+    if (p.from < 0) {
+      if (now != 0.0) ledger.book(Column::contact_edges, now);
+      continue;
+    }
+    const auto a = static_cast<std::size_t>(p.from);
+    m.kn = before_.memory[a].kn;
+    m.kt = before_.memory[a].kt;
+    const double with_old_share = normal_energy(p, m) + tangential_energy(m);
+    ledger.book(Column::update_contact, with_old_share - linear[a]);
+    ledger.book(Column::contact_share, now - with_old_share);
+    linear[a] = 0.0;
+  }
+  for (const double left : linear) ledger.book(Column::springs_dropped, left);  // of contacts that ended
+  ledger.book(Column::contact_share, finder_.adopt_kinds(list_));
+  ledger.set(Column::contact_springs, contact_energy(list_));
+}
+
+void Newmark::book_update(State& state, const Energies& after) {
+  Ledger& ledger = state.ledger;
+  double elastic = 0.0, kinetic = 0.0, supports = 0.0;
+  q_new_.assign(state.q.size(), 0.0);  // scratch for forces that only their energy is wanted of
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    elastic += setup_->pool(p).internal_force(setup_->part(std::span<const double>(state.q), p),
+                                              setup_->part(std::span<double>(q_new_), p));
+  kinetic = kinetic_energy(state);
+  for (const PointSpring& s : supports_) supports += spring_energy(s, state.q);
+  ledger.set(Column::elastic, elastic);
+  ledger.book(Column::update_elastic, elastic - after.elastic);
+  ledger.set(Column::kinetic, kinetic);
+  ledger.book(Column::update_kinetic, kinetic - after.kinetic);
+  if (!supports_.empty()) {
+    ledger.set(Column::support_springs, supports);
+    ledger.book(Column::update_contact, supports - after.supports);
+  }
+  if (options_.dynamics == 1.0) return;
+  const double kept = options_.dynamics * options_.dynamics;
+  ledger.book(Column::rest_damping, (1.0 - kept) * kinetic);
+  for (double& v : state.v) v *= options_.dynamics;
+  setup_->prescribe(seconds(state.time), state.q, state.v);
+  ledger.set(Column::kinetic, kept * kinetic);
+}
+
+void Newmark::accept(State& state, Tick ticks_of_step) {
+  const double h = seconds(ticks_of_step);
+  Energies after;
+  after.elastic = state.ledger[Column::elastic];
+  book_bodies(state.ledger, after);
+  book_damping(state.ledger);
+  book_contacts(state.ledger, after);
+  if (trapezoidal()) {
+    for (std::size_t i = 0; i < d_.size(); ++i)
+      acceleration_[i] = 4.0 / (h * h) * (d_[i] - h * system_.rate()[i]) - acceleration_[i];
+    system_.node_accelerations(acceleration_, state.a);
+  }
+
+  state.q.swap(q_new_);
+  state.v.swap(v_new_);
+  state.time += ticks_of_step;
+  ++state.step;
+  state.last_step = ticks_of_step;
+  std::vector<double> linear = remember_contacts(state);
+  book_contact_update(state, std::move(linear), state.ledger);
+  state.contacts = list_.memory;
+  state.ledger.set(Column::contact_springs, contact_energy(list_));
+  book_update(state, after);
+}
+
+}  // namespace scree::coupling

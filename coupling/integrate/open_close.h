@@ -1,0 +1,79 @@
+// Open-close iteration: contact states of an implicit step.
+#pragma once
+
+#include <vector>
+
+#include "coupling/contact/contact_energy.h"
+#include "coupling/integrate/cholesky.h"
+#include "coupling/integrate/implicit_system.h"
+#include "coupling/integrate/mover.h"
+
+namespace scree::coupling {
+
+/// Something of stiffness k between bodies or to the ground that stays as it is during a step: force -k (at + u) along
+/// the row, u its change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
+struct StepSpring {
+  DofRow row;
+  double k = 0.0;   // [N/m]
+  double at = 0.0;  // elongation at the start of the step [m]
+  [[nodiscard]] double force(std::span<const double> d) const { return -k * (at + row.change(d)); }
+};
+
+/// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
+/// sliding points is a load of the right-hand side that follows their normal force (Anderson acceleration, GMRES for a
+/// linear iteration). Gaps and stretches are linear in d, about the start of the step.
+/// @source thesis 3.2.2, 4.5
+class OpenClose {
+ public:
+  struct Trial {  // a contact point during the iteration
+    DofRow normal, tangential;
+    ContactStatus status = ContactStatus::open;
+    double direction = 0.0;  // sign of the friction force while slipping
+    double load = 0.0;       // normal force that its friction limit was taken from [N]
+    double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
+  };
+
+  /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
+  OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed);
+
+  /// Begins a step with the points of a list, which must outlive it.
+  void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
+             std::vector<StepSpring> springs);
+  /// @param A    numbers on the system's pattern   @param fresh  they have changed since the last call
+  /// @param d    the unknowns found
+  /// @return false: the report says why
+  [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
+                           StepReport& report);
+  /// out += forces of springs and contacts at the unknowns last found; also the largest of them.
+  double add_forces(std::span<const double> d, std::span<double> out) const;
+
+  [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
+  [[nodiscard]] const std::vector<StepSpring>& springs() const { return springs_; }
+  [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
+
+ private:
+  [[nodiscard]] DofRow dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
+                               std::span<const Vec2> driven_move) const;
+  [[nodiscard]] bool factorise(std::span<const double> A, bool fresh, StepReport& report);
+  [[nodiscard]] bool solve_with_friction(std::span<double> d, StepReport& report);
+  void evaluate_points(std::span<const double> d);
+  [[nodiscard]] double limit(std::size_t i) const;
+  [[nodiscard]] double normal_stiffness(std::size_t i) const;
+  [[nodiscard]] double tangential_stiffness(std::size_t i) const;
+  [[nodiscard]] bool may_close(std::size_t i) const;
+  [[nodiscard]] int switch_states(bool only_worst);
+  [[nodiscard]] bool refuse(StepReport& report) const;
+
+  const Setup* setup_;
+  StepControl control_;
+  const ImplicitSystem* system_;
+  bool allowed_;
+  const ContactList* list_ = nullptr;
+  std::vector<StepSpring> springs_;
+  std::vector<Trial> trial_;
+  std::vector<double> rhs_, base_, scale_, factored_scale_;
+  bool factored_ = false;
+  Cholesky cholesky_;
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,89 @@
+#include "coupling/stages/force_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::coupling {
+
+ForceBalance::ForceBalance(const Setup& setup, const State& state)
+    : setup_(&setup), loads_(load_vectors(setup, state.bodies)), supports_(point_springs(setup, state)) {
+  lever_.assign(static_cast<std::size_t>(setup.nodes()), 0.0);
+  for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
+    const Body& b = setup.bodies()[i];
+    if (b.driven) continue;
+    const auto moves = setup.pool_of(b).translation(b.index);
+    const auto first = static_cast<std::size_t>(b.first_node);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(b.nodes); ++k)
+      lever_[first + k] = moves[k] != 0.0 ? 1.0 : std::sqrt(state.bodies[i].shape.area);
+  }
+}
+
+void ForceBalance::take(std::vector<double>& term) {
+  for (std::size_t p = 0; p < setup_->pools(); ++p) setup_->pool(p).fold_forces(setup_->part(std::span<double>(term), p));
+  for (std::size_t i = 0; i < term.size(); ++i) {
+    if (lever_[i / 2] == 0.0) continue;
+    largest_ = std::max(largest_, std::abs(term[i]) / lever_[i / 2]);
+    total_[i] += term[i];
+  }
+}
+
+ForceBalance::Result ForceBalance::measure(const State& state, const Mover& mover) {
+  const std::size_t n = state.q.size();
+  total_.assign(n, 0.0);
+  largest_ = 0.0;
+  const auto term = [&](auto&& fill) {
+    term_.assign(n, 0.0);
+    fill(term_);
+    take(term_);
+  };
+  term([&](std::vector<double>& f) {
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      setup_->pool(p).body_force(setup_->model().gravity, setup_->part(std::span<double>(f), p));
+  });
+  term([&](std::vector<double>& f) { add_loads(setup_->model(), loads_, seconds(state.time), f); });
+  term([&](std::vector<double>& f) {
+    for (std::size_t p = 0; p < setup_->pools(); ++p)
+      (void)setup_->pool(p).internal_force(setup_->part(std::span<const double>(state.q), p),
+                                           setup_->part(std::span<double>(f), p));
+  });
+  term([&](std::vector<double>& f) {
+    for (const PointSpring& s : supports_) add_force(s.row, spring_force(s, state.q), f);
+  });
+  term([&](std::vector<double>& f) { mover.contact_forces(state, f); });
+
+  Result out;
+  for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
+    const Body& b = setup_->bodies()[i];
+    const auto first = static_cast<std::size_t>(b.first_node), end = first + static_cast<std::size_t>(b.nodes);
+    for (std::size_t k = first; k < end; ++k) {
+      if (lever_[k] == 0.0) continue;
+      const double force = std::max(std::abs(total_[2 * k]), std::abs(total_[2 * k + 1])) / lever_[k];
+      if (force <= out.force) continue;
+      out.force = force;
+      out.body = static_cast<std::int32_t>(i);
+    }
+  }
+  out.ratio = largest_ > 0.0 ? out.force / largest_ : 0.0;
+  return out;
+}
+
+BlockId unsupported_block(const Setup& setup, const State& state) {
+  std::vector<char> held(setup.bodies().size(), 0);
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = setup.bodies()[i].driven ? 1 : 0;
+  for (const PointSupport& s : setup.model().point_supports) held[s.block.index()] = 1;
+  for (bool grew = true; grew;) {  // a pass a layer of blocks
+    grew = false;
+    for (const ContactMemory& m : state.contacts) {
+      if (m.status == ContactStatus::open) continue;
+      char &a = held[static_cast<std::size_t>(m.key.block_p)], &b = held[static_cast<std::size_t>(m.key.block_e)];
+      if (a == b) continue;
+      a = b = 1;
+      grew = true;
+    }
+  }
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] == 0) return setup.bodies()[i].block;
+  return {};
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,40 @@
+// Is the model at rest: unbalanced forces, and what holds each block.
+#pragma once
+
+#include <vector>
+
+#include "coupling/integrate/load_vectors.h"
+#include "coupling/integrate/mover.h"
+#include "coupling/integrate/point_springs.h"
+
+namespace scree::coupling {
+
+/// The largest force on an unknown of a free body that nothing balances, against the largest single force: weight,
+/// loads, stress inside, supports, contacts. Moments count as forces at the root area of their block. Constant during
+/// a stage.
+class ForceBalance {
+ public:
+  struct Result {
+    double ratio = 0.0;      // unbalanced over the largest single force; 0 where there is no force at all
+    double force = 0.0;      // unbalanced [N]
+    std::int32_t body = -1;  // with the largest unbalanced force
+  };
+  ForceBalance(const Setup& setup, const State& state);
+  [[nodiscard]] Result measure(const State& state, const Mover& mover);
+
+ private:
+  void take(std::vector<double>& term);
+
+  const Setup* setup_;
+  std::vector<LoadVector> loads_;
+  std::vector<PointSpring> supports_;
+  std::vector<double> lever_;  // a node: what its force is divided by, 0 for driven bodies
+  std::vector<double> term_, total_;
+  double largest_ = 0.0;
+};
+
+/// First block without a path of closed contacts to a block that is held, or to one with a point support; invalid:
+/// every block has one.
+[[nodiscard]] BlockId unsupported_block(const Setup& setup, const State& state);
+
+}  // namespace scree::coupling

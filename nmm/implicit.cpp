@@ -1,0 +1,115 @@
+#include "nmm/implicit.h"
+
+#include <algorithm>
+
+namespace scree::nmm {
+
+void ImplicitBody::make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first) {
+  folded_ = std::move(folded);
+  mass_ = std::move(masses);
+  lumped_ = lumped;
+  first_ = first;
+  value_start_.assign(1, 0);
+  for (std::size_t e = 0; e < folded_.size(); ++e) {
+    const auto n = static_cast<std::int32_t>(2 * folded_.places(e).size());
+    value_start_.push_back(value_start_.back() + n * (n + 1) / 2);
+  }
+}
+
+ElementDofs ImplicitBody::element_dofs() const {
+  ElementDofs out;
+  for (std::size_t e = 0; e < folded_.size(); ++e) {
+    for (const std::int32_t free : folded_.places(e)) {
+      out.dof.push_back(2 * free);
+      out.dof.push_back(2 * free + 1);
+    }
+    out.start.push_back(static_cast<std::int32_t>(out.dof.size()));
+  }
+  return out;
+}
+
+ChartRow ImplicitBody::chart_row(const Row& row) const {
+  ChartRow out;
+  const auto add = [&](std::int32_t free, double w) {
+    for (int i = 0; i < out.n; i += 2)
+      if (out.dof[static_cast<std::size_t>(i)] == 2 * free) {
+        out.tx[static_cast<std::size_t>(i)] += w;
+        out.ty[static_cast<std::size_t>(i) + 1] += w;
+        return;
+      }
+    const auto i = static_cast<std::size_t>(out.n);
+    out.dof[i] = 2 * free;
+    out.dof[i + 1] = 2 * free + 1;
+    out.tx[i] = out.ty[i + 1] = w;
+    out.n += 2;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (row.w[k] == 0.0) continue;
+    const std::int32_t cover = row.node[k] - first_;
+    if (const std::int32_t free = folded_.free_of(cover); free >= 0) {
+      add(free, row.w[k]);
+      continue;
+    }
+    const auto ties = folded_.ties();
+    const auto tie =
+        std::lower_bound(ties.begin(), ties.end(), cover, [](const Tie& t, std::int32_t c) { return t.cover < c; });
+    for (std::size_t m = 0; m < 3; ++m) add(folded_.free_of(tie->root[m]), row.w[k] * tie->w[m]);
+  }
+  return out;
+}
+
+void ImplicitBody::element_masses(std::span<double> mass) const {
+  std::array<double, 45> scalar{};
+  for (std::size_t e = 0; e < folded_.size(); ++e) {
+    folded_.fold(e, mass_[e], scalar);
+    const std::size_t n = folded_.places(e).size();
+    if (lumped_) {  // row sums
+      std::array<double, 9> sum{};
+      std::size_t at = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = j; i < n; ++i, ++at) {
+          sum[j] += scalar[at];
+          if (i != j) sum[i] += scalar[at];
+        }
+      at = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = j; i < n; ++i, ++at) scalar[at] = i == j ? sum[j] : 0.0;
+    }
+    // The scalar matrix on x and on y.
+    std::size_t at = value(e);
+    const auto entry = [&](std::size_t i, std::size_t j) { return scalar[j * n - j * (j + 1) / 2 + i]; };  // i >= j
+    for (std::size_t j = 0; j < 2 * n; ++j)
+      for (std::size_t i = j; i < 2 * n; ++i) mass[at++] = i % 2 == j % 2 ? entry(i / 2, j / 2) : 0.0;
+  }
+}
+
+void ImplicitBody::rates(std::span<const double> v, std::span<double> rate) const {
+  for (std::int32_t k = 0; k < folded_.free_covers(); ++k) {
+    const auto i = 2 * static_cast<std::size_t>(first_ + folded_.cover_of(k));
+    rate[2 * static_cast<std::size_t>(k)] = v[i];
+    rate[2 * static_cast<std::size_t>(k) + 1] = v[i + 1];
+  }
+}
+
+void ImplicitBody::follow(std::span<double> v) const {
+  for (const Tie& t : folded_.ties())
+    for (std::size_t d = 0; d < 2; ++d) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * v[2 * static_cast<std::size_t>(first_ + t.root[k]) + d];
+      v[2 * static_cast<std::size_t>(first_ + t.cover) + d] = sum;
+    }
+}
+
+void ImplicitBody::retract(std::span<const double> d, std::span<const double> rate, std::span<double> q,
+                           std::span<double> v) const {
+  for (std::int32_t k = 0; k < folded_.free_covers(); ++k)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const auto i = 2 * static_cast<std::size_t>(first_ + folded_.cover_of(k)) + c;
+      q[i] += d[2 * static_cast<std::size_t>(k) + c];
+      v[i] = rate[2 * static_cast<std::size_t>(k) + c];
+    }
+  follow(q);
+  follow(v);
+}
+
+}  // namespace scree::nmm

@@ -1,0 +1,78 @@
+// One manifold block in implicit steps: two unknowns a free cover.
+#pragma once
+
+#include "model/parallel.h"
+#include "nmm/consistent_mass.h"
+#include "nmm/tangent.h"
+
+namespace scree::nmm {
+
+/// Chart, pattern and element matrices of a block. The unknowns are the displacements of its free covers in a step;
+/// tied covers follow, so the chart is a constant matrix and retraction exact.
+/// @source nmm.md "Kinematics and stress", "Mass"; architecture.md "a boundary node is a row"
+class ImplicitBody {
+ public:
+  /// @param folded  the block's elements; kept
+  /// @param masses  scalar mass of each element over its covers
+  /// @param lumped  true: row sums of the folded matrices, on the diagonal
+  /// @param first   first cover of the block in the pool's arrays
+  void make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first);
+
+  [[nodiscard]] int dofs() const { return 2 * folded_.free_covers(); }
+  [[nodiscard]] ElementDofs element_dofs() const;
+  [[nodiscard]] ChartRow chart_row(const Row& row) const;
+  void element_masses(std::span<double> mass) const;
+  /// @param of(e)  StiffElement of the block's element e
+  template <class ElementAt>
+  double linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q, Stiffness kind,
+                   std::span<double> stiffness, std::span<double> force, ElementAt&& of) const;
+  void rates(std::span<const double> v, std::span<double> rate) const;
+  void retract(std::span<const double> d, std::span<const double> rate, std::span<double> q, std::span<double> v) const;
+
+ private:
+  /// First number of the lower triangle of element e.
+  [[nodiscard]] std::size_t value(std::size_t e) const { return static_cast<std::size_t>(value_start_[e]); }
+  void follow(std::span<double> v) const;
+
+  FoldedElements folded_;
+  std::vector<Mat3> mass_;
+  bool lumped_ = false;
+  std::int32_t first_ = 0;
+  std::vector<std::int32_t> value_start_;
+  mutable std::vector<Eigen::Matrix<double, 6, 1>> corner_force_;
+  mutable std::vector<double> energy_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class ElementAt>
+double ImplicitBody::linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q,
+                               Stiffness kind, std::span<double> stiffness, std::span<double> force,
+                               ElementAt&& of) const {
+  corner_force_.resize(folded_.size());
+  const auto at = [&](std::int32_t k) {
+    const auto i = 2 * static_cast<std::size_t>(k);
+    return Vec2(q[i], q[i + 1]);
+  };
+  const double energy =
+      parallel_sum(static_cast<std::int64_t>(folded_.size()), energy_, [&](std::int64_t begin, std::int64_t end) {
+        double sum = 0.0;
+        for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e) {
+          const StiffElement element = of(e);
+          const auto& g = element.gradient;
+          const Mat2 F = at(covers[e][0]) * g.col(0).transpose() + at(covers[e][1]) * g.col(1).transpose() +
+                         at(covers[e][2]) * g.col(2).transpose();
+          const ElasticResponse r = response(element, F);
+          sum += element.area * r.energy;
+          corner_force_[e] = element_force(element, r.P);
+          if (!stiffness.empty())
+            folded_.fold(e, element_stiffness(element, F, kind), stiffness.subspan(value(e), value(e + 1) - value(e)));
+        }
+        return sum;
+      });
+  std::fill(force.begin(), force.end(), 0.0);
+  for (std::size_t e = 0; e < folded_.size(); ++e) folded_.fold_force(e, corner_force_[e], force);
+  return energy;
+}
+
+}  // namespace scree::nmm

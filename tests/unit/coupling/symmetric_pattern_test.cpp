@@ -1,0 +1,76 @@
+// Sparse symmetric systems: places of summed matrices, and the factor that keeps its analysis.
+#include "coupling/integrate/symmetric_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <optional>
+#include <random>
+
+#include "coupling/integrate/cholesky.h"
+
+namespace scree::coupling {
+namespace {
+
+TEST(SymmetricPattern, sums_of_random_entries_equal_a_dense_matrix) {
+  std::mt19937 generator(11);
+  std::uniform_int_distribution<std::int32_t> index(0, 19);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::vector<std::int32_t> i, j;
+  std::vector<double> x;
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
+  for (int k = 0; k < 300; ++k) {
+    i.push_back(index(generator));
+    j.push_back(index(generator));
+    x.push_back(any(generator));
+    dense(i.back(), j.back()) += x.back();
+    if (i.back() != j.back()) dense(j.back(), i.back()) += x.back();
+  }
+  SymmetricPattern pattern;
+  const std::vector<std::int32_t> place = pattern.make(20, i, j);
+  std::vector<double> values(pattern.size(), 0.0), v(20), y(20);
+  for (std::size_t k = 0; k < x.size(); ++k) values[static_cast<std::size_t>(place[k])] += x[k];
+  for (double& a : v) a = any(generator);
+  pattern.multiply(values, v, y);
+  pattern.multiply_add(2.0, values, v, y);
+  const Eigen::VectorXd expected = 3.0 * dense * Eigen::Map<const Eigen::VectorXd>(v.data(), 20);
+  EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(y.data(), 20) - expected).norm(), 1e-13);
+  for (std::size_t c = 0; c < 20; ++c)
+    for (auto k = pattern.column_start[c]; k + 1 < pattern.column_start[c + 1]; ++k)
+      EXPECT_LT(pattern.row[static_cast<std::size_t>(k)], pattern.row[static_cast<std::size_t>(k) + 1]);
+}
+
+TEST(Cholesky, springs_join_the_fixed_part_and_only_new_lists_are_analysed) {
+  // A chain of three unknowns; a spring between its ends comes, stays with another stiffness, and goes.
+  SymmetricPattern chain;
+  (void)chain.make(3, std::vector<std::int32_t>{0, 1, 1, 2, 2}, std::vector<std::int32_t>{0, 0, 1, 1, 2});
+  const std::vector<double> values{2.0, -1.0, 2.0, -1.0, 2.0}, b{1.0, 2.0, 3.0};
+  Eigen::Matrix3d A;
+  A << 2.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0;
+  const Eigen::Vector3d ends(1.0, 0.0, -0.5);
+  Cholesky cholesky;
+  cholesky.set_pattern(chain);
+  std::vector<double> x(3);
+  const auto check = [&](std::optional<double> k) {
+    cholesky.begin(values);
+    if (k) cholesky.add_outer(std::vector<std::int32_t>{2, 0}, std::vector<double>{-0.5, 1.0}, *k);
+    ASSERT_TRUE(cholesky.factorise());
+    cholesky.solve(b, x);
+    const Eigen::Vector3d expected =
+        (A + k.value_or(0.0) * ends * ends.transpose()).inverse() * Eigen::Vector3d(1, 2, 3);
+    EXPECT_LT((Eigen::Map<const Eigen::Vector3d>(x.data()) - expected).norm(), 1e-14);
+  };
+  check({});
+  check(5.0);
+  EXPECT_EQ(cholesky.analyses(), 2);
+  check(0.0);
+  check(7.0);
+  EXPECT_EQ(cholesky.analyses(), 2);
+  check({});
+  EXPECT_EQ(cholesky.analyses(), 3);
+  cholesky.begin(std::vector<double>{-1.0, 0.0, 1.0, 0.0, 1.0});
+  EXPECT_FALSE(cholesky.factorise());
+}
+
+}  // namespace
+}  // namespace scree::coupling
