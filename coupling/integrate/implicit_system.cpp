@@ -114,6 +114,7 @@ void ImplicitSystem::add_forces(std::span<const double> f, std::span<const doubl
     if (first_dof_[i] < 0) continue;
     const Body& b = setup_->bodies()[i];
     const auto of_pool = setup_->part(q, static_cast<std::size_t>(b.pool));
+    const auto first = static_cast<std::size_t>(first_dof_[i]);
     const std::int32_t end = b.first_node + b.nodes;
     for (std::int32_t k = b.first_node; k < end; ++k) {
       const std::size_t n = 2 * static_cast<std::size_t>(k);
@@ -121,7 +122,7 @@ void ImplicitSystem::add_forces(std::span<const double> f, std::span<const doubl
       const ChartRow chart =
           setup_->pool_of(b).chart_row(b.index, setup_->local(b, Row{{k, k, k}, {1.0, 0.0, 0.0}}), of_pool);
       for (std::size_t j = 0; j < static_cast<std::size_t>(chart.n); ++j)
-        out[static_cast<std::size_t>(chart.dof[j] + first_dof_[i])] += f[n] * chart.tx[j] + f[n + 1] * chart.ty[j];
+        out[first + static_cast<std::size_t>(chart.dof[j])] += f[n] * chart.tx[j] + f[n + 1] * chart.ty[j];
     }
   }
 }
