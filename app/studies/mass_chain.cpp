@@ -9,6 +9,8 @@ namespace scree::app {
 
 MassChain::MassChain(const ChainSetting& setting, double h) : setting_(setting), h_(h) {
   for (auto* values : {&u_, &v_, &f_, &d_}) values->assign(static_cast<std::size_t>(setting.n), 0.0);
+  no_fixed_part_.make(setting.n, {}, {});
+  matrix_.set_pattern(no_fixed_part_);
   forces(0.0);
 }
 
@@ -37,7 +39,7 @@ void MassChain::step_explicit() {
 void MassChain::step_implicit() {
   const auto n = static_cast<std::int32_t>(u_.size());
   const double inertia = 2.0 * setting_.mass / (h_ * h_);
-  matrix_.begin(n);
+  matrix_.begin({});
   constexpr std::array<double, 2> kOne{1.0, 0.0}, kStretch{-1.0, 1.0};
   for (std::int32_t i = 0; i < n; ++i) {
     const std::array<std::int32_t, 2> ends{i, i + 1};

@@ -40,6 +40,7 @@ class MassChain {
   double h_;
   double steps_ = 0.0;
   std::vector<double> u_, v_, f_, d_;
+  coupling::SymmetricPattern no_fixed_part_;  // every number comes with a spring, as in contact
   coupling::Cholesky matrix_;
 };
 

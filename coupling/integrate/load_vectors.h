@@ -1,4 +1,4 @@
-// Dead loads as vectors of nodal forces, the same for every scheme.
+// Dead loads as vectors of nodal forces, for schemes that solve for all nodes at once.
 #pragma once
 
 #include <span>
@@ -15,10 +15,8 @@ struct LoadVector {
 };
 
 /// Point loads, tractions and body accelerations of the model, one vector a time function; gravity is not among them.
-/// A traction is a force per length of the outline where the model first had it, spread consistently: every stretch of
-/// boundary between two nodes gives each the integral of its weight. Loads on driven bodies are left out.
-/// @param bodies  the records that the setup was made from
-[[nodiscard]] std::vector<LoadVector> load_vectors(const Setup& setup, std::span<const BodyRecord> bodies);
+/// Loads on driven bodies are left out.
+[[nodiscard]] std::vector<LoadVector> load_vectors(const Setup& setup, const State& state);
 
 /// f += the loads at a time [s].
 void add_loads(const Model& model, std::span<const LoadVector> loads, double time, std::span<double> f);

@@ -67,9 +67,9 @@ std::vector<PointForce> point_forces(const Setup& setup, const State& state) {
   return out;
 }
 
-double load_factor(const Model& model, std::int32_t load, double t) {
+FunctionId load_function(const Model& model, std::int32_t load) {
   const auto i = static_cast<std::size_t>(load), points = model.point_loads.size();
-  return model.factor(i < points ? model.point_loads[i].function : model.tractions[i - points].function, t);
+  return i < points ? model.point_loads[i].function : model.tractions[i - points].function;
 }
 
 PointLoads::PointLoads(const Model& model, std::vector<PointForce> forces)
@@ -77,7 +77,7 @@ PointLoads::PointLoads(const Model& model, std::vector<PointForce> forces)
 
 void PointLoads::add(const Instant& at, std::span<double> f) {
   for (std::size_t i = 0; i < factor_.size(); ++i)
-    factor_[i] = load_factor(*model_, static_cast<std::int32_t>(i), at.t);
+    factor_[i] = model_->factor(load_function(*model_, static_cast<std::int32_t>(i)), at.t);
   for (const PointForce& p : forces_) add_force(p.row, factor_[static_cast<std::size_t>(p.load)] * p.force, f);
 }
 

@@ -26,8 +26,8 @@ struct PointForce {
 /// Point loads, and tractions as the consistent forces of their stretches: on straight segments, along which the
 /// weights of a row are linear, those of the stretch's middle. None on driven bodies.
 [[nodiscard]] std::vector<PointForce> point_forces(const Setup& setup, const State& state);
-/// Factor of a load at a time.   @param load  as in PointForce
-[[nodiscard]] double load_factor(const Model& model, std::int32_t load, double t);
+/// Time function of a load.   @param load  as in PointForce
+[[nodiscard]] FunctionId load_function(const Model& model, std::int32_t load);
 
 /// Point loads and tractions in explicit steps.
 class PointLoads final : public ForceTerm {

@@ -43,7 +43,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
 double Newmark::enter(State& state) {
   supports_ = point_springs(*setup_, state);
   dashpots_ = dashpots(*setup_, state);
-  loads_ = load_vectors(*setup_, state.bodies);
+  loads_ = load_vectors(*setup_, state);
   finder_.restore(state.contacts, before_);
   finder_.find(state.q, before_, state.step == 0, list_);
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it

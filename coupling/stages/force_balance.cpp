@@ -6,7 +6,7 @@
 namespace scree::coupling {
 
 ForceBalance::ForceBalance(const Setup& setup, const State& state)
-    : setup_(&setup), loads_(load_vectors(setup, state.bodies)), supports_(point_springs(setup, state)) {
+    : setup_(&setup), loads_(load_vectors(setup, state)), supports_(point_springs(setup, state)) {
   lever_.assign(static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
     const Body& b = setup.bodies()[i];
