@@ -78,7 +78,9 @@ Instant CentralDifference::lagging(const State& state) const {
 }
 
 double CentralDifference::stress(std::span<const double> q) {
-  std::fill(stress_.begin(), stress_.end(), 0.0);
+  parallel_for_chunks(static_cast<std::int64_t>(stress_.size()), [&](std::int64_t begin, std::int64_t end) {
+    std::fill(stress_.begin() + begin, stress_.begin() + end, 0.0);
+  });
   double energy = 0.0;
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     energy += setup_->pool(p).internal_force(setup_->part(q, p), setup_->part(std::span<double>(stress_), p));

@@ -90,10 +90,14 @@ Parts collect(const Setup& setup, const StepParts& in) {
   for (const PointSpring& s : in.springs)
     parts.add(Kind::support, s.body, -1, {&s.row, 1}, s.k.maxCoeff() * parts.compliance(s.body, s.row));
   for (const Dashpot& d : in.dashpots) {
-    // Both ends lie between the rows: no compliance is larger than that of one of them.
     const std::array<Row, 2> row{d.stretch.a, d.stretch.b};
-    const double mu = std::max(parts.compliance(d.stretch.body, row[0]), parts.compliance(d.stretch.body, row[1]));
-    parts.add(Kind::viscous, d.stretch.body, -1, row, 2.0 * std::max(d.normal, d.shear) * mu);
+    const double mu_a = parts.compliance(d.stretch.body, row[0]), mu_b = parts.compliance(d.stretch.body, row[1]);
+    for (const double s : {d.stretch.from, d.stretch.to}) {
+      // The compliance of a point between the rows is convex in s. At a row only that one is touched.
+      const auto touched = s == 0.0 ? std::span(row).first(1) : (s == 1.0 ? std::span(row).last(1) : std::span(row));
+      parts.add(Kind::viscous, d.stretch.body, -1, touched,
+                std::max(d.normal, d.shear) * ((1.0 - s) * mu_a + s * mu_b));
+    }
   }
   return parts;
 }

@@ -81,7 +81,7 @@ TEST(ExplicitBound, step_above_it_is_refused_with_what_binds_it) {
   scene.add("base", rectangle(-2, -1, 4, 0), true);
   const BlockId id = scene.add("crate", rectangle(0, 0, 1, 1));
   scene.model.joints[0].penalty = 1e12;
-  const auto refused = [](Scene s) -> std::string {
+  const auto refused = [](const Scene& s) -> std::string {
     Driver run(s.model, s.plan, methods());
     try {
       run.run();
