@@ -62,6 +62,8 @@ std::string_view name(EventKind kind) {
   switch (kind) {
     case EventKind::stage_start:
       return "stage_start";
+    case EventKind::stage_step:
+      return "stage_step";
     case EventKind::stage_end:
       return "stage_end";
     case EventKind::transfer:
@@ -206,24 +208,33 @@ void Driver::change_stage(std::size_t index) {
   for (Sink* s : sinks_) s->topology(observer_->mesh());
 }
 
-Tick Driver::largest_step(const Stage& stage) {
+Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
   const double bound = mover_->stable_step(state_, &binding);
   if (stage.dt) {
-    if (*stage.dt > bound)
+    if (*stage.dt > bound && !stage.force_dt)
       throw PlanError(fmt::format(
           "stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
-          "use dt = \"auto\" or a smaller step",
+          "use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
           stage.name, *stage.dt, bound, binding));
+    if (*stage.dt > bound && first)
+      event(EventKind::warning,
+            fmt::format("stage '{}': the explicit step {:.4g} s is forced above the certified stable one, {:.4g} s, "
+                        "bound by {}",
+                        stage.name, *stage.dt, bound, binding));
     return ticks(*stage.dt);
   }
-  return std::max<Tick>(1, ticks(std::min(stage.safety * bound, 1.0)));
+  const double step = std::min(stage.safety * bound, 1.0);
+  if (first)
+    event(EventKind::stage_step, fmt::format("stage '{}': steps of {:.4g} s, {:g} of the certified bound, set by {}",
+                                             stage.name, step, stage.safety, binding));
+  return std::max<Tick>(1, ticks(step));
 }
 
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   const bool implicit = stage.integrator == Integrator::implicit;
-  Tick most = largest_step(stage);
+  Tick most = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   while (state_.time < target) {

@@ -46,7 +46,8 @@ class Driver {
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
   void drop_velocities();
   RunEnd advance_to(const Stage& stage, Tick target);
-  [[nodiscard]] Tick largest_step(const Stage& stage);
+  /// @param first  of the stage: what binds the step is told
+  [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;

@@ -170,6 +170,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].dt", "stage.1.dt=0.002"},
       {"stage[].duration", "stage.0.duration=1"},
       {"stage[].safety", "stage.0.safety=1"},
+      {"stage[].force_dt", "stage.0.force_dt=false"},
       {"stage[].rest", "stage.1.rest=true"},
       {"stage[].damping", "stage.0.damping=3"},
       {"stage[].cover_size", "stage.0.cover_size=1"},
