@@ -32,7 +32,6 @@ class ImplicitBody {
  private:
   /// First number of the lower triangle of element e.
   [[nodiscard]] std::size_t value(std::size_t e) const { return static_cast<std::size_t>(value_start_[e]); }
-  void follow(std::span<double> v) const;
 
   FoldedElements folded_;
   std::vector<Mat3> mass_;
@@ -50,18 +49,14 @@ double ImplicitBody::linearise(std::span<const std::array<std::int32_t, 3>> cove
                                Stiffness kind, std::span<double> stiffness, std::span<double> force,
                                ElementAt&& of) const {
   corner_force_.resize(folded_.size());
-  const auto at = [&](std::int32_t k) {
-    const auto i = 2 * static_cast<std::size_t>(k);
-    return Vec2(q[i], q[i + 1]);
-  };
   const double energy =
       parallel_sum(static_cast<std::int64_t>(folded_.size()), energy_, [&](std::int64_t begin, std::int64_t end) {
         double sum = 0.0;
         for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e) {
           const StiffElement element = of(e);
           const auto& g = element.gradient;
-          const Mat2 F = at(covers[e][0]) * g.col(0).transpose() + at(covers[e][1]) * g.col(1).transpose() +
-                         at(covers[e][2]) * g.col(2).transpose();
+          const Mat2 F = node(q, covers[e][0]) * g.col(0).transpose() + node(q, covers[e][1]) * g.col(1).transpose() +
+                         node(q, covers[e][2]) * g.col(2).transpose();
           const ElasticResponse r = response(element, F);
           sum += element.area * r.energy;
           corner_force_[e] = element_force(element, r.P);

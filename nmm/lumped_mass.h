@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/formulation.h"
+#include "nmm/affine_basis.h"
 #include "nmm/cover_chart.h"
 
 namespace scree::nmm {
@@ -39,7 +40,6 @@ class LumpedMass {
   [[nodiscard]] double theta(std::int32_t begin, std::int32_t end) const;
 
  private:
-  using Moments3 = Eigen::Matrix<double, 3, 2>;
   struct Part {                                                    // a connected part of a block
     std::int32_t begin = 0, end = 0;                               // its chunks
     Eigen::Matrix3d inverse_correction = Eigen::Matrix3d::Zero();  // M_a^-1 - S^^-1
@@ -56,11 +56,11 @@ class LumpedMass {
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts_of(std::int32_t begin, std::int32_t end) const;
 
   std::vector<Part> parts_;
-  std::vector<Chunk> chunks_;                       // by part, each of at most kChunk covers
-  std::vector<std::int32_t> part_of_;               // a cover
-  std::vector<double> lumped_, inverse_, unit_;     // M_L, 1/M_L (0 for tied covers), M 1
-  std::vector<Vec2> X_;                             // reference position less the part's centre of mass [m]
-  mutable std::vector<Moments3> partial_, moment_;  // of chunks and parts
+  std::vector<Chunk> chunks_;                            // by part, each of at most kChunk covers
+  std::vector<std::int32_t> part_of_;                    // a cover
+  std::vector<double> lumped_, inverse_, unit_;          // M_L, 1/M_L (0 for tied covers), M 1
+  std::vector<Vec2> X_;                                  // reference position less the part's centre of mass [m]
+  mutable std::vector<AffineMoments> partial_, moment_;  // of chunks and parts
 };
 
 }  // namespace scree::nmm
