@@ -21,12 +21,19 @@ class ImplicitBody {
   [[nodiscard]] int dofs() const { return 2 * folded_.free_covers(); }
   [[nodiscard]] ElementDofs element_dofs() const;
   [[nodiscard]] ChartRow chart_row(const Row& row) const;
+  /// Mass of each element with its ties folded in, on x and on y: lower triangles in the order of element_dofs() [kg].
   void element_masses(std::span<double> mass) const;
-  /// @param of(e)  StiffElement of the block's element e
+  /// Stiffness of the elements [N/m] and internal force on the unknowns [N] at the positions q of the pool.
+  /// @param covers     of each element, counted in the pool
+  /// @param stiffness  lower triangles in the order of element_dofs(); empty: only the force is wanted
+  /// @param of(e)      StiffElement of the block's element e
+  /// @return elastic energy, the elements in their order [J]
   template <class ElementAt>
   double linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q, Stiffness kind,
                    std::span<double> stiffness, std::span<double> force, ElementAt&& of) const;
+  /// Velocities of the free covers, from those of the pool.
   void rates(std::span<const double> v, std::span<double> rate) const;
+  /// q += d and v = rate on the free covers, then the ties.
   void retract(std::span<const double> d, std::span<const double> rate, std::span<double> q, std::span<double> v) const;
 
  private:

@@ -24,7 +24,7 @@ class LumpedMass {
 
   /// a = M^-1 f on the free covers, followed by the ties.
   void solve(const CoverChart& chart, std::span<const double> f, std::span<double> a) const;
-  /// p = M v on the covers of one block: on free ones, zero on tied ones.
+  /// p = M v on the covers of one block: on free ones, zero on tied ones [kg m/s].
   void apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M v over the covers of one block [J]
   [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
@@ -35,6 +35,7 @@ class LumpedMass {
 
   /// Row sums, a cover; 0 for tied ones [kg].
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
+  /// Their inverses, 0 for tied ones [1/kg].
   [[nodiscard]] std::span<const double> inverse() const { return inverse_; }
   /// theta, the largest eigenvalue of M_a^-1 S^ over the parts of the block with these covers; 1 for `lumped`.
   [[nodiscard]] double theta(std::int32_t begin, std::int32_t end) const;
