@@ -158,11 +158,6 @@ void evaluate_lanes(double lambda, double mu, const double* area, const std::arr
   }
 }
 
-Vec2 at(std::span<const double> v, std::int32_t node) {
-  const auto i = 2 * static_cast<std::size_t>(node);
-  return {v[i], v[i + 1]};
-}
-
 }  // namespace
 
 void ElementForces::add(const CoverMesh& mesh, std::int32_t first, double scale, const ElementLaw& law,
@@ -379,8 +374,8 @@ Mat2 ElementForces::initial_stress(std::size_t e) const {
 Mat2 ElementForces::gradient(std::size_t e, std::span<const double> q) const {
   const auto& c = cover_[e];
   const Gradients& g = shapes_[shape_[e]];
-  const Vec2 x0 = at(q, c[0]);
-  return (at(q, c[1]) - x0) * g.col(1).transpose() + (at(q, c[2]) - x0) * g.col(2).transpose();
+  const Vec2 x0 = node(q, c[0]);
+  return (node(q, c[1]) - x0) * g.col(1).transpose() + (node(q, c[2]) - x0) * g.col(2).transpose();
 }
 
 ElasticResponse ElementForces::response(std::size_t e, std::span<const double> q) const {

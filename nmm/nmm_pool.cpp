@@ -13,11 +13,6 @@
 namespace scree::nmm {
 namespace {
 
-Vec2 node(std::span<const double> q, std::int32_t k) {
-  const auto i = 2 * static_cast<std::size_t>(k);
-  return {q[i], q[i + 1]};
-}
-
 Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const double> q) {
   const Mat2 P = elements.response(e, q).P;
   if (elements.law(e).kinematics == Kinematics::linear) return P;
@@ -100,7 +95,7 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
     elements.push_back({mesh.cover[e], mesh.weights(e, material.centroid), mesh.shapes[mesh.shape[e]], material});
   }
   FoldedElements folded;
-  folded.make(static_cast<std::int32_t>(mesh.star.size()), mesh.cover, mesh.ties);
+  folded.make(mesh);
   body.consistent.make(folded, elements, mesh.star, body.shape, first);
   std::vector<Mat3> masses;
   for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));

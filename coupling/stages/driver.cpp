@@ -254,7 +254,7 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       attempt_cap = std::numeric_limits<Tick>::max();
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
       if (balance_) {
-        const RunEnd rest = check_rest(stage, stage_end_);
+        RunEnd rest = check_rest(stage, stage_end_);
         if (rest.status != RunEnd::Status::done || rested_) return rest;
       }
       continue;
@@ -304,8 +304,7 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   else if (!rested_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
-        "({:.2g} "
-        "allowed)",
+        "({:.2g} allowed)",
         state_.step - first_step_,
         found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
         found.force, found.ratio, stage.rest_force);
