@@ -38,7 +38,7 @@ TEST(StepLimit, auto_tells_once_what_binds_it) {
   EXPECT_TRUE(has(events.steps[0], "element ")) << events.steps[0];
 }
 
-TEST(StepLimit, larger_step_is_refused_with_its_bound_and_loses_the_run_when_forced) {
+TEST(StepLimit, larger_step_is_refused_with_its_bound_and_unstable_when_forced) {
   Scene scene = swinging(5e-3);
   coupling::Driver refused(scene.model, scene.plan, methods());
   try {
@@ -53,8 +53,8 @@ TEST(StepLimit, larger_step_is_refused_with_its_bound_and_loses_the_run_when_for
   coupling::Driver forced(scene.model, scene.plan, methods());
   forced.add_sink(events);
   const coupling::RunEnd end = forced.run();
-  EXPECT_NE(end.status, coupling::RunEnd::Status::done);
-  EXPECT_TRUE(has(end.reason, "block 'plate'")) << end.reason;
+  // Unstable: points soon go too far in a step, which is cut again and again.
+  EXPECT_GT(forced.stats().cuts, 3) << end.reason;
   ASSERT_EQ(events.warnings.size(), 1U);
   for (const double x : forced.state().q) ASSERT_TRUE(std::isfinite(x));
 }
