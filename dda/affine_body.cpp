@@ -45,8 +45,8 @@ Mat6 stiffness_matrix(double area, const Elasticity& law) {
   return K;
 }
 
-Vec6 internal_force(double area, const Elasticity& law, const Mat2& F) {
-  const Mat2 tau = elastic_response(law, F, Mat2::Zero()).P * F.transpose();
+Vec6 internal_force(double area, const Elasticity& law, const Mat2& F, const Mat2& s0) {
+  const Mat2 tau = elastic_response(law, F, s0).P * F.transpose();
   Vec6 f = Vec6::Zero();
   f(3) = -area * tau(0, 0);
   f(4) = -area * tau(1, 1);

@@ -31,7 +31,8 @@ struct AffineState {
 /// Elastic stiffness in the unknowns, area times C on (ex, ey, gxy) [N m].
 [[nodiscard]] Mat6 stiffness_matrix(double area, const Elasticity& law);
 /// Generalised internal force -A0 tau : L_j of the Kirchhoff stress tau = P F^T; exactly none on r0.
-[[nodiscard]] Vec6 internal_force(double area, const Elasticity& law, const Mat2& F);
+/// @param s0  initial stress in the co-rotated frame [Pa]
+[[nodiscard]] Vec6 internal_force(double area, const Elasticity& law, const Mat2& F, const Mat2& s0);
 
 /// Exact rotation: F <- R(r0)(I + e) F, c <- c + u, G <- R G R^T, so a free spin neither slows nor grows.
 /// It omits centrifugal and Coriolis terms within the step (the true rate equation is G' = T S^-1 - G^2; strain error

@@ -65,6 +65,7 @@ void DdaPool::add(const Model& model, const BodyRecord& record) {
   Body b;
   b.shape = record.shape;
   b.law = model.elasticity_of(record.block);
+  b.initial = InSituStress(model, record).at(Vec2(0.0, 0.0));
   b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(body, X); });
   b.second_inverse = record.shape.second.inverse();
   b.frequency = frequency_of(record.shape, b.law);
@@ -98,7 +99,7 @@ BodyTotals DdaPool::totals(int body, std::span<const double> q, std::span<const 
   t.momentum = shape.mass * s.vc;
   t.angular_momentum = cross(s.c, t.momentum) + B(1, 0) - B(0, 1);
   t.kinetic = 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
-  t.elastic = shape.area * elastic_response(of(body).law, s.F, Mat2::Zero()).energy;
+  t.elastic = shape.area * elastic_response(of(body).law, s.F, of(body).initial).energy;
   return t;
 }
 
@@ -107,7 +108,7 @@ double DdaPool::internal_force(std::span<const double> q, std::span<double> f) c
   for (int b = 0; b < bodies(); ++b) {
     const auto i = 6 * static_cast<std::size_t>(b);
     const AffineState s = load(b, q, q);
-    const ElasticResponse r = elastic_response(of(b).law, s.F, Mat2::Zero());
+    const ElasticResponse r = elastic_response(of(b).law, s.F, of(b).initial);
     const double area = of(b).shape.area;
     f[i + 2] -= area * r.P(0, 0);
     f[i + 3] -= area * r.P(1, 0);
@@ -218,8 +219,8 @@ double DdaPool::linearise(int body, std::span<const double> q, Stiffness, std::s
   const Body& b = of(body);
   const Mat2 F = load(body, q, q).F;
   if (!stiffness.empty()) put_lower(stiffness_matrix(b.shape.area, b.law), stiffness);
-  Eigen::Map<Vec6>(force.data()) = scree::dda::internal_force(b.shape.area, b.law, F);
-  return b.shape.area * elastic_response(b.law, F, Mat2::Zero()).energy;
+  Eigen::Map<Vec6>(force.data()) = scree::dda::internal_force(b.shape.area, b.law, F, b.initial);
+  return b.shape.area * elastic_response(b.law, F, b.initial).energy;
 }
 
 void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
@@ -255,7 +256,7 @@ void DdaPool::topology(MeshPart& mesh) const {
 
 Mat2 DdaPool::cauchy(int body, std::span<const double> q) const {
   const Mat2 F = load(body, q, q).F;
-  const Mat2 s = elastic_response(of(body).law, F, Mat2::Zero()).P * F.transpose() / F.determinant();
+  const Mat2 s = elastic_response(of(body).law, F, of(body).initial).P * F.transpose() / F.determinant();
   return 0.5 * (s + s.transpose());
 }
 

@@ -58,6 +58,7 @@ class DdaPool final : public Pool {
   struct Body {
     ReferenceShape shape;
     Elasticity law;
+    Mat2 initial = Mat2::Zero();  // mean of the in-situ stress over the block, co-rotated [Pa]
     Boundary boundary;
     Mat2 second_inverse;
     double frequency = 0.0;

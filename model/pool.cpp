@@ -31,6 +31,19 @@ AffineMotion affine_fit(const Polygon& from, const Polygon& to) {
   return map;
 }
 
+InSituStress::InSituStress(const Model& model, const BodyRecord& record) {
+  const auto& stress = model.material_of(record.block).initial_stress;
+  if (!stress) return;
+  stress_ = &*stress;
+  origin_ = affine_fit(record.shape.outline, record.shape.origin);
+  turn_ = polar_rotation(origin_.F);
+}
+
+Mat2 InSituStress::at(const Vec2& X) const {
+  if (none()) return Mat2::Zero();
+  return turn_.transpose() * stress_->at(origin_.c + origin_.F * X) * turn_;
+}
+
 void Pool::drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const {
   parallel_for_chunks(static_cast<std::int64_t>(q.size()), [&](std::int64_t begin, std::int64_t end) {
     const double *from = q.data(), *rate = v.data();

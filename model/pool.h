@@ -68,6 +68,20 @@ struct BodyRecord {
   Formulation form;
 };
 
+/// In-situ stress of a block in its reference shape: the axes there are those that turn with the rock.
+class InSituStress {
+ public:
+  InSituStress(const Model& model, const BodyRecord& record);
+  [[nodiscard]] bool none() const { return stress_ == nullptr; }
+  /// At a point of the reference shape; of a stress that is linear, at the centroid of a piece its mean [Pa].
+  [[nodiscard]] Mat2 at(const Vec2& X) const;
+
+ private:
+  const InitialStress* stress_ = nullptr;
+  AffineMotion origin_;  // from the reference shape to where the model first had the block
+  Mat2 turn_ = Mat2::Identity();
+};
+
 /// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
 /// @source coupling.md 1
 struct Release {

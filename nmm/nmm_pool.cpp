@@ -78,14 +78,12 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   for (const double a : mesh.area) drawn += a;
   body->scale = record.shape.area / drawn;
   std::vector<std::array<double, 3>> initial;
-  if (const auto& in_situ = model.material_of(record.block).initial_stress) {
-    // Constant in an element, its value at the centroid: the mean of a linear stress, so that its force is exact.
-    const Mat2 R = polar_rotation(to_origin.F);
+  // Constant in an element, its value at the centroid: the mean of a linear stress, so that its force is exact.
+  if (const InSituStress in_situ(model, record); !in_situ.none())
     for (std::size_t e = 0; e < mesh.elements(); ++e) {
-      const Mat2 s = R.transpose() * in_situ->at(to_origin.c + to_origin.F * mesh.centroid(e)) * R;
+      const Mat2 s = in_situ.at(mesh.centroid(e));
       initial.push_back({s(0, 0), s(1, 1), s(0, 1)});
     }
-  }
   elements_.add(mesh, first, body->scale, {body->law, form.kinematics}, std::move(initial));
   for (Row& row : body->mesh.boundary.nodes)
     for (std::int32_t& n : row.node) n += first;
@@ -286,7 +284,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Mat2 G = B * S.inverse();
 
   // The stress that keeps the affine part of the internal force, and the stretch that carries it.
-  const Mat2 R = polar_rotation(fit);
+  const Mat2 R = polar_rotation(fit * b.shape.second.inverse());  // of the best F, whatever the shape of the block
   const auto first = static_cast<std::size_t>(b.first_element);
   const std::size_t last = first + b.mesh.elements();
   Mat2 virial = Mat2::Zero(), initial = Mat2::Zero();

@@ -97,24 +97,6 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   return stage;
 }
 
-/// In-situ stress enters with the first mesh of a block; a block that begins affine would lose it unseen.
-void check_initial_stress(const Section& root, const coupling::Stage& first, const Model& model) {
-  const std::vector<std::string> methods = methods_of_blocks(first, model.blocks.size());
-  for (std::size_t b = 0; b < methods.size(); ++b) {
-    const Material& material = model.materials[model.blocks[b].material.index()];
-    const BlockId block{static_cast<std::int32_t>(b)};
-    if (!material.initial_stress || methods[b] == "nmm" || model.support_of(block)) continue;
-    for (const Section::Named& named : root.named("material"))
-      if (named.name == material.name)
-        throw named.section.error(
-            "initial_stress",
-            fmt::format("block {} begins with the method {}, which takes no initial stress",
-                        in_quotes(model.blocks[b].name), in_quotes(methods[b])),
-            "blocks of the material begin with \"nmm\"",
-            fmt::format("begin with the NMM in stage {}, or give the block another material", in_quotes(first.name)));
-  }
-}
-
 coupling::OutputPlan read_output(const Section& s, Tick total) {
   if (!s.has("every")) s.settle("every", seconds(std::max<Tick>(total / 100, 1)));
   if (!s.has("history_every")) s.settle("history_every", s.number("every"));
@@ -166,7 +148,6 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
       throw s.error("duration", "the stages together are too long", fmt::format("at most {:g} s in all", kLongestRun),
                     "shorten a stage");
   }
-  check_initial_stress(root, plan.stages.front(), model);
   Tick run = 0;
   for (const coupling::Stage& stage : plan.stages) run += stage.duration;
   plan.output = read_output(root.table("output"), run);

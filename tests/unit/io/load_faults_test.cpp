@@ -65,8 +65,6 @@ const WrongLoad kWrong[] = {
      "edge_joints"},
     {"load_stress_without_level", ".toml", 8, 1, "material.rock.initial_stress.level", "", "grows with depth",
      "number [m]", "add level"},
-    {"load_stress_in_dda", ".toml", 8, 1, "material.rock.initial_stress", "",
-     "\"slider\" begins with the method \"dda\"", "\"nmm\"", "another material"},
     {"stage_local_implicit", ".toml", 27, 17, "stage.0.local_damping", "0.8", "explicit steps", "0 in implicit",
      "rest = true"},
     {"stage_local_whole", ".toml", 27, 17, "stage.0.local_damping", "1.0", "out of range", "0 <= value < 1", "smaller"},
