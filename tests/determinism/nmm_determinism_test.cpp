@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
                            s.rest_force = 1e-3;
                          },
                          4}),
-    [](const testing::TestParamInfo<Case>& info) { return std::string(info.param.name); });
+    [](const testing::TestParamInfo<Case>& p) { return std::string(p.param.name); });
 
 }  // namespace
 }  // namespace scree::test

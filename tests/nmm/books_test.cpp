@@ -66,7 +66,7 @@ TEST_P(NmmBooks, close_in_every_stage_of_a_staged_run) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, NmmBooks, testing::Bool(),
-                         [](const auto& info) { return info.param ? "in_situ_stress" : "no_stress"; });
+                         [](const auto& p) { return p.param ? "in_situ_stress" : "no_stress"; });
 
 }  // namespace
 }  // namespace scree::test
