@@ -294,6 +294,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Mat2 strain = strain_of_kirchhoff(b.law, 0.5 * (local_virial + local_virial.transpose()) / area, initial);
   const Mat2 F = R * (Mat2::Identity() + strain), F_inverse = F.inverse();
   out.motion = {c, F, vc, G * F};
+  out.initial = initial;
 
   out.shape.mass = b.shape.mass;
   out.shape.area = area;

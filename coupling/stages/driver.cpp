@@ -215,9 +215,9 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.dt) {
     if (*stage.dt > bound && !stage.force_dt)
       throw PlanError(fmt::format(
-          "stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
-          "use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
-          stage.name, *stage.dt, bound, binding));
+          "t = {:.6g} s, stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by "
+          "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
+          seconds(state_.time), stage.name, *stage.dt, bound, binding));
     if (*stage.dt > bound && first)
       event(EventKind::warning,
             fmt::format("stage '{}': the explicit step {:.4g} s is forced above the certified stable one, {:.4g} s, "
@@ -300,7 +300,10 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   if (!rested_ && !over) return {};
   std::string reason;
   if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
-    reason = fmt::format("block '{}' has no path of closed contacts to a support", block_name(loose));
+    reason = fmt::format(
+        "block '{}' has no path of closed contacts to a support, so that nothing balances its weight and loads; likely "
+        "causes: a gap under it, a support that is missing, or a stage that should not come to rest",
+        block_name(loose));
   else if (!rested_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
@@ -355,8 +358,19 @@ RunEnd Driver::run(std::optional<double> until) {
     if (i > 0 && state_.time >= stop) break;
     change_stage(i);
     stage_end_ = state_.time + plan_->stages[i].duration;  // a stage that comes to rest ends before its time
-    result = run_stage(i, std::min(stage_end_, stop));
+    try {
+      result = run_stage(i, std::min(stage_end_, stop));
+    } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
+      event(EventKind::not_converged, e.what());
+      finish({RunEnd::Status::not_converged, e.what()});
+      throw;
+    }
   }
+  finish(result);
+  return result;
+}
+
+void Driver::finish(const RunEnd& result) {
   mover_->update_ledger(state_);
   FrameView last = observer_->frame(state_, stats_);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
@@ -364,7 +378,6 @@ RunEnd Driver::run(std::optional<double> until) {
   last.integrator = stage.integrator;
   last.end_time = seconds(end_);
   for (Sink* s : sinks_) s->end(result, last);
-  return result;
 }
 
 }  // namespace scree::coupling

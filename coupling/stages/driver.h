@@ -52,6 +52,8 @@ class Driver {
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
   void look(bool frame);
+  /// Hands the last state to the sinks.
+  void finish(const RunEnd& result);
 
   const Model* model_;
   const Plan* plan_;
