@@ -16,7 +16,7 @@ PLACE = r"element \d+ near \(-?[\d.e+-]+, -?[\d.e+-]+\)"
 # case: exit code, status in the results, what the error must say, and the time of the last good frame
 RUNS = {
     "inverted_explicit": (4, "non_finite", ["block 'victim'", PLACE + " is turned inside out", "likely causes: loads"], None),
-    "inverted_implicit": (4, "not_converged", ["block 'victim'", "likely causes: loads"], None),
+    "inverted_implicit": (4, "not_converged", ["block 'victim'", PLACE + " is turned inside out", "likely causes: loads"], None),
     "not_finite_explicit": (4, "non_finite", ["block 'a'", r"near \(", "not finite", "likely causes"], None),
     "not_finite_implicit": (4, "non_finite", ["block 'a'", "load is not finite", "likely causes"], 0.005),
     "step_at_start": (3, "not_converged", ["block 'victim'", PLACE, "above the certified stable one", 'dt = "auto"'], 0.0),
