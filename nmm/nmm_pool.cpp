@@ -58,7 +58,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   const std::int32_t first = first_.back();
   body->law = model.elasticity_of(record.block);
   body->form = form;
-  if (!body->mesh.onefold && body->mesh.components == 1 && !keeps_its_step(body->mesh, record.shape, form, body->law))
+  if (!body->mesh.onefold && cracks.empty() && !keeps_its_step(body->mesh, record.shape, form, body->law))
     body->mesh = make_onefold(record.shape.outline);
   const CoverMesh& mesh = body->mesh;
   if (!mass_.add(mesh, first, record.shape, form.mass))

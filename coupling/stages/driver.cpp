@@ -15,6 +15,10 @@ namespace {
 
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+constexpr const char* kUnsupported =
+    "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
+    "under it, a support that is missing, or a stage that should not come to rest";
+
 /// First multiple of `every` after `now`.
 Tick next_multiple(Tick now, Tick every) {
   return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
@@ -181,6 +185,7 @@ void Driver::change_stage(std::size_t index) {
             &row);
     }
   }
+  refuse_turned_blocks(stage);
   step_control_ = stage.control;
   if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
   // A point may not pass through the detection distance in one step.
@@ -206,6 +211,38 @@ void Driver::change_stage(std::size_t index) {
     if (!b.driven)
       stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
+}
+
+void Driver::refuse_turned_blocks(const Stage& stage) const {
+  if (stage.kinematics != Kinematics::linear) return;
+  constexpr double kMost = 0.01;  // [rad]; a rotation r reads as a strain r^2/2
+  for (const Body& b : setup_->bodies()) {
+    if (b.driven || setup_->pool_of(b).method() != "nmm") continue;
+    const auto p = static_cast<std::size_t>(b.pool);
+    const Mat2 R = polar_rotation(setup_->pool_of(b)
+                                      .release(b.index, setup_->part(std::span<const double>(state_.q), p),
+                                               setup_->part(std::span<const double>(state_.v), p))
+                                      .motion.F);
+    const double turn = std::atan2(R(1, 0), R(0, 0));
+    if (std::abs(turn) <= kMost) continue;
+    throw PlanError(
+        fmt::format("t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, which takes "
+                    "rotations for "
+                    "strains, bears {:g} rad; use kinematics = \"corotational\"",
+                    seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
+  }
+}
+
+BlockId Driver::unsupported_at_rest(const Stage& stage) {
+  const BlockId loose = unsupported_block(*setup_, state_);
+  // Contacts of explicit steps open for an instant while blocks still swing: without a criterion of rest that is told.
+  if (loose.valid() && stage.integrator == Integrator::explicit_ && stage.rest_force == 0.0) {
+    event(EventKind::warning,
+          fmt::format("t = {:.6g} s, stage '{}': block '{}' touches nothing that leads to a support at its end",
+                      seconds(state_.time), stage.name, model_->blocks[loose.index()].name));
+    return {};
+  }
+  return loose;
 }
 
 Tick Driver::largest_step(const Stage& stage, bool first) {
@@ -300,10 +337,7 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   if (!rested_ && !over) return {};
   std::string reason;
   if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
-    reason = fmt::format(
-        "block '{}' has no path of closed contacts to a support, so that nothing balances its weight and loads; likely "
-        "causes: a gap under it, a support that is missing, or a stage that should not come to rest",
-        block_name(loose));
+    reason = fmt::format("block '{}' {}", block_name(loose), kUnsupported);
   else if (!rested_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
@@ -338,6 +372,12 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
     RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
     look(target == frame || target == end || rested_);
+  }
+  if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
+    const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
+                                           model_->blocks[loose.index()].name, kUnsupported);
+    event(EventKind::not_converged, reason);
+    return {RunEnd::Status::not_converged, reason};
   }
   travels_.push_back(travel_since(begin));
   const StageTravel& travel = travels_.back();

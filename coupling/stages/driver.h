@@ -41,6 +41,10 @@ class Driver {
  private:
   void start();
   void change_stage(std::size_t index);
+  /// @throws PlanError where linear kinematics would take a block's rotation for strain
+  void refuse_turned_blocks(const Stage& stage) const;
+  /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
+  [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
   RunEnd run_stage(std::size_t index, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
