@@ -12,7 +12,7 @@ namespace scree::nmm {
 namespace {
 
 constexpr std::int32_t kRun = 32;               // cells or single elements a run
-constexpr std::int32_t kChunkElements = 512;    // of a chunk
+constexpr std::int32_t kChunkElements = 128;    // of a chunk
 constexpr std::int64_t kSerialElements = 4000;  // fewer are not worth waking threads
 
 /// A P, A W and det F of many elements from A C and the edges' gradients; one place each in arrays.

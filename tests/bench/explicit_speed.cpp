@@ -79,7 +79,7 @@ bool compare(int n, double side, double seconds_a_size) {
   two.steps(3);
   PlainLoop plain(n);
   const auto rate = [](double elements, int count, double time) { return 1e-6 * elements * count / time; };
-  const int burst = std::max(2, static_cast<int>(2e6 / static_cast<double>(one.elements)));
+  const int burst = std::max(2, static_cast<int>(2e7 / static_cast<double>(one.elements)));
   std::vector<double> plain_rate, one_rate, two_rate, against_plain, speed_up;
   for (const double begin = now(); now() - begin < seconds_a_size || plain_rate.size() < 5;) {
     double start = now();
