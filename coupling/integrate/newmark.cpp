@@ -303,8 +303,9 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     if (!std::isfinite(left)) {
       const auto wrong = std::find_if(load_.begin(), load_.end(), [](double x) { return !std::isfinite(x); });
       if (wrong != load_.end())
-        report = lost(report, {system_.body_of(static_cast<std::int32_t>(wrong - load_.begin())), "a load is not finite"},
-                      state, h);
+        report =
+            lost(report, {system_.body_of(static_cast<std::int32_t>(wrong - load_.begin())), "a load is not finite"},
+                 state, h);
       else
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
