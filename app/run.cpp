@@ -143,7 +143,13 @@ int run(const RunOptions& options) {
     driver.add_sink(*live);
   }
 
-  const coupling::RunEnd end = driver.run(options.until);
+  coupling::RunEnd end;
+  try {
+    end = driver.run(options.until);
+  } catch (const coupling::PlanError& e) {
+    fmt::print(stderr, "error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
+    return kBadCase;
+  }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
     fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()),

@@ -36,6 +36,7 @@ struct Stage {
   std::vector<MethodRule> rules;
   Integrator integrator = Integrator::explicit_;
   std::optional<double> dt;  // [s]; empty: auto, explicit only
+  bool force_dt = false;     // an explicit dt above the certified bound is taken all the same
   double safety = 0.8;       // fraction of the certified explicit bound that auto takes
   Tick duration = 0;
   double cover_size = 0.0;  // NMM mesh [m]

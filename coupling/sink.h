@@ -75,7 +75,7 @@ struct StageTravel {
   double farthest = 0.0;  // [m]
 };
 
-enum class EventKind { stage_start, stage_end, transfer, step_cut, not_converged, warning };
+enum class EventKind { stage_start, stage_step, stage_end, transfer, step_cut, not_converged, warning };
 struct Event {
   EventKind kind = EventKind::warning;
   double time = 0.0;

@@ -65,7 +65,7 @@ void DdaPool::add(const Model& model, const BodyRecord& record) {
   Body b;
   b.shape = record.shape;
   b.law = model.elasticity_of(record.block);
-  b.initial = InSituStress(model, record).at(Vec2(0.0, 0.0));
+  b.initial = InSituStress(model, record).mean();
   b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(body, X); });
   b.second_inverse = record.shape.second.inverse();
   b.frequency = frequency_of(record.shape, b.law);
@@ -86,6 +86,7 @@ Release DdaPool::release(int body, std::span<const double> q, std::span<const do
   Release out;
   out.shape = of(body).shape;
   out.motion = {s.c, s.F, s.vc, s.Fdot};
+  out.initial = of(body).initial;
   return out;
 }
 

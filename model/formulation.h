@@ -22,13 +22,14 @@ struct Formulation {
   // Where the block's centre of mass lies in a cell of the mesh, fractions of the cover size: no round ones, so that
   // edges of regular blocks seldom run along mesh lines.
   double offset_x = 0.317, offset_y = 0.271;
-  bool onefold = false;     // one triangle around the whole block in place of a mesh
-  bool cracks = false;      // cut the block's interior along its cracks
+  bool onefold = false;  // one triangle around the whole block in place of a mesh
+  bool cracks = false;   // cut the block's interior along its cracks
 
   bool operator==(const Formulation&) const = default;
   /// True where bodies made either way have the same unknowns.
   [[nodiscard]] bool same_mesh(const Formulation& other) const {
-    return cover_size == other.cover_size && offset_x == other.offset_x && offset_y == other.offset_y && onefold == other.onefold && cracks == other.cracks;
+    return cover_size == other.cover_size && offset_x == other.offset_x && offset_y == other.offset_y &&
+           onefold == other.onefold && cracks == other.cracks;
   }
 };
 

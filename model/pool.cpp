@@ -35,6 +35,7 @@ InSituStress::InSituStress(const Model& model, const BodyRecord& record) {
   const auto& stress = model.material_of(record.block).initial_stress;
   if (!stress) return;
   stress_ = &*stress;
+  centroid_ = moments(record.shape.outline).centroid;
   origin_ = affine_fit(record.shape.outline, record.shape.origin);
   turn_ = polar_rotation(origin_.F);
 }

@@ -75,10 +75,13 @@ class InSituStress {
   [[nodiscard]] bool none() const { return stress_ == nullptr; }
   /// At a point of the reference shape; of a stress that is linear, at the centroid of a piece its mean [Pa].
   [[nodiscard]] Mat2 at(const Vec2& X) const;
+  /// Mean over the outline [Pa].
+  [[nodiscard]] Mat2 mean() const { return at(centroid_); }
 
  private:
   const InitialStress* stress_ = nullptr;
-  AffineMotion origin_;  // from the reference shape to where the model first had the block
+  Vec2 centroid_{0.0, 0.0};  // of the outline: not the centre of mass where a deformed body left it behind
+  AffineMotion origin_;      // from the reference shape to where the model first had the block
   Mat2 turn_ = Mat2::Identity();
 };
 
@@ -87,6 +90,7 @@ class InSituStress {
 struct Release {
   ReferenceShape shape;  // reference of the affine body that goes on
   AffineMotion motion;
+  Mat2 initial = Mat2::Zero();        // mean in-situ stress of the body that is left, co-rotated [Pa]
   double kinetic_rest = 0.0;          // 1/2 w^T M w, w = v - affine [J]
   double elastic_rest = 0.0;          // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
   double elastic_cross = 0.0;         // sum A_e s:(e_e - e): zero to first order, booked [J]

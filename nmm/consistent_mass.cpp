@@ -10,10 +10,6 @@
 namespace scree::nmm {
 namespace {
 
-using Moments3 = Eigen::Matrix<double, 3, 2>;
-
-Eigen::Vector3d basis(const Vec2& X) { return {1.0, X.x(), X.y()}; }
-
 /// The affine map that gives the pieces together the centroid 0 and the second moment of the block.
 struct Correction {
   Vec2 from;
@@ -53,7 +49,7 @@ void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElem
                           std::span<const Vec2> star, const ReferenceShape& shape, std::int32_t first) {
   first_ = first;
   star_.assign(star.begin(), star.end());
-  ties_.assign(folded.ties().begin(), folded.ties().end());
+  chart_ = folded.chart();
   double area = 0.0;
   for (const MassElement& e : elements) area += e.material.area;
   const double density = shape.mass / area;
@@ -91,8 +87,9 @@ void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElem
   row_sum_.assign(star.size(), 0.0);
   for (std::size_t k = 0; k < free; ++k) {
     for (decltype(M_)::InnerIterator it(M_, static_cast<Eigen::Index>(k)); it; ++it)
-      basis_[k] += it.value() * basis(star[static_cast<std::size_t>(cover_of_[static_cast<std::size_t>(it.col())])]);
-    PMP += basis_[k] * basis(star[static_cast<std::size_t>(cover_of_[k])]).transpose();
+      basis_[k] +=
+          it.value() * affine_basis(star[static_cast<std::size_t>(cover_of_[static_cast<std::size_t>(it.col())])]);
+    PMP += basis_[k] * affine_basis(star[static_cast<std::size_t>(cover_of_[k])]).transpose();
     row_sum_[static_cast<std::size_t>(cover_of_[k])] = basis_[k][0];
   }
   inverse_ = (0.5 * (PMP + PMP.transpose())).inverse();
@@ -108,29 +105,23 @@ void ConsistentMass::solve(std::span<const double> f, std::span<double> a) const
   const auto first = static_cast<std::size_t>(first_);
   Eigen::MatrixX2d& rhs = factor_->rhs;
   rhs.resize(static_cast<Eigen::Index>(cover_of_.size()), 2);
-  std::vector<Eigen::RowVector2d> whole(row_sum_.size());
-  for (std::size_t c = 0; c < whole.size(); ++c) whole[c] = {f[2 * (first + c)], f[2 * (first + c) + 1]};
-  for (const Tie& t : ties_)
-    for (std::size_t k = 0; k < 3; ++k)
-      whole[static_cast<std::size_t>(t.root[k])] += t.w[k] * whole[static_cast<std::size_t>(t.cover)];
+  const std::size_t size = 2 * star_.size();
+  const auto own = f.subspan(2 * first, size);
+  std::vector<double> whole(own.begin(), own.end());
+  chart_.fold_forces(whole);
   for (std::size_t k = 0; k < cover_of_.size(); ++k)
-    rhs.row(static_cast<Eigen::Index>(k)) = whole[static_cast<std::size_t>(cover_of_[k])];
+    rhs.row(static_cast<Eigen::Index>(k)) = node(whole, cover_of_[k]).transpose();
   const Eigen::MatrixX2d x = factor_->ldlt.solve(rhs);
   for (std::size_t k = 0; k < cover_of_.size(); ++k)
     for (std::size_t d = 0; d < 2; ++d)
       a[2 * (first + static_cast<std::size_t>(cover_of_[k])) + d] =
           x(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(d));
-  for (const Tie& t : ties_)
-    for (std::size_t d = 0; d < 2; ++d) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * a[2 * (first + static_cast<std::size_t>(t.root[k])) + d];
-      a[2 * (first + static_cast<std::size_t>(t.cover)) + d] = sum;
-    }
+  chart_.follow(a.subspan(2 * first, size));
 }
 
 void ConsistentMass::apply(std::span<const double> v, std::span<double> p) const {
   const auto first = static_cast<std::size_t>(first_);
-  for (const Tie& t : ties_)
+  for (const Tie& t : chart_.ties())
     for (std::size_t d = 0; d < 2; ++d) p[2 * (first + static_cast<std::size_t>(t.cover)) + d] = 0.0;
   parallel_for(static_cast<std::int64_t>(cover_of_.size()), [&](std::int64_t k) {
     Vec2 sum = Vec2::Zero();
@@ -164,8 +155,8 @@ double ConsistentMass::kinetic_energy(std::span<const double> v) const {
   return 0.5 * twice;
 }
 
-Moments3 ConsistentMass::affine_part(std::span<const double> v) const {
-  Moments3 z = Moments3::Zero();
+AffineMoments ConsistentMass::affine_part(std::span<const double> v) const {
+  AffineMoments z = AffineMoments::Zero();
   for (std::size_t k = 0; k < cover_of_.size(); ++k) {
     const std::size_t i = 2 * static_cast<std::size_t>(first_ + cover_of_[k]);
     z += basis_[k] * Eigen::RowVector2d(v[i], v[i + 1]);
@@ -175,13 +166,13 @@ Moments3 ConsistentMass::affine_part(std::span<const double> v) const {
 
 void ConsistentMass::damp(double factor, double rate, std::span<double> v, std::span<double> f,
                           std::span<double> a) const {
-  const Moments3 z = affine_part(v);
+  const AffineMoments z = affine_part(v);
   const auto first = static_cast<std::size_t>(first_);
   std::vector<double> rest(v.size(), 0.0);
   const auto split = [&](std::size_t cover, const Vec2& X) {
     for (std::size_t d = 0; d < 2; ++d) {
       const std::size_t i = 2 * (first + cover) + d;
-      const double affine = basis(X).dot(z.col(static_cast<Eigen::Index>(d)));
+      const double affine = affine_basis(X).dot(z.col(static_cast<Eigen::Index>(d)));
       rest[i] = factor * (v[i] - affine);
       v[i] = affine + rest[i];
       a[i] -= rate * rest[i];

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "nmm/affine_basis.h"
 #include "nmm/folded_elements.h"
 
 namespace scree::nmm {
@@ -56,11 +57,11 @@ class ConsistentMass {
 
  private:
   struct Factor;
-  [[nodiscard]] Eigen::Matrix<double, 3, 2> affine_part(std::span<const double> v) const;
+  [[nodiscard]] AffineMoments affine_part(std::span<const double> v) const;
 
   std::int32_t first_ = 0;
   std::vector<Mat3> element_;
-  std::vector<Tie> ties_;
+  CoverChart chart_;
   std::vector<std::int32_t> cover_of_;                            // a free cover
   Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t> M_;  // over free covers, both triangles
   std::vector<double> row_sum_;                                   // a cover

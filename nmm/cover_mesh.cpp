@@ -107,6 +107,7 @@ CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2&
   for (const CutLine& c : cracks) mesh.trimmed_length += (c.to - c.from).norm();
   mesh.trimmed_length = std::max(0.0, mesh.trimmed_length - mesh.crack_length);
   tie_covers(mesh);
+  if (!cracks.empty()) loosen_ties(mesh);
   if (mesh.onefold) return make_onefold(outline);
   make_boundary(outline, &pieces, cracks, mesh);
   return mesh;

@@ -60,6 +60,12 @@ struct CoverMesh {
   [[nodiscard]] Row row(std::int32_t element, const Vec2& X) const;
 };
 
+/// x and y of a physical cover in an array of two numbers a cover.
+[[nodiscard]] inline Vec2 node(std::span<const double> q, std::int32_t cover) {
+  const auto i = 2 * static_cast<std::size_t>(cover);
+  return {q[i], q[i + 1]};
+}
+
 /// True where two rows of a point are the same sum of nodes, whatever the nodes' positions.
 [[nodiscard]] bool same_place(const Row& a, const Row& b);
 

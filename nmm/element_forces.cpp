@@ -12,7 +12,7 @@ namespace scree::nmm {
 namespace {
 
 constexpr std::int32_t kRun = 32;               // cells or single elements a run
-constexpr std::int32_t kChunkElements = 512;    // of a chunk
+constexpr std::int32_t kChunkElements = 128;    // of a chunk
 constexpr std::int64_t kSerialElements = 4000;  // fewer are not worth waking threads
 
 /// A P, A W and det F of many elements from A C and the edges' gradients; one place each in arrays.
@@ -156,11 +156,6 @@ void evaluate_lanes(double lambda, double mu, const double* area, const std::arr
     Law::template evaluate<Initial>(A * lambda, 2.0 * A * mu, s00, s11, s01, l.F00[i], l.F01[i], l.F10[i], l.F11[i],
                                     l.P00[i], l.P01[i], l.P10[i], l.P11[i], l.energy[i], l.det[i]);
   }
-}
-
-Vec2 at(std::span<const double> v, std::int32_t node) {
-  const auto i = 2 * static_cast<std::size_t>(node);
-  return {v[i], v[i + 1]};
 }
 
 }  // namespace
@@ -379,8 +374,8 @@ Mat2 ElementForces::initial_stress(std::size_t e) const {
 Mat2 ElementForces::gradient(std::size_t e, std::span<const double> q) const {
   const auto& c = cover_[e];
   const Gradients& g = shapes_[shape_[e]];
-  const Vec2 x0 = at(q, c[0]);
-  return (at(q, c[1]) - x0) * g.col(1).transpose() + (at(q, c[2]) - x0) * g.col(2).transpose();
+  const Vec2 x0 = node(q, c[0]);
+  return (node(q, c[1]) - x0) * g.col(1).transpose() + (node(q, c[2]) - x0) * g.col(2).transpose();
 }
 
 ElasticResponse ElementForces::response(std::size_t e, std::span<const double> q) const {

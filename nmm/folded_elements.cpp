@@ -4,16 +4,15 @@
 
 namespace scree::nmm {
 
-void FoldedElements::make(std::int32_t covers, std::span<const std::array<std::int32_t, 3>> elements,
-                          std::span<const Tie> ties) {
-  ties_.assign(ties.begin(), ties.end());
-  std::vector<std::int32_t> tie_of(static_cast<std::size_t>(covers), -1);
-  for (std::size_t t = 0; t < ties_.size(); ++t)
-    tie_of[static_cast<std::size_t>(ties_[t].cover)] = static_cast<std::int32_t>(t);
-  free_of_.assign(static_cast<std::size_t>(covers), -1);
+void FoldedElements::make(const CoverMesh& mesh) {
+  const auto covers = static_cast<std::int32_t>(mesh.star.size());
+  chart_ = CoverChart();
+  chart_.add(mesh, 0);
+  chart_.finish();
+  free_of_.assign(mesh.star.size(), -1);
   cover_of_.clear();
   for (std::int32_t c = 0; c < covers; ++c) {
-    if (tie_of[static_cast<std::size_t>(c)] >= 0) continue;
+    if (chart_.tied(c)) continue;
     free_of_[static_cast<std::size_t>(c)] = free_covers();
     cover_of_.push_back(c);
   }
@@ -22,23 +21,17 @@ void FoldedElements::make(std::int32_t covers, std::span<const std::array<std::i
   place_.clear();
   weight_start_.clear();
   weight_.clear();
-  for (const auto& cover : elements) {
+  for (const auto& cover : mesh.cover) {
     const std::size_t first = place_.size();
     std::array<std::array<double, 9>, 3> C{};
     bool folded = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto add = [&](std::int32_t root, double w) {
-        const std::int32_t free = free_of_[static_cast<std::size_t>(root)];
+      folded = folded || chart_.tied(cover[k]);
+      for (const Share& s : chart_.shares(cover[k])) {
+        const std::int32_t free = free_of_[static_cast<std::size_t>(s.cover)];
         const auto at = std::find(place_.begin() + static_cast<std::ptrdiff_t>(first), place_.end(), free);
-        C[k][static_cast<std::size_t>(at - place_.begin()) - first] += w;
+        C[k][static_cast<std::size_t>(at - place_.begin()) - first] += s.w;
         if (at == place_.end()) place_.push_back(free);
-      };
-      if (const std::int32_t t = tie_of[static_cast<std::size_t>(cover[k])]; t >= 0) {
-        folded = true;
-        const Tie& tie = ties_[static_cast<std::size_t>(t)];
-        for (std::size_t m = 0; m < 3; ++m) add(tie.root[m], tie.w[m]);
-      } else {
-        add(cover[k], 1.0);
       }
     }
     weight_start_.push_back(folded ? static_cast<std::int32_t>(weight_.size()) : -1);
@@ -49,7 +42,7 @@ void FoldedElements::make(std::int32_t covers, std::span<const std::array<std::i
   }
 }
 
-Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> FoldedElements::chart(std::size_t e) const {
+Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> FoldedElements::element_chart(std::size_t e) const {
   return Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>(weight_.data() + weight_start_[e], 3,
                                                                     start_[e + 1] - start_[e]);
 }
@@ -61,7 +54,7 @@ void FoldedElements::fold(std::size_t e, const Mat3& M, std::span<double> lower)
       for (int i = j; i < 3; ++i) lower[at++] = M(i, j);
     return;
   }
-  const auto C = chart(e);
+  const auto C = element_chart(e);
   for (Eigen::Index j = 0; j < C.cols(); ++j) {
     const Eigen::Vector3d Mc = M * C.col(j);
     for (Eigen::Index i = j; i < C.cols(); ++i) lower[at++] = C.col(i).dot(Mc);
@@ -75,7 +68,7 @@ void FoldedElements::fold(std::size_t e, const Mat6& K, std::span<double> lower)
       for (int i = j; i < 6; ++i) lower[at++] = K(i, j);
     return;
   }
-  const auto C = chart(e);
+  const auto C = element_chart(e);
   for (Eigen::Index j = 0; j < 2 * C.cols(); ++j) {
     Eigen::Matrix<double, 6, 1> Kc = Eigen::Matrix<double, 6, 1>::Zero();
     for (int k = 0; k < 3; ++k) Kc += C(k, j / 2) * K.col(2 * k + static_cast<int>(j % 2));
@@ -95,7 +88,7 @@ void FoldedElements::fold_force(std::size_t e, const Eigen::Matrix<double, 6, 1>
         free[2 * static_cast<std::size_t>(at[k]) + d] += f[static_cast<Eigen::Index>(2 * k + d)];
     return;
   }
-  const auto C = chart(e);
+  const auto C = element_chart(e);
   for (std::size_t j = 0; j < at.size(); ++j)
     for (std::size_t d = 0; d < 2; ++d) {
       double sum = 0.0;

@@ -1,11 +1,10 @@
 // The elements of one block over its free covers: what ties make of element matrices.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "nmm/cover_mesh.h"
+#include "nmm/cover_chart.h"
 
 namespace scree::nmm {
 
@@ -17,10 +16,8 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 /// column.
 class FoldedElements {
  public:
-  /// @param covers    physical covers of the block
-  /// @param elements  covers of each element, counted from the block's first
-  /// @param ties      counted likewise; roots are free
-  void make(std::int32_t covers, std::span<const std::array<std::int32_t, 3>> elements, std::span<const Tie> ties);
+  /// Covers and elements are counted from the mesh's first.
+  void make(const CoverMesh& mesh);
 
   [[nodiscard]] std::size_t size() const { return start_.size() - 1; }
   [[nodiscard]] std::int32_t free_covers() const { return static_cast<std::int32_t>(cover_of_.size()); }
@@ -33,7 +30,8 @@ class FoldedElements {
   [[nodiscard]] std::int32_t cover_of(std::int32_t free) const { return cover_of_[static_cast<std::size_t>(free)]; }
   /// Number of a cover among the free ones, -1 for a tied one.
   [[nodiscard]] std::int32_t free_of(std::int32_t cover) const { return free_of_[static_cast<std::size_t>(cover)]; }
-  [[nodiscard]] std::span<const Tie> ties() const { return ties_; }
+  /// The block's ties.
+  [[nodiscard]] const CoverChart& chart() const { return chart_; }
 
   /// C_e^T M C_e of a matrix over covers.   @param lower  n (n + 1)/2 numbers, n the places
   void fold(std::size_t e, const Mat3& M, std::span<double> lower) const;
@@ -44,13 +42,13 @@ class FoldedElements {
 
  private:
   /// C_e: a row a cover of the element, a column a place.
-  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> chart(std::size_t e) const;
+  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> element_chart(std::size_t e) const;
 
+  CoverChart chart_;
   std::vector<std::int32_t> start_{0}, place_;  // an element: its places
   std::vector<std::int32_t> weight_start_;      // an element: into weight_; -1: all its covers are free
   std::vector<double> weight_;                  // C_e, column after column
   std::vector<std::int32_t> cover_of_, free_of_;
-  std::vector<Tie> ties_;
 };
 
 }  // namespace scree::nmm

@@ -1,7 +1,5 @@
 #include "nmm/implicit.h"
 
-#include <algorithm>
-
 namespace scree::nmm {
 
 void ImplicitBody::make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first) {
@@ -45,15 +43,7 @@ ChartRow ImplicitBody::chart_row(const Row& row) const {
   };
   for (std::size_t k = 0; k < 3; ++k) {
     if (row.w[k] == 0.0) continue;
-    const std::int32_t cover = row.node[k] - first_;
-    if (const std::int32_t free = folded_.free_of(cover); free >= 0) {
-      add(free, row.w[k]);
-      continue;
-    }
-    const auto ties = folded_.ties();
-    const auto tie =
-        std::lower_bound(ties.begin(), ties.end(), cover, [](const Tie& t, std::int32_t c) { return t.cover < c; });
-    for (std::size_t m = 0; m < 3; ++m) add(folded_.free_of(tie->root[m]), row.w[k] * tie->w[m]);
+    for (const Share& s : folded_.chart().shares(row.node[k] - first_)) add(folded_.free_of(s.cover), row.w[k] * s.w);
   }
   return out;
 }
@@ -91,15 +81,6 @@ void ImplicitBody::rates(std::span<const double> v, std::span<double> rate) cons
   }
 }
 
-void ImplicitBody::follow(std::span<double> v) const {
-  for (const Tie& t : folded_.ties())
-    for (std::size_t d = 0; d < 2; ++d) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * v[2 * static_cast<std::size_t>(first_ + t.root[k]) + d];
-      v[2 * static_cast<std::size_t>(first_ + t.cover) + d] = sum;
-    }
-}
-
 void ImplicitBody::retract(std::span<const double> d, std::span<const double> rate, std::span<double> q,
                            std::span<double> v) const {
   for (std::int32_t k = 0; k < folded_.free_covers(); ++k)
@@ -108,8 +89,9 @@ void ImplicitBody::retract(std::span<const double> d, std::span<const double> ra
       q[i] += d[2 * static_cast<std::size_t>(k) + c];
       v[i] = rate[2 * static_cast<std::size_t>(k) + c];
     }
-  follow(q);
-  follow(v);
+  const std::size_t first = 2 * static_cast<std::size_t>(first_);
+  folded_.chart().follow(q.subspan(first));
+  folded_.chart().follow(v.subspan(first));
 }
 
 }  // namespace scree::nmm

@@ -21,18 +21,24 @@ class ImplicitBody {
   [[nodiscard]] int dofs() const { return 2 * folded_.free_covers(); }
   [[nodiscard]] ElementDofs element_dofs() const;
   [[nodiscard]] ChartRow chart_row(const Row& row) const;
+  /// Mass of each element with its ties folded in, on x and on y: lower triangles in the order of element_dofs() [kg].
   void element_masses(std::span<double> mass) const;
-  /// @param of(e)  StiffElement of the block's element e
+  /// Stiffness of the elements [N/m] and internal force on the unknowns [N] at the positions q of the pool.
+  /// @param covers     of each element, counted in the pool
+  /// @param stiffness  lower triangles in the order of element_dofs(); empty: only the force is wanted
+  /// @param of(e)      StiffElement of the block's element e
+  /// @return elastic energy, the elements in their order [J]
   template <class ElementAt>
   double linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q, Stiffness kind,
                    std::span<double> stiffness, std::span<double> force, ElementAt&& of) const;
+  /// Velocities of the free covers, from those of the pool.
   void rates(std::span<const double> v, std::span<double> rate) const;
+  /// q += d and v = rate on the free covers, then the ties.
   void retract(std::span<const double> d, std::span<const double> rate, std::span<double> q, std::span<double> v) const;
 
  private:
   /// First number of the lower triangle of element e.
   [[nodiscard]] std::size_t value(std::size_t e) const { return static_cast<std::size_t>(value_start_[e]); }
-  void follow(std::span<double> v) const;
 
   FoldedElements folded_;
   std::vector<Mat3> mass_;
@@ -50,18 +56,14 @@ double ImplicitBody::linearise(std::span<const std::array<std::int32_t, 3>> cove
                                Stiffness kind, std::span<double> stiffness, std::span<double> force,
                                ElementAt&& of) const {
   corner_force_.resize(folded_.size());
-  const auto at = [&](std::int32_t k) {
-    const auto i = 2 * static_cast<std::size_t>(k);
-    return Vec2(q[i], q[i + 1]);
-  };
   const double energy =
       parallel_sum(static_cast<std::int64_t>(folded_.size()), energy_, [&](std::int64_t begin, std::int64_t end) {
         double sum = 0.0;
         for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e) {
           const StiffElement element = of(e);
           const auto& g = element.gradient;
-          const Mat2 F = at(covers[e][0]) * g.col(0).transpose() + at(covers[e][1]) * g.col(1).transpose() +
-                         at(covers[e][2]) * g.col(2).transpose();
+          const Mat2 F = node(q, covers[e][0]) * g.col(0).transpose() + node(q, covers[e][1]) * g.col(1).transpose() +
+                         node(q, covers[e][2]) * g.col(2).transpose();
           const ElasticResponse r = response(element, F);
           sum += element.area * r.energy;
           corner_force_[e] = element_force(element, r.P);

@@ -26,6 +26,7 @@ class Lattice {
  public:
   Lattice(double h, const Vec2& origin) : h_(h), origin_(origin) {}
 
+  [[nodiscard]] double size() const { return h_; }
   [[nodiscard]] double triangle_area() const { return std::sqrt(3.0) / 4.0 * h_ * h_; }
   [[nodiscard]] Vec2 position(const LatticeNode& n) const { return origin_ + h_ * Vec2(n.i + 0.5 * n.j, kRow * n.j); }
   /// Oblique coordinates (i, j) of a point; the third line family is i + j = const.

@@ -8,6 +8,9 @@
 namespace scree::nmm {
 namespace {
 
+constexpr double kSliver = 1e-9;  // least area of a face of a crack, a fraction of the triangle's
+constexpr double kReach = 1e-8;   // by which cracks are lengthened, a fraction of a mesh edge
+
 /// Cells (i of a row) that a segment comes near, both triangles of each: within a thousandth of the mesh size.
 template <class See>
 void cells_near(const Lattice& lattice, const Vec2& a, const Vec2& b, See&& see) {
@@ -96,6 +99,8 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
     for (Polygon& part : parts) {
       std::vector<Polygon> faces;
       if (!lines.empty()) faces = cut_by_lines(part, lines);
+      // A crack along a mesh line to within round-off cuts no sliver off: it runs between the triangles.
+      std::erase_if(faces, [&](const Polygon& f) { return moments(f).area < kSliver * full; });
       if (faces.size() > 1) {
         double cut = -perimeter(part);
         for (const Polygon& f : faces) cut += perimeter(f);
@@ -124,7 +129,10 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
       const std::size_t c = cell(i, j);
       lines.clear();
       for (; next_crack < crack_at.size() && crack_at[next_crack].first == c; ++next_crack) {
-        lines.push_back(cracks[static_cast<std::size_t>(crack_at[next_crack].second)]);
+        // A little longer: an end typed as a point of another line or of the outline lies off it by round-off.
+        const CutLine& line = cracks[static_cast<std::size_t>(crack_at[next_crack].second)];
+        const Vec2 more = kReach * lattice.size() * (line.to - line.from).normalized();
+        lines.push_back({line.from - more, line.to + more});
       }
       const bool touched = near[c] != 0 || !lines.empty();
       if (!touched && !known) {

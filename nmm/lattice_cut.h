@@ -46,6 +46,9 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
 /// elements, the nearest of these: nearest in the material, so that the two sides of a slot are never tied to each
 /// other. Connected parts without any root get a onefold cover.
 void tie_covers(CoverMesh& mesh);
+/// Sets covers free again that take more mass from a root than it has: between cracks a root may lie far off. Each
+/// cover keeps its own mass then, which is positive, and the step may become shorter.
+void loosen_ties(CoverMesh& mesh);
 
 /// The outline with rows, split where it crosses lattice lines and cracks.   @param pieces  null for a onefold cover
 void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::span<const CutLine> cracks,

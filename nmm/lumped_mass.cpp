@@ -8,10 +8,6 @@
 namespace scree::nmm {
 namespace {
 
-Eigen::Vector3d basis(const Vec2& X) { return {1.0, X.x(), X.y()}; }
-
-Vec2 at(std::span<const double> v, std::size_t node) { return {v[2 * node], v[2 * node + 1]}; }
-
 /// Mass, centre and second moments about it of each connected part.
 struct PartMoments {
   double mass = 0.0;
@@ -90,25 +86,23 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
                            first_part + p, static_cast<std::size_t>(mine) < to - from});
     }
     part.end = static_cast<std::int32_t>(chunks_.size());
+    Eigen::Matrix3d hat = Eigen::Matrix3d::Zero();
+    for (std::size_t k = 0; k < covers; ++k) {
+      const Eigen::Vector3d P = affine_basis(X_[begin + k]);
+      if (mesh.component[k] == p) hat += lumped[k] * P * P.transpose();
+    }
+    part.hat_inverse = hat.inverse();  // damp() needs the affine part whatever the mass
     if (kind == MassKind::affine_exact) {
-      Eigen::Matrix3d hat = Eigen::Matrix3d::Zero(), affine = Eigen::Matrix3d::Zero();
-      for (std::size_t k = 0; k < covers; ++k)
-        if (mesh.component[k] == p) hat += lumped[k] * basis(X_[begin + k]) * basis(X_[begin + k]).transpose();
+      Eigen::Matrix3d affine = Eigen::Matrix3d::Zero();
       affine(0, 0) = exact[static_cast<std::size_t>(p)].mass;
       affine.bottomRightCorner<2, 2>() = exact[static_cast<std::size_t>(p)].second;
-      part.hat_inverse = hat.inverse();
       part.inverse_correction = affine.inverse() - part.hat_inverse;
       part.correction = part.hat_inverse * (hat - affine) * part.hat_inverse;
       part.theta = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, affine, Eigen::EigenvaluesOnly)
                        .eigenvalues()(2);
       const Eigen::Vector3d y = part.hat_inverse * affine.col(0);
       for (std::size_t k = 0; k < covers; ++k)
-        if (mesh.component[k] == p) unit_[begin + k] = lumped[k] * basis(X_[begin + k]).dot(y);
-    } else {
-      Eigen::Matrix3d hat = Eigen::Matrix3d::Zero();
-      for (std::size_t k = 0; k < covers; ++k)
-        if (mesh.component[k] == p) hat += lumped[k] * basis(X_[begin + k]) * basis(X_[begin + k]).transpose();
-      part.hat_inverse = hat.inverse();  // damp() needs the affine part all the same
+        if (mesh.component[k] == p) unit_[begin + k] = lumped[k] * affine_basis(X_[begin + k]).dot(y);
     }
     parts_.push_back(part);
   }
@@ -120,7 +114,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
 void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
   if (first == last) return;
   const std::int64_t from = parts_[first].begin, count = parts_[last - 1].end - from;
-  const auto sum_of = [&](const Chunk& chunk, std::int32_t begin, std::int32_t end, Moments3& z) {
+  const auto sum_of = [&](const Chunk& chunk, std::int32_t begin, std::int32_t end, AffineMoments& z) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       if (chunk.mixed && part_of_[k] != chunk.part) continue;
       const double w = weighted ? lumped_[k] : 1.0, x = w * v[2 * k], y = w * v[2 * k + 1];
@@ -137,7 +131,7 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
     const auto c = static_cast<std::size_t>(from + n);
     const Chunk& chunk = chunks_[c];
     // Four sums side by side: one would wait for each addition.
-    Moments3 z[4] = {Moments3::Zero(), Moments3::Zero(), Moments3::Zero(), Moments3::Zero()};
+    AffineMoments z[4] = {AffineMoments::Zero(), AffineMoments::Zero(), AffineMoments::Zero(), AffineMoments::Zero()};
     const std::int32_t quarter = (chunk.end - chunk.begin) / 4;
     for (std::int32_t s = 0; s < 4; ++s)
       sum_of(chunk, chunk.begin + s * quarter, s == 3 ? chunk.end : chunk.begin + (s + 1) * quarter, z[s]);
@@ -158,7 +152,7 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
 #pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
   for (std::int64_t n = 0; n < count; ++n) {
     const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
-    const Moments3 z = moment_[static_cast<std::size_t>(chunk.part)];
+    const AffineMoments z = moment_[static_cast<std::size_t>(chunk.part)];
     for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) {
       if (chunk.mixed && part_of_[k] != chunk.part) continue;
       a[2 * k] = f[2 * k] * inverse_[k] + (z(0, 0) + X_[k].x() * z(1, 0) + X_[k].y() * z(2, 0));
@@ -183,7 +177,7 @@ void LumpedMass::apply(std::int32_t begin, std::int32_t end, std::span<const dou
   project(first, last, v, true);
   for (std::size_t i = first; i < last; ++i) moment_[i] = (parts_[i].correction * moment_[i]).eval();
   for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-    const Moments3& z = moment_[static_cast<std::size_t>(part_of_[k])];
+    const AffineMoments& z = moment_[static_cast<std::size_t>(part_of_[k])];
     for (std::size_t d = 0; d < 2; ++d) {
       const auto c = static_cast<Eigen::Index>(d);
       p[2 * k + d] = lumped_[k] * (v[2 * k + d] - z(0, c) - X_[k].x() * z(1, c) - X_[k].y() * z(2, c));
@@ -193,8 +187,7 @@ void LumpedMass::apply(std::int32_t begin, std::int32_t end, std::span<const dou
 
 double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const {
   double sum = 0.0;
-  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-    sum += lumped_[k] * at(v, k).squaredNorm();
+  for (std::int32_t k = begin; k < end; ++k) sum += lumped_[static_cast<std::size_t>(k)] * node(v, k).squaredNorm();
   const auto [first, last] = parts_of(begin, end);
   project(first, last, v, true);
   for (std::size_t p = first; p < last; ++p)
@@ -207,7 +200,7 @@ void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
   parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
     const auto k = static_cast<std::size_t>(n);
-    const Moments3& z = moment_[static_cast<std::size_t>(part_of_[k])];
+    const AffineMoments& z = moment_[static_cast<std::size_t>(part_of_[k])];
     for (std::size_t d = 0; d < 2; ++d) {
       const auto c = static_cast<Eigen::Index>(d);
       const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[2 * k + d] - affine);

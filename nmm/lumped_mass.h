@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/formulation.h"
+#include "nmm/affine_basis.h"
 #include "nmm/cover_chart.h"
 
 namespace scree::nmm {
@@ -23,7 +24,7 @@ class LumpedMass {
 
   /// a = M^-1 f on the free covers, followed by the ties.
   void solve(const CoverChart& chart, std::span<const double> f, std::span<double> a) const;
-  /// p = M v on the covers of one block: on free ones, zero on tied ones.
+  /// p = M v on the covers of one block: on free ones, zero on tied ones [kg m/s].
   void apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const;
   /// 1/2 v^T M v over the covers of one block [J]
   [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
@@ -34,12 +35,12 @@ class LumpedMass {
 
   /// Row sums, a cover; 0 for tied ones [kg].
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
+  /// Their inverses, 0 for tied ones [1/kg].
   [[nodiscard]] std::span<const double> inverse() const { return inverse_; }
   /// theta, the largest eigenvalue of M_a^-1 S^ over the parts of the block with these covers; 1 for `lumped`.
   [[nodiscard]] double theta(std::int32_t begin, std::int32_t end) const;
 
  private:
-  using Moments3 = Eigen::Matrix<double, 3, 2>;
   struct Part {                                                    // a connected part of a block
     std::int32_t begin = 0, end = 0;                               // its chunks
     Eigen::Matrix3d inverse_correction = Eigen::Matrix3d::Zero();  // M_a^-1 - S^^-1
@@ -56,11 +57,11 @@ class LumpedMass {
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts_of(std::int32_t begin, std::int32_t end) const;
 
   std::vector<Part> parts_;
-  std::vector<Chunk> chunks_;                       // by part, each of at most kChunk covers
-  std::vector<std::int32_t> part_of_;               // a cover
-  std::vector<double> lumped_, inverse_, unit_;     // M_L, 1/M_L (0 for tied covers), M 1
-  std::vector<Vec2> X_;                             // reference position less the part's centre of mass [m]
-  mutable std::vector<Moments3> partial_, moment_;  // of chunks and parts
+  std::vector<Chunk> chunks_;                            // by part, each of at most kChunk covers
+  std::vector<std::int32_t> part_of_;                    // a cover
+  std::vector<double> lumped_, inverse_, unit_;          // M_L, 1/M_L (0 for tied covers), M 1
+  std::vector<Vec2> X_;                                  // reference position less the part's centre of mass [m]
+  mutable std::vector<AffineMoments> partial_, moment_;  // of chunks and parts
 };
 
 }  // namespace scree::nmm

@@ -13,11 +13,6 @@
 namespace scree::nmm {
 namespace {
 
-Vec2 node(std::span<const double> q, std::int32_t k) {
-  const auto i = 2 * static_cast<std::size_t>(k);
-  return {q[i], q[i + 1]};
-}
-
 Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const double> q) {
   const Mat2 P = elements.response(e, q).P;
   if (elements.law(e).kinematics == Kinematics::linear) return P;
@@ -63,7 +58,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   const std::int32_t first = first_.back();
   body->law = model.elasticity_of(record.block);
   body->form = form;
-  if (!body->mesh.onefold && body->mesh.components == 1 && !keeps_its_step(body->mesh, record.shape, form, body->law))
+  if (!body->mesh.onefold && cracks.empty() && !keeps_its_step(body->mesh, record.shape, form, body->law))
     body->mesh = make_onefold(record.shape.outline);
   const CoverMesh& mesh = body->mesh;
   if (!mass_.add(mesh, first, record.shape, form.mass))
@@ -100,7 +95,7 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
     elements.push_back({mesh.cover[e], mesh.weights(e, material.centroid), mesh.shapes[mesh.shape[e]], material});
   }
   FoldedElements folded;
-  folded.make(static_cast<std::int32_t>(mesh.star.size()), mesh.cover, mesh.ties);
+  folded.make(mesh);
   body.consistent.make(folded, elements, mesh.star, body.shape, first);
   std::vector<Mat3> masses;
   for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
@@ -299,6 +294,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Mat2 strain = strain_of_kirchhoff(b.law, 0.5 * (local_virial + local_virial.transpose()) / area, initial);
   const Mat2 F = R * (Mat2::Identity() + strain), F_inverse = F.inverse();
   out.motion = {c, F, vc, G * F};
+  out.initial = initial;
 
   out.shape.mass = b.shape.mass;
   out.shape.area = area;

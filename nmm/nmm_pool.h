@@ -61,6 +61,7 @@ class NmmPool final : public Pool {
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
   /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
+  /// @param nodes  xx, yy, xy a cover [Pa]
   /// @source Zienkiewicz, Zhu 1992 (superconvergent patch recovery); deviation: areas as weights
   void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 

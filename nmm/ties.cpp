@@ -151,4 +151,27 @@ void tie_covers(CoverMesh& mesh) {
   make_parts_onefold(rooted, mesh);
 }
 
+void loosen_ties(CoverMesh& mesh) {
+  constexpr double kLeast = 1e-2;  // of its own mass that a root keeps
+  std::vector<double> own(mesh.star.size(), 0.0), all;
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    const std::array<double, 3> w = mesh.weights(e, mesh.centroid(e));
+    for (std::size_t k = 0; k < 3; ++k) own[static_cast<std::size_t>(mesh.cover[e][k])] += mesh.area[e] * w[k];
+  }
+  for (bool loosened = true; loosened;) {
+    all = own;
+    for (const Tie& t : mesh.ties)
+      for (std::size_t k = 0; k < 3; ++k)
+        all[static_cast<std::size_t>(t.root[k])] += t.w[k] * own[static_cast<std::size_t>(t.cover)];
+    const auto taken = [&](const Tie& t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto root = static_cast<std::size_t>(t.root[k]);
+        if (t.w[k] < 0.0 && all[root] < kLeast * own[root]) return true;
+      }
+      return false;
+    };
+    loosened = std::erase_if(mesh.ties, taken) > 0;
+  }
+}
+
 }  // namespace scree::nmm

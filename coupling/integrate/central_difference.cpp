@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
@@ -233,25 +234,11 @@ StepReport CentralDifference::refuse(const State& state, double h) const {
   return report;
 }
 
-StepReport CentralDifference::lost(std::span<const double> q, double t) const {
-  StepReport report;
-  report.status = StepReport::Status::non_finite;
-  std::string where = "a velocity is not finite";
-  for (std::size_t p = 0; p < setup_->pools() && report.body < 0; ++p) {
-    const Fault fault = setup_->pool(p).find_fault(setup_->part(q, p));
-    if (fault.body < 0) continue;
-    where = fault.where;
-    const auto& bodies = setup_->bodies();
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (bodies[b].pool == static_cast<std::int32_t>(p) && bodies[b].index == fault.body)
-        report.body = static_cast<std::int32_t>(b);
-  }
-  report.cause = fmt::format(
-      "at t = {:.6g} s {}; likely causes: loads or impacts beyond what a linear elastic material bears (stress of the "
-      "order of Young's modulus), a step above the stable one, or a mesh too coarse for them; the last good state is "
-      "kept",
-      t, where);
-  return report;
+StepReport CentralDifference::lost(const State& state, std::span<const double> forces, double t) const {
+  LostPlace place = lost_place(*setup_, q_new_);
+  if (place.body < 0) place = not_finite_at(*setup_, forces, "the force", state.q);
+  if (place.body < 0) place = not_finite_at(*setup_, v_new_, "the velocity", state.q);
+  return lost_state(place, t);
 }
 
 void CentralDifference::move_driven(const State& state, double h, double end, double& farthest) {
@@ -365,7 +352,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // Forces at the new instant.
   const double energy = stress(q_new_);
   if (!std::isfinite(energy)) {
-    StepReport report = lost(q_new_, end);
+    StepReport report = lost(state, stress_, end);
     state.ledger = before;
     (void)stress(state.q);
     return report;
@@ -377,7 +364,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // Kick by the other half.
   accelerate(q_new_, a_new_);
   if (!arrive(h)) {
-    StepReport report = lost(q_new_, end);
+    StepReport report = lost(state, total_, end);
     contact_.undo(state);
     state.ledger = before;
     (void)stress(state.q);

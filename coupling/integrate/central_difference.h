@@ -50,7 +50,7 @@ class CentralDifference final : public Mover {
 
   [[nodiscard]] double reach(const State& state, double h);
   StepReport refuse(const State& state, double h) const;
-  StepReport lost(std::span<const double> q, double t) const;
+  StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void kick_off(const State& state, double h);
   [[nodiscard]] double stress(std::span<const double> q);

@@ -21,7 +21,7 @@ class Cholesky {
 
   /// The fixed part's pattern; must outlive this. It is read again only when this is called again.
   void set_pattern(const SymmetricPattern& pattern);
-  /// Starts a system with the numbers of the fixed part.
+  /// Starts a system with the numbers of the fixed part, which must outlive factorise().
   void begin(std::span<const double> values);
   /// A(dof_i, dof_j) += scale * h_i h_j. Zero scale keeps the places, so that the pattern does not change.
   void add_outer(std::span<const std::int32_t> dof, std::span<const double> h, double scale);

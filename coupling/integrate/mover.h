@@ -27,8 +27,8 @@ struct StepReport {
   std::string cause;       // for a status other than ok: what, where, likely cause
   int passes = 0;          // open-close passes
   int factorisations = 0;
-  int iterations = 0;       // of Newton's method
-  double residual = 0.0;    // it left, over the largest force
+  int iterations = 0;         // of Newton's method
+  double residual = 0.0;      // it left, over the largest force
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there
 };
 

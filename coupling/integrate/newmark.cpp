@@ -301,8 +301,13 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     const double left = residual(state, h, largest);
     report.residual = largest > 0.0 ? left / largest : 0.0;
     if (!std::isfinite(left)) {
-      report.status = StepReport::Status::non_finite;
-      report.cause = "a force is not finite: an element was turned inside out, or the step is far too long";
+      const auto wrong = std::find_if(load_.begin(), load_.end(), [](double x) { return !std::isfinite(x); });
+      if (wrong != load_.end())
+        report =
+            lost(report, {system_.body_of(static_cast<std::int32_t>(wrong - load_.begin())), "a load is not finite"},
+                 state, h);
+      else
+        report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
     if (!iterative || left <= kBalanced * largest) return true;
@@ -323,7 +328,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           report.residual, report.iterations);
       return false;
     }
-    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {  // the kept stiffness is too far from this iterate's
+    if (system_.nonlinear() && left > 0.05 * last &&
+        !at_round_off) {  // the kept stiffness is too far from this iterate's
       (void)system_.linearise(q_new_, kind, false, K_, force_);
       linear_system(h);
       fresh = true;
@@ -335,6 +341,15 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     last = left;
   }
+}
+
+StepReport Newmark::lost(const StepReport& report, const LostPlace& place, const State& state, double h) {
+  StepReport out = report;
+  const StepReport found = lost_state(place, seconds(state.time) + h);
+  out.status = found.status;
+  out.body = found.body;
+  out.cause = found.cause;
+  return out;
 }
 
 bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) {
@@ -356,7 +371,12 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
   }
   if (farthest <= control_.max_displacement) {
     report.body = -1;
-    return true;
+    // Newton's method may balance an element that is turned inside out as well.
+    const LostPlace place = lost_place(*setup_, q_new_);
+    if (place.body < 0) return true;
+    report = lost(report, place, state, h);
+    report.status = StepReport::Status::no_balance;  // a shorter step may find the other balance
+    return false;
   }
   report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
   report.suggested = std::isfinite(farthest) ? 0.9 * control_.max_displacement / farthest : 0.0;

@@ -5,6 +5,7 @@
 
 #include "coupling/contact/contact_finder.h"
 #include "coupling/integrate/load_vectors.h"
+#include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/mover.h"
 #include "coupling/integrate/open_close.h"
 #include "coupling/integrate/point_springs.h"
@@ -62,6 +63,8 @@ class Newmark final : public Mover {
   [[nodiscard]] double residual(const State& state, double h, double& largest);
   [[nodiscard]] double round_off(const State& state) const;
   [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
+  /// The report of a step that ends in a state without a meaning.
+  [[nodiscard]] static StepReport lost(const StepReport& report, const LostPlace& place, const State& state, double h);
 
   // newmark_books.cpp: what an accepted step leaves in state and ledger
   struct Energies {  // as the equations of the step know them, before geometry is updated

@@ -15,6 +15,10 @@ namespace {
 
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+constexpr const char* kUnsupported =
+    "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
+    "under it, a support that is missing, or a stage that should not come to rest";
+
 /// First multiple of `every` after `now`.
 Tick next_multiple(Tick now, Tick every) {
   return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
@@ -62,6 +66,8 @@ std::string_view name(EventKind kind) {
   switch (kind) {
     case EventKind::stage_start:
       return "stage_start";
+    case EventKind::stage_step:
+      return "stage_step";
     case EventKind::stage_end:
       return "stage_end";
     case EventKind::transfer:
@@ -179,6 +185,7 @@ void Driver::change_stage(std::size_t index) {
             &row);
     }
   }
+  refuse_turned_blocks(stage);
   step_control_ = stage.control;
   if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
   // A point may not pass through the detection distance in one step.
@@ -206,24 +213,65 @@ void Driver::change_stage(std::size_t index) {
   for (Sink* s : sinks_) s->topology(observer_->mesh());
 }
 
-Tick Driver::largest_step(const Stage& stage) {
+void Driver::refuse_turned_blocks(const Stage& stage) const {
+  if (stage.kinematics != Kinematics::linear) return;
+  constexpr double kMost = 0.01;  // [rad]; a rotation r reads as a strain r^2/2
+  for (const Body& b : setup_->bodies()) {
+    if (b.driven || setup_->pool_of(b).method() != "nmm") continue;
+    const auto p = static_cast<std::size_t>(b.pool);
+    const Mat2 R = polar_rotation(setup_->pool_of(b)
+                                      .release(b.index, setup_->part(std::span<const double>(state_.q), p),
+                                               setup_->part(std::span<const double>(state_.v), p))
+                                      .motion.F);
+    const double turn = std::atan2(R(1, 0), R(0, 0));
+    if (std::abs(turn) <= kMost) continue;
+    throw PlanError(
+        fmt::format("t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, which takes "
+                    "rotations for "
+                    "strains, bears {:g} rad; use kinematics = \"corotational\"",
+                    seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
+  }
+}
+
+BlockId Driver::unsupported_at_rest(const Stage& stage) {
+  const BlockId loose = unsupported_block(*setup_, state_);
+  // Contacts of explicit steps open for an instant while blocks still swing: without a criterion of rest that is told.
+  if (loose.valid() && stage.integrator == Integrator::explicit_ && stage.rest_force == 0.0) {
+    event(EventKind::warning,
+          fmt::format("t = {:.6g} s, stage '{}': block '{}' touches nothing that leads to a support at its end",
+                      seconds(state_.time), stage.name, model_->blocks[loose.index()].name));
+    return {};
+  }
+  return loose;
+}
+
+Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
   const double bound = mover_->stable_step(state_, &binding);
   if (stage.dt) {
-    if (*stage.dt > bound)
+    if (*stage.dt > bound && !stage.force_dt)
       throw PlanError(fmt::format(
-          "stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by {}; "
-          "use dt = \"auto\" or a smaller step",
-          stage.name, *stage.dt, bound, binding));
+          "t = {:.6g} s, stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by "
+          "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
+          seconds(state_.time), stage.name, *stage.dt, bound, binding));
+    if (*stage.dt > bound && first)
+      event(EventKind::warning,
+            fmt::format("stage '{}': the explicit step {:.4g} s is forced above the certified stable one, {:.4g} s, "
+                        "bound by {}",
+                        stage.name, *stage.dt, bound, binding));
     return ticks(*stage.dt);
   }
-  return std::max<Tick>(1, ticks(std::min(stage.safety * bound, 1.0)));
+  const double step = std::min(stage.safety * bound, 1.0);
+  if (first)
+    event(EventKind::stage_step, fmt::format("stage '{}': steps of {:.4g} s, {:g} of the certified bound, set by {}",
+                                             stage.name, step, stage.safety, binding));
+  return std::max<Tick>(1, ticks(step));
 }
 
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   const bool implicit = stage.integrator == Integrator::implicit;
-  Tick most = largest_step(stage);
+  Tick most = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   while (state_.time < target) {
@@ -243,7 +291,7 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       attempt_cap = std::numeric_limits<Tick>::max();
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
       if (balance_) {
-        const RunEnd rest = check_rest(stage, stage_end_);
+        RunEnd rest = check_rest(stage, stage_end_);
         if (rest.status != RunEnd::Status::done || rested_) return rest;
       }
       continue;
@@ -289,12 +337,11 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   if (!rested_ && !over) return {};
   std::string reason;
   if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
-    reason = fmt::format("block '{}' has no path of closed contacts to a support", block_name(loose));
+    reason = fmt::format("block '{}' {}", block_name(loose), kUnsupported);
   else if (!rested_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
-        "({:.2g} "
-        "allowed)",
+        "({:.2g} allowed)",
         state_.step - first_step_,
         found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
         found.force, found.ratio, stage.rest_force);
@@ -326,6 +373,12 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     look(target == frame || target == end || rested_);
   }
+  if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
+    const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
+                                           model_->blocks[loose.index()].name, kUnsupported);
+    event(EventKind::not_converged, reason);
+    return {RunEnd::Status::not_converged, reason};
+  }
   travels_.push_back(travel_since(begin));
   const StageTravel& travel = travels_.back();
   event(EventKind::stage_end,
@@ -345,8 +398,19 @@ RunEnd Driver::run(std::optional<double> until) {
     if (i > 0 && state_.time >= stop) break;
     change_stage(i);
     stage_end_ = state_.time + plan_->stages[i].duration;  // a stage that comes to rest ends before its time
-    result = run_stage(i, std::min(stage_end_, stop));
+    try {
+      result = run_stage(i, std::min(stage_end_, stop));
+    } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
+      event(EventKind::not_converged, e.what());
+      finish({RunEnd::Status::not_converged, e.what()});
+      throw;
+    }
   }
+  finish(result);
+  return result;
+}
+
+void Driver::finish(const RunEnd& result) {
   mover_->update_ledger(state_);
   FrameView last = observer_->frame(state_, stats_);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
@@ -354,7 +418,6 @@ RunEnd Driver::run(std::optional<double> until) {
   last.integrator = stage.integrator;
   last.end_time = seconds(end_);
   for (Sink* s : sinks_) s->end(result, last);
-  return result;
 }
 
 }  // namespace scree::coupling

@@ -41,16 +41,23 @@ class Driver {
  private:
   void start();
   void change_stage(std::size_t index);
+  /// @throws PlanError where linear kinematics would take a block's rotation for strain
+  void refuse_turned_blocks(const Stage& stage) const;
+  /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
+  [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
   RunEnd run_stage(std::size_t index, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
   void drop_velocities();
   RunEnd advance_to(const Stage& stage, Tick target);
-  [[nodiscard]] Tick largest_step(const Stage& stage);
+  /// @param first  of the stage: what binds the step is told
+  [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
   void look(bool frame);
+  /// Hands the last state to the sinks.
+  void finish(const RunEnd& result);
 
   const Model* model_;
   const Plan* plan_;

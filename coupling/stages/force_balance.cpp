@@ -19,7 +19,8 @@ ForceBalance::ForceBalance(const Setup& setup, const State& state)
 }
 
 void ForceBalance::take(std::vector<double>& term) {
-  for (std::size_t p = 0; p < setup_->pools(); ++p) setup_->pool(p).fold_forces(setup_->part(std::span<double>(term), p));
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    setup_->pool(p).fold_forces(setup_->part(std::span<double>(term), p));
   for (std::size_t i = 0; i < term.size(); ++i) {
     if (lever_[i / 2] == 0.0) continue;
     largest_ = std::max(largest_, std::abs(term[i]) / lever_[i / 2]);

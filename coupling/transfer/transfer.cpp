@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/transfer/contact_forces.h"
+#include "model/elasticity.h"
 
 namespace scree::coupling {
 namespace {
@@ -98,6 +99,14 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
       out.rows.push_back(row);
     }
     record = {record.block, wish[i].method, released[i].shape, wish[i].form};
+    if (!b.driven) {
+      // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
+      // read there: what that changes does work on the strain.
+      const Mat2& F = released[i].motion.F;
+      const Mat2 U = polar_rotation(F).transpose() * F, strain = 0.5 * (U + U.transpose()) - Mat2::Identity(),
+                 change = InSituStress(model, record).mean() - released[i].initial;
+      out.rows.back().booked -= released[i].shape.area * change.cwiseProduct(strain).sum();
+    }
   }
 
   hand_contacts_over(from, changed, state);

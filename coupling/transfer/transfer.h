@@ -19,9 +19,9 @@ struct Wish {
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);
 
-/// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also where
-/// mass or kinematics change: their energies are measured anew and the difference is booked. The others go through
-/// release() and place(). Contact memory travels by corner and edge; the stretch of a spring is kept on its new
+/// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
+/// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
+/// through release() and place(). Contact memory travels by corner and edge; the stretch of a spring is kept on its new
 /// edge. Energies, reservoir and cross terms are booked; one row a body that changed.
 /// @source coupling.md 1
 struct HandOver {

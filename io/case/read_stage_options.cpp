@@ -66,6 +66,13 @@ void read_newmark(const Section& s, coupling::Stage& stage) {
   if (s.has("dynamics")) stage.dynamics = s.number("dynamics");
 }
 
+void read_step(const Section& s, coupling::Stage& stage) {
+  stage.force_dt = s.boolean("force_dt");
+  refuse(s, "force_dt", stage.force_dt && (stage.integrator == Integrator::implicit || !stage.dt),
+         "there is no explicit dt to force", "true beside a number for dt in explicit stages",
+         "remove the key, or give dt");
+}
+
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
   refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
@@ -80,6 +87,7 @@ void read_rest(const Section& s, coupling::Stage& stage) {
 
 void read_stage_options(const Section& s, bool nmm, coupling::Stage& stage) {
   read_formulation(s, nmm, stage);
+  read_step(s, stage);
   read_damping(s, stage);
   read_rest(s, stage);
   read_newmark(s, stage);

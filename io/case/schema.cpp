@@ -309,6 +309,8 @@ constexpr Key kKeys[] = {
     {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit", "Time integration."},
     {"stage[].dt", Type::number_or_auto, "s", kTime, "\"auto\"", false, "",
      "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound."},
+    {"stage[].force_dt", Type::boolean, "", kAny, "false", false, "",
+     "Take an explicit dt above the certified bound all the same, for studies of stability; it is reported."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
     {"stage[].safety", Type::number, "", kSafety, "0.8", false, "",
      "Fraction of the stability bound that dt = \"auto\" takes."},

@@ -39,11 +39,7 @@ struct ByHand {
       if (!b.driven) sum += totals(b).kinetic;
     return sum;
   }
-  [[nodiscard]] BodyTotals totals(const coupling::Body& b) const {
-    const auto p = static_cast<std::size_t>(b.pool);
-    return setup->pool_of(b).totals(b.index, setup->part(std::span<const double>(state.q), p),
-                                    setup->part(std::span<const double>(state.v), p));
-  }
+  [[nodiscard]] BodyTotals totals(const coupling::Body& b) const { return totals_of(*setup, state, b); }
 };
 
 }  // namespace scree::test

@@ -138,15 +138,15 @@ struct NmmBlock {
   template <class Function>
   void integrate(Function&& function) const {
     // Dunavant 1985, degree 5, seven points.
-    static constexpr double a1 = 0.059715871789770, b1 = 0.470142064105115, w1 = 0.132394152788506;
-    static constexpr double a2 = 0.797426985353087, b2 = 0.101286507323456, w2 = 0.125939180544827, w0 = 0.225;
-    static constexpr double points[7][4] = {{1.0 / 3, 1.0 / 3, 1.0 / 3, w0},
-                                            {a1, b1, b1, w1},
-                                            {b1, a1, b1, w1},
-                                            {b1, b1, a1, w1},
-                                            {a2, b2, b2, w2},
-                                            {b2, a2, b2, w2},
-                                            {b2, b2, a2, w2}};
+    const double a1 = 0.059715871789770, b1 = 0.470142064105115, w1 = 0.132394152788506;
+    const double a2 = 0.797426985353087, b2 = 0.101286507323456, w2 = 0.125939180544827, w0 = 0.225;
+    const double points[7][4] = {{1.0 / 3, 1.0 / 3, 1.0 / 3, w0},
+                                 {a1, b1, b1, w1},
+                                 {b1, a1, b1, w1},
+                                 {b1, b1, a1, w1},
+                                 {a2, b2, b2, w2},
+                                 {b2, a2, b2, w2},
+                                 {b2, b2, a2, w2}};
     for (std::size_t e = 0; e < mesh().elements(); ++e)
       for (const Ring& r : triangulate(mesh().material(e))) {
         const double area = std::abs(signed_area(r));

@@ -56,22 +56,17 @@ struct Scene {
   }
 };
 
-/// Centroid of a block now.
-inline Vec2 centre_of(const coupling::Driver& run, BlockId id) {
-  const coupling::Body& b = run.setup().bodies()[id.index()];
+/// Momenta and energies of a body in a state.
+inline BodyTotals totals_of(const coupling::Setup& setup, const coupling::State& state, const coupling::Body& b) {
   const auto p = static_cast<std::size_t>(b.pool);
-  return run.setup()
-      .pool_of(b)
-      .totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
-              run.setup().part(std::span<const double>(run.state().v), p))
-      .centre;
+  return setup.pool_of(b).totals(b.index, setup.part(std::span<const double>(state.q), p),
+                                 setup.part(std::span<const double>(state.v), p));
+}
+inline BodyTotals totals_of(const coupling::Driver& run, BlockId id) {
+  return totals_of(run.setup(), run.state(), run.setup().bodies()[id.index()]);
 }
 
-inline BodyTotals totals_of(const coupling::Driver& run, BlockId id) {
-  const coupling::Body& b = run.setup().bodies()[id.index()];
-  const auto p = static_cast<std::size_t>(b.pool);
-  return run.setup().pool_of(b).totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
-                                       run.setup().part(std::span<const double>(run.state().v), p));
-}
+/// Centroid of a block at the state that a run has reached.
+inline Vec2 centre_of(const coupling::Driver& run, BlockId id) { return totals_of(run, id).centre; }
 
 }  // namespace scree::test

@@ -9,7 +9,6 @@ namespace scree::test {
 namespace {
 
 using coupling::Column;
-using coupling::ImplicitOptions;
 using coupling::Integrator;
 using coupling::Newmark;
 using coupling::NewmarkScheme;

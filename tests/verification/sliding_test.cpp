@@ -21,8 +21,8 @@ Outcome slide(const std::string& method, Integrator integrator, double friction_
   scene.add("plane", transformed(rectangle(-5, -2, 30, 0), Vec2(0, 0), R), true);
   const BlockId slider = scene.add("slider", transformed(rectangle(0, 0, 1, 1), Vec2(0, 0), R));
   scene.stage(method, integrator, duration, dt, 0.4);
-  static const coupling::Methods methods = coupling::standard_methods();
-  coupling::Driver driver(scene.model, scene.plan, methods);
+  static const coupling::Methods kMethods = coupling::standard_methods();
+  coupling::Driver driver(scene.model, scene.plan, kMethods);
   const Vec2 start = R * Vec2(0.5, 0.5);
   const coupling::RunEnd end = driver.run();
   EXPECT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;

@@ -68,7 +68,8 @@ TEST(Cholesky, springs_join_the_fixed_part_and_only_new_lists_are_analysed) {
   EXPECT_EQ(cholesky.analyses(), 2);
   check({});
   EXPECT_EQ(cholesky.analyses(), 3);
-  cholesky.begin(std::vector<double>{-1.0, 0.0, 1.0, 0.0, 1.0});
+  const std::vector<double> indefinite{-1.0, 0.0, 1.0, 0.0, 1.0};
+  cholesky.begin(indefinite);
   EXPECT_FALSE(cholesky.factorise());
 }
 

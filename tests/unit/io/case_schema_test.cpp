@@ -170,6 +170,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].dt", "stage.1.dt=0.002"},
       {"stage[].duration", "stage.0.duration=1"},
       {"stage[].safety", "stage.0.safety=1"},
+      {"stage[].force_dt", "stage.0.force_dt=true"},
       {"stage[].rest", "stage.1.rest=true"},
       {"stage[].damping", "stage.0.damping=3"},
       {"stage[].cover_size", "stage.0.cover_size=1"},
@@ -197,7 +198,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
       {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}"}},
       {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
-      {"stage[].method", {"material.soil={density=1900, young=1e7, poisson=0.3}"}},
+      {"stage[].force_dt", {"stage.0.dt=1e-6"}},
       {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
 
   std::size_t keys = 0;

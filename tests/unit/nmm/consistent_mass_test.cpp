@@ -6,34 +6,24 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "nmm/nmm_pool.h"
+#include "tests/unit/nmm/one_block.h"
 
 namespace scree::nmm {
 namespace {
 
-ReferenceShape shape_of(const Polygon& p, double density) {
-  const Moments m = moments(p);
-  ReferenceShape s;
-  s.outline = s.origin = transformed(p, -m.centroid, Mat2::Identity());
-  s.mass = density * m.area;
-  s.area = m.area;
-  s.second = density * m.second;
-  return s;
-}
-
 /// A block whose outline cuts the mesh so that covers are tied.
-struct Block1 {
+struct ConsistentBlock {
   Model model;
   NmmPool pool;
   ReferenceShape shape;
   std::size_t size = 0;
-  explicit Block1(double stretch = 1.0, Kinematics kinematics = Kinematics::corotational) {
-    model.materials.push_back({"rock", 2.0, 1.0, 0.25});
+  explicit ConsistentBlock(double stretch = 1.0, Kinematics kinematics = Kinematics::corotational) {
+    model.materials.push_back(rock());
     Block b;
-    b.polygon = {{{-1.1, -0.7}, {1.3, -0.6}, {1.0, 0.6}, {-0.8, 0.7}}, {}};
+    b.polygon = quadrilateral();
     b.material = MaterialId{0};
     model.blocks.push_back(b);
-    shape = shape_of(b.polygon, 2.0);
+    shape = test::shape_of(b.polygon, 2.0);
     shape.second *= stretch;
     pool.add(model,
              {BlockId{0}, "nmm", shape, {.kinematics = kinematics, .mass = MassKind::consistent, .cover_size = 0.27}});
@@ -49,7 +39,7 @@ struct Block1 {
 
 TEST(ConsistentMass, affine_part_is_the_blocks_to_round_off) {
   for (const double stretch : {1.0, 1.001}) {  // and with moments that the outline does not have
-    const Block1 b(stretch);
+    const ConsistentBlock b(stretch);
     ASSERT_GT(b.pool.mesh(0).ties.size(), 3U);
     const std::vector<char> counted{1};
     const std::vector<double> q = b.affine({0, 0}, Mat2::Identity());
@@ -66,7 +56,7 @@ TEST(ConsistentMass, affine_part_is_the_blocks_to_round_off) {
 }
 
 TEST(ConsistentMass, solve_undoes_apply_and_ties_follow) {
-  const Block1 b;
+  const ConsistentBlock b;
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   // A velocity field of the free covers, carried to the tied ones by solving for it.
@@ -99,7 +89,7 @@ Eigen::MatrixXd dense(const ElementDofs& dofs, const std::vector<double>& values
 
 TEST(ImplicitBody, stiffness_is_the_derivative_of_the_force_through_the_chart) {
   for (const Kinematics kinematics : {Kinematics::corotational, Kinematics::linear}) {
-    const Block1 b(1.0, kinematics);
+    const ConsistentBlock b(1.0, kinematics);
     const int n = b.pool.dofs(0);
     const ElementDofs dofs = b.pool.element_dofs(0);
     std::vector<double> K(dofs.values()), f(static_cast<std::size_t>(n)), f1 = f, f0 = f;
@@ -137,7 +127,7 @@ TEST(ImplicitBody, stiffness_is_the_derivative_of_the_force_through_the_chart) {
 
 TEST(ImplicitBody, patch_of_constant_stress_has_force_on_the_outline_only) {
   // Uniform strain, whatever the cuts and ties: the resultant on every row of the outline is that of the traction.
-  const Block1 b(1.0, Kinematics::linear);
+  const ConsistentBlock b(1.0, Kinematics::linear);
   const Mat2 F = (Mat2() << 1.001, 0.0005, 0.0005, 0.998).finished();
   std::vector<double> q = b.affine({0, 0}, F), f(static_cast<std::size_t>(b.pool.dofs(0)));
   (void)b.pool.linearise(0, q, Stiffness::exact, {}, f);
@@ -150,10 +140,7 @@ TEST(ImplicitBody, patch_of_constant_stress_has_force_on_the_outline_only) {
     const std::vector<double> X = b.affine({0, 0}, Mat2::Identity());
     const auto at = [&](const Row& r) {
       Vec2 x = Vec2::Zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto i = 2 * static_cast<std::size_t>(r.node[k]);
-        x += r.w[k] * Vec2(X[i], X[i + 1]);
-      }
+      for (std::size_t k = 0; k < 3; ++k) x += r.w[k] * node(X, r.node[k]);
       return x;
     };
     const Vec2 along = at(c) - at(a), force = 0.5 * (sigma * Vec2(along.y(), -along.x()));

@@ -1,0 +1,65 @@
+#include "nmm/nmm_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/unit/nmm/one_block.h"
+
+namespace scree::nmm {
+namespace {
+
+TEST(Release, affine_part_and_remainder_carry_everything) {
+  One one(quadrilateral(), 0.33, 1e3);
+  AffineMotion m;
+  m.c = {1.0, 2.0};
+  m.F = rotation(0.4) * (Mat2::Identity() + (Mat2() << 0.01, 0.003, 0.003, -0.02).finished());
+  m.vc = {1.0, -0.5};
+  m.Fdot = 2.0 * quarter_turn();
+  one.pool.place(0, m, one.q, one.v);
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> u(-0.01, 0.01);
+  std::vector<double> dv(one.q.size()), dq(one.q.size()), none(one.q.size());
+  for (double& x : dv) x = u(generator);
+  for (double& x : dq) x = 0.1 * u(generator);
+  std::vector<double> av(dv.size()), aq(dv.size());
+  one.pool.mass_solve(one.q, dv, av);  // compatible with the ties
+  one.pool.mass_solve(one.q, dq, aq);
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    one.v[i] += 0.01 * av[i];
+    one.q[i] += 0.01 * aq[i];
+  }
+  const BodyTotals before = one.pool.totals(0, one.q, one.v);
+  const Release r = one.pool.release(0, one.q, one.v);
+  const double affine = 0.5 * r.shape.mass * r.motion.vc.squaredNorm() +
+                        0.5 * (r.motion.Fdot * r.shape.second * r.motion.Fdot.transpose()).trace();
+  EXPECT_NEAR(affine + r.kinetic_rest, before.kinetic, 1e-12 * before.kinetic);
+  const double elastic =
+      r.shape.area * elastic_response(one.model.elasticity_of(BlockId{0}), r.motion.F, Mat2::Zero()).energy;
+  EXPECT_NEAR(elastic + r.elastic_rest + r.elastic_cross, before.elastic, 1e-12 * before.elastic);
+  EXPECT_GT(r.kinetic_rest, 0.0);
+  EXPECT_GT(r.elastic_rest, 0.0);
+  EXPECT_LT(std::abs(r.elastic_cross), 0.1 * r.elastic_rest + 1e-3 * before.elastic);
+  EXPECT_NEAR((r.shape.mass * r.motion.vc - before.momentum).norm(), 0.0, 1e-12);
+}
+
+TEST(RecoveredStress, is_exact_for_linear_stress_at_points_of_the_block) {
+  // Element stresses set by an in-situ stress that grows with depth: the recovered field is that line.
+  const InitialStress s = deviatoric();
+  const test::NmmBlock block(quadrilateral(), {.cover_size = 0.2}, rock(1.0, s));
+  std::vector<double> nodes(block.q.size() / 2 * 3);
+  block.pool.recovered_stress(block.q, nodes);
+  for (const Vec2& x : {Vec2(0.0, 0.0), Vec2(0.5, 0.3), Vec2(-0.6, -0.2), Vec2(0.9, 0.1)}) {
+    const Row row = block.pool.row_at(0, x - block.centre());
+    Eigen::Vector3d found = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int d = 0; d < 3; ++d) found[d] += row.w[k] * nodes[3 * std::size_t(row.node[k]) + std::size_t(d)];
+    const Mat2 exact = s.at(x);
+    EXPECT_NEAR(found[0], exact(0, 0), 1e-12);
+    EXPECT_NEAR(found[1], exact(1, 1), 1e-12);
+    EXPECT_NEAR(found[2], exact(0, 1), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace scree::nmm
