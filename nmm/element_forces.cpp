@@ -271,7 +271,7 @@ double ElementForces::singles(const Run& run, const double* q, double* f) const 
   const auto first = static_cast<std::size_t>(run.element);
   const auto n = static_cast<std::size_t>(run.count);
   const ElementLaw& law = laws_[law_[first]];
-  Lanes l;
+  Lanes l;  // NOLINT(cppcoreguidelines-pro-type-member-init): each lane is written before it is read
   for (std::size_t i = 0; i < n; ++i) {
     const auto& c = cover_[first + i];
     const Gradients& g = shapes_[shape_[first + i]];

@@ -106,7 +106,7 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
         for (const Polygon& f : faces) cut += perimeter(f);
         mesh.crack_length += 0.5 * cut;
       } else {
-        faces.assign(1, std::move(part));
+        faces.assign(1, part);
       }
       for (Polygon& face : faces) {
         const double area = moments(face).area;

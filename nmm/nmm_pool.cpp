@@ -14,7 +14,7 @@ namespace scree::nmm {
 namespace {
 
 Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const double> q) {
-  const Mat2 P = elements.response(e, q).P;
+  Mat2 P = elements.response(e, q).P;
   if (elements.law(e).kinematics == Kinematics::linear) return P;
   const Mat2 F = elements.gradient(e, q);
   return P * F.transpose() / F.determinant();
