@@ -46,7 +46,7 @@ namespace {
 /// Change of the stretch U with the unit changes of F, and the rotation that goes with them.
 struct StretchRates {
   std::array<Mat2, 4> dU;
-  std::array<double, 4> turn;
+  std::array<double, 4> turn{};
 };
 
 StretchRates stretch_rates(const Mat2& R, const Mat2& U) {
@@ -89,8 +89,8 @@ Tangent elastic_tangent(const Elasticity& law, const Mat2& F, const Mat2& s0) {
   Tangent out;
   for (std::size_t k = 0; k < 4; ++k) {
     const Mat2& dU = rates.dU[k];
-    const Mat2 sdU = s0 * dU;
-    const double dw = -(sdU(1, 0) - sdU(0, 1) + w * dU.trace()) / r;
+    const Mat2 sdu = s0 * dU;
+    const double dw = -(sdu(1, 0) - sdu(0, 1) + w * dU.trace()) / r;
     const Mat2 dP = R * (law.stress(dU) + dw * W + rates.turn[k] * turned);
     out.col(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::Vector4d>(dP.data());
   }

@@ -27,10 +27,10 @@ struct Elasticity {
 
 /// Co-rotated response: R = polar(F), e = R^T F - I, s = C:e + s0, W = 1/2 e:C:e + s0:e.
 struct ElasticResponse {
-  double energy;  // per reference area [J/m2 for unit thickness]
-  Mat2 P;         // first Piola-Kirchhoff stress, the exact gradient dW/dF [Pa]
-  Mat2 R;         // rotation
-  Mat2 stress;    // co-rotated stress s [Pa]
+  double energy = 0.0;  // per reference area [J/m2 for unit thickness]
+  Mat2 P;               // first Piola-Kirchhoff stress, the exact gradient dW/dF [Pa]
+  Mat2 R;               // rotation
+  Mat2 stress;          // co-rotated stress s [Pa]
 };
 /// P = R (s + w W), w = -[(sU)_21 - (sU)_12]/tr U; w vanishes for isotropic s0.
 /// @source nmm.md "Kinematics and stress"; initial stress s0 is given in the co-rotated frame
