@@ -8,6 +8,7 @@
 
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
+#include "tests/support/by_hand.h"
 #include "tests/support/scene.h"
 
 namespace scree::test {
@@ -95,18 +96,9 @@ TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
     // Damping lags half a step behind: what it lags on is part of the state.
     if (!implicit) scene.model.viscous_edges.push_back({{BlockId{2}, {0, 2}, 0.0, 1.0}});
     const Methods methods = standard_methods();
-    State state;
-    state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-    const coupling::Setup setup(scene.model, methods, state.bodies);
-    state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
-    state.v = state.q;
-    for (const Body& b : setup.bodies()) {
-      AffineMotion m;
-      m.c = b.centre;
-      const auto p = static_cast<std::size_t>(b.pool);
-      setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
-                             setup.part(std::span<double>(state.v), p));
-    }
+    ByHand hand(scene.model, scene.plan.stages[0]);
+    State& state = hand.state;
+    const coupling::Setup& setup = *hand.setup;
     StepControl control;
     control.max_displacement = 0.01;
     const auto make = [&]() -> std::unique_ptr<Mover> {

@@ -4,6 +4,7 @@
 
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
+#include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -82,18 +83,9 @@ TEST_P(NmmBits, continue_from_a_copy_of_the_state) {
   const Scene scene = scene_of(c);
   const Stage& stage = scene.plan.stages[0];
   omp_set_num_threads(2);
-  State state;
-  state.bodies = initial_records(scene.model, wishes(scene.model, stage));
-  const coupling::Setup setup(scene.model, methods(), state.bodies);
-  state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
-  state.v = state.q;
-  for (const Body& b : setup.bodies()) {
-    AffineMotion m;
-    m.c = b.centre;
-    const auto p = static_cast<std::size_t>(b.pool);
-    setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
-                           setup.part(std::span<double>(state.v), p));
-  }
+  ByHand hand(scene.model, stage);
+  State& state = hand.state;
+  const coupling::Setup& setup = *hand.setup;
   const auto make = [&]() -> std::unique_ptr<Mover> {
     if (stage.integrator == Integrator::implicit)
       return std::make_unique<Newmark>(setup, stage.control, 0.2,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling/integrate/central_difference.h"
+#include "tests/support/by_hand.h"
 #include "tests/support/scene.h"
 
 namespace scree::test {
@@ -41,18 +42,9 @@ class Hidden final : public ForceTerm {
 double closure_of_fall(bool hide) {
   Scene scene = falling_block();
   const Methods methods = standard_methods();
-  State state;
-  state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-  const coupling::Setup setup(scene.model, methods, state.bodies);
-  state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
-  state.v = state.q;
-  for (const Body& b : setup.bodies()) {
-    AffineMotion m;
-    m.c = b.centre;
-    const auto p = static_cast<std::size_t>(b.pool);
-    setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
-                           setup.part(std::span<double>(state.v), p));
-  }
+  ByHand hand(scene.model, scene.plan.stages[0]);
+  State& state = hand.state;
+  const coupling::Setup& setup = *hand.setup;
   StepControl control;
   control.max_displacement = 0.01;
   CentralDifference mover(setup, control, 0.05);
