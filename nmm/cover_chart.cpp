@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "model/parallel.h"
-
 namespace scree::nmm {
 
 void CoverChart::add(const CoverMesh& mesh, std::int32_t first) {
@@ -55,20 +53,6 @@ void CoverChart::fold(const Row& row, std::vector<Share>& folded) const {
     }
 }
 
-void CoverChart::gather(std::span<const double> f, std::span<const double> scale, std::span<double> a) const {
-  parallel_for(static_cast<std::int64_t>(root_.size()), [&](std::int64_t n) {
-    const auto r = static_cast<std::size_t>(n), cover = static_cast<std::size_t>(root_[r]);
-    double x = 0.0, y = 0.0;
-    for (auto k = static_cast<std::size_t>(root_start_[r]); k < static_cast<std::size_t>(root_start_[r + 1]); ++k) {
-      const auto i = 2 * static_cast<std::size_t>(follower_[k].cover);
-      x += follower_[k].w * f[i];
-      y += follower_[k].w * f[i + 1];
-    }
-    a[2 * cover] += scale[cover] * x;
-    a[2 * cover + 1] += scale[cover] * y;
-  });
-}
-
 void CoverChart::fold_forces(std::span<double> f) const {
   for (const Tie& t : ties_)
     for (std::size_t d = 0; d < 2; ++d) {
@@ -76,17 +60,6 @@ void CoverChart::fold_forces(std::span<double> f) const {
       for (std::size_t k = 0; k < 3; ++k) f[2 * static_cast<std::size_t>(t.root[k]) + d] += t.w[k] * tied;
       tied = 0.0;
     }
-}
-
-void CoverChart::follow(std::span<double> v) const {
-  parallel_for(static_cast<std::int64_t>(ties_.size()), [&](std::int64_t n) {
-    const Tie& t = ties_[static_cast<std::size_t>(n)];
-    for (std::size_t d = 0; d < 2; ++d) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * v[2 * static_cast<std::size_t>(t.root[k]) + d];
-      v[2 * static_cast<std::size_t>(t.cover) + d] = sum;
-    }
-  });
 }
 
 }  // namespace scree::nmm

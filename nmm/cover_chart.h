@@ -31,12 +31,30 @@ class CoverChart {
   }
   /// Weights on free covers that a row stands for, each cover once.
   void fold(const Row& row, std::vector<Share>& folded) const;
-  /// Adds to every root what its tied covers hold, each by its weight times `scale` (a number a cover).
-  void gather(std::span<const double> f, std::span<const double> scale, std::span<double> a) const;
+  /// Covers that others follow, in their order.
+  [[nodiscard]] std::span<const std::int32_t> roots() const { return root_; }
+  /// Adds to a root (a place in roots()) what its tied covers hold, each by its weight times `scale`.
+  void gather(std::size_t root, std::span<const double> f, double scale, std::span<double> a) const {
+    const auto cover = static_cast<std::size_t>(root_[root]);
+    Vec2 sum(0.0, 0.0);
+    for (auto k = static_cast<std::size_t>(root_start_[root]); k < static_cast<std::size_t>(root_start_[root + 1]); ++k)
+      sum += follower_[k].w * node(f, follower_[k].cover);
+    a[2 * cover] += scale * sum.x();
+    a[2 * cover + 1] += scale * sum.y();
+  }
   /// Moves what tied covers hold to their roots.
   void fold_forces(std::span<double> f) const;
   /// Tied covers take the sum of their roots.
-  void follow(std::span<double> v) const;
+  void follow(std::span<double> v) const {
+    for (const Tie& t : ties_) follow(t, v);
+  }
+  static void follow(const Tie& t, std::span<double> v) {
+    Vec2 sum(0.0, 0.0);
+    for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * node(v, t.root[k]);
+    v[2 * static_cast<std::size_t>(t.cover)] = sum.x();
+    v[2 * static_cast<std::size_t>(t.cover) + 1] = sum.y();
+  }
+  /// By cover.
   [[nodiscard]] std::span<const Tie> ties() const { return ties_; }
 
  private:

@@ -82,8 +82,10 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
       const auto mine = std::count(mesh.component.begin() + static_cast<std::ptrdiff_t>(from),
                                    mesh.component.begin() + static_cast<std::ptrdiff_t>(to), p);
       if (mine > 0)
-        chunks_.push_back({first + static_cast<std::int32_t>(from), first + static_cast<std::int32_t>(to),
-                           first_part + p, static_cast<std::size_t>(mine) < to - from});
+        chunks_.push_back({.begin = first + static_cast<std::int32_t>(from),
+                           .end = first + static_cast<std::int32_t>(to),
+                           .part = first_part + p,
+                           .mixed = static_cast<std::size_t>(mine) < to - from});
     }
     part.end = static_cast<std::int32_t>(chunks_.size());
     Eigen::Matrix3d hat = Eigen::Matrix3d::Zero();
@@ -111,31 +113,56 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
   return true;
 }
 
+void LumpedMass::finish(const CoverChart& chart) {
+  const auto roots = chart.roots();
+  const auto ties = chart.ties();
+  const auto root_at = [&](std::int32_t cover) {
+    return static_cast<std::size_t>(std::lower_bound(roots.begin(), roots.end(), cover) - roots.begin());
+  };
+  const auto tie_at = [&](std::int32_t cover) {
+    const auto before = [](const Tie& t, std::int32_t c) { return t.cover < c; };
+    return static_cast<std::size_t>(std::lower_bound(ties.begin(), ties.end(), cover, before) - ties.begin());
+  };
+  for (Chunk& c : chunks_) {
+    c.first_root = root_at(c.begin);
+    c.last_root = root_at(c.end);
+    c.first_tie = tie_at(c.begin);
+    c.last_tie = tie_at(c.end);
+  }
+}
+
+template <class See>
+void LumpedMass::each_of(const Chunk& chunk, See&& see) const {
+  if (chunk.mixed) {
+    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k)
+      if (part_of_[k] == chunk.part) see(k);
+    return;
+  }
+#pragma omp simd
+  for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) see(k);
+}
+
 void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
   if (first == last) return;
   const std::int64_t from = parts_[first].begin, count = parts_[last - 1].end - from;
-  const auto sum_of = [&](const Chunk& chunk, std::int32_t begin, std::int32_t end, AffineMoments& z) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      if (chunk.mixed && part_of_[k] != chunk.part) continue;
-      const double w = weighted ? lumped_[k] : 1.0, x = w * v[2 * k], y = w * v[2 * k + 1];
-      z(0, 0) += x;
-      z(0, 1) += y;
-      z(1, 0) += X_[k].x() * x;
-      z(1, 1) += X_[k].x() * y;
-      z(2, 0) += X_[k].y() * x;
-      z(2, 1) += X_[k].y() * y;
-    }
-  };
+  const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
 #pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
   for (std::int64_t n = 0; n < count; ++n) {
     const auto c = static_cast<std::size_t>(from + n);
     const Chunk& chunk = chunks_[c];
-    // Four sums side by side: one would wait for each addition.
-    AffineMoments z[4] = {AffineMoments::Zero(), AffineMoments::Zero(), AffineMoments::Zero(), AffineMoments::Zero()};
-    const std::int32_t quarter = (chunk.end - chunk.begin) / 4;
-    for (std::int32_t s = 0; s < 4; ++s)
-      sum_of(chunk, chunk.begin + s * quarter, s == 3 ? chunk.end : chunk.begin + (s + 1) * quarter, z[s]);
-    partial_[c] = (z[0] + z[1]) + (z[2] + z[3]);
+    double x = 0.0, y = 0.0, Xx = 0.0, Xy = 0.0, Yx = 0.0, Yy = 0.0;
+#pragma omp simd reduction(+ : x, y, Xx, Xy, Yx, Yy)
+    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) {
+      const double w = chunk.mixed && part_of_[k] != chunk.part ? 0.0 : (weighted ? mass[k] : 1.0);
+      const double ux = w * u[2 * k], uy = w * u[2 * k + 1];
+      x += ux;
+      y += uy;
+      Xx += X[2 * k] * ux;
+      Xy += X[2 * k] * uy;
+      Yx += X[2 * k + 1] * ux;
+      Yy += X[2 * k + 1] * uy;
+    }
+    partial_[c] << x, y, Xx, Xy, Yx, Yy;
   }
   for (std::size_t p = first; p < last; ++p) {
     moment_[p].setZero();
@@ -149,18 +176,34 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
   project(0, parts_.size(), f, false);
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].inverse_correction * moment_[p]).eval();
   const auto count = static_cast<std::int64_t>(chunks_.size());
-#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
-  for (std::int64_t n = 0; n < count; ++n) {
-    const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
-    const AffineMoments z = moment_[static_cast<std::size_t>(chunk.part)];
-    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) {
-      if (chunk.mixed && part_of_[k] != chunk.part) continue;
-      a[2 * k] = f[2 * k] * inverse_[k] + (z(0, 0) + X_[k].x() * z(1, 0) + X_[k].y() * z(2, 0));
-      a[2 * k + 1] = f[2 * k + 1] * inverse_[k] + (z(0, 1) + X_[k].x() * z(1, 1) + X_[k].y() * z(2, 1));
+  const double *force = f.data(), *inverse = inverse_.data(), *X = X_.data()->data();
+  double* to = a.data();
+  // Each thread does all that there is to do at its covers: what another core has written is slow to get.
+#pragma omp parallel if (count * kChunk >= kSerialBelow)
+  {
+#pragma omp for schedule(static)
+    for (std::int64_t n = 0; n < count; ++n) {
+      const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
+      const AffineMoments z = moment_[static_cast<std::size_t>(chunk.part)];
+      each_of(chunk, [&](std::size_t k) {
+        const double Xk = X[2 * k], Yk = X[2 * k + 1];
+        to[2 * k] = force[2 * k] * inverse[k] + (z(0, 0) + Xk * z(1, 0) + Yk * z(2, 0));
+        to[2 * k + 1] = force[2 * k + 1] * inverse[k] + (z(0, 1) + Xk * z(1, 1) + Yk * z(2, 1));
+      });
+      for (std::size_t r = chunk.first_root; r < chunk.last_root; ++r) {
+        const auto k = static_cast<std::size_t>(chart.roots()[r]);
+        if (part_of_[k] == chunk.part) chart.gather(r, f, inverse_[k], a);
+      }
     }
+    if (!chart.ties().empty())
+#pragma omp for schedule(static)
+      for (std::int64_t n = 0; n < count; ++n) {
+        const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
+        for (std::size_t t = chunk.first_tie; t < chunk.last_tie; ++t)
+          if (part_of_[static_cast<std::size_t>(chart.ties()[t].cover)] == chunk.part)
+            CoverChart::follow(chart.ties()[t], a);
+      }
   }
-  chart.gather(f, inverse_, a);
-  chart.follow(a);
 }
 
 std::pair<std::size_t, std::size_t> LumpedMass::parts_of(std::int32_t begin, std::int32_t end) const {
@@ -198,17 +241,25 @@ double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::spa
 void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
   project(0, parts_.size(), v, true);
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
-  parallel_for(static_cast<std::int64_t>(X_.size()), [&](std::int64_t n) {
-    const auto k = static_cast<std::size_t>(n);
-    const AffineMoments& z = moment_[static_cast<std::size_t>(part_of_[k])];
-    for (std::size_t d = 0; d < 2; ++d) {
-      const auto c = static_cast<Eigen::Index>(d);
-      const double affine = z(0, c) + X_[k].x() * z(1, c) + X_[k].y() * z(2, c), w = factor * (v[2 * k + d] - affine);
-      v[2 * k + d] = affine + w;
-      a[2 * k + d] -= rate * w;
-      f[2 * k + d] = -rate * lumped_[k] * w;  // P^T M_L w = 0, so M w = M_L w
-    }
-  });
+  const auto count = static_cast<std::int64_t>(chunks_.size());
+  const double *mass = lumped_.data(), *X = X_.data()->data();
+  double *to_v = v.data(), *to_a = a.data(), *to_f = f.data();
+#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
+  for (std::int64_t n = 0; n < count; ++n) {
+    const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
+    const AffineMoments z = moment_[static_cast<std::size_t>(chunk.part)];
+    each_of(chunk, [&](std::size_t k) {
+      const double x = z(0, 0) + X[2 * k] * z(1, 0) + X[2 * k + 1] * z(2, 0),
+                   y = z(0, 1) + X[2 * k] * z(1, 1) + X[2 * k + 1] * z(2, 1);
+      const double wx = factor * (to_v[2 * k] - x), wy = factor * (to_v[2 * k + 1] - y);
+      to_v[2 * k] = x + wx;
+      to_v[2 * k + 1] = y + wy;
+      to_a[2 * k] -= rate * wx;
+      to_a[2 * k + 1] -= rate * wy;
+      to_f[2 * k] = -rate * mass[k] * wx;  // P^T M_L w = 0, so M w = M_L w
+      to_f[2 * k + 1] = -rate * mass[k] * wy;
+    });
+  }
 }
 
 void LumpedMass::add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const {

@@ -22,6 +22,9 @@ class LumpedMass {
   /// @return false where a row sum is not positive: the mesh cannot carry a lumped mass
   [[nodiscard]] bool add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind);
 
+  /// Called once after the last block.   @param chart  the same in every solve()
+  void finish(const CoverChart& chart);
+
   /// a = M^-1 f on the free covers, followed by the ties.
   void solve(const CoverChart& chart, std::span<const double> f, std::span<double> a) const;
   /// p = M v on the covers of one block: on free ones, zero on tied ones [kg m/s].
@@ -51,7 +54,12 @@ class LumpedMass {
   struct Chunk {
     std::int32_t begin = 0, end = 0, part = 0;  // covers
     bool mixed = false;                         // it holds covers of other parts too, which it leaves out
+    std::size_t first_root = 0, last_root = 0;  // those of its covers that others follow, in the chart's order
+    std::size_t first_tie = 0, last_tie = 0;    // and those that follow
   };
+  /// see(k) for the covers of a chunk that are of its part; iterations must not share anything they write.
+  template <class See>
+  void each_of(const Chunk& chunk, See&& see) const;
   /// P^T v, or P^T M_L v, of every part in [first, last).
   void project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const;
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts_of(std::int32_t begin, std::int32_t end) const;

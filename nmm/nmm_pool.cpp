@@ -104,6 +104,7 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
 
 void NmmPool::finish() {
   chart_.finish();
+  mass_.finish(chart_);
   elements_.finish(first_.back());
   for (int b = 0; b < bodies(); ++b) {
     Body& body = *bodies_[static_cast<std::size_t>(b)];

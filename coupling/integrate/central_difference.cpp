@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/viscous_edges.h"
@@ -12,15 +13,24 @@
 namespace scree::coupling {
 namespace {
 
-/// out = v + k a over a chunk; returns out.f.
-double kick_and_work(const Chunk& c, const double* v, double k, const double* a, const double* f, double* out) {
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = c.begin; i < c.end; ++i) {
-    out[i] = v[i] + k * a[i];
-    sum += out[i] * f[i];
-  }
-  return sum;
+/// out = v + k a over a chunk; sum = out.f, most = |out| component by component, passing over what is not a number.
+void kick_and_work(const Chunk& c, const double* v, double k, const double* a, const double* f, double* out,
+                   double& sum, double& most) {
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> work{}, largest{};
+  const auto see = [&](std::size_t i, std::size_t lane) {
+    const double u = v[i] + k * a[i], size = std::abs(u);
+    out[i] = u;
+    work[lane] += u * f[i];
+    largest[lane] = size > largest[lane] ? size : largest[lane];
+  };
+  std::size_t i = c.begin;
+  for (; i + kLanes <= c.end; i += kLanes)
+#pragma omp simd
+    for (std::size_t lane = 0; lane < kLanes; ++lane) see(i + lane, lane);
+  for (; i < c.end; ++i) see(i, 0);
+  sum = std::accumulate(work.begin(), work.end(), 0.0);
+  most = *std::max_element(largest.begin(), largest.end());
 }
 
 /// out = v + k a over a chunk; returns a number that is finite if all of out is (and smaller than 1e150).
@@ -32,22 +42,6 @@ double kick(const Chunk& c, const double* v, double k, const double* a, double* 
     sum += out[i] * out[i];
   }
   return sum;
-}
-
-/// Largest |v + k a| of a chunk, component by component.
-double largest_rate(const Chunk& c, const double* v, double k, const double* a) {
-  constexpr std::size_t kLanes = 8;
-  std::array<double, kLanes> largest{};
-  const auto see = [&](std::size_t i, std::size_t lane) {
-    const double u = std::abs(v[i] + k * a[i]);
-    largest[lane] = u > largest[lane] ? u : largest[lane];
-  };
-  std::size_t i = c.begin;
-  for (; i + kLanes <= c.end; i += kLanes)
-#pragma omp simd
-    for (std::size_t lane = 0; lane < kLanes; ++lane) see(i + lane, lane);
-  for (; i < c.end; ++i) see(i, 0);
-  return *std::max_element(largest.begin(), largest.end());
 }
 
 }  // namespace
@@ -64,7 +58,8 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       weights_(body_loads(setup)),
       factor_(weights_.size(), 0.0),
       weight_power_(weights_.size(), 0.0),
-      partial_(chunks_.count() * (weights_.size() + 1), 0.0) {
+      partial_(chunks_.count() * (weights_.size() + 1), 0.0),
+      left_(chunks_.count()) {
   const std::size_t n = 2 * static_cast<std::size_t>(setup.nodes());
   for (auto* v : {&stress_, &total_, &q_new_, &v_half_, &v_new_, &a_new_}) v->assign(n, 0.0);
   if (damps_rest()) mass_damping_.assign(n, 0.0);
@@ -197,14 +192,30 @@ double CentralDifference::enter(State& state) {
   return contact_energy(contact_.list());
 }
 
-double CentralDifference::reach(const State& state, double h) {
+double CentralDifference::kick_off(const State& state, double h) {
+  const double *v = state.v.data(), *a = state.a.data(), *half = v_half_.data();
+  chunks_.for_free([&](const Chunk& c, std::size_t index) {
+    Left& left = left_[index];
+    kick_and_work(c, v, 0.5 * h, a, stress_.data(), v_half_.data(), left.stress, left.largest);
+    if (damps_rest()) left.mass = dot(c, half, mass_damping_.data());
+    if (!stiffness_.force.empty()) left.stiffness = dot(c, half, stiffness_.force.data());
+    if (!local_.force.empty()) left.local = dot(c, half, local_.force.data());
+  });
+  Left all;
+  for (const Left& left : left_) {
+    all.stress += left.stress;
+    all.largest = std::max(all.largest, left.largest);
+    all.mass += left.mass;
+    all.stiffness += left.stiffness;
+    all.local += left.local;
+  }
+  stress_left_ = all.stress;
+  mass_left_ = all.mass;
+  stiffness_.left = all.stiffness;
+  local_.left = all.local;
   // The largest component bounds the longest way within sqrt(2). What is not a number passes, and is found when the
   // step is made.
-  const double *v = state.v.data(), *a = state.a.data();
-  chunks_.for_free([&](const Chunk& c, std::size_t index) { partial_[index] = largest_rate(c, v, 0.5 * h, a); });
-  double largest = 0.0;
-  for (std::size_t i = 0; i < chunks_.count(); ++i) largest = std::max(largest, partial_[i]);
-  return h * std::sqrt(2.0) * largest;
+  return h * std::sqrt(2.0) * all.largest;
 }
 
 StepReport CentralDifference::refuse(const State& state, double h) const {
@@ -255,22 +266,14 @@ void CentralDifference::move_driven(const State& state, double h, double end, do
   }
 }
 
-void CentralDifference::kick_off(const State& state, double h) {
-  const double *v = state.v.data(), *a = state.a.data();
-  stress_left_ =
-      chunks_.sum_free([&](const Chunk& c) { return kick_and_work(c, v, 0.5 * h, a, stress_.data(), v_half_.data()); });
+void CentralDifference::leave_instant(const State& state, double h) {
   stress_left_driven_ = dot(chunks_.driven(), v_half_.data(), stress_.data());
   contact_.leave(h, v_half_);
   for (const auto& term : terms_) term->leave(h, v_half_);
-  for (Lagged* l : {&stiffness_, &local_})
-    if (!l->force.empty())
-      l->left = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), l->force.data()); });
-  if (damps_rest())
-    mass_left_ = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), mass_damping_.data()); });
   if (damps_all()) {
     // -rate v_{n+1/2}.M v_n with v_{n+1/2} = v_n + h/2 a_n and M a_n = F_n - rate M v_n
     const double twice = 2.0 * kinetic_energy(state.q, state.v),
-                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, v, total_.data()); });
+                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, state.v.data(), total_.data()); });
     mass_left_ = -damping_.mass * (twice * (1.0 - 0.5 * h * damping_.mass) + 0.5 * h * power);
   }
 }
@@ -332,8 +335,8 @@ void CentralDifference::damp(double h, Ledger& ledger) {
 
 StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
-  // Nothing has changed yet: a step that would go too far is refused here.
-  double farthest = reach(state, h);
+  // Kick by half a step. The state has not changed yet: a step that would go too far is refused here.
+  double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
   if (!(farthest <= control_.max_displacement)) {
     StepReport report = refuse(state, h);
@@ -342,8 +345,8 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   const Ledger before = state.ledger;
   if (state.last_step != ticks_of_step) change_step(state, h);
 
-  // Kick by half a step, drift; driven bodies go where they are told.
-  kick_off(state, h);
+  // Drift; driven bodies go where they are told.
+  leave_instant(state, h);
   const double driven_left = dot(chunks_.driven(), v_half_.data(), total_.data());
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     setup_->pool(p).drift(h, setup_->part(std::span<const double>(state.q), p),

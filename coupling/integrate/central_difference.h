@@ -48,11 +48,12 @@ class CentralDifference final : public Mover {
   [[nodiscard]] bool damps_rest() const { return !damping_.rigid && damping_.mass > 0.0; }
   [[nodiscard]] bool lags() const { return lags_; }
 
-  [[nodiscard]] double reach(const State& state, double h);
+  /// v_{n+1/2} of the free nodes, and the work over the first half; returns a bound of the farthest way [m].
+  [[nodiscard]] double kick_off(const State& state, double h);
   StepReport refuse(const State& state, double h) const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
-  void kick_off(const State& state, double h);
+  void leave_instant(const State& state, double h);
   [[nodiscard]] double stress(std::span<const double> q);
   void sum_up(const Instant& at);
   void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
@@ -83,6 +84,10 @@ class CentralDifference final : public Mover {
   double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0;
   std::vector<double> weight_power_;  // a weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum
+  struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
+    double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, largest = 0.0;
+  };
+  std::vector<Left> left_;  // a chunk
   struct Bound {
     ContactKey key;
     double stiffness = 0.0;  // [N/m]
