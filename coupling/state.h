@@ -48,12 +48,13 @@ struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  Tick last_step = 0;                   // length of the step before, for the shadow term
-  double relaxing = 0.0;                // kinetic energy a step ago, in stages that run to rest [J]
-  std::vector<BodyRecord> bodies;       // in the order of their blocks
-  std::vector<double> q, v;             // x, y a node; pool after pool, body after body (Setup has the offsets)
-  std::vector<double> a;                // acceleration at `time`, same layout (explicit stages; else empty)
-  std::vector<double> v_before;         // velocity of the half step before, where damping lags on it (else empty)
+  Tick last_step = 0;              // length of the step before, for the shadow term
+  double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
+  std::vector<BodyRecord> bodies;  // in the order of their blocks
+  std::vector<double> q, v;        // x, y a node; pool after pool, body after body (Setup has the offsets)
+  std::vector<double> a;           // acceleration at `time`, same layout (explicit stages; else empty)
+  std::vector<double> v_before;    // velocity of the half step before, where damping lags on it (else empty)
+  std::vector<double> damping;     // forces of mass-proportional damping that spares affine motion (else empty) [N]
   std::vector<ContactMemory> contacts;  // sorted by key
   std::vector<Remainder> rest;
   Ledger ledger;
@@ -97,6 +98,7 @@ void State::visit(Visitor&& see) {
   see("v", v);
   see("a", a);
   see("v_before", v_before);
+  see("damping", damping);
   see.size("contacts", contacts);
   for (ContactMemory& c : contacts) {
     see("contact.block_p", c.key.block_p);

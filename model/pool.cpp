@@ -45,17 +45,12 @@ Mat2 InSituStress::at(const Vec2& X) const {
   return turn_.transpose() * stress_->at(origin_.c + origin_.F * X) * turn_;
 }
 
-void Pool::drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const {
-  parallel_for_chunks(static_cast<std::int64_t>(q.size()), [&](std::int64_t begin, std::int64_t end) {
-    const double *from = q.data(), *rate = v.data();
-    double* to = moved.data();
-#pragma omp simd
-    for (std::int64_t i = begin; i < end; ++i) to[i] = from[i] + h * rate[i];
-  });
-}
+void Pool::turn(double, std::span<const double>, std::span<double>, std::span<double>) const {}
 
-void Pool::damp(double, double, std::span<double>, std::span<double> f, std::span<double>) const {
+double Pool::damp(double, double, std::span<const double>, std::span<double>, std::span<double> f,
+                  std::span<double>) const {
   std::fill(f.begin(), f.end(), 0.0);
+  return 0.0;
 }
 std::string Pool::binding(int) const { return {}; }
 Fault Pool::find_fault(std::span<const double> q) const {

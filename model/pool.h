@@ -201,12 +201,14 @@ class Pool {
   /// 1/2 v^T M v, bodies in `counted` only (one flag a body).
   [[nodiscard]] virtual double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                               std::span<const char> counted) const = 0;
-  /// moved = q + h v, velocities carried along where the method's nodes turn. The default is the plain sum.
-  virtual void drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const;
+  /// Corrects moved = q + h v, and carries velocities along, where the method's nodes turn. The default leaves both.
+  virtual void turn(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const;
   /// w *= factor, then f = -rate M w and a -= rate w; w = v minus its affine part: mass-proportional damping that
   /// spares rigid motion and sliding. Methods whose bodies are affine have no w, and f = 0.
   /// @param rate [1/s], w taken after the scaling
-  virtual void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
+  /// @return f.along, summed in a fixed order
+  virtual double damp(double factor, double rate, std::span<const double> along, std::span<double> v,
+                      std::span<double> f, std::span<double> a) const;
   /// f -= rate times the tangent stiffness of the bodies applied to v: Rayleigh damping proportional to stiffness.
   /// Rigid motion has none.   @param rate [s]
   virtual void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,

@@ -164,8 +164,8 @@ AffineMoments ConsistentMass::affine_part(std::span<const double> v) const {
   return inverse_ * z;
 }
 
-void ConsistentMass::damp(double factor, double rate, std::span<double> v, std::span<double> f,
-                          std::span<double> a) const {
+double ConsistentMass::damp(double factor, double rate, std::span<const double> along, std::span<double> v,
+                            std::span<double> f, std::span<double> a) const {
   const AffineMoments z = affine_part(v);
   const auto first = static_cast<std::size_t>(first_);
   std::vector<double> rest(v.size(), 0.0);
@@ -180,7 +180,12 @@ void ConsistentMass::damp(double factor, double rate, std::span<double> v, std::
   };
   for (std::size_t c = 0; c < star_.size(); ++c) split(c, star_[c]);  // tied covers too: affine fields are theirs
   apply(rest, f);
-  for (std::size_t i = 2 * first; i < 2 * (first + star_.size()); ++i) f[i] *= -rate;
+  double power = 0.0;
+  for (std::size_t i = 2 * first; i < 2 * (first + star_.size()); ++i) {
+    f[i] *= -rate;
+    power += f[i] * along[i];
+  }
+  return power;
 }
 
 void ConsistentMass::add_weight(const Vec2& g, std::span<double> f) const {

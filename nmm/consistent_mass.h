@@ -47,7 +47,8 @@ class ConsistentMass {
   /// 1/2 v^T M v [J]
   [[nodiscard]] double kinetic_energy(std::span<const double> v) const;
   /// w *= factor, f = -rate M w, a -= rate w; w = v minus its affine part, to which it is M-orthogonal.
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
+  double damp(double factor, double rate, std::span<const double> along, std::span<double> v, std::span<double> f,
+              std::span<double> a) const;
   /// f += M 1 g
   void add_weight(const Vec2& g, std::span<double> f) const;
   /// Exact scalar mass of an element over its three covers, before ties [kg].

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <numeric>
 
 #include "model/parallel.h"
 
@@ -109,6 +110,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
     parts_.push_back(part);
   }
   partial_.resize(chunks_.size());
+  power_.resize(chunks_.size());
   moment_.resize(parts_.size());
   return true;
 }
@@ -140,6 +142,19 @@ void LumpedMass::each_of(const Chunk& chunk, See&& see) const {
   }
 #pragma omp simd
   for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) see(k);
+}
+
+template <class Of>
+double LumpedMass::sum_of(const Chunk& chunk, Of&& of) const {
+  double sum = 0.0;
+  if (chunk.mixed) {
+    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k)
+      if (part_of_[k] == chunk.part) sum += of(k);
+    return sum;
+  }
+#pragma omp simd reduction(+ : sum)
+  for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) sum += of(k);
+  return sum;
 }
 
 void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
@@ -238,11 +253,12 @@ double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::spa
   return 0.5 * sum;
 }
 
-void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
+double LumpedMass::damp(double factor, double rate, std::span<const double> along, std::span<double> v,
+                        std::span<double> f, std::span<double> a) const {
   project(0, parts_.size(), v, true);
   for (std::size_t p = 0; p < parts_.size(); ++p) moment_[p] = (parts_[p].hat_inverse * moment_[p]).eval();
   const auto count = static_cast<std::int64_t>(chunks_.size());
-  const double *mass = lumped_.data(), *X = X_.data()->data();
+  const double *mass = lumped_.data(), *X = X_.data()->data(), *u = along.data();
   double *to_v = v.data(), *to_a = a.data(), *to_f = f.data();
 #pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
   for (std::int64_t n = 0; n < count; ++n) {
@@ -259,7 +275,10 @@ void LumpedMass::damp(double factor, double rate, std::span<double> v, std::span
       to_f[2 * k] = -rate * mass[k] * wx;  // P^T M_L w = 0, so M w = M_L w
       to_f[2 * k + 1] = -rate * mass[k] * wy;
     });
+    power_[static_cast<std::size_t>(n)] =
+        sum_of(chunk, [&](std::size_t k) { return to_f[2 * k] * u[2 * k] + to_f[2 * k + 1] * u[2 * k + 1]; });
   }
+  return std::accumulate(power_.begin(), power_.end(), 0.0);
 }
 
 void LumpedMass::add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const {

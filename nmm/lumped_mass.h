@@ -32,7 +32,8 @@ class LumpedMass {
   /// 1/2 v^T M v over the covers of one block [J]
   [[nodiscard]] double kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const;
   /// w *= factor, f = -rate M w, a -= rate w; w = v - P S^^-1 P^T M_L v, M-orthogonal to affine fields of each part.
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const;
+  double damp(double factor, double rate, std::span<const double> along, std::span<double> v, std::span<double> f,
+              std::span<double> a) const;
   /// f += M 1 g on the covers of one block
   void add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const;
 
@@ -60,6 +61,9 @@ class LumpedMass {
   /// see(k) for the covers of a chunk that are of its part; iterations must not share anything they write.
   template <class See>
   void each_of(const Chunk& chunk, See&& see) const;
+  /// Sum of of(k) over those covers.
+  template <class Of>
+  [[nodiscard]] double sum_of(const Chunk& chunk, Of&& of) const;
   /// P^T v, or P^T M_L v, of every part in [first, last).
   void project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const;
   [[nodiscard]] std::pair<std::size_t, std::size_t> parts_of(std::int32_t begin, std::int32_t end) const;
@@ -70,6 +74,7 @@ class LumpedMass {
   std::vector<double> lumped_, inverse_, unit_;          // M_L, 1/M_L (0 for tied covers), M 1
   std::vector<Vec2> X_;                                  // reference position less the part's centre of mass [m]
   mutable std::vector<AffineMoments> partial_, moment_;  // of chunks and parts
+  mutable std::vector<double> power_;                    // a chunk: work of damping
 };
 
 }  // namespace scree::nmm

@@ -206,9 +206,12 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
   return sum;
 }
 
-void NmmPool::damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const {
-  if (bodies() > 0 && of(0).form.mass != MassKind::consistent) return mass_.damp(factor, rate, v, f, a);
-  for (const auto& body : bodies_) body->consistent.damp(factor, rate, v, f, a);
+double NmmPool::damp(double factor, double rate, std::span<const double> along, std::span<double> v,
+                     std::span<double> f, std::span<double> a) const {
+  if (bodies() > 0 && of(0).form.mass != MassKind::consistent) return mass_.damp(factor, rate, along, v, f, a);
+  double power = 0.0;
+  for (const auto& body : bodies_) power += body->consistent.damp(factor, rate, along, v, f, a);
+  return power;
 }
 
 double NmmPool::compliance(int, const Row& row) const {

@@ -36,7 +36,8 @@ class NmmPool final : public Pool {
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
-  void damp(double factor, double rate, std::span<double> v, std::span<double> f, std::span<double> a) const override;
+  double damp(double factor, double rate, std::span<const double> along, std::span<double> v, std::span<double> f,
+              std::span<double> a) const override;
   void stiffness_damping(std::span<const double> q, std::span<const double> v, double rate,
                          std::span<double> f) const override;
   [[nodiscard]] double frequency_bound(int body) const override { return of(body).frequency.lambda; }

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/viscous_edges.h"
@@ -13,24 +11,22 @@
 namespace scree::coupling {
 namespace {
 
-/// out = v + k a over a chunk; sum = out.f, most = |out| component by component, passing over what is not a number.
-void kick_and_work(const Chunk& c, const double* v, double k, const double* a, const double* f, double* out,
-                   double& sum, double& most) {
-  constexpr std::size_t kLanes = 8;
-  std::array<double, kLanes> work{}, largest{};
-  const auto see = [&](std::size_t i, std::size_t lane) {
-    const double u = v[i] + k * a[i], size = std::abs(u);
+/// out = v + h/2 a, moved = q + h out over a chunk. Takes the forces f away: sum = out.f, f = 0.
+/// @param most  |out| component by component; passes over what is not a number
+void kick_and_drift(const Chunk& c, double h, const double* q, const double* v, const double* a, double* f, double* out,
+                    double* moved, double& sum, double& most) {
+  double work = 0.0, largest = 0.0;
+#pragma omp simd reduction(+ : work) reduction(max : largest)
+  for (std::size_t i = c.begin; i < c.end; ++i) {
+    const double u = v[i] + 0.5 * h * a[i], size = std::abs(u);
     out[i] = u;
-    work[lane] += u * f[i];
-    largest[lane] = size > largest[lane] ? size : largest[lane];
-  };
-  std::size_t i = c.begin;
-  for (; i + kLanes <= c.end; i += kLanes)
-#pragma omp simd
-    for (std::size_t lane = 0; lane < kLanes; ++lane) see(i + lane, lane);
-  for (; i < c.end; ++i) see(i, 0);
-  sum = std::accumulate(work.begin(), work.end(), 0.0);
-  most = *std::max_element(largest.begin(), largest.end());
+    moved[i] = q[i] + h * u;
+    work += u * f[i];
+    f[i] = 0.0;
+    largest = size > largest ? size : largest;
+  }
+  sum = work;
+  most = largest;
 }
 
 /// out = v + k a over a chunk; returns a number that is finite if all of out is (and smaller than 1e150).
@@ -62,7 +58,6 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       left_(chunks_.count()) {
   const std::size_t n = 2 * static_cast<std::size_t>(setup.nodes());
   for (auto* v : {&stress_, &total_, &q_new_, &v_half_, &v_new_, &a_new_}) v->assign(n, 0.0);
-  if (damps_rest()) mass_damping_.assign(n, 0.0);
   if (damping.stiffness > 0.0) stiffness_.force.assign(n, 0.0);
   if (damping.local > 0.0) local_.force.assign(n, 0.0);
 }
@@ -73,14 +68,16 @@ Instant CentralDifference::lagging(const State& state) const {
   return {state.q, lags() ? state.v_before : state.v, seconds(state.time)};
 }
 
-double CentralDifference::stress(std::span<const double> q) {
-  parallel_for_chunks(static_cast<std::int64_t>(stress_.size()), [&](std::int64_t begin, std::int64_t end) {
-    std::fill(stress_.begin() + begin, stress_.begin() + end, 0.0);
-  });
+double CentralDifference::add_stress(std::span<const double> q) {
   double energy = 0.0;
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     energy += setup_->pool(p).internal_force(setup_->part(q, p), setup_->part(std::span<double>(stress_), p));
   return energy;
+}
+
+void CentralDifference::restore_stress(const State& state) {
+  std::fill(stress_.begin(), stress_.end(), 0.0);
+  (void)add_stress(state.q);
 }
 
 void CentralDifference::sum_up(const Instant& at) {
@@ -151,7 +148,7 @@ void CentralDifference::accelerate(std::span<const double> q, std::span<double> 
 double CentralDifference::acceleration_energy(const State& state) const {
   const double* a = state.a.data();
   double energy = chunks_.sum_free([&](const Chunk& c) { return dot(c, a, total_.data()); });
-  if (damps_rest()) energy += chunks_.sum_free([&](const Chunk& c) { return dot(c, a, mass_damping_.data()); });
+  if (damps_rest()) energy += chunks_.sum_free([&](const Chunk& c) { return dot(c, a, state.damping.data()); });
   if (damps_all()) {  // M a = F - rate M v, so a.M.a = a.F - rate v.M a = a.F - rate (v.F - rate v.M v)
     const double power = chunks_.sum_free([&](const Chunk& c) { return dot(c, state.v.data(), total_.data()); });
     energy -= damping_.mass * (power - 2.0 * damping_.mass * kinetic_energy(state.q, state.v));
@@ -174,15 +171,13 @@ double CentralDifference::enter(State& state) {
   const bool goes_on = !state.a.empty();
   contact_.enter(state, state.step == 0, goes_on);
   if (lags() && state.v_before.size() != state.v.size()) state.v_before = state.v;
-  (void)stress(state.q);
+  restore_stress(state);
   sum_up(lagging(state));
   accelerate(state.q, a_new_);
-  if (damps_rest()) {
+  if (damps_rest() && !goes_on) {
+    state.damping.assign(state.v.size(), 0.0);
     v_new_ = state.v;
-    for (std::size_t p = 0; p < setup_->pools(); ++p)
-      setup_->pool(p).damp(1.0, damping_.mass, setup_->part(std::span<double>(v_new_), p),
-                           setup_->part(std::span<double>(mass_damping_), p),
-                           setup_->part(std::span<double>(a_new_), p));
+    (void)damp_rest(1.0, state);
   } else if (damps_all()) {
     for (std::size_t i = 0; i < a_new_.size(); ++i) a_new_[i] -= damping_.mass * state.v[i];
   }
@@ -196,8 +191,9 @@ double CentralDifference::kick_off(const State& state, double h) {
   const double *v = state.v.data(), *a = state.a.data(), *half = v_half_.data();
   chunks_.for_free([&](const Chunk& c, std::size_t index) {
     Left& left = left_[index];
-    kick_and_work(c, v, 0.5 * h, a, stress_.data(), v_half_.data(), left.stress, left.largest);
-    if (damps_rest()) left.mass = dot(c, half, mass_damping_.data());
+    kick_and_drift(c, h, state.q.data(), v, a, stress_.data(), v_half_.data(), q_new_.data(), left.stress,
+                   left.largest);
+    if (damps_rest()) left.mass = dot(c, half, state.damping.data());
     if (!stiffness_.force.empty()) left.stiffness = dot(c, half, stiffness_.force.data());
     if (!local_.force.empty()) left.local = dot(c, half, local_.force.data());
   });
@@ -262,12 +258,16 @@ void CentralDifference::move_driven(const State& state, double h, double end, do
       const auto i = 2 * static_cast<std::size_t>(b.first_node + k);
       v_half_[i] = t[static_cast<std::size_t>(k)] * u.x();
       v_half_[i + 1] = t[static_cast<std::size_t>(k)] * u.y();
+      for (std::size_t j = i; j < i + 2; ++j) q_new_[j] = state.q[j] + h * v_half_[j];
     }
   }
 }
 
 void CentralDifference::leave_instant(const State& state, double h) {
   stress_left_driven_ = dot(chunks_.driven(), v_half_.data(), stress_.data());
+  for (const Chunk& c : chunks_.driven())
+    std::fill(stress_.begin() + static_cast<std::ptrdiff_t>(c.begin),
+              stress_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
   contact_.leave(h, v_half_);
   for (const auto& term : terms_) term->leave(h, v_half_);
   if (damps_all()) {
@@ -305,15 +305,21 @@ bool CentralDifference::arrive(double h) {
   return std::isfinite(check);
 }
 
-void CentralDifference::damp(double h, Ledger& ledger) {
+double CentralDifference::damp_rest(double factor, State& state) {
+  double power = 0.0;
+  for (std::size_t p = 0; p < setup_->pools(); ++p)
+    power += setup_->pool(p).damp(factor, damping_.mass, setup_->part(std::span<const double>(v_half_), p),
+                                  setup_->part(std::span<double>(v_new_), p),
+                                  setup_->part(std::span<double>(state.damping), p),
+                                  setup_->part(std::span<double>(a_new_), p));
+  return power;
+}
+
+void CentralDifference::damp(double h, State& state) {
   const double rate = damping_.mass, factor = 1.0 / (1.0 + 0.5 * h * rate);
   double right = 0.0;
   if (damps_rest()) {
-    for (std::size_t p = 0; p < setup_->pools(); ++p)
-      setup_->pool(p).damp(factor, rate, setup_->part(std::span<double>(v_new_), p),
-                           setup_->part(std::span<double>(mass_damping_), p),
-                           setup_->part(std::span<double>(a_new_), p));
-    right = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), mass_damping_.data()); });
+    right = damp_rest(factor, state);
     for (const Chunk& c : chunks_.driven())
       for (std::size_t i = c.begin; i < c.end; ++i) a_new_[i] = 0.0;
   } else if (damps_all()) {
@@ -330,34 +336,37 @@ void CentralDifference::damp(double h, Ledger& ledger) {
   } else {
     return;
   }
-  ledger.book(Column::mass_damping, -0.5 * h * (mass_left_ + right));
+  state.ledger.book(Column::mass_damping, -0.5 * h * (mass_left_ + right));
 }
 
 StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
-  // Kick by half a step. The state has not changed yet: a step that would go too far is refused here.
+  // Kick by half a step and drift; driven bodies go where they are told. The state has not changed yet: a step that
+  // would go too far is refused here.
   double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
   if (!(farthest <= control_.max_displacement)) {
     StepReport report = refuse(state, h);
-    if (report.status != StepReport::Status::ok) return report;
+    if (report.status != StepReport::Status::ok) {
+      restore_stress(state);
+      return report;
+    }
   }
   const Ledger before = state.ledger;
   if (state.last_step != ticks_of_step) change_step(state, h);
 
-  // Drift; driven bodies go where they are told.
   leave_instant(state, h);
   const double driven_left = dot(chunks_.driven(), v_half_.data(), total_.data());
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).drift(h, setup_->part(std::span<const double>(state.q), p),
-                          setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
+    setup_->pool(p).turn(h, setup_->part(std::span<const double>(state.q), p),
+                         setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
 
   // Forces at the new instant.
-  const double energy = stress(q_new_);
+  const double energy = add_stress(q_new_);
   if (!std::isfinite(energy)) {
     StepReport report = lost(state, stress_, end);
     state.ledger = before;
-    (void)stress(state.q);
+    restore_stress(state);
     return report;
   }
   contact_.arrive(h, farthest, q_new_, v_half_, state);
@@ -370,7 +379,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     StepReport report = lost(state, total_, end);
     contact_.undo(state);
     state.ledger = before;
-    (void)stress(state.q);
+    restore_stress(state);
     sum_up(lagging(state));
     return report;
   }
@@ -379,7 +388,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     state.ledger.book(weights_[i].column, 0.5 * h * (then + factor_[i]) * weight_power_[i]);
   }
   book_step(h, energy, driven_left, state.ledger);
-  damp(h, state.ledger);
+  damp(h, state);
 
   state.q.swap(q_new_);
   state.v.swap(v_new_);
@@ -415,7 +424,7 @@ void CentralDifference::relax(State& state) {
   state.relaxing = 0.0;
   if (!damped) return;
   std::fill(state.v_before.begin(), state.v_before.end(), 0.0);
-  std::fill(mass_damping_.begin(), mass_damping_.end(), 0.0);
+  std::fill(state.damping.begin(), state.damping.end(), 0.0);
   sum_up(lagging(state));
   accelerate(state.q, state.a);
   const double h = seconds(state.last_step);
@@ -436,6 +445,7 @@ void CentralDifference::leave(State& state) {
   state.relaxing = 0.0;
   state.a.clear();
   state.v_before.clear();
+  state.damping.clear();
 }
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {

@@ -48,18 +48,21 @@ class CentralDifference final : public Mover {
   [[nodiscard]] bool damps_rest() const { return !damping_.rigid && damping_.mass > 0.0; }
   [[nodiscard]] bool lags() const { return lags_; }
 
-  /// v_{n+1/2} of the free nodes, and the work over the first half; returns a bound of the farthest way [m].
+  /// v_{n+1/2}, x_{n+1} of the free nodes and the work over the first half, for which their stress is used up; returns
+  /// a bound of the farthest way [m].
   [[nodiscard]] double kick_off(const State& state, double h);
   StepReport refuse(const State& state, double h) const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void leave_instant(const State& state, double h);
-  [[nodiscard]] double stress(std::span<const double> q);
+  [[nodiscard]] double add_stress(std::span<const double> q);
+  void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
   void sum_up(const Instant& at);
   void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
   void accelerate(std::span<const double> q, std::span<double> a) const;
   [[nodiscard]] bool arrive(double h);
-  void damp(double h, Ledger& ledger);
+  [[nodiscard]] double damp_rest(double factor, State& state);
+  void damp(double h, State& state);
   void relax(State& state);
   [[nodiscard]] Instant lagging(const State& state) const;
 
@@ -78,7 +81,7 @@ class CentralDifference final : public Mover {
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
   // nodes.
-  std::vector<double> stress_, total_, mass_damping_;
+  std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
   double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0;

@@ -133,6 +133,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   state.v = std::move(v);
   state.a.clear();
   state.v_before.clear();
+  state.damping.clear();
 
   // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
   Ledger& ledger = state.ledger;

@@ -72,7 +72,7 @@ class RigidPool final : public Pool {
       if (counted[static_cast<std::size_t>(b)] != 0) sum += totals(b, q, v).kinetic;
     return sum;
   }
-  void drift(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const override {
+  void turn(double h, std::span<const double> q, std::span<double> v, std::span<double> moved) const override {
     for (int b = 0; b < bodies(); ++b) {
       const double w = spin(b, q, v);
       const Mat2 R = rotation(h * w) * gradient(b, q);
