@@ -177,7 +177,7 @@ void Newmark::add_affine_damping(const State& state, std::span<const double> rat
   node_scratch_.assign(state.q.size(), 0.0);
   node_scratch3_.assign(state.q.size(), 0.0);
   for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).damp(1.0, options_.damping, setup_->part(std::span<const double>(node_scratch2_), p),
+    setup_->pool(p).damp(1.0, options_.damping, setup_->part(std::span<const double>(state.v), p),
                          setup_->part(std::span<double>(node_scratch2_), p),
                          setup_->part(std::span<double>(node_scratch_), p),
                          setup_->part(std::span<double>(node_scratch3_), p));

@@ -105,6 +105,7 @@ TEST(Bending, first_three_frequencies_of_a_free_bar) {
   EXPECT_NEAR(beam[0] / euler, 22.373, 0.3);  // Euler's roots 4.730^2, 7.853^2, 10.996^2, less for shear and inertia
   EXPECT_NEAR(beam[1] / euler, 61.673, 1.6);
   std::vector<OrderRow> rows;
+  rows.reserve(3);
   for (int k = 0; k < 3; ++k)
     rows.push_back({"free-free bar: bending frequency " + std::to_string(k + 1) + ", over cover size", {}, {}, 1.6});
   for (const double h : {0.2, 0.1, 0.05}) {

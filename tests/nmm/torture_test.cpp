@@ -249,6 +249,7 @@ TEST(Torture, random_cracks_fall_apart_as_geos_polygonises_them) {
       const std::vector<Polygon> faces = cut_by_lines(box(-1, -1, 1, 1), lines);
       if (trial >= 6) {
         std::vector<double> wanted;
+        wanted.reserve(faces.size());
         for (const Polygon& f : faces) wanted.push_back(moments(f).area);
         std::sort(wanted.begin(), wanted.end());
         const std::vector<double> found = part_areas(b);
