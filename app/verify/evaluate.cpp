@@ -29,13 +29,6 @@ std::vector<const Quantity*> wanted_quantities(const Expected& expected, bool fu
   return wanted;
 }
 
-std::vector<std::string> runs_of(const Quantity& q) {
-  std::vector<std::string> names = q.variants;
-  if (!q.over.empty()) names.push_back(q.over);
-  if (const auto at = q.texts.find("against"); at != q.texts.end() && !at->second.empty()) names.push_back(at->second);
-  return names;
-}
-
 Row row_of(const Quantity& q, double found) {
   return {q.name, q.reason, q.wanted(), found, found >= q.low && found <= q.high, {}};
 }
@@ -73,7 +66,7 @@ void evaluate_runs(const std::filesystem::path& folder, const Expected& expected
   const std::vector<const Quantity*> wanted = wanted_quantities(expected, full);
   std::map<std::string, io::Case> cases;
   for (const Quantity* q : wanted)
-    for (const std::string& name : runs_of(*q)) {
+    for (const std::string& name : q->runs()) {
       const Variant& v = expected.variant(name);
       if (cases.count(name) == 0) cases.emplace(name, read(folder / v.case_file, v.set));
       check_names(*q, cases.at(name).model, cases.at(name).plan);
@@ -89,7 +82,7 @@ void evaluate_runs(const std::filesystem::path& folder, const Expected& expected
   }
   for (const Quantity* q : wanted) {
     std::string trouble;
-    for (const std::string& name : runs_of(*q)) {
+    for (const std::string& name : q->runs()) {
       const RunRecord& run = runs.at(name);
       const bool measurable = run.done() || (q->measure == "refused" && !run.refused.empty());
       if (!measurable && trouble.empty()) trouble = fmt::format("{}: {}", name, run.trouble());

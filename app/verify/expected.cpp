@@ -204,12 +204,9 @@ void read_variants(const Reader& r, const std::vector<Variant>& known, Quantity&
     throw r.error(r.table(), "an order has neither variant nor over", "variants and sizes");
   if (q.variants.empty()) q.variants.push_back(r.text("variant").value_or(known.front().name));
   q.over = r.text("over").value_or("");
-  std::vector<std::string> used = q.variants, names;
-  if (!q.over.empty()) used.push_back(q.over);
-  if (const auto against = q.texts.find("against"); against != q.texts.end() && !against->second.empty())
-    used.push_back(against->second);
+  std::vector<std::string> names;
   for (const Variant& v : known) names.push_back(v.name);
-  for (const std::string& name : used) {
+  for (const std::string& name : q.runs()) {
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end())
       throw r.error(r.table(),
@@ -243,6 +240,14 @@ Quantity read_quantity(const Reader& r, const std::string& file, const Expected&
 std::optional<double> Quantity::number(const std::string& key) const {
   const auto at = numbers.find(key);
   return at == numbers.end() ? std::nullopt : std::optional(at->second);
+}
+
+std::vector<std::string> Quantity::runs() const {
+  std::vector<std::string> names = variants;
+  if (!over.empty()) names.push_back(over);
+  for (const char* key : {"against", "minus"})
+    if (const auto at = texts.find(key); at != texts.end() && !at->second.empty()) names.push_back(at->second);
+  return names;
 }
 
 std::string Quantity::wanted() const {

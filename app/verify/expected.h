@@ -52,6 +52,8 @@ struct Quantity {
   [[nodiscard]] bool is_order() const { return !sizes.empty(); }
   [[nodiscard]] const std::string& text(const std::string& key) const { return texts.at(key); }
   [[nodiscard]] std::optional<double> number(const std::string& key) const;
+  /// Every variant that it takes a run of.
+  [[nodiscard]] std::vector<std::string> runs() const;
   /// The bounds as people write them.
   [[nodiscard]] std::string wanted() const;
   /// An error at a key of the quantity, or at the quantity where it has no such key.

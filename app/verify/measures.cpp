@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "app/verify/reference.h"
@@ -20,6 +22,8 @@ constexpr MeasureKey kMonitor{Kind::text, "of", true, ""};
 constexpr MeasureKey kComponent{Kind::text, "component", true, ""};
 constexpr MeasureKey kFrom{Kind::number, "from", false, ""}, kUntil{Kind::number, "until", false, ""};
 const std::vector<std::string> kStatistics{"end", "peak", "max", "min"};
+constexpr double kMostPeriods =
+    0.05;  // between samples: the trapezoidal rule errs by (2 pi 0.05)^2/12, 0.8 %, at a jump
 
 const char* unit_of(const std::string& component) {
   return component[0] == 's' ? "Pa" : component[0] == 'v' ? "m/s" : "m";
@@ -120,6 +124,29 @@ double profile_error(const Quantity& q, const std::string& variant, const RunRec
   return curve_error(found, wanted);
 }
 
+/// |int x exp(-2 pi i f t) dt| over the window by the trapezoidal rule, x a component less that of another variant.
+double harmonic(const Quantity& q, const std::string& variant, const RunRecords& runs) {
+  const double frequency = *q.number("frequency");
+  Samples s = samples(q, runs.at(variant), q.text("of"));
+  if (const std::string& minus = q.text("minus"); !minus.empty()) {
+    const Samples other = samples(q, runs.at(minus), q.text("of"));
+    for (std::size_t i = 0; i < s.time.size(); ++i) s.value[i] -= interpolated(other.time, other.value, s.time[i]);
+  }
+  std::complex<double> sum = 0.0, before;
+  for (std::size_t i = 0; i < s.time.size(); ++i) {
+    const std::complex<double> now = s.value[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency * s.time[i]);
+    if (i > 0) {
+      const double step = s.time[i] - s.time[i - 1];
+      if (step * frequency > kMostPeriods)
+        throw q.error("frequency", fmt::format("samples {:g} s apart are too few for {:g} Hz", step, frequency),
+                      fmt::format("at least {:g} samples a period", 1.0 / kMostPeriods), "lower output.history_every");
+      sum += 0.5 * step * (before + now);
+    }
+    before = now;
+  }
+  return std::abs(sum);
+}
+
 double transfer_energy_error(const RunRecord& run) {
   // Of a whole hand-over: a block that hardly carries any energy has nothing but round-off of its positions to show.
   std::map<double, std::pair<double, double>> handed;  // time: errors and energies summed [J]
@@ -173,6 +200,7 @@ double on_variant(const Quantity& q, const std::string& variant, const RunRecord
   if (m == "monitor") return statistic(q.text("statistic"), samples(q, run, q.text("of")).value);
   if (m == "history_error") return history_error(q, variant, runs, plots);
   if (m == "profile_error") return profile_error(q, variant, runs, plots);
+  if (m == "harmonic") return harmonic(q, variant, runs);
   if (m == "blocks_moved_above") return count([&](double d) { return d > *q.number("of"); });
   if (m == "blocks_moved_below") return count([&](double d) { return d < *q.number("of"); });
   if (m == "drift_in_stage") return drift_in_stage(q, run);
@@ -218,6 +246,10 @@ const std::vector<MeasureInfo>& measures() {
         {Kind::text, "against", false, ""},
         kFrom,
         kUntil}},
+      {"harmonic",
+       "|int x exp(-2 pi i f t) dt|, x a component of a monitor; with minus, of its difference to another variant's, "
+       "while over divides by that of the whole history",
+       {kMonitor, kComponent, {Kind::number, "frequency", true, ""}, {Kind::text, "minus", false, ""}, kFrom, kUntil}},
       {"profile_error",
        "largest difference to a table of values at monitors, over the largest of them",
        {kComponent,
@@ -249,7 +281,10 @@ double measure(const Quantity& q, const RunRecords& runs, std::vector<io::LinePl
     return order;
   }
   const double value = on_variant(q, q.variants.front(), runs, plots);
-  return q.over.empty() ? value : value / on_variant(q, q.over, runs, plots);
+  if (q.over.empty()) return value;
+  Quantity divisor = q;  // what was sent in, not its difference to itself
+  if (const auto minus = divisor.texts.find("minus"); minus != divisor.texts.end()) minus->second.clear();
+  return value / on_variant(divisor, q.over, runs, plots);
 }
 
 void check_names(const Quantity& q, const Model& model, const coupling::Plan& plan) {
@@ -263,7 +298,10 @@ void check_names(const Quantity& q, const Model& model, const coupling::Plan& pl
   for (const coupling::Stage& s : plan.stages) stages.push_back(s.name);
   if (q.texts.count("component") > 0) check("component", "component", components());
   if (q.texts.count("statistic") > 0) check("statistic", "statistic", kStatistics);
-  if (q.measure == "monitor" || q.measure == "history_error") check("of", "monitor", monitors);
+  if (q.measure == "monitor" || q.measure == "history_error" || q.measure == "harmonic")
+    check("of", "monitor", monitors);
+  if (q.measure == "harmonic" && !(*q.number("frequency") > 0.0))
+    throw q.error("frequency", fmt::format("a frequency of {:g} Hz", *q.number("frequency")), "> 0 Hz");
   if (q.measure == "drift_in_stage") check("of", "stage", stages);
   if (q.measure == "history_error" && q.text("file").empty() == q.text("against").empty())
     throw q.error("file", "a history is compared with a file or with a variant", "file or against, one of the two");

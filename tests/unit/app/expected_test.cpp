@@ -135,6 +135,21 @@ TEST(Expected, unknown_variants_are_refused) {
   }
 }
 
+TEST(Expected, every_variant_of_a_quantity_is_run_and_sets_its_tier) {
+  const std::string harmonic = changed(
+      "measure = \"stepping_time\"\nvariant = \"coarse\"\nover = \"fine\"",
+      "measure = \"harmonic\"\nof = \"m\"\ncomponent = \"vx\"\nfrequency = 5\nvariant = \"coarse\"\nminus = \"fine\"");
+  const Quantity q = read(harmonic).quantities[2];
+  EXPECT_EQ(q.runs(), (std::vector<std::string>{"coarse", "fine"}));
+  EXPECT_TRUE(q.full);
+  std::string wrong = harmonic;
+  wrong.replace(wrong.find("minus = \"fine\""), 14, "minus = \"fone\"");
+  EXPECT_NE(fault(wrong).problem.find("unknown variant"), std::string::npos);
+  EXPECT_NE(fault(changed("measure = \"stepping_time\"", "measure = \"harmonic\"\nof = \"m\"\ncomponent = \"vx\""))
+                .problem.find("frequency"),
+            std::string::npos);
+}
+
 TEST(Expected, bounds_that_say_nothing_or_too_much_are_refused) {
   EXPECT_NE(fault(changed("at_most = 1\n", "")).problem.find("no bound"), std::string::npos);
   EXPECT_NE(fault(changed("tolerance = 0.02\n", "")).problem.find("tolerance"), std::string::npos);

@@ -98,6 +98,63 @@ TEST_F(Measures, history_error_compares_variants) {
               1e-12);
 }
 
+constexpr const char* kHarmonic = "measure=\"harmonic\"\nof=\"a\"\ncomponent=\"ux\"\n";
+
+TEST_F(Measures, harmonic_is_the_size_of_the_fourier_integral) {
+  // Of sin(2 pi t) over its second: 1/2 at 1 Hz, nothing at 2 Hz, and 4/(3 pi) at 1/2 Hz.
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1"), 0.5, 1e-12);
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=2"), 0.0, 1e-12);
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=0.5"), 4.0 / (3.0 * std::numbers::pi), 1e-3);
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nvariant=\"four\""), 2.0, 1e-12);
+}
+
+TEST_F(Measures, harmonic_counts_the_window_only) {
+  // |int sin w e^(-iwt)| over the first half second is 1/4; the phase of the rest must not come in.
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nuntil=0.5"), 0.25, 1e-3);
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nfrom=0.5"), 0.25, 1e-3);
+}
+
+TEST_F(Measures, harmonic_of_a_difference_is_over_what_was_sent_in) {
+  const std::string base = std::string(kHarmonic) + "frequency=1\nvariant=\"four\"\n";
+  EXPECT_NEAR(value(base + "over=\"two\""), 2.0, 1e-12);
+  EXPECT_NEAR(value(base + "minus=\"one\""), 1.5, 1e-12);
+  EXPECT_NEAR(value(base + "minus=\"one\"\nover=\"one\""), 3.0, 1e-12);
+  EXPECT_NEAR(value(base + "minus=\"one\"\nover=\"two\""), 1.5, 1e-12);
+}
+
+TEST_F(Measures, harmonic_knows_shift_in_time_from_change_of_size) {
+  // cos - sin is sqrt(2) times as large, not zero: a difference of histories, not of sizes.
+  for (std::size_t i = 0; i < runs_.at("two").time.size(); ++i)
+    runs_.at("two").monitors[0].displacement[i].x() = std::cos(2.0 * std::numbers::pi * runs_.at("two").time[i]);
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nvariant=\"two\"\nminus=\"one\"\nover=\"one\""),
+              std::sqrt(2.0), 1e-12);
+}
+
+TEST_F(Measures, harmonic_reads_the_other_run_at_its_own_times) {
+  RunRecord& two = runs_.at("two");  // every other sample, which 1 Hz still allows
+  RunRecord thinned = two;
+  thinned.time.clear();
+  thinned.monitors[0].displacement.clear();
+  for (std::size_t i = 0; i < two.time.size(); i += 2) {
+    thinned.time.push_back(two.time[i]);
+    thinned.monitors[0].displacement.push_back(two.monitors[0].displacement[i]);
+  }
+  two = thinned;
+  EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nvariant=\"four\"\nminus=\"two\""), 1.0, 1e-3);
+}
+
+TEST_F(Measures, harmonic_of_too_few_samples_is_refused_at_the_frequency) {
+  EXPECT_NO_THROW((void)value(std::string(kHarmonic) + "frequency=4.9"));
+  try {
+    (void)value(std::string(kHarmonic) + "frequency=5.1");
+    FAIL();
+  } catch (const io::CaseError& e) {
+    EXPECT_EQ(e.line, 14);
+    EXPECT_EQ(e.column, 11);
+    EXPECT_NE(e.hint.find("history_every"), std::string::npos);
+  }
+}
+
 TEST_F(Measures, profile_error_takes_each_monitor_s_value) {
   folder_.put("p.csv", "monitor, x, u\na, 0.5, 0.5\nb, 1.5, 10\n");
   EXPECT_NEAR(value("measure=\"profile_error\"\ncomponent=\"u\"\nfile=\"p.csv\""), 0.5, 1e-12);  // b: 5 for 10
@@ -161,6 +218,11 @@ TEST_F(Measures, names_are_checked_before_anything_runs) {
       std::string::npos);
   EXPECT_NE(fault("measure=\"monitor\"\nof=\"a\"\ncomponent=\"uz\"").find("unknown component"), std::string::npos);
   EXPECT_NE(fault("measure=\"monitor\"\nof=\"a\"\ncomponent=\"ux\"\nstatistic=\"mean\"").find("unknown statistic"),
+            std::string::npos);
+  EXPECT_EQ(fault(std::string(kHarmonic) + "frequency=5"), "");
+  EXPECT_NE(fault("measure=\"harmonic\"\nof=\"aa\"\ncomponent=\"ux\"\nfrequency=5").find("unknown monitor"),
+            std::string::npos);
+  EXPECT_NE(fault(std::string(kHarmonic) + "frequency=0").find("expected.toml:14:11: error: a frequency of 0 Hz"),
             std::string::npos);
   EXPECT_NE(fault("measure=\"drift_in_stage\"\nof=\"shape\"").find("unknown stage"), std::string::npos);
   EXPECT_NE(fault("measure=\"history_error\"\nof=\"a\"\ncomponent=\"ux\"").find("file or against"), std::string::npos);
