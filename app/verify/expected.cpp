@@ -205,6 +205,7 @@ void read_variants(const Reader& r, const std::vector<Variant>& known, Quantity&
   if (q.variants.empty()) q.variants.push_back(r.text("variant").value_or(known.front().name));
   q.over = r.text("over").value_or("");
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const Variant& v : known) names.push_back(v.name);
   for (const std::string& name : q.runs()) {
     const auto at = std::find(names.begin(), names.end(), name);

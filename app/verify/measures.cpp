@@ -130,6 +130,9 @@ double harmonic(const Quantity& q, const std::string& variant, const RunRecords&
   Samples s = samples(q, runs.at(variant), q.text("of"));
   if (const std::string& minus = q.text("minus"); !minus.empty()) {
     const Samples other = samples(q, runs.at(minus), q.text("of"));
+    if (other.time.back() + kMostPeriods / frequency < s.time.back())
+      throw q.error("minus", fmt::format("{} ends at {:g} s, before {}", minus, other.time.back(), variant),
+                    fmt::format("a run to {:g} s", s.time.back()), "set until");
     for (std::size_t i = 0; i < s.time.size(); ++i) s.value[i] -= interpolated(other.time, other.value, s.time[i]);
   }
   std::complex<double> sum = 0.0, before;

@@ -143,6 +143,15 @@ TEST_F(Measures, harmonic_reads_the_other_run_at_its_own_times) {
   EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nvariant=\"four\"\nminus=\"two\""), 1.0, 1e-3);
 }
 
+TEST_F(Measures, harmonic_of_a_difference_to_a_shorter_run_is_refused) {
+  RunRecord& two = runs_.at("two");
+  two.time.resize(51);
+  two.monitors[0].displacement.resize(51);
+  const std::string base = std::string(kHarmonic) + "frequency=1\nvariant=\"four\"\nminus=\"two\"\n";
+  EXPECT_THROW((void)value(base), io::CaseError);
+  EXPECT_NEAR(value(base + "until=0.5"), 0.5, 1e-3);
+}
+
 TEST_F(Measures, harmonic_of_too_few_samples_is_refused_at_the_frequency) {
   EXPECT_NO_THROW((void)value(std::string(kHarmonic) + "frequency=4.9"));
   try {
