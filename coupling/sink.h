@@ -24,7 +24,9 @@ struct MeshView {
 
 /// Statistics of the driver since the start.
 struct RunStats {
-  std::int64_t steps = 0, cuts = 0, passes = 0, factorisations = 0;
+  std::int64_t steps = 0, cuts = 0;
+  // Of implicit steps: Newton iterations, open-close passes, contact states switched in them, factors, their updates.
+  std::int64_t iterations = 0, passes = 0, switches = 0, factorisations = 0, updates = 0;
   std::int64_t contacts = 0;  // points closed now
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
   double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]

@@ -27,6 +27,17 @@ class Cholesky {
   void add_outer(std::span<const std::int32_t> dof, std::span<const double> h, double scale);
   /// False where the matrix is not positive definite.
   [[nodiscard]] bool factorise();
+  /// A change of the system: A += delta h h^T.
+  struct Change {
+    std::span<const std::int32_t> dof;  // each once
+    std::span<const double> h;
+    double delta = 0.0;
+  };
+  /// Work that update() would take, over that of factorise(), roughly; both counted in operations, not measured.
+  [[nodiscard]] double relative_work(std::span<const Change> changes);
+  /// Changes the factor itself by rank updates (first) and downdates, until the next factorise().
+  /// @return false: the matrix is not positive definite any more, or the numbers are lost; factorise() is needed
+  [[nodiscard]] bool update(std::span<const Change> changes);
   /// x = A^-1 b.
   void solve(std::span<const double> b, std::span<double> x);
 

@@ -26,7 +26,9 @@ struct StepReport {
   std::int32_t body = -1;  // where it went wrong, index into Setup::bodies
   std::string cause;       // for a status other than ok: what, where, likely cause
   int passes = 0;          // open-close passes
+  int switches = 0;        // of contact states in them
   int factorisations = 0;
+  int updates = 0;            // rank-1 changes of a factor
   int iterations = 0;         // of Newton's method
   double residual = 0.0;      // it left, over the largest force
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there

@@ -27,7 +27,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       options_(options),
       finder_(setup, detection),
       system_(setup),
-      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped) {
+      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.rank_updates) {
   driven_move_.resize(setup.bodies().size());
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)

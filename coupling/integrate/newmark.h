@@ -20,6 +20,7 @@ struct ImplicitOptions {
   double damping = 0.0;            // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // [s]
+  bool rank_updates = true;        // of the factor where contacts switch; false: it is made anew, for comparison
 };
 
 /// With v' = 2 d/h - v in both schemes, at the end of the step:
@@ -44,6 +45,7 @@ class Newmark final : public Mover {
 
   [[nodiscard]] const Cholesky& cholesky() const { return contacts_.cholesky(); }
   [[nodiscard]] const ImplicitSystem& system() const { return system_; }
+  [[nodiscard]] const OpenClose& contacts() const { return contacts_; }
 
  private:
   [[nodiscard]] bool trapezoidal() const { return options_.scheme == NewmarkScheme::trapezoidal; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -10,8 +11,9 @@
 
 namespace scree::coupling {
 
-OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed)
-    : setup_(&setup), control_(control), system_(&system), allowed_(allowed) {
+OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
+                     bool rank_updates)
+    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), rank_updates_(rank_updates) {
   cholesky_.set_pattern(system.pattern());
 }
 
@@ -32,6 +34,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   list_ = &list;
   springs_ = std::move(springs);
   factored_ = false;
+  passes_.clear();
   trial_.resize(list.points.size());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactPoint& p = list.points[i];
@@ -58,31 +61,83 @@ double OpenClose::tangential_stiffness(std::size_t i) const {
   return trial_[i].status == ContactStatus::stick ? list_->memory[i].kt : 0.0;
 }
 
-bool OpenClose::factorise(std::span<const double> A, bool fresh, StepReport& report) {
+template <class See>
+void OpenClose::for_springs(See&& see) const {
+  for (const StepSpring& s : springs_) see(s.row, s.k, s.at);
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const ContactMemory& m = list_->memory[i];
+    see(trial_[i].normal, normal_stiffness(i), m.gap);
+    see(trial_[i].tangential, tangential_stiffness(i), m.status == ContactStatus::open ? 0.0 : m.stretch);
+  }
+}
+
+bool OpenClose::factorise(bool fresh, StepReport& report) {
   rhs_ = base_;
-  cholesky_.begin(A);
   scale_.clear();
-  const auto spring = [&](const DofRow& row, double k, double at) {
-    cholesky_.add_outer(row.dof, row.h, k);
+  for_springs([&](const DofRow& row, double k, double at) {
     scale_.push_back(k);
     if (k != 0.0)
       for (std::size_t j = 0; j < row.dof.size(); ++j)
         rhs_[static_cast<std::size_t>(row.dof[j])] -= k * (at + row.known) * row.h[j];
-  };
-  for (const StepSpring& s : springs_) spring(s.row, s.k, s.at);
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const ContactMemory& m = list_->memory[i];
-    spring(trial_[i].normal, normal_stiffness(i), m.gap);
-    spring(trial_[i].tangential, tangential_stiffness(i), m.status == ContactStatus::open ? 0.0 : m.stretch);
-  }
-  if (factored_ && !fresh && scale_ == factored_scale_) return true;
+  });
+  if (factored_ && !fresh && (scale_ == factored_scale_ || update(report))) return true;
+  return factorise_anew(report);
+}
+
+bool OpenClose::factorise_anew(StepReport& report) {
+  cholesky_.begin(A_);
+  for_springs([&](const DofRow& row, double k, double) { cholesky_.add_outer(row.dof, row.h, k); });
   factored_ = cholesky_.factorise();
+  updated_ = false;
   ++report.factorisations;
   factored_scale_ = scale_;
   if (factored_) return true;
   report.status = StepReport::Status::not_definite;
   report.cause = "the implicit matrix is not positive definite";
   return false;
+}
+
+bool OpenClose::update(StepReport& report) {
+  if (!rank_updates_) return false;
+  changes_.clear();
+  std::size_t n = 0;
+  for_springs([&](const DofRow& row, double k, double) {
+    if (const double delta = k - factored_scale_[n++]; delta != 0.0 && !row.dof.empty())
+      changes_.push_back({row.dof, row.h, delta});
+  });
+  if (cholesky_.relative_work(changes_) > 1.0 || !cholesky_.update(changes_)) return false;
+  report.updates += static_cast<int>(changes_.size());
+  factored_scale_ = scale_;
+  updated_ = true;
+  return true;
+}
+
+bool OpenClose::solve_linear(std::span<const double> rhs, std::span<double> d) {
+  cholesky_.solve(rhs, d);
+  if (!updated_) return true;
+  constexpr double kExact = 1e-12;  // of the largest force: what a factorisation leaves
+  for (int refined = 0;; ++refined) {
+    residual_.assign(rhs.begin(), rhs.end());
+    system_->pattern().multiply_add(-1.0, A_, d, residual_);
+    double size = 0.0, left = 0.0;
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      size = std::max({size, std::abs(rhs[i]), std::abs(residual_[i] - rhs[i])});
+    for_springs([&](const DofRow& row, double k, double) {
+      if (k == 0.0) return;
+      double force = 0.0;
+      for (std::size_t j = 0; j < row.dof.size(); ++j) force += row.h[j] * d[static_cast<std::size_t>(row.dof[j])];
+      force *= k;
+      size = std::max(size, std::abs(force));
+      for (std::size_t j = 0; j < row.dof.size(); ++j)
+        residual_[static_cast<std::size_t>(row.dof[j])] -= force * row.h[j];
+    });
+    for (const double r : residual_) left = std::max(left, std::abs(r));
+    if (left <= kExact * size) return true;
+    if (refined == 3 || !std::isfinite(left)) return false;
+    correction_.resize(d.size());
+    cholesky_.solve(residual_, correction_);
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] += correction_[i];
+  }
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
@@ -123,7 +178,10 @@ bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
       for (std::size_t j = 0; j < t.tangential.dof.size(); ++j)
         rhs[static_cast<std::size_t>(t.tangential.dof[j])] += ft * t.tangential.h[j];
     }
-    cholesky_.solve(rhs, d);
+    if (!solve_linear(rhs, d)) {
+      if (!factorise_anew(report)) return false;
+      cholesky_.solve(rhs, d);
+    }
     evaluate_points(d);
     double change = 0.0, size = 0.0;
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -220,18 +278,22 @@ int OpenClose::switch_states(bool only_worst) {
     trial_[worst_point].direction = worst_direction;
     trial_[worst_point].load = std::max(trial_[worst_point].fn, 0.0);
   }
-  return switched;
+  return only_worst ? std::min(switched, 1) : switched;
 }
 
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
+  A_ = A;
   std::set<std::vector<std::int8_t>> seen;
   bool only_worst = false;
   // After a cycle points switch one at a time, which takes more, cheaper-to-trust passes.
+  int switched = 0;
   for (int most = control_.max_passes, pass = 0; pass < most; ++pass) {
     ++report.passes;
-    if (!factorise(A, fresh && pass == 0, report) || !solve_with_friction(d, report)) return false;
+    const auto begin = std::chrono::steady_clock::now();
+    const StepReport before = report;
+    if (!factorise(fresh && pass == 0, report) || !solve_with_friction(d, report)) return false;
     if (!allowed_ && refuse(report)) return false;
     std::vector<std::int8_t> states;
     for (const Trial& t : trial_)
@@ -240,7 +302,12 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
       only_worst = true;
       most = 3 * control_.max_passes;
     }
-    if (switch_states(only_worst) == 0) return true;
+    const int before_it = switched;
+    switched = switch_states(only_worst);
+    passes_.push_back({before_it, report.updates - before.updates, report.factorisations > before.factorisations,
+                       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+    if (switched == 0) return true;
+    report.switches += switched;
   }
   report.status = StepReport::Status::no_states;
   report.cause = fmt::format("contact states did not settle in {} passes", report.passes);

@@ -33,8 +33,17 @@ class OpenClose {
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
   };
 
-  /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
-  OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed);
+  struct Pass {        // of the last step, all Newton iterations
+    int switched = 0;  // points that changed state before it
+    int updates = 0;   // rank-1 changes of the factor
+    bool factorised = false;
+    double seconds = 0.0;
+  };
+
+  /// @param allowed       false: a contact that closes makes the step fail (schemes without contacts)
+  /// @param rank_updates  contacts that switch change the factor while that is less work than factorising anew
+  OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
+            bool rank_updates);
 
   /// Begins a step with the points of a list, which must outlive it.
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
@@ -49,12 +58,21 @@ class OpenClose {
 
   [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
   [[nodiscard]] const std::vector<StepSpring>& springs() const { return springs_; }
+  [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
 
  private:
   [[nodiscard]] DofRow dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
                                std::span<const Vec2> driven_move) const;
-  [[nodiscard]] bool factorise(std::span<const double> A, bool fresh, StepReport& report);
+  /// see(row, stiffness, elongation at the start of the step) for all springs, supports and contacts.
+  template <class See>
+  void for_springs(See&& see) const;
+  /// Brings factor and right-hand side to the states of the points.
+  [[nodiscard]] bool factorise(bool fresh, StepReport& report);
+  [[nodiscard]] bool factorise_anew(StepReport& report);
+  [[nodiscard]] bool update(StepReport& report);
+  /// d = A^-1 rhs, refined where the factor was updated. False: the updates have lost too much.
+  [[nodiscard]] bool solve_linear(std::span<const double> rhs, std::span<double> d);
   [[nodiscard]] bool solve_with_friction(std::span<double> d, StepReport& report);
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
@@ -67,12 +85,15 @@ class OpenClose {
   const Setup* setup_;
   StepControl control_;
   const ImplicitSystem* system_;
-  bool allowed_;
+  bool allowed_, rank_updates_;
   const ContactList* list_ = nullptr;
   std::vector<StepSpring> springs_;
   std::vector<Trial> trial_;
-  std::vector<double> rhs_, base_, scale_, factored_scale_;
-  bool factored_ = false;
+  std::span<const double> A_;
+  std::vector<double> rhs_, base_, scale_, factored_scale_, residual_, correction_;
+  std::vector<Cholesky::Change> changes_;
+  std::vector<Pass> passes_;
+  bool factored_ = false, updated_ = false;
   Cholesky cholesky_;
 };
 

@@ -282,8 +282,11 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     const double begin = wall();
     const StepReport report = mover_->step(state_, h);
     (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
+    stats_.iterations += report.iterations;
     stats_.passes += report.passes;
+    stats_.switches += report.switches;
     stats_.factorisations += report.factorisations;
+    stats_.updates += report.updates;
     if (report.status == StepReport::Status::ok) {
       ++stats_.steps;
       if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);

@@ -25,7 +25,8 @@ void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall) {
   rusage use{};
   ::getrusage(RUSAGE_SELF, &use);  // fails for a wrong argument only
   json.field("steps", stats.steps).field("cuts", stats.cuts).field("open_close_passes", stats.passes);
-  json.field("factorisations", stats.factorisations);
+  json.field("newton_iterations", stats.iterations).field("contact_switches", stats.switches);
+  json.field("factorisations", stats.factorisations).field("factor_updates", stats.updates);
   json.open('{', "wall_seconds").field("explicit", stats.wall_explicit).field("implicit", stats.wall_implicit);
   json.field("output", stats.wall_output).field("total", wall).close('}');
   json.field("cpu_seconds", seconds_of(use.ru_utime) + seconds_of(use.ru_stime));

@@ -15,8 +15,9 @@ namespace scree::io {
 
 /// Collects during a run what the summary needs. The keys (units: s, m, J, bytes where a name has no other):
 ///   version, commit, case_sha256, title, status, reason, final_time, end_time, state_hash (16 hexadecimal digits),
-///   stage, steps, cuts, open_close_passes, factorisations, wall_seconds {explicit, implicit, output, total},
-///   cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second, contacts,
+///   stage, steps, cuts, open_close_passes, newton_iterations, contact_switches, factorisations, factor_updates (rank
+///   1 each), wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes, blocks_count,
+///   elements, unknowns, element_steps_per_second, contacts,
 ///   ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
 ///           relative_closure, scheme_share = max |scheme column| / moved},
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,

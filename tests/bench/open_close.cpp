@@ -1,0 +1,106 @@
+// Open-close iteration of a wall of DDA blocks that falls on its base: passes, switches, updates, factorisations and
+// time a step, with rank updates of the factor and with a new one every pass, step by step in one run.
+//
+//   usage: bench_open_close [steps]
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include "coupling/integrate/newmark.h"
+#include "tests/support/by_hand.h"
+
+namespace scree::bench {
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+double median(std::vector<double> x) {
+  if (x.empty()) return 0.0;
+  std::sort(x.begin(), x.end());
+  return x[x.size() / 2];
+}
+
+/// Rows of blocks in running bond, each a little away from its place, above a base that is held.
+struct Wall {
+  test::Scene scene{1e9, 0.2, 2500.0};
+  coupling::StepControl control;
+
+  Wall(int columns, int rows) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> off(-0.01, 0.01);
+    scene.model.joints[0].friction = 0.6;
+    scene.add("base", test::rectangle(-2.0, -1.0, 1.1 * columns + 2.0, 0.0), true);
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i) {
+        const double x = 1.05 * i + (j % 2 == 0 ? 0.0 : 0.5) + off(random), y = 0.001 + 1.001 * j + 0.04 * off(random);
+        scene.add(fmt::format("b{}-{}", j, i), test::rectangle(x, y, x + 1.0, y + 1.0));
+      }
+    scene.stage("dda", coupling::Integrator::implicit, 1.0, 1e-3, 1.0);
+    control.max_displacement = 0.05;
+    control.max_passes = 30;
+  }
+};
+
+struct Side {
+  test::ByHand hand;
+  coupling::Newmark mover;
+  coupling::StepReport all;
+  int cut = 0;
+  double seconds = 0.0;
+  std::map<int, std::vector<double>> pass;  // by the number of points that switched before it
+
+  Side(Wall& wall, bool rank_updates)
+      : hand(wall.scene.model, wall.scene.plan.stages[0]),
+        mover(*hand.setup, wall.control, 0.05, coupling::ImplicitOptions{.rank_updates = rank_updates}) {
+    mover.enter(hand.state);
+  }
+  void step() {
+    Tick h = ticks(1e-3);
+    for (;;) {
+      const double begin = now();
+      const coupling::StepReport report = mover.step(hand.state, h);
+      seconds += now() - begin;
+      all.passes += report.passes;
+      all.switches += report.switches;
+      all.updates += report.updates;
+      all.factorisations += report.factorisations;
+      for (const auto& p : mover.contacts().passes())
+        if (p.switched > 0) pass[std::min(p.switched, 5)].push_back(p.seconds);
+      if (report.status == coupling::StepReport::Status::ok) return;
+      ++cut;
+      h /= 3;
+    }
+  }
+};
+
+void compare(int columns, int rows, int steps) {
+  Wall wall(columns, rows);
+  Side with(wall, true), without(wall, false);
+  for (int i = 0; i < steps; ++i) {
+    with.step();
+    without.step();
+  }
+  for (const auto& [name, s] : {std::pair("updates", &with), std::pair("anew", &without)})
+    fmt::print("{:>7} {:>8} {:>7} {:>9} {:>8} {:>9} {:>6} {:>10.2f}\n", columns * rows, name, s->all.passes,
+               s->all.switches, s->all.updates, s->all.factorisations, s->cut, 1e3 * s->seconds / steps);
+  fmt::print("        a pass after n switches, ms (updates / anew = how many times cheaper):");
+  for (const auto& [n, times] : with.pass)
+    if (without.pass.contains(n))
+      fmt::print("  {}{}: {:.2f} / {:.2f} = {:.1f}", n, n == 5 ? "+" : "", 1e3 * median(times),
+                 1e3 * median(without.pass[n]), median(without.pass[n]) / median(times));
+  fmt::print("\n");
+}
+
+}  // namespace
+}  // namespace scree::bench
+
+int main(int argc, char** argv) {
+  const int steps = argc > 1 ? std::atoi(argv[1]) : 200;
+  fmt::print("{:>7} {:>8} {:>7} {:>9} {:>8} {:>9} {:>6} {:>10}\n", "blocks", "factor", "passes", "switches", "updates",
+             "factors", "cuts", "ms a step");
+  for (const auto& [columns, rows] : {std::pair{10, 10}, {40, 25}, {80, 50}})
+    scree::bench::compare(columns, rows, columns * rows > 2000 ? std::max(steps / 10, 10) : steps);
+}
