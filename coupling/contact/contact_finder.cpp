@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/contact/joint_strength.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -230,6 +232,7 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (at_start && old == nullptr && !p.beyond && std::abs(p.at.gap) <= touching_) {
     m.gap0 = p.at.gap;
     m.status = ContactStatus::stick;  // closed, without force
+    m.bonded = setup_->model().joints[static_cast<std::size_t>(m.joint)].tensile_strength > 0.0 ? 1 : 0;
     m.segment = part;
     m.anchor = p.at.xi;
     return;
@@ -272,6 +275,12 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
+void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
+  const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+  m.bonded = beside.bonded;
+  if (m.kn * m.gap > tension_limit(law, m)) m.bonded = 0;
+}
+
 void ContactFinder::interpolate(const ContactList& known, ContactList& out) const {
   const auto divided_anew = [](const ContactMemory& m) { return m.segment < 0 && m.status != ContactStatus::open; };
   if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
@@ -288,13 +297,15 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
-    } side[2];
+    } side[2], nearest;  // the nearest may be open: a crack does not heal
     for (std::size_t i = 0; i < out.points.size(); ++i) {
       const ContactPoint& n = out.points[i];
-      if (n.from < 0 || out.memory[i].status == ContactStatus::open) continue;
+      if (n.from < 0) continue;
       const bool same = n.edge == p.edge && of_edge(n.vertex, v.edge_out);
       if (!same && !(n.edge == v.edge_out && of_edge(n.vertex, p.edge))) continue;
       const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
+      if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
+      if (out.memory[i].status == ContactStatus::open) continue;
       Neighbour& found = side[s < 0.0 ? 0 : 1];
       if (found.memory == nullptr || std::abs(s) < found.distance) found = {std::abs(s), &out.memory[i]};
     }
@@ -311,6 +322,7 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
     m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
     m.gap = p.at.gap - m.gap0;
     m.anchor = p.at.xi - m.stretch / p.at.length;
+    bond_like(*nearest.memory, m);
   }
 }
 
@@ -340,9 +352,12 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
+      if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
+      const bool a_wins = ma.bonded != mb.bonded
+                              ? ma.bonded != 0
+                              : entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -406,14 +421,18 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
          out.memory[i]);
     ContactMemory& m = out.memory[i];
-    if (p.from >= 0 || p.beside < 0 || m.gap >= 0.0) continue;
+    if (p.from >= 0 || p.beside < 0) continue;
     const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
-    if (beside.status != ContactStatus::open) {  // the joint is the same, and so is its friction
-      m.status = ContactStatus::stick;
-      m.failed = beside.failed;
-      m.stretch = beside.stretch;
-      m.anchor = p.at.xi - m.stretch / p.at.length;
-    }
+    if (beside.status == ContactStatus::open) continue;
+    // The joint is the same, and so is its friction. A bond is that of two edges: it does not pass to the next block.
+    const std::int32_t against = known.points[static_cast<std::size_t>(p.beside)].edge;
+    if (against == p.edge || against == pairs_.facing_edge(p.vertex, p.edge)) bond_like(beside, m);
+    if (m.gap >= 0.0 && m.bonded == 0) continue;
+    m.status = ContactStatus::stick;
+    m.failed = beside.failed;
+    m.slip = beside.slip;
+    m.stretch = beside.stretch;
+    m.anchor = p.at.xi - m.stretch / p.at.length;
   }
   interpolate(known, out);
   pair_edges(out);
@@ -428,9 +447,9 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
     if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
-    const bool presses = !p.suppressed && m.gap < 0.0;
-    const double gap = presses ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
-    if (presses) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
+    const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
+    const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
+    if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
     change += 0.5 * (p.springs.kt * stretch * stretch - m.kt * m.stretch * m.stretch);
     m.gap0 += m.gap - gap;
     m.gap = gap;

@@ -52,6 +52,8 @@ class ContactFinder {
   void inherit(const ContactList& known, ContactList& out);
   void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
             ContactMemory& m) const;
+  /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
+  void bond_like(const ContactMemory& beside, ContactMemory& m) const;
   /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
   /// from the remembered points on either side.
   void interpolate(const ContactList& known, ContactList& out) const;
