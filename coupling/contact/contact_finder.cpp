@@ -240,8 +240,9 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (closed && m.segment < 0) {
     // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
     // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
-    // ones.
-    const double kn = std::max(m.kn, old->kn), kt = std::max(m.kt, old->kt);
+    // ones. What it has may differ by a strain from what it was given.
+    const auto resting_on = [](double now, double given) { return given < 1.01 * now ? now : given; };
+    const double kn = resting_on(m.kn, old->kn), kt = resting_on(m.kt, old->kt);
     m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
     m.stretch = -(m.ft - m.fdt) / kt;
   } else if (!closed && !at_start) {
@@ -424,9 +425,9 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     if (p.from >= 0 || p.beside < 0) continue;
     const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
     if (beside.status == ContactStatus::open) continue;
-    // The joint is the same, and so is its friction. A bond is that of two edges: it does not pass to the next block.
-    const std::int32_t against = known.points[static_cast<std::size_t>(p.beside)].edge;
-    if (against == p.edge || against == pairs_.facing_edge(p.vertex, p.edge)) bond_like(beside, m);
+    // The joint is the same, and so is its friction. A bond is that of two blocks: it does not pass to the next one.
+    if (std::minmax(beside.key.block_p, beside.key.block_e) == std::minmax(p.key.block_p, p.key.block_e))
+      bond_like(beside, m);
     if (m.gap >= 0.0 && m.bonded == 0) continue;
     m.status = ContactStatus::stick;
     m.failed = beside.failed;

@@ -87,7 +87,7 @@ TEST_P(Strength, pulled_block_follows_its_springs_and_breaks_off_at_the_strength
   const BlockId block = scene_.add("block", rectangle(0, 0, length, 1));
   scene_.model.tractions.push_back({{block, {0, 2}, 0.0, 1.0}, {0.0, 1.0}, ramp(scene_, most, 0.0, time)});
   const double dt = 0.01;
-  stage(0.9 * time, dt).rest = GetParam().implicit();  // static: no swing about the balance
+  stage(0.9 * time, dt).dynamics = 0.0;  // implicit steps: static, no swing about the balance
   Driver run(scene_.model, scene_.plan, methods());
   EveryStep watch;
   // Static steps lag by what inertia holds back, 2 M/h^2 of the springs' stiffness, of an increment; explicit ones
@@ -142,7 +142,7 @@ TEST_P(Strength, hanging_block_stays_or_falls) {
     const double time = 0.3;
     scene
         .stage(GetParam().method, GetParam().integrator, time,
-               GetParam().implicit() ? std::optional<double>(2e-3) : std::nullopt, 0.5)
+               GetParam().implicit() ? std::optional<double>(part > 1.0 ? 1e-2 : 2e-3) : std::nullopt, 0.5)
         .rest = part > 1.0;
     Driver run(scene.model, scene.plan, methods());
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
@@ -151,7 +151,7 @@ TEST_P(Strength, hanging_block_stays_or_falls) {
     std::printf("%s, strength %.1f of the weight: sinks %.5f m (w/k %.5f, free fall %.5f), closure %.1e\n",
                 GetParam().name, part, sunk, weight / 2e7, fall, run.state().ledger.relative_closure());
     if (part > 1.0) {
-      EXPECT_NEAR(joint.bonded, length, 1e-9);
+      EXPECT_NEAR(joint.bonded, length, 1e-4);               // it strains by 1e-6
       EXPECT_NEAR(sunk, weight / 2e7, 0.01 * weight / 2e7);  // the block itself: a thousandth
     } else {
       EXPECT_EQ(joint.points, 0U);
@@ -302,7 +302,7 @@ TEST(Bonds, outlive_hand_over_and_new_meshes) {
   watch.see = [&](double) {
     const Joint joint(run.state());
     ++counts[joint.points];
-    EXPECT_NEAR(joint.bonded, length, 1e-9);
+    EXPECT_NEAR(joint.bonded, length, 1e-4);  // it strains by 1e-6
   };
   run.add_sink(watch);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
@@ -326,10 +326,10 @@ TEST(Bonds, crack_does_not_heal_in_a_new_mesh) {
   scene.stage("nmm", Integrator::implicit, 0.1, 0.01, 0.22).rest = true;
   Driver run(scene.model, scene.plan, methods());
   double first = 0.0, second = -1.0;
-  EveryStep watch;
-  watch.see = [&](double) {
-    const double bonded = Joint(run.state()).bonded;
-    if (run.state().stage == 0)
+  Watch watch;  // a frame closes the first stage, and one opens the second
+  watch.see = [&](const FrameView& view) {
+    const double bonded = Joint(*view.state).bonded;
+    if (view.state->stage == 0)
       first = bonded;
     else if (second < 0.0)
       second = bonded;
@@ -355,7 +355,7 @@ TEST(Bonds, pass_with_a_corner_to_the_next_edge_in_line) {
     law.shear_stiffness = 1e6;
     law.tensile_strength = std::numeric_limits<double>::infinity();
     scene.model.gravity = {0.3 * kGravity, 0.2 * kGravity};  // up, and along
-    scene.add("base", {{{-1, -1}, {3, -1}, {3, 0}, {1.003, 0}, {-1, 0}}, {}}, true);
+    scene.add("base", {{{-1, -1}, {3, -1}, {3, 0}, {1.0005, 0}, {-1, 0}}, {}}, true);
     const BlockId block = scene.add("block", rectangle(0, 0, 1, 0.2));
     scene.stage(scheme.method, scheme.integrator, 0.5, scheme.implicit() ? std::optional<double>(5e-3) : std::nullopt)
         .damping = 30.0;
@@ -377,11 +377,10 @@ TEST(Bonds, pass_with_a_corner_to_the_next_edge_in_line) {
     const double weight = 0.2 * kDensity * kGravity;
     std::printf("%s: goes %.4f m, %.3f m bonded at least, pull %.4f of the load, closure %.1e\n", scheme.name, farthest,
                 least, -Joint(run.state()).normal / (0.2 * weight), run.state().ledger.relative_closure());
-    EXPECT_GT(farthest, 0.003);
-    EXPECT_NEAR(least, 1.0, 1e-9);
+    EXPECT_TRUE(passed);
+    EXPECT_NEAR(least, 1.0, 1e-4);
     EXPECT_NEAR(-Joint(run.state()).normal, 0.2 * weight, 0.02 * weight);
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
-    (void)passed;
   }
 }
 
