@@ -298,7 +298,7 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
-    } side[2], nearest;  // the nearest may be open: a crack does not heal
+    } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
     for (std::size_t i = 0; i < out.points.size(); ++i) {
       const ContactPoint& n = out.points[i];
       if (n.from < 0) continue;

@@ -55,7 +55,7 @@ class ContactFinder {
   /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
   void bond_like(const ContactMemory& beside, ContactMemory& m) const;
   /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
-  /// from the remembered points on either side.
+  /// from the remembered points on either side, and the bond of the nearest.
   void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;

@@ -10,8 +10,8 @@ namespace scree::io {
 namespace {
 
 void read_strength(const Section& s, JointLaw& law) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
-  law.friction = s.number("friction_deg") * kDegree;
+  const auto radians = [&s](std::string_view key) { return s.number(key) * std::numbers::pi / 180.0; };
+  law.friction = radians("friction_deg");
   law.cohesion = s.number("cohesion");
   law.residual_cohesion = s.number("residual_cohesion");
   law.tensile_strength = s.number_or_unlimited("tensile_strength");
@@ -21,7 +21,7 @@ void read_strength(const Section& s, JointLaw& law) {
       throw s.error("residual_friction_deg", "the friction would grow with failure",
                     fmt::format("0 <= value <= {:g}, the friction_deg of the joint", s.number("friction_deg")),
                     "friction_deg is the angle before failure, residual_friction_deg the one after it");
-    law.residual_friction = s.number("residual_friction_deg") * kDegree;
+    law.residual_friction = radians("residual_friction_deg");
   } else if (law.weakening_slip > 0.0) {
     throw s.error("weakening_slip", "a weakening_slip without a residual_friction_deg to fall to",
                   "weakening_slip [m] beside residual_friction_deg", "add residual_friction_deg = ...");
@@ -34,7 +34,7 @@ void read_strength(const Section& s, JointLaw& law) {
   const double pull = law.tensile_strength, shear = pull * std::tan(law.friction);
   if (std::isfinite(pull) && pull > 0.0 && (law.cohesion == 0.0 || shear > law.cohesion * (1.0 + 1e-12)))
     throw s.error("tensile_strength", "Coulomb's line ends before the tensile strength: the joint would slip first",
-                  law.cohesion == 0.0 ? "0, where the cohesion is 0"
+                  law.cohesion == 0.0 ? "\"unlimited\" or 0, without a cohesion"
                                       : fmt::format("\"unlimited\" or number [Pa], >= 0, <= cohesion / "
                                                     "tan(friction_deg) = {:g}",
                                                     law.cohesion / std::tan(law.friction)),
