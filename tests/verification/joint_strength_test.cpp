@@ -242,6 +242,43 @@ TEST_P(Shear, bonded_joint_fails_at_its_peak_and_keeps_its_residual) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 
+/// Hanging under the ridge: the pull takes its part of the shear that the bond bears.
+TEST_P(Shear, pulled_joint_shears_through_and_opens) {
+  law().cohesion = 1e5;
+  law().tensile_strength = 1.5e5;
+  Saddle::add_to(scene_);
+  scene_.model.gravity = {0.0, kGravity};
+  const double seated = 0.5, mass = Saddle::kWeight / kGravity;
+  const double peak = law().cohesion * Saddle::kLength - Saddle::kWeight * std::tan(law().friction);
+  scene_.model.body_accelerations.push_back({{}, {1.0, 0.0}, ramp(scene_, 1.25 * peak / mass, seated, 0.5)});
+  stage(seated, 1e-2).rest = true;
+  stage(0.42, 1e-3);
+  Driver run(scene_.model, scene_.plan, methods());
+  EveryStep watch;
+  double most = 0.0, pull = 0.0, held = 0.0;
+  watch.see = [&](double t) {
+    const Joint joint(run.state());
+    if (t <= seated || joint.points == 0) return;
+    EXPECT_NEAR(joint.bonded, joint.length, 1e-12);
+    held = t;
+    pull = -joint.normal;
+    most = std::max(most, std::abs(joint.shear));
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  const Ledger& ledger = run.state().ledger;
+  const double energy = 0.5 * (pull * pull + most * most) / (kStiffness * Saddle::kLength);
+  std::printf("%s: peak %.5f of c L - W tan(phi) at t = %.3f s under %.5f of the weight, energy %.4f, closure %.1e\n",
+              GetParam().name, most / peak, held, pull / Saddle::kWeight, ledger[Column::bonds_broken] / energy,
+              ledger.relative_closure());
+  EXPECT_NEAR(most, peak, 5e-3 * peak);  // a step raises the load by 0.25 %
+  EXPECT_NEAR(pull, Saddle::kWeight, 1e-3 * Saddle::kWeight);
+  EXPECT_EQ(Joint(run.state()).points, 0U);
+  EXPECT_NEAR(ledger[Column::bonds_broken], energy, 0.01 * energy);
+  EXPECT_EQ(ledger[Column::friction], 0.0);
+  EXPECT_LT(ledger.relative_closure(), 1e-12);
+}
+
 TEST_P(Shear, friction_falls_with_slip_along_its_line) {
   const double peak = std::tan(35.0 * kDegree), residual = std::tan(15.0 * kDegree), over = 0.02;
   law().friction = 35.0 * kDegree;
