@@ -212,8 +212,8 @@ void ContactFinder::inherit(const ContactList& known, ContactList& out) {
   }
 }
 
-void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
-                         ContactMemory& m) const {
+void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided,
+                         ContactPoint& p, ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
   if (old != nullptr)
@@ -241,7 +241,7 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
     // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
     // ones, also of what it was given (`share` counts the length that came with it; shares differ by strains anyway).
-    const double given = old->share / m.share;
+    const double given = divided ? old->share / m.share : 1.0;
     const auto resting_on = [given](double now, double was) {
       const double own = std::max(now, was);
       return given * now > 1.01 * own ? given * now : own;
@@ -280,6 +280,16 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
+bool ContactFinder::divides(const ContactPoint& added, const ContactPoint& remembered) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex &v = o.vertices[static_cast<std::size_t>(added.vertex)],
+                         &n = o.vertices[static_cast<std::size_t>(remembered.vertex)];
+  if (added.from >= 0 || remembered.from < 0 || !added.facing || v.edge_in != v.edge_out) return false;
+  const auto ends_on = [&n](std::int32_t edge) { return n.edge_in == edge || n.edge_out == edge; };
+  return (remembered.edge == added.edge && ends_on(v.edge_out)) ||
+         (remembered.edge == v.edge_out && ends_on(added.edge));
+}
+
 void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
   const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
   m.bonded = beside.bonded;
@@ -289,15 +299,8 @@ void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) con
 void ContactFinder::interpolate(const ContactList& known, ContactList& out) const {
   const auto divided_anew = [](const ContactMemory& m) { return m.segment < 0 && m.status != ContactStatus::open; };
   if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
-  const Outlines& o = setup_->outlines();
-  const auto of_edge = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-    return v.edge_in == edge || v.edge_out == edge;
-  };
   for (std::size_t f = 0; f < out.points.size(); ++f) {
     const ContactPoint& p = out.points[f];
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-    if (p.from >= 0 || !p.facing || v.edge_in != v.edge_out) continue;
     // Nearest remembered points of the two edges, before and behind.
     struct Neighbour {
       double distance = 0.0;
@@ -305,9 +308,7 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
     } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
     for (std::size_t i = 0; i < out.points.size(); ++i) {
       const ContactPoint& n = out.points[i];
-      if (n.from < 0) continue;
-      const bool same = n.edge == p.edge && of_edge(n.vertex, v.edge_out);
-      if (!same && !(n.edge == v.edge_out && of_edge(n.vertex, p.edge))) continue;
+      if (!divides(p, n)) continue;
       const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
       if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
       if (out.memory[i].status == ContactStatus::open) continue;
@@ -423,8 +424,11 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     ContactPoint& p = out.points[i];
     out.memory[i] = ContactMemory{};
     const auto from = static_cast<std::size_t>(p.from);
-    fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
-         out.memory[i]);
+    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[from];
+    const bool divided =
+        was != nullptr && was->segment < 0 &&
+        std::any_of(out.points.begin(), out.points.end(), [&](const ContactPoint& added) { return divides(added, p); });
+    fill(was, p.from < 0 ? nullptr : &known.points[from], at_start, divided, p, out.memory[i]);
     ContactMemory& m = out.memory[i];
     if (p.from >= 0 || p.beside < 0) continue;
     const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
