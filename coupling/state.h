@@ -23,6 +23,7 @@ struct ContactMemory {
   ContactKey key;
   ContactStatus status = ContactStatus::open;
   std::int32_t failed = 0;     // 1 once cohesion is lost
+  std::int32_t bonded = 0;     // 1: closed since t = 0 with a tensile strength, which it still has
   std::int32_t joint = -1;     // law, chosen when the pair was first seen
   std::int32_t segment = -1;   // segment of the edge that the anchor below refers to, counted within the edge
   double gap0 = 0.0;           // gap that counts as closed without stress (closed at t = 0, changed share) [m]
@@ -110,6 +111,7 @@ void State::visit(Visitor&& see) {
     see("contact.edge", c.key.edge);
     see("contact.status", c.status);
     see("contact.failed", c.failed);
+    see("contact.bonded", c.bonded);
     see("contact.joint", c.joint);
     see("contact.segment", c.segment);
     see("contact.gap0", c.gap0);

@@ -23,12 +23,17 @@ struct Material {
   std::optional<InitialStress> initial_stress{};
 };
 
-/// Coulomb law of a joint with springs at each contact point. Stiffness is either per area (a point carries its share
-/// of the overlap) or, as a penalty, the same for every point; neither given: auto, per area.
+/// Coulomb law of a joint with springs at each contact point, and the strength that failure or slip takes from it.
+/// Stiffness is either per area (a point carries its share of the overlap) or, as a penalty, the same for every point;
+/// neither given: auto, per area.
 struct JointLaw {
   std::string name;
-  double friction = 0.0;        // friction angle [rad], 0 <= phi < pi/2
-  double cohesion = 0.0;        // [Pa]; lost after the first failure
+  double friction = 0.0;           // friction angle [rad], 0 <= phi < pi/2
+  double cohesion = 0.0;           // [Pa], until the first failure
+  double residual_cohesion = 0.0;  // [Pa], after it
+  double tensile_strength = 0.0;   // [Pa], of contacts closed at t = 0, until failure; infinite: they never fail
+  std::optional<double> residual_friction;  // [rad], 0 <= . <= friction; empty: friction does not weaken
+  double weakening_slip = 0.0;              // [m] over which it falls to the residual; 0: at the first failure
   double contact_length = 0.0;  // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
   std::optional<double> normal_stiffness;  // [Pa/m]
   std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one

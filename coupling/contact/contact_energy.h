@@ -7,9 +7,9 @@
 
 namespace scree::coupling {
 
-/// 1/2 k_n min(g, 0)^2, unless another edge of the same corner carries the contact [J].
+/// 1/2 k_n g^2 where the point is bonded or g < 0, unless another edge of the same corner carries the contact [J].
 [[nodiscard]] inline double normal_energy(const ContactPoint& p, const ContactMemory& m) {
-  const double depth = p.suppressed || p.beyond ? 0.0 : std::min(m.gap, 0.0);
+  const double depth = p.suppressed || p.beyond ? 0.0 : (m.bonded != 0 ? m.gap : std::min(m.gap, 0.0));
   return 0.5 * m.kn * depth * depth;
 }
 /// 1/2 k_t e^2 while closed [J].

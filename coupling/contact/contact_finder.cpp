@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/contact/joint_strength.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -210,8 +212,8 @@ void ContactFinder::inherit(const ContactList& known, ContactList& out) {
   }
 }
 
-void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
-                         ContactMemory& m) const {
+void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided,
+                         ContactPoint& p, ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
   if (old != nullptr)
@@ -230,6 +232,7 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (at_start && old == nullptr && !p.beyond && std::abs(p.at.gap) <= touching_) {
     m.gap0 = p.at.gap;
     m.status = ContactStatus::stick;  // closed, without force
+    m.bonded = setup_->model().joints[static_cast<std::size_t>(m.joint)].tensile_strength > 0.0 ? 1 : 0;
     m.segment = part;
     m.anchor = p.at.xi;
     return;
@@ -237,8 +240,13 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (closed && m.segment < 0) {
     // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
     // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
-    // ones.
-    const double kn = std::max(m.kn, old->kn), kt = std::max(m.kt, old->kt);
+    // ones, also of what it was given (`share` counts the length that came with it; shares differ by strains anyway).
+    const double given = divided ? old->share / m.share : 1.0;
+    const auto resting_on = [given](double now, double was) {
+      const double own = std::max(now, was);
+      return given * now > 1.01 * own ? given * now : own;
+    };
+    const double kn = resting_on(m.kn, old->kn), kt = resting_on(m.kt, old->kt);
     m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
     m.stretch = -(m.ft - m.fdt) / kt;
   } else if (!closed && !at_start) {
@@ -272,29 +280,38 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
+bool ContactFinder::divides(const ContactPoint& added, const ContactPoint& remembered) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex &v = o.vertices[static_cast<std::size_t>(added.vertex)],
+                         &n = o.vertices[static_cast<std::size_t>(remembered.vertex)];
+  if (added.from >= 0 || remembered.from < 0 || !added.facing || v.edge_in != v.edge_out) return false;
+  const auto ends_on = [&n](std::int32_t edge) { return n.edge_in == edge || n.edge_out == edge; };
+  return (remembered.edge == added.edge && ends_on(v.edge_out)) ||
+         (remembered.edge == v.edge_out && ends_on(added.edge));
+}
+
+void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
+  const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+  m.bonded = beside.bonded;
+  if (m.kn * m.gap > tension_limit(law, m)) m.bonded = 0;
+}
+
 void ContactFinder::interpolate(const ContactList& known, ContactList& out) const {
   const auto divided_anew = [](const ContactMemory& m) { return m.segment < 0 && m.status != ContactStatus::open; };
   if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
-  const Outlines& o = setup_->outlines();
-  const auto of_edge = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-    return v.edge_in == edge || v.edge_out == edge;
-  };
   for (std::size_t f = 0; f < out.points.size(); ++f) {
     const ContactPoint& p = out.points[f];
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-    if (p.from >= 0 || !p.facing || v.edge_in != v.edge_out) continue;
     // Nearest remembered points of the two edges, before and behind.
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
-    } side[2];
+    } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
     for (std::size_t i = 0; i < out.points.size(); ++i) {
       const ContactPoint& n = out.points[i];
-      if (n.from < 0 || out.memory[i].status == ContactStatus::open) continue;
-      const bool same = n.edge == p.edge && of_edge(n.vertex, v.edge_out);
-      if (!same && !(n.edge == v.edge_out && of_edge(n.vertex, p.edge))) continue;
+      if (!divides(p, n)) continue;
       const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
+      if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
+      if (out.memory[i].status == ContactStatus::open) continue;
       Neighbour& found = side[s < 0.0 ? 0 : 1];
       if (found.memory == nullptr || std::abs(s) < found.distance) found = {std::abs(s), &out.memory[i]};
     }
@@ -311,6 +328,7 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
     m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
     m.gap = p.at.gap - m.gap0;
     m.anchor = p.at.xi - m.stretch / p.at.length;
+    bond_like(*nearest.memory, m);
   }
 }
 
@@ -340,9 +358,12 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
       if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
+      if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
+      const bool a_wins = ma.bonded != mb.bonded
+                              ? ma.bonded != 0
+                              : entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
       list.points[a_wins ? j : i].suppressed = true;
     }
 }
@@ -403,17 +424,24 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     ContactPoint& p = out.points[i];
     out.memory[i] = ContactMemory{};
     const auto from = static_cast<std::size_t>(p.from);
-    fill(p.from < 0 ? nullptr : &known.memory[from], p.from < 0 ? nullptr : &known.points[from], at_start, p,
-         out.memory[i]);
+    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[from];
+    const bool divided =
+        was != nullptr && was->segment < 0 &&
+        std::any_of(out.points.begin(), out.points.end(), [&](const ContactPoint& added) { return divides(added, p); });
+    fill(was, p.from < 0 ? nullptr : &known.points[from], at_start, divided, p, out.memory[i]);
     ContactMemory& m = out.memory[i];
-    if (p.from >= 0 || p.beside < 0 || m.gap >= 0.0) continue;
+    if (p.from >= 0 || p.beside < 0) continue;
     const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
-    if (beside.status != ContactStatus::open) {  // the joint is the same, and so is its friction
-      m.status = ContactStatus::stick;
-      m.failed = beside.failed;
-      m.stretch = beside.stretch;
-      m.anchor = p.at.xi - m.stretch / p.at.length;
-    }
+    if (beside.status == ContactStatus::open) continue;
+    // The joint is the same, and so is its friction. A bond is that of two blocks: it does not pass to the next one.
+    if (std::minmax(beside.key.block_p, beside.key.block_e) == std::minmax(p.key.block_p, p.key.block_e))
+      bond_like(beside, m);
+    if (m.gap >= 0.0 && m.bonded == 0) continue;
+    m.status = ContactStatus::stick;
+    m.failed = beside.failed;
+    m.slip = beside.slip;
+    m.stretch = beside.stretch;
+    m.anchor = p.at.xi - m.stretch / p.at.length;
   }
   interpolate(known, out);
   pair_edges(out);
@@ -428,9 +456,9 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
     if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
-    const bool presses = !p.suppressed && m.gap < 0.0;
-    const double gap = presses ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
-    if (presses) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
+    const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
+    const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
+    if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
     change += 0.5 * (p.springs.kt * stretch * stretch - m.kt * m.stretch * m.stretch);
     m.gap0 += m.gap - gap;
     m.gap = gap;

@@ -50,10 +50,15 @@ class ContactFinder {
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   void inherit(const ContactList& known, ContactList& out);
-  void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, ContactPoint& p,
+  /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
+  void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided, ContactPoint& p,
             ContactMemory& m) const;
+  /// True for a point that a mesh has added to a joint, and if the remembered point is on that joint.
+  [[nodiscard]] bool divides(const ContactPoint& added, const ContactPoint& remembered) const;
+  /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
+  void bond_like(const ContactMemory& beside, ContactMemory& m) const;
   /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
-  /// from the remembered points on either side.
+  /// from the remembered points on either side, and the bond of the nearest.
   void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;

@@ -3,20 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/contact/joint_strength.h"
+
 namespace scree::coupling {
 namespace {
 
-/// Normal penalty, tangential spring with Coulomb's cap (return mapping). Moves the anchor when it slips.
+void let_go(ContactMemory& m) {
+  m.status = ContactStatus::open;
+  m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
+}
+
+/// Normal penalty, which pulls as far as a bond bears, tangential spring with Coulomb's cap (return mapping). Moves the
+/// anchor when it slips.
 /// @param rate,shear  rates of gap and stretch [m/s]
 void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double shear, ContactMemory& m) {
-  if (p.suppressed || p.beyond || m.gap >= 0.0) {
-    m.status = ContactStatus::open;
-    m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
-    return;
-  }
   const double spring = -m.kn * m.gap;
-  m.fn = std::max(0.0, spring - p.cn * rate);  // damping never pulls
-  m.fd = m.fn - spring;
+  if (m.bonded != 0 && -spring > tension_limit(law, m)) mark_failed(law, m);
+  if (p.suppressed || p.beyond || (m.gap >= 0.0 && m.bonded == 0)) return let_go(m);
+  const auto press = [&] {  // damping never pulls more than a bond bears
+    m.fn = std::max(0.0 - tension_limit(law, m), spring - p.cn * rate);
+    m.fd = m.fn - spring;
+  };
+  press();
   if (m.status == ContactStatus::open) {  // closes here: the spring begins at the foot
     m.anchor = p.at.xi;
     m.stretch = 0.0;
@@ -24,7 +32,9 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
   }
   const double limit = friction_limit(law, m, m.fn);
   if (m.kt * std::abs(m.stretch) > limit) {
-    if (law.cohesion > 0.0) m.failed = 1;
+    mark_failed(law, m);
+    if (m.gap >= 0.0) return let_go(m);  // sheared through while it was pulled
+    press();
     const double kept = std::copysign(friction_limit(law, m, m.fn) / m.kt, m.stretch);
     m.slip += std::abs(m.stretch - kept);
     m.anchor = p.at.xi - kept / p.at.length;
@@ -105,6 +115,7 @@ void ExplicitContact::leave(double h, std::span<const double> v) {
 void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const {
   const ContactMemory &a = before_.memory[before], &b = now_.memory[after];
   const double energy_a = normal_energy(before_.points[before], a), energy_b = normal_energy(now_.points[after], b);
+  const bool bond_broke = a.bonded != 0 && b.status == ContactStatus::open && b.gap >= 0.0;
   ledger.book(Column::contact_damping, -left_[before].damping - arriving.damping);
   const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
   if (fa != 0.0 || fb != 0.0) {
@@ -112,7 +123,10 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
     ledger.book(Column::contact_geometry, left_[before].normal + arriving.normal - trapezoid);
     // Closed at both ends: trapezoid and energy cancel but for the change of the share. Closing: -k d g_n/2, opening:
     // +k d g_{n+1}/2.
-    if (fa == 0.0 || fb == 0.0)
+    if (bond_broke) {
+      ledger.book(Column::contact_transition, trapezoid);
+      ledger.book(Column::bonds_broken, energy_a);
+    } else if (fa == 0.0 || fb == 0.0)
       ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
     else
       ledger.book(Column::contact_share, 0.5 * a.gap * b.gap * (b.kn - a.kn));
@@ -122,7 +136,7 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (b.status == ContactStatus::open) {
     ledger.book(Column::contact_geometry, left_[before].tangential - 0.5 * ta * de);
     ledger.book(Column::contact_transition, 0.5 * ta * de);
-    ledger.book(Column::springs_dropped, tangential_energy(a));
+    ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, tangential_energy(a));
     return;
   }
   ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (ta + tb) * de);
@@ -143,7 +157,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
     trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
     const ContactPoint& p = now_.points[i];
     double rate = 0.0, shear = 0.0;
-    if (m.gap < 0.0 && p.cn > 0.0) {
+    if ((m.gap < 0.0 || m.bonded != 0) && p.cn > 0.0) {
       rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
       shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
@@ -157,7 +171,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
       const auto a = static_cast<std::size_t>(now_.points[b].from);
       kept_[a] = 1;
       book_pair(a, b, arriving, ledger);
-    } else if (now_.memory[b].gap < 0.0) {
+    } else if (now_.memory[b].gap < 0.0 || now_.memory[b].bonded != 0) {
       ledger.book(Column::contact_damping, -arriving.damping);
       ledger.book(Column::contact_edges, arriving.normal + arriving.tangential +
                                              normal_energy(now_.points[b], now_.memory[b]) +

@@ -65,9 +65,4 @@ Springs JointSprings::springs(JointId id, std::int32_t edge_a, std::int32_t edge
   return {share, share * normal, share * j.shear_stiffness.value_or(normal)};
 }
 
-double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {
-  const double cohesion = memory.failed != 0 ? 0.0 : law.cohesion * memory.share;
-  return cohesion + fn * std::tan(law.friction);
-}
-
 }  // namespace scree::coupling

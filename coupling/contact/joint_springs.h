@@ -40,7 +40,4 @@ class JointSprings {
   std::vector<double> root_area_;           // an edge's block [m]
 };
 
-/// Coulomb's limit of the tangential force [N]: c * share (until the first failure) + f_n tan phi.
-[[nodiscard]] double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn);
-
 }  // namespace scree::coupling

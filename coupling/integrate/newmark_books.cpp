@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/contact/joint_strength.h"
 #include "coupling/integrate/newmark.h"
 
 namespace scree::coupling {
@@ -11,6 +12,11 @@ double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
+}
+
+/// True if the normal spring of a point has a force at the end of the step: pressed, or pulled and still bonded.
+bool loaded(const OpenClose::Trial& t, const ContactMemory& before) {
+  return t.fn > 0.0 || (before.bonded != 0 && t.status == ContactStatus::stick);
 }
 
 }  // namespace
@@ -67,21 +73,22 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
     ledger.book(Column::prescribed_motion, -(t.fn * t.normal.known + t.ft * t.tangential.known));
     // Normal: -(f dg + dU), split by what happened.
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
-    const bool counted =
-        !list_.points[i].suppressed && !list_.points[i].beyond;  // its energy, at the start of the step
-    if (t.fn > 0.0) {
-      if (counted && g0 < 0.0)
+    // Its energy counted, at the start of the step.
+    const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_.points[i].suppressed && !list_.points[i].beyond;
+    const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
+    if (loaded(t, m)) {
+      if (counted)
         ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
       else
         ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
       after.springs += 0.5 * m.kn * g1 * g1;
-    } else if (counted && g0 < 0.0) {
-      ledger.book(Column::contact_closing, 0.5 * m.kn * g0 * g0);
+    } else if (counted) {
+      ledger.book(bond_broke ? Column::bonds_broken : Column::contact_closing, 0.5 * m.kn * g0 * g0);
     }
     // Tangential.
     const double e0 = m.status == ContactStatus::open ? 0.0 : m.stretch, e1 = t.stretch;
     if (t.status == ContactStatus::open) {
-      ledger.book(Column::springs_dropped, 0.5 * m.kt * e0 * e0);
+      ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, 0.5 * m.kt * e0 * e0);
       continue;
     }
     ledger.book(Column::newmark_damping, 0.5 * m.kt * (e1 - e0) * (e1 - e0));
@@ -98,12 +105,14 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     ContactMemory& m = list_.memory[i];
     const ContactPoint& p = list_.points[i];
-    linear[i] = 0.5 * m.kn * (t.fn > 0.0 ? t.gap * t.gap : 0.0) +
+    linear[i] = 0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
                 (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
+    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    if (m.bonded != 0 && t.status == ContactStatus::open) mark_failed(law, m);
     if (t.status == ContactStatus::slip) {
       const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
       m.slip += std::abs(before + t.moved - t.stretch);
-      if (setup_->model().joints[static_cast<std::size_t>(m.joint)].cohesion > 0.0) m.failed = 1;
+      mark_failed(law, m);
       const ContactGeometry g = contact_geometry(position(o.nodes[static_cast<std::size_t>(p.node[0])], state.q),
                                                  position(o.nodes[static_cast<std::size_t>(p.node[1])], state.q),
                                                  position(o.nodes[static_cast<std::size_t>(p.node[2])], state.q));

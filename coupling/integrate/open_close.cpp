@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupling/contact/joint_strength.h"
 #include "coupling/integrate/anderson.h"
 
 namespace scree::coupling {
@@ -241,8 +242,10 @@ int OpenClose::switch_states(bool only_worst) {
         direction = ft < 0.0 ? -1.0 : 1.0;
       }
     } else if (t.gap > 0.0) {
-      to = ContactStatus::open;
-      violation = m.kn * t.gap;
+      // A bond that sticks bears the pull, unless that or the shear under it is too much: then nothing holds it closed.
+      const double pull = m.kn * t.gap, bears = t.status == ContactStatus::stick ? tension_limit(law, m) : 0.0;
+      violation = bears > 0.0 ? std::max(pull - bears, std::abs(t.ft) - friction_limit(law, m, t.fn)) : pull;
+      if (violation > 0.0) to = ContactStatus::open;
     } else if (t.status == ContactStatus::stick) {
       const double cap = friction_limit(law, m, t.fn);
       if (std::abs(t.ft) > cap) {

@@ -26,6 +26,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"contact_closing", Side::dissipated,
      "energy taken by the implicit scheme while contacts close, open or start to slip"},
     {"springs_dropped", Side::dissipated, "springs deleted while stretched: contacts that opened or ended"},
+    {"bonds_broken", Side::dissipated, "springs of bonded contacts that failed while they were pulled"},
     {"elastic_trapezoid", Side::scheme, "elastic energy less the trapezoid work of the internal force"},
     {"contact_transition", Side::scheme, "trapezoid work across opening and closing"},
     {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear"},

@@ -33,6 +33,7 @@ enum class Column : int {
   newmark_damping,
   contact_closing,
   springs_dropped,
+  bonds_broken,
   // R: terms of the schemes themselves and of changes of definition since the start
   elastic_trapezoid,
   contact_transition,

@@ -127,7 +127,8 @@ class Checker {
       case Type::number:
         return number(value, key, path);
       case Type::number_or_auto:
-        if (const auto* text = value.as<std::string>(); text && *text == "auto") return;
+      case Type::number_or_unlimited:
+        if (const auto* text = value.as<std::string>(); text && *text == word_for_number(key.type)) return;
         return number(value, key, path);
       case Type::text:
         if (!value.as<std::string>()) wrong_type(value, key, path);
@@ -207,7 +208,7 @@ class Checker {
       auto read = in_unit(*text, key.unit);
       if (const auto* fault = std::get_if<UnitFault>(&read)) {
         std::string hint = fault->hint;
-        if (key.type == Type::number_or_auto) hint += ", or \"auto\"";
+        if (const auto word = word_for_number(key.type); !word.empty()) hint += fmt::format(", or \"{}\"", word);
         fail(value, path, fault->problem, allowed_number(key), std::move(hint));
       }
       number = std::get<double>(read);

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 
 #include "io/case/read_parts.h"
@@ -6,12 +9,45 @@
 namespace scree::io {
 namespace {
 
+void read_strength(const Section& s, JointLaw& law) {
+  const auto radians = [&s](std::string_view key) { return s.number(key) * std::numbers::pi / 180.0; };
+  law.friction = radians("friction_deg");
+  law.cohesion = s.number("cohesion");
+  law.residual_cohesion = s.number("residual_cohesion");
+  law.tensile_strength = s.number_or_unlimited("tensile_strength");
+  law.weakening_slip = s.number("weakening_slip");
+  if (s.has("residual_friction_deg")) {
+    if (s.number("residual_friction_deg") > s.number("friction_deg"))
+      throw s.error("residual_friction_deg", "the friction would grow with failure",
+                    fmt::format("0 <= value <= {:g}, the friction_deg of the joint", s.number("friction_deg")),
+                    "friction_deg is the angle before failure, residual_friction_deg the one after it");
+    law.residual_friction = radians("residual_friction_deg");
+  } else if (law.weakening_slip > 0.0) {
+    throw s.error("weakening_slip", "a weakening_slip without a residual_friction_deg to fall to",
+                  "weakening_slip [m] beside residual_friction_deg", "add residual_friction_deg = ...");
+  }
+  if (law.residual_cohesion > law.cohesion)
+    throw s.error("residual_cohesion", "the cohesion would grow with failure",
+                  fmt::format("0 <= value <= {:g}, the cohesion of the joint [Pa]", law.cohesion),
+                  "cohesion is the one before failure, residual_cohesion the one after it");
+  // At f_n = -c / tan(phi) the least shear slips: a higher strength would never be reached.
+  const double pull = law.tensile_strength, shear = pull * std::tan(law.friction);
+  if (std::isfinite(pull) && pull > 0.0 && (law.cohesion == 0.0 || shear > law.cohesion * (1.0 + 1e-12)))
+    throw s.error("tensile_strength", "Coulomb's line ends before the tensile strength: the joint would slip first",
+                  law.cohesion == 0.0 ? "\"unlimited\" or 0, without a cohesion"
+                                      : fmt::format("\"unlimited\" or number [Pa], >= 0, <= cohesion / "
+                                                    "tan(friction_deg) = {:g}",
+                                                    law.cohesion / std::tan(law.friction)),
+                  fmt::format("give the joint a cohesion of at least {:g} Pa, or a smaller tensile_strength; "
+                              "\"unlimited\" never fails",
+                              shear));
+}
+
 JointLaw joint_law(const Section::Named& named) {
   const Section& s = named.section;
   JointLaw law;
   law.name = named.name;
-  law.friction = s.number("friction_deg") * std::numbers::pi / 180.0;
-  law.cohesion = s.number("cohesion");
+  read_strength(s, law);
   if (s.has("contact_length")) law.contact_length = s.number("contact_length");
   law.normal_stiffness = s.number_or_auto("normal_stiffness");
   law.shear_stiffness = s.number_or_auto("shear_stiffness");

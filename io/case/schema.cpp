@@ -80,8 +80,19 @@ constexpr Key kKeys[] = {
 
     {"joint", Type::named_tables, "", kAny, "", false, "", "A Coulomb law of block edges; blocks refer to it by NAME."},
     {"joint.NAME.friction_deg", Type::number, "deg", kFriction, "", true, "", "Friction angle."},
+    {"joint.NAME.residual_friction_deg", Type::number, "deg", kFriction, "(friction_deg)", false, "",
+     "Friction angle that is left after failure, at most friction_deg."},
+    {"joint.NAME.weakening_slip", Type::number, "m", kNotNegative, "0.0", false, "",
+     "Slip over which the tangent of the friction angle falls, linearly, to that of residual_friction_deg. With 0 it "
+     "falls where the joint first fails."},
     {"joint.NAME.cohesion", Type::number, "Pa", kNotNegative, "0.0", false, "",
-     "Cohesion; lost where the joint first opens or slips."},
+     "Cohesion; lost where the joint first slips, or where its bond breaks."},
+    {"joint.NAME.residual_cohesion", Type::number, "Pa", kNotNegative, "0.0", false, "",
+     "Cohesion that is left after that, at most the cohesion."},
+    {"joint.NAME.tensile_strength", Type::number_or_unlimited, "Pa", kNotNegative, "0.0", false, "",
+     "Pull that a contact bears which was closed at the start, until it first fails in tension or shear; then it can "
+     "open. At most cohesion / tan(friction_deg), where Coulomb's line ends. \"unlimited\": such a contact never "
+     "fails, in shear neither."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
      "4G/3)/d "

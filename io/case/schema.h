@@ -15,7 +15,8 @@ enum class Type {
   boolean,
   integer,
   number,
-  number_or_auto,  // or the text "auto"
+  number_or_auto,       // or the text "auto"
+  number_or_unlimited,  // or the text "unlimited"
   text,
   name,    // text that names something: not empty, printable, no slash
   choice,  // text out of a list
@@ -46,6 +47,9 @@ struct Key {
 
 /// All keys, a section after the other, in the order of the documentation.
 [[nodiscard]] std::span<const Key> schema();
+
+/// The text that may stand in place of a number: "auto", "unlimited"; empty: none.
+[[nodiscard]] std::string_view word_for_number(Type type);
 
 /// The row of a path; nullptr if there is none.
 [[nodiscard]] const Key* find_key(std::string_view path);

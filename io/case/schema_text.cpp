@@ -51,6 +51,11 @@ std::string Range::text() const {
   return "";
 }
 
+std::string_view word_for_number(Type type) {
+  if (type == Type::number_or_auto) return "auto";
+  return type == Type::number_or_unlimited ? "unlimited" : "";
+}
+
 std::string allowed_text(const Key& key) {
   const std::string range = key.range.text().empty() ? "" : ", " + key.range.text();
   switch (key.type) {
@@ -66,7 +71,8 @@ std::string allowed_text(const Key& key) {
     case Type::number:
       return "number" + unit_text(key) + range;
     case Type::number_or_auto:
-      return "\"auto\" or number" + unit_text(key) + range;
+    case Type::number_or_unlimited:
+      return fmt::format("\"{}\" or number{}{}", word_for_number(key.type), unit_text(key), range);
     case Type::text:
       return "text";
     case Type::name:

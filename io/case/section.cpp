@@ -1,5 +1,7 @@
 #include "io/case/section.h"
 
+#include <limits>
+
 #include "model/check.h"
 
 namespace scree::io {
@@ -37,6 +39,9 @@ double Section::number(std::string_view key) const { return number_of(at(key)); 
 std::optional<double> Section::number_or_auto(std::string_view key) const {
   if (at(key).as<std::string>()) return std::nullopt;
   return number(key);
+}
+double Section::number_or_unlimited(std::string_view key) const {
+  return at(key).as<std::string>() ? std::numeric_limits<double>::infinity() : number(key);
 }
 const std::string& Section::text(std::string_view key) const { return *at(key).as<std::string>(); }
 std::vector<std::string> Section::texts(std::string_view key) const {

@@ -25,6 +25,7 @@ class Section {
   [[nodiscard]] int integer(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::optional<double> number_or_auto(std::string_view key) const;  // empty: "auto"
+  [[nodiscard]] double number_or_unlimited(std::string_view key) const;            // infinite: "unlimited"
   [[nodiscard]] const std::string& text(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] Vec2 point(std::string_view key) const;

@@ -33,15 +33,28 @@ struct Pieces {
 
 void write_joints(const h5::File& file, const Model& model) {
   std::vector<std::string> names;
-  std::vector<double> friction, cohesion;
+  std::vector<double> friction, cohesion, tension, residual_friction, residual_cohesion, slip;
   for (const JointLaw& law : model.joints) {
     names.push_back(law.name);
     friction.push_back(law.friction * 180.0 / std::numbers::pi);
     cohesion.push_back(law.cohesion);
+    tension.push_back(law.tensile_strength);
+    residual_friction.push_back(law.residual_friction.value_or(law.friction) * 180.0 / std::numbers::pi);
+    residual_cohesion.push_back(law.residual_cohesion);
+    slip.push_back(law.weakening_slip);
   }
   h5::write(file, "/joints/name", names, {"none", "names of the joint laws"});
   h5::write<double>(file, "/joints/friction_deg", 1, friction, {"deg", "friction angle"});
   h5::write<double>(file, "/joints/cohesion", 1, cohesion, {"Pa", "cohesion before the first failure"});
+
+  h5::write<double>(file, "/joints/tensile_strength", 1, tension,
+                    {"Pa", "of contacts closed at the start, before the first failure; infinite: they never fail"});
+  h5::write<double>(file, "/joints/residual_friction_deg", 1, residual_friction,
+                    {"deg", "friction angle after failure"});
+  h5::write<double>(file, "/joints/residual_cohesion", 1, residual_cohesion,
+                    {"Pa", "cohesion after the first failure"});
+  h5::write<double>(file, "/joints/weakening_slip", 1, slip,
+                    {"m", "slip over which friction falls; 0: at the first failure"});
 
   Pieces(model.joint_lines).write(file, "/joints/lines", "a straight piece of a discontinuity");
   std::vector<std::int32_t> kind, source, block;

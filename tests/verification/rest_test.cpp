@@ -170,6 +170,38 @@ TEST_F(HandOverOfContacts, resultants_stay) {
               1e-4);  // corners of the affine block are where the mesh's were but for bending
 }
 
+/// From one mesh to another: what the corners are given of the vertices that go rests on what those stood for.
+TEST(HandOver, force_passes_from_mesh_to_mesh) {
+  Scene scene(1e10, 0.0, kDensity, 30.0);
+  scene.model.joints[0].normal_stiffness = scene.model.joints[0].shear_stiffness = 2e7;
+  scene.add("base", rectangle(-1, -1, 2.5, 0), true);
+  scene.add("block", rectangle(0, 0, 1.5, 1));
+  scene.stage("nmm", Integrator::implicit, 0.4, 1e-2, 0.5).rest = true;
+  scene.stage("nmm", Integrator::implicit, 0.1, 1e-2, 0.3).rest = true;  // finer
+  scene.stage("nmm", Integrator::explicit_, 0.1, std::nullopt, 0.6);     // coarser
+  scene.plan.output.every = ticks(0.1);
+  Driver run(scene.model, scene.plan, methods());
+  const double weight = 1.5 * kDensity * kGravity;
+  std::map<std::int32_t, std::size_t> points;
+  Watch watch;
+  watch.see = [&](const FrameView& view) {
+    if (view.state->stage == 0) return;  // a frame closes it
+    double force = 0.0;
+    for (const ContactMemory& m : view.state->contacts) {
+      if (m.status == ContactStatus::open) continue;
+      force += -m.kn * m.gap;
+      ++points[view.state->stage];
+    }
+    EXPECT_NEAR(force / weight, 1.0, 1e-3) << "stage " << view.state->stage << ", t = " << view.time;
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  EXPECT_NE(points[1], points[2]);
+  const Ledger& ledger = run.state().ledger;
+  EXPECT_LT(std::abs(ledger[Column::contact_edges]), 1e-3 * ledger[Column::contact_springs]);
+  EXPECT_LT(ledger.relative_closure(), 1e-10);
+}
+
 /// Sliding through changes of scheme, in both directions: nothing of one scheme is left in the books of the other.
 TEST_F(HandOverOfContacts, moving_blocks_close_the_books_through_every_change) {
   scene_.model.joints[0].friction = 10.0 * kDegree;

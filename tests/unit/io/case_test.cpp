@@ -1,6 +1,7 @@
 // A case file as a model and a plan: numbers, defaults, names, orientation, overrides, the resolved case.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
@@ -68,6 +69,19 @@ TEST(Case, only_joint_is_the_default) {
   EXPECT_NEAR(c.model.joints[0].friction, std::numbers::pi / 6.0, 1e-15);  // one rounding of pi/6
 }
 
+TEST(Case, joint_without_strength_keys_is_as_it_was) {
+  const Case c = read("good_case.toml", {"joint.plane.friction_deg=30"});
+  EXPECT_EQ(c.model.joints[0].tensile_strength, 0.0);
+  EXPECT_EQ(c.model.joints[0].residual_cohesion, 0.0);
+  EXPECT_FALSE(c.model.joints[0].residual_friction);
+  EXPECT_EQ(c.model.joints[0].weakening_slip, 0.0);
+}
+
+TEST(Case, unlimited_tension_needs_no_cohesion) {
+  const Case c = read("good_case.toml", {"joint.plane.friction_deg=30", "joint.plane.tensile_strength=\"unlimited\""});
+  EXPECT_TRUE(std::isinf(c.model.joints[0].tensile_strength));
+}
+
 TEST(Case, several_joints_without_default_ask_for_one) {
   const CaseError e = error_of_text(bytes_of(kFolder + "good_case.toml"),
                                     {"joint.plane.friction_deg=30", "joint.rough.friction_deg=40"});
@@ -83,6 +97,10 @@ TEST(Case, units_are_converted) {
   EXPECT_EQ(c.model.materials[1].density, 1900.0);  // a whole number
   EXPECT_EQ(c.model.joints[0].friction, 12.0 * std::numbers::pi / 180.0);
   EXPECT_EQ(c.model.joints[0].cohesion, 5000.0);
+  EXPECT_EQ(c.model.joints[1].tensile_strength, 2e4);
+  EXPECT_EQ(c.model.joints[1].residual_cohesion, 1e3);
+  EXPECT_EQ(c.model.joints[1].residual_friction, 28.0 * std::numbers::pi / 180.0);
+  EXPECT_EQ(c.model.joints[1].weakening_slip, 0.02);
   EXPECT_EQ(c.model.joints[0].penalty, 1e9);
   EXPECT_EQ(c.model.joints[0].shear_penalty, 5e8);
   EXPECT_EQ(c.plan.detection, 0.02);

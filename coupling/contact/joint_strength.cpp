@@ -1,0 +1,36 @@
+#include "coupling/contact/joint_strength.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scree::coupling {
+
+double friction_coefficient(const JointLaw& law, const ContactMemory& memory) {
+  const double peak = std::tan(law.friction);
+  if (!law.residual_friction) return peak;
+  const double lost = law.weakening_slip > 0.0 ? std::min(1.0, memory.slip / law.weakening_slip)
+                                               : static_cast<double>(memory.failed != 0);
+  return peak + lost * (std::tan(*law.residual_friction) - peak);
+}
+
+double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {
+  if (std::isinf(tension_limit(law, memory))) return std::numeric_limits<double>::infinity();
+  const double cohesion = (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.share;
+  return std::max(0.0, cohesion + fn * friction_coefficient(law, memory));
+}
+
+double tension_limit(const JointLaw& law, const ContactMemory& memory) {
+  return memory.bonded != 0 ? law.tensile_strength * memory.share : 0.0;
+}
+
+bool can_fail(const JointLaw& law) {
+  return law.cohesion > 0.0 || law.tensile_strength > 0.0 || (law.residual_friction && law.weakening_slip == 0.0);
+}
+
+void mark_failed(const JointLaw& law, ContactMemory& memory) {
+  if (can_fail(law)) memory.failed = 1;
+  memory.bonded = 0;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,27 @@
+// Strength of a contact point under its law, and what failure and slip leave of it.
+#pragma once
+
+#include "coupling/state.h"
+#include "model/model.h"
+
+namespace scree::coupling {
+
+/// tan phi of a point: linear in its accumulated slip s from peak to residual over the weakening slip D,
+///   tan phi = tan phi_p + (tan phi_r - tan phi_p) min(1, s/D);   D = 0: the residual after the first failure.
+[[nodiscard]] double friction_coefficient(const JointLaw& law, const ContactMemory& memory);
+
+/// Coulomb's limit of the tangential force [N]: max(0, c * share + f_n tan phi), c the residual cohesion after the
+/// first failure; infinite for a bond that never fails.
+/// @param fn  normal force [N], negative where a bond is pulled
+[[nodiscard]] double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn);
+
+/// The largest pull that the point bears [N]: tensile strength * share while it is bonded, else 0.
+[[nodiscard]] double tension_limit(const JointLaw& law, const ContactMemory& memory);
+
+/// True if failure takes strength from a joint of this law.
+[[nodiscard]] bool can_fail(const JointLaw& law);
+
+/// The first failure: what remains are the residual strengths.
+void mark_failed(const JointLaw& law, ContactMemory& memory);
+
+}  // namespace scree::coupling
