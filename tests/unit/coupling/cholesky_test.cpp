@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 
 namespace scree::coupling {
@@ -25,8 +26,8 @@ struct Grid {
   std::mt19937 random{3};
 
   explicit Grid(int grid_side) : side(grid_side), n(kCell * grid_side * grid_side) {
-    std::vector<std::int32_t> diagonal;
-    for (int i = 0; i < n; ++i) diagonal.push_back(i);
+    std::vector<std::int32_t> diagonal(static_cast<std::size_t>(n));
+    std::iota(diagonal.begin(), diagonal.end(), 0);
     (void)pattern.make(n, diagonal, diagonal);
     fixed.assign(static_cast<std::size_t>(n), 1.0);
     for (int j = 0; j < side; ++j)
