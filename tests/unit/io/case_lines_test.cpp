@@ -1,8 +1,10 @@
 // Files of polylines.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "io/case/line_file.h"
 #include "tests/unit/io/case_read.h"
@@ -13,7 +15,9 @@ namespace {
 /// The lines of a file with this text, or its error.
 struct Lines {
   explicit Lines(const std::string& text) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "scree_lines_test.csv";
+    // ctest runs tests of this file side by side, each in a process of its own.
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / ("scree_lines_test_" + std::to_string(::getpid()) + ".csv");
     std::ofstream(file, std::ios::binary) << text;
     try {
       lines = read_lines(file);
