@@ -22,8 +22,8 @@ constexpr MeasureKey kMonitor{Kind::text, "of", true, ""};
 constexpr MeasureKey kComponent{Kind::text, "component", true, ""};
 constexpr MeasureKey kFrom{Kind::number, "from", false, ""}, kUntil{Kind::number, "until", false, ""};
 const std::vector<std::string> kStatistics{"end", "peak", "max", "min"};
-constexpr double kMostPeriods =
-    0.05;  // between samples: the trapezoidal rule errs by (2 pi 0.05)^2/12, 0.8 %, at a jump
+// Periods between samples: the trapezoidal rule errs by (2 pi 0.05)^2/12, 0.8 %, at a jump.
+constexpr double kMostPeriods = 0.05;
 
 const char* unit_of(const std::string& component) {
   return component[0] == 's' ? "Pa" : component[0] == 'v' ? "m/s" : "m";

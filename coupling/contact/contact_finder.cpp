@@ -240,11 +240,12 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (closed && m.segment < 0) {
     // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
     // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
-    // ones, also of what it was given (`share` counts the length that came with it; shares differ by strains anyway).
+    // ones, also of what it was given (`share` counts the length that came with it).
     const double given = divided ? old->share / m.share : 1.0;
     const auto resting_on = [given](double now, double was) {
       const double own = std::max(now, was);
-      return given * now > 1.01 * own ? given * now : own;
+      constexpr double kStrains = 1.01;  // shares that differ by less are the same
+      return given * now > kStrains * own ? given * now : own;
     };
     const double kn = resting_on(m.kn, old->kn), kt = resting_on(m.kt, old->kt);
     m.gap0 = p.at.gap + (m.fn - m.fd) / kn;

@@ -329,8 +329,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           report.residual, report.iterations);
       return false;
     }
-    if (system_.nonlinear() && left > 0.05 * last &&
-        !at_round_off) {  // the kept stiffness is too far from this iterate's
+    // A kept stiffness that is too far from this iterate's is made anew.
+    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
       (void)system_.linearise(q_new_, kind, false, K_, force_);
       linear_system(h);
       fresh = true;

@@ -295,7 +295,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   for (int most = control_.max_passes, pass = 0; pass < most; ++pass) {
     ++report.passes;
     const auto begin = std::chrono::steady_clock::now();
-    const StepReport before = report;
+    const int updates = report.updates, factorisations = report.factorisations;
     if (!factorise(fresh && pass == 0, report) || !solve_with_friction(d, report)) return false;
     if (!allowed_ && refuse(report)) return false;
     std::vector<std::int8_t> states;
@@ -307,7 +307,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     }
     const int before_it = switched;
     switched = switch_states(only_worst);
-    passes_.push_back({before_it, report.updates - before.updates, report.factorisations > before.factorisations,
+    passes_.push_back({before_it, report.updates - updates, report.factorisations > factorisations,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
     if (switched == 0) return true;
     report.switches += switched;

@@ -227,8 +227,7 @@ void Driver::refuse_turned_blocks(const Stage& stage) const {
     if (std::abs(turn) <= kMost) continue;
     throw PlanError(
         fmt::format("t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, which takes "
-                    "rotations for "
-                    "strains, bears {:g} rad; use kinematics = \"corotational\"",
+                    "rotations for strains, bears {:g} rad; use kinematics = \"corotational\"",
                     seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
   }
 }

@@ -52,6 +52,12 @@ struct Grid {
     c.begin(fixed);
     for (const Spring& s : springs) c.add_outer(s.dof, s.h, s.k);
   }
+  /// A factor of the springs as they are.
+  void factorise(Cholesky& c) const {
+    c.set_pattern(pattern);
+    put(c);
+    ASSERT_TRUE(c.factorise());
+  }
   /// Switches springs on and off.
   std::vector<Cholesky::Change> flip(int count) {
     std::uniform_int_distribution<std::size_t> pick(0, springs.size() - 1);
@@ -86,10 +92,8 @@ class CholeskyOfGrid : public testing::TestWithParam<int> {};
 TEST_P(CholeskyOfGrid, updated_factor_solves_like_a_new_one) {
   Grid grid(GetParam());
   Cholesky updated, anew;
-  updated.set_pattern(grid.pattern);
   anew.set_pattern(grid.pattern);
-  grid.put(updated);
-  ASSERT_TRUE(updated.factorise());
+  grid.factorise(updated);
   const std::vector<double> b = grid.load();
   std::vector<double> x(b.size()), y(b.size());
   for (const int count : {1, 2, 5, 40, 3}) {
@@ -107,15 +111,11 @@ TEST_P(CholeskyOfGrid, updated_factor_solves_like_a_new_one) {
 TEST_P(CholeskyOfGrid, factorising_anew_forgets_the_updates) {
   Grid grid(GetParam());
   Cholesky c, once;
-  c.set_pattern(grid.pattern);
-  once.set_pattern(grid.pattern);
-  grid.put(c);
-  ASSERT_TRUE(c.factorise());
+  grid.factorise(c);
   (void)c.update(grid.flip(7));
   grid.put(c);
   ASSERT_TRUE(c.factorise());
-  grid.put(once);
-  ASSERT_TRUE(once.factorise());
+  grid.factorise(once);
   const std::vector<double> b = grid.load();
   std::vector<double> x(b.size()), y(b.size());
   c.solve(b, x);
@@ -126,9 +126,7 @@ TEST_P(CholeskyOfGrid, factorising_anew_forgets_the_updates) {
 TEST_P(CholeskyOfGrid, taking_away_more_than_there_is_is_seen) {
   Grid grid(GetParam());
   Cholesky c;
-  c.set_pattern(grid.pattern);
-  grid.put(c);
-  ASSERT_TRUE(c.factorise());
+  grid.factorise(c);
   const Cholesky::Change change{grid.springs[0].dof, grid.springs[0].h, -150.0};
   EXPECT_FALSE(c.update(std::array{change}));
   grid.put(c);
@@ -138,9 +136,7 @@ TEST_P(CholeskyOfGrid, taking_away_more_than_there_is_is_seen) {
 TEST_P(CholeskyOfGrid, work_of_an_update_grows_with_its_rank) {
   Grid grid(GetParam());
   Cholesky c;
-  c.set_pattern(grid.pattern);
-  grid.put(c);
-  ASSERT_TRUE(c.factorise());
+  grid.factorise(c);
   const std::vector<Cholesky::Change> changes = grid.flip(6);
   double sum = 0.0;
   for (const Cholesky::Change& one : changes) sum += c.relative_work(std::array{one});
