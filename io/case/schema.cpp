@@ -182,8 +182,7 @@ constexpr Key kKeys[] = {
      "Grid on which lines are noded. \"auto\" is the power of ten at or above 1e-9 of the extent."},
     {"domain.least_width", Type::number_or_auto, "m", kNotNegative, "\"auto\"", false, "",
      "Blocks with a smaller width (area over half the perimeter) join the neighbour with the longest shared edge, one "
-     "of "
-     "the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
+     "of the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
     {"domain.least_area", Type::number, "m2", kNotNegative, "0.0", false, "",
      "Blocks with a smaller area join the neighbour with the longest shared edge."},
     {"domain.region", Type::table_list, "", kAny, "", false, "",
