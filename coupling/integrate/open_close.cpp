@@ -6,41 +6,87 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "coupling/contact/joint_strength.h"
-#include "coupling/integrate/anderson.h"
 
 namespace scree::coupling {
 
 OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
-                     bool rank_updates)
-    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), rank_updates_(rank_updates) {
+                     Factor factor)
+    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor) {
   cholesky_.set_pattern(system.pattern());
+  chart_of_node_.assign(setup.outlines().nodes.size(), -1);
   for (const Body& b : setup.bodies()) {
     const Model& model = setup.model();
     mass_.push_back(model.material_of(b.block).density * moments(model.blocks[b.block.index()].polygon).area);
   }
 }
 
-DofRow OpenClose::dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
-                          std::span<const Vec2> driven_move) const {
-  const Outlines& o = setup_->outlines();
-  DofRow out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto node = static_cast<std::size_t>(p.node[i]);
-    const std::int32_t body = o.node_body[node];
-    system_->add_point(out, body, o.nodes[node], row[i], q, driven_move[static_cast<std::size_t>(body)]);
+void OpenClose::enter(const KeptFactor& kept) {
+  patience_ = kept.patience;
+  made_ = false;
+  cholesky_.set_pattern(system_->pattern());
+  if (kept.column_start.empty()) return;
+  SymmetricMatrix matrix;
+  matrix.pattern.n = static_cast<std::int32_t>(kept.column_start.size()) - 1;
+  matrix.pattern.column_start = kept.column_start;
+  matrix.pattern.row = kept.row;
+  matrix.value = kept.value;
+  (void)cholesky_.factorise(matrix);  // not definite: neither was it for the run that wrote it, which goes on without
+}
+
+void OpenClose::accept(KeptFactor& kept) {
+  if (factor_ != Factor::kept) return;
+  if (made_) {
+    const SymmetricMatrix& matrix = cholesky_.matrix();
+    kept.column_start = matrix.pattern.column_start;
+    kept.row = matrix.pattern.row;
+    kept.value = matrix.value;
+    made_ = false;
   }
-  return out;
+  if (keep_) patience_.next_wait = 0;
+  if (patience_.wait > 0) --patience_.wait;
+  kept.patience = patience_;
+}
+
+const ChartRow& OpenClose::chart(std::int32_t node, std::span<const double> q) {
+  const Outlines& o = setup_->outlines();
+  const auto n = static_cast<std::size_t>(node);
+  if (chart_of_node_[n] < 0) {
+    chart_of_node_[n] = static_cast<std::int32_t>(charts_.size());
+    charts_.push_back(system_->chart(o.node_body[n], o.nodes[n], q));
+  }
+  return charts_[static_cast<std::size_t>(chart_of_node_[n])];
+}
+
+void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
+                         std::span<const Vec2> driven_move) {
+  const Outlines& o = setup_->outlines();
+  for (const ContactRow& row : {gap_row(p.at), stretch_row(p.at, m.anchor)}) {
+    rows_.begin_row();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto body = static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(p.node[i])]);
+      if (setup_->bodies()[body].driven)
+        rows_.add_known(row[i].dot(driven_move[body]));
+      else
+        ImplicitSystem::add_point(chart(p.node[i], q), row[i], rows_);
+    }
+  }
 }
 
 void OpenClose::begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
-                      std::vector<StepSpring> springs) {
+                      const StepSprings& springs) {
   list_ = &list;
-  springs_ = std::move(springs);
-  factored_ = false;
+  springs_ = &springs;
+  current_ = updated_ = false;
+  keep_ = factor_ == Factor::kept && !system_->nonlinear() && cholesky_.factored() && patience_.wait == 0;
+  if (keep_) cholesky_.drop_updates();
+  corrections_left_ = cholesky_.solves_per_factorisation();
   passes_.clear();
+  rows_.clear();
+  for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
+  charts_.clear();
+  std::fill(chart_of_node_.begin(), chart_of_node_.end(), -1);
   trial_.resize(list.points.size());
   weight_.resize(trial_.size());
   double farthest = 0.0;
@@ -54,12 +100,8 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
-    Trial& t = trial_[i];
-    t.normal = dof_row(p, gap_row(p.at), q, driven_move);
-    t.tangential = dof_row(p, stretch_row(p.at, m.anchor), q, driven_move);
-    t.status = p.suppressed ? ContactStatus::open : m.status;
-    t.direction = m.ft < 0.0 ? -1.0 : 1.0;
-    t.load = m.fn;
+    add_rows(p, m, q, driven_move);
+    trial_[i] = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0, m.fn};
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
 }
@@ -77,140 +119,133 @@ double OpenClose::tangential_stiffness(std::size_t i) const {
   return trial_[i].status == ContactStatus::stick ? list_->memory[i].kt : 0.0;
 }
 
-template <class See>
-void OpenClose::for_springs(See&& see) const {
-  for (const StepSpring& s : springs_) see(s.row, s.k, s.at);
+void OpenClose::take_states() {
+  k_.assign(springs_->k.begin(), springs_->k.end());
+  at_.assign(springs_->at.begin(), springs_->at.end());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactMemory& m = list_->memory[i];
-    see(trial_[i].normal, normal_stiffness(i), m.gap);
-    see(trial_[i].tangential, tangential_stiffness(i), m.status == ContactStatus::open ? 0.0 : m.stretch);
+    k_.push_back(normal_stiffness(i));
+    at_.push_back(m.gap);
+    k_.push_back(tangential_stiffness(i));
+    at_.push_back(m.status == ContactStatus::open ? 0.0 : m.stretch);
+  }
+  rhs_ = base_;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
+  // Coulomb's force c + tan phi f_n on what slips: with the gap, of which f_n is a multiple, and without.
+  slipping_.clear();
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    Trial& t = trial_[i];
+    if (t.status != ContactStatus::slip) continue;
+    slipping_.push_back(i);
+    t.load = 0.0;
+    tangential(i).add_force(
+        t.direction * limit(i) - friction_per_gap(i) * (list_->memory[i].gap + normal(i).known), rhs_);
   }
 }
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
-  rhs_ = base_;
-  scale_.clear();
-  for_springs([&](const DofRow& row, double k, double at) {
-    scale_.push_back(k);
-    if (k != 0.0)
-      for (std::size_t j = 0; j < row.dof.size(); ++j)
-        rhs_[static_cast<std::size_t>(row.dof[j])] -= k * (at + row.known) * row.h[j];
-  });
-  if (factored_ && !fresh && (scale_ == factored_scale_ || update(report))) return true;
+  take_states();
+  if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
 
 bool OpenClose::factorise_anew(StepReport& report) {
-  cholesky_.begin(A_);
-  for_springs([&](const DofRow& row, double k, double) { cholesky_.add_outer(row.dof, row.h, k); });
-  factored_ = cholesky_.factorise();
-  updated_ = false;
+  keep_ = updated_ = false;
+  current_ = cholesky_.factorise(A_, rows_, k_);
+  made_ = true;
   ++report.factorisations;
-  factored_scale_ = scale_;
-  if (factored_) return true;
+  factored_k_ = k_;
+  if (current_) return true;
   report.status = StepReport::Status::not_definite;
   report.cause = "the implicit matrix is not positive definite";
   return false;
 }
 
 bool OpenClose::update(StepReport& report) {
-  if (!rank_updates_) return false;
+  if (factor_ == Factor::anew) return false;
   changes_.clear();
-  std::size_t n = 0;
-  for_springs([&](const DofRow& row, double k, double) {
-    if (const double delta = k - factored_scale_[n++]; delta != 0.0 && !row.dof.empty())
-      changes_.push_back({row.dof, row.h, delta});
-  });
-  if (cholesky_.relative_work(changes_) > 1.0 || !cholesky_.update(changes_)) return false;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (const double delta = k_[r] - factored_k_[r]; delta != 0.0 && !rows_[r].dof.empty())
+      changes_.push_back({r, delta});
+  if (cholesky_.relative_work(rows_, changes_) > 1.0 || !cholesky_.update(rows_, changes_)) return false;
   report.updates += static_cast<int>(changes_.size());
-  factored_scale_ = scale_;
+  factored_k_ = k_;
   updated_ = true;
   return true;
 }
 
-bool OpenClose::solve_linear(std::span<const double> rhs, std::span<double> d) {
-  cholesky_.solve(rhs, d);
-  if (!updated_) return true;
+void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
+  system_->pattern().multiply(A_, x, y);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) rows_[r].add_force(k_[r] * (rows_[r].change(x) - rows_[r].known), y);
+  for (const std::size_t i : slipping_)
+    tangential(i).add_force(friction_per_gap(i) * (normal(i).change(x) - normal(i).known), y);
+}
+
+double OpenClose::friction_per_gap(std::size_t i) const {
+  const ContactMemory& m = list_->memory[i];
+  return trial_[i].direction * m.kn * friction_coefficient(setup_->model().joints[static_cast<std::size_t>(m.joint)], m);
+}
+
+double OpenClose::force_scale(std::span<const double> d) const {
+  double size = 0.0;
+  for (std::size_t i = 0; i < rhs_.size(); ++i) size = std::max({size, std::abs(rhs_[i]), std::abs(base_[i])});
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) size = std::max(size, k_[r] * std::abs(at_[r] + rows_[r].change(d)));
+  return size;
+}
+
+int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   constexpr double kExact = 1e-12;  // of the largest force: what a factorisation leaves
-  for (int refined = 0;; ++refined) {
-    residual_.assign(rhs.begin(), rhs.end());
-    system_->pattern().multiply_add(-1.0, A_, d, residual_);
-    double size = 0.0, left = 0.0;
-    for (std::size_t i = 0; i < residual_.size(); ++i)
-      size = std::max({size, std::abs(rhs[i]), std::abs(residual_[i] - rhs[i])});
-    for_springs([&](const DofRow& row, double k, double) {
-      if (k == 0.0) return;
-      double force = 0.0;
-      for (std::size_t j = 0; j < row.dof.size(); ++j) force += row.h[j] * d[static_cast<std::size_t>(row.dof[j])];
-      force *= k;
-      size = std::max(size, std::abs(force));
-      for (std::size_t j = 0; j < row.dof.size(); ++j)
-        residual_[static_cast<std::size_t>(row.dof[j])] -= force * row.h[j];
-    });
-    for (const double r : residual_) left = std::max(left, std::abs(r));
-    if (left <= kExact * size) return true;
-    if (refined == 3 || !std::isfinite(left)) return false;
-    correction_.resize(d.size());
-    cholesky_.solve(residual_, correction_);
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] += correction_[i];
+  const int taken = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
+                                     [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
+                                     rhs_, kExact * force_scale(d), most, d);
+  report.corrections += taken >= 0 ? taken : most;
+  return taken;
+}
+
+bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
+  constexpr int kRefinements = 6, kFriction = 200;
+  friction_settled_ = true;
+  if (keep_) {
+    const int taken = improve(corrections_left_, d, report);
+    corrections_left_ -= std::max(taken, 0);
+    if (taken >= 0) return true;
+    constexpr std::int32_t kLongest = 15;
+    patience_.wait = patience_.next_wait = std::min(2 * patience_.next_wait + 1, kLongest);
+    if (!factorise_anew(report)) return false;
   }
+  if (updated_) {
+    if (improve(slipping_.empty() ? kRefinements : kFriction, d, report) >= 0) return true;
+    if (!factorise_anew(report)) return false;
+  }
+  if (slipping_.empty())
+    cholesky_.solve(rhs_, d);
+  else
+    friction_settled_ = improve(kFriction, d, report) >= 0;
+  return true;
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
-    t.gap = m.gap + t.normal.change(d);
-    t.moved = t.tangential.change(d);
+    t.gap = m.gap + normal(i).change(d);
+    t.moved = tangential(i).change(d);
     t.fn = t.status == ContactStatus::open ? 0.0 : -m.kn * t.gap;
     const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
     if (t.status == ContactStatus::stick) {
       t.stretch = before + t.moved;
       t.ft = -m.kt * t.stretch;
     } else if (t.status == ContactStatus::slip) {
+      t.load = std::max(t.fn, 0.0);
       t.ft = t.direction * limit(i);
       t.stretch = -t.ft / m.kt;
     } else {
       t.ft = t.stretch = 0.0;
     }
   }
-}
-
-bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
-  std::vector<std::size_t> slipping;
-  for (std::size_t i = 0; i < trial_.size(); ++i)
-    if (trial_[i].status == ContactStatus::slip) slipping.push_back(i);
-  const auto n = static_cast<Eigen::Index>(slipping.size());
-  Eigen::VectorXd load(n), found(n);
-  for (Eigen::Index k = 0; k < n; ++k) load[k] = trial_[slipping[static_cast<std::size_t>(k)]].load;
-  Anderson anderson(10);
-  std::vector<double> rhs(rhs_.size());
-  for (int pass = 0; pass < 100; ++pass) {
-    rhs = rhs_;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      Trial& t = trial_[slipping[static_cast<std::size_t>(k)]];
-      t.load = std::max(load[k], 0.0);
-      const double ft = t.direction * limit(slipping[static_cast<std::size_t>(k)]);
-      for (std::size_t j = 0; j < t.tangential.dof.size(); ++j)
-        rhs[static_cast<std::size_t>(t.tangential.dof[j])] += ft * t.tangential.h[j];
-    }
-    if (!solve_linear(rhs, d)) {
-      if (!factorise_anew(report)) return false;
-      cholesky_.solve(rhs, d);
-    }
-    evaluate_points(d);
-    double change = 0.0, size = 0.0;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      found[k] = std::max(trial_[slipping[static_cast<std::size_t>(k)]].fn, 0.0);
-      change = std::max(change, std::abs(found[k] - load[k]));
-      size = std::max(size, std::abs(found[k]));
-    }
-    if (change <= 1e-8 + 1e-11 * size) return true;
-    load = anderson.next(load, found);
-  }
-  report.status = StepReport::Status::no_friction;
-  report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
-  return false;
 }
 
 bool OpenClose::may_close(std::size_t i) const {
@@ -309,7 +344,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
   A_ = A;
-  std::set<std::vector<std::int8_t>> seen;
+  seen_.clear();
   bool only_worst = false;
   // After a cycle points switch one at a time, which takes more, cheaper-to-trust passes.
   int switched = 0;
@@ -317,12 +352,16 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     ++report.passes;
     const auto begin = std::chrono::steady_clock::now();
     const int updates = report.updates, factorisations = report.factorisations;
-    if (!factorise(fresh && pass == 0, report) || !solve_with_friction(d, report)) return false;
+    if (!factorise(fresh && pass == 0, report) || !solve_states(d, report)) return false;
+    evaluate_points(d);
     if (!allowed_ && refuse(report)) return false;
-    std::vector<std::int8_t> states;
+    states_.clear();
     for (const Trial& t : trial_)
-      states.push_back(static_cast<std::int8_t>(static_cast<int>(t.status) * (t.direction < 0.0 ? -1 : 1)));
-    if (!seen.insert(states).second && !only_worst) {
+      states_.push_back(static_cast<char>(static_cast<int>(t.status) * (t.direction < 0.0 ? -1 : 1)));
+    const std::size_t now = std::hash<std::string>{}(states_);
+    const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
+    seen_.push_back(now);
+    if (cycle && !only_worst) {
       only_worst = true;
       most = 3 * control_.max_passes;
     }
@@ -330,7 +369,12 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     switched = switch_states(only_worst);
     passes_.push_back({before_it, report.updates - updates, report.factorisations > factorisations,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
-    if (switched == 0) return true;
+    if (switched == 0 && friction_settled_) return true;
+    if (switched == 0) {
+      report.status = StepReport::Status::no_friction;
+      report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
+      return false;
+    }
     report.switches += switched;
   }
   report.status = StepReport::Status::no_states;
@@ -359,13 +403,12 @@ double OpenClose::add_forces(std::span<const double> d, std::span<double> out) c
   double largest = 0.0;
   const auto add = [&](const DofRow& row, double force) {
     largest = std::max(largest, std::abs(force));
-    if (force == 0.0) return;
-    for (std::size_t j = 0; j < row.dof.size(); ++j) out[static_cast<std::size_t>(row.dof[j])] += force * row.h[j];
+    if (force != 0.0) row.add_force(force, out);
   };
-  for (const StepSpring& s : springs_) add(s.row, s.force(d));
-  for (const Trial& t : trial_) {
-    add(t.normal, t.fn);
-    add(t.tangential, t.ft);
+  for (std::size_t i = 0; i < springs_->size(); ++i) add(springs_->rows[i], springs_->force(i, d));
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    add(normal(i), trial_[i].fn);
+    add(tangential(i), trial_[i].ft);
   }
   return largest;
 }
