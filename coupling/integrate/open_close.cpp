@@ -197,7 +197,7 @@ double OpenClose::force_scale(std::span<const double> d) const {
 }
 
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
-  constexpr double kExact = 1e-12;  // of the largest force: what a factorisation leaves
+  constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
   const int taken = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
                                      [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
                                      rhs_, kExact * force_scale(d), most, d);

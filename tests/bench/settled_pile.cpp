@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
   fmt::print("{:>7} {:>8} {:>6} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n", "blocks", "dynamics", "steps", "passes",
              "switches", "updates", "factors", "solves", "ms a step", "longest", "kinetic, J");
   std::vector<scree::bench::Timing> all;
-  for (const int rows : {8, 26, 82})
-    if (argc <= 2 || rows <= std::atoi(argv[2])) all.push_back(scree::bench::settled(rows, rows > 50 ? std::max(steps / 5, 10) : steps));
+  for (const int rows : {9, 29, 92})
+    if (argc <= 2 || rows <= std::atoi(argv[2])) all.push_back(scree::bench::settled(rows, rows > 50 ? std::max(steps / 3, 10) : steps));
   for (std::size_t i = 1; i < all.size(); ++i)
     fmt::print("{} to {} blocks: {:.2f} to {:.2f} ms a step, exponent {:.2f}\n", all[i - 1].blocks, all[i].blocks,
                all[i - 1].ms, all[i].ms, std::log(all[i].ms / all[i - 1].ms) / std::log(1.0 * all[i].blocks / all[i - 1].blocks));
