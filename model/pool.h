@@ -35,7 +35,13 @@ struct Boundary {
     std::int32_t ring, vertex;  // outline vertex; edge `vertex` leaves it
     double angle;               // interior angle in the reference shape [rad]
   };
+  /// The two faces of a stretch of crack that the body is cut along.
+  struct Crack {
+    std::int32_t crack = 0;                 // counted among the cracks of the block
+    std::vector<std::int32_t> left, right;  // indices into nodes, both from its first to its last end
+  };
   std::vector<Row> nodes;
+  std::vector<Crack> cracks;      // by crack, then along it
   std::vector<Segment> segments;  // by ring, edge, then along the edge
   std::vector<Corner> corners;    // by ring and vertex
 };

@@ -32,19 +32,23 @@ std::vector<double> crossings(const Lattice* lattice, std::span<const CutLine> c
   return out;
 }
 
+/// The element that holds a point of the block.
+std::int32_t element_at(const CoverMesh& mesh, const LatticePieces* pieces, const Vec2& inside) {
+  if (pieces == nullptr) return 0;
+  const auto [first, last] = pieces->elements(pieces->lattice.triangle_at(inside));
+  if (first == last) return mesh.locate(inside);  // a piece without area was dropped here
+  if (first + 1 == last) return first;
+  for (std::int32_t e = first; e < last; ++e)
+    if (contains(mesh.material(static_cast<std::size_t>(e)), inside)) return e;
+  return mesh.locate(inside);
+}
+
+constexpr double kBeside = 1e-3;  // how far beside a stretch of an edge its element is looked for, of its length
+
 }  // namespace
 
 void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::span<const CutLine> cracks,
                    CoverMesh& mesh) {
-  const auto element_at = [&](const Vec2& inside) {
-    if (pieces == nullptr) return std::int32_t{0};
-    const auto [first, last] = pieces->elements(pieces->lattice.triangle_at(inside));
-    if (first == last) return mesh.locate(inside);  // a piece without area was dropped here
-    if (first + 1 == last) return first;
-    for (std::int32_t e = first; e < last; ++e)
-      if (contains(mesh.material(static_cast<std::size_t>(e)), inside)) return e;
-    return mesh.locate(inside);
-  };
   Boundary& out = mesh.boundary;
   // The last segment ends where the next begins, or, at the mouth of a crack, at a node of its own side.
   const auto end_segment = [&](const Vec2& at, const Row& next) {
@@ -64,7 +68,7 @@ void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::spa
       const std::vector<double> t = crossings(pieces == nullptr ? nullptr : &pieces->lattice, cracks, a, b);
       for (std::size_t k = 0; k + 1 < t.size(); ++k) {
         const Vec2 start = a + t[k] * (b - a), middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
-        const std::int32_t cell = element_at(middle + 1e-3 * (t[k + 1] - t[k]) * (b - a).norm() * inward);
+        const std::int32_t cell = element_at(mesh, pieces, middle + kBeside * (t[k + 1] - t[k]) * (b - a).norm() * inward);
         const Row row = mesh.row(cell, k == 0 ? a : start);
         if (!first_of_ring) end_segment(k == 0 ? a : start, row);
         first_of_ring = false;
@@ -78,6 +82,48 @@ void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::spa
     const Row first = out.nodes[static_cast<std::size_t>(ring_start)];
     end_segment(ring[0], first);
     if (out.segments.back().b == static_cast<std::int32_t>(out.nodes.size())) out.segments.back().b = ring_start;
+  }
+}
+
+void make_crack_faces(const Polygon& outline, const LatticePieces& pieces, std::span<const CutLine> cracks,
+                      CoverMesh& mesh) {
+  Boundary& out = mesh.boundary;
+  const auto add_node = [&out](const Row& row, std::vector<std::int32_t>& face) {
+    face.push_back(static_cast<std::int32_t>(out.nodes.size()));
+    out.nodes.push_back(row);
+  };
+  // What a crack may cross: the others and, where it leaves the block or runs through a hole, the outline.
+  std::vector<CutLine> lines(cracks.begin(), cracks.end());
+  for (std::size_t r = 0; r < outline.rings(); ++r)
+    for (std::size_t i = 0; i < outline.ring(r).size(); ++i)
+      lines.push_back({outline.ring(r)[i], outline.ring(r)[(i + 1) % outline.ring(r).size()]});
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const Vec2 &a = cracks[c].from, &b = cracks[c].to;
+    const Vec2 to_left = quarter_turn() * (b - a).normalized();
+    const std::vector<double> t = crossings(&pieces.lattice, lines, a, b);
+    bool open = false;  // the stretch before was cut
+    for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+      const Vec2 start = a + t[k] * (b - a), end = a + t[k + 1] * (b - a), middle = 0.5 * (start + end);
+      const Vec2 beside = kBeside * (end - start).norm() * to_left;
+      const std::int32_t left = element_at(mesh, &pieces, middle + beside),
+                         right = element_at(mesh, &pieces, middle - beside);
+      // Where the crack ends within a triangle, or along an edge that the pieces share, its sides are one.
+      const bool cut = contains(outline, middle) && !same_place(mesh.row(left, middle), mesh.row(right, middle));
+      if (cut) {
+        const auto goes_on = [&](const std::vector<std::int32_t>& face, std::int32_t element) {
+          return same_place(out.nodes[static_cast<std::size_t>(face.back())], mesh.row(element, start));
+        };
+        // Another crack that ends on this one parts its side, and the faces begin anew.
+        if (!open || !goes_on(out.cracks.back().left, left) || !goes_on(out.cracks.back().right, right)) {
+          out.cracks.push_back({static_cast<std::int32_t>(c), {}, {}});
+          add_node(mesh.row(left, start), out.cracks.back().left);
+          add_node(mesh.row(right, start), out.cracks.back().right);
+        }
+        add_node(mesh.row(left, end), out.cracks.back().left);
+        add_node(mesh.row(right, end), out.cracks.back().right);
+      }
+      open = cut;
+    }
   }
 }
 

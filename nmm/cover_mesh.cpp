@@ -110,6 +110,7 @@ CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2&
   if (!cracks.empty()) loosen_ties(mesh);
   if (mesh.onefold) return make_onefold(outline);
   make_boundary(outline, &pieces, cracks, mesh);
+  make_crack_faces(outline, pieces, cracks, mesh);
   return mesh;
 }
 

@@ -54,6 +54,10 @@ void loosen_ties(CoverMesh& mesh);
 void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::span<const CutLine> cracks,
                    CoverMesh& mesh);
 
+/// The faces of the cracks with rows, split where they cross lattice lines, the outline and each other.
+void make_crack_faces(const Polygon& outline, const LatticePieces& pieces, std::span<const CutLine> cracks,
+                      CoverMesh& mesh);
+
 /// The triangle of a onefold cover: equilateral, its inscribed circle about the points' middle holds them all.
 [[nodiscard]] std::array<Vec2, 3> onefold_triangle(std::span<const Vec2> points);
 

@@ -51,13 +51,14 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
   out.points.clear();
   out.memory.clear();
   for (const ContactMemory& m : memory) {
-    const Outlines::Edge& own =
-        o.edges[static_cast<std::size_t>(setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex))];
-    if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
+    const std::int32_t of = setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
     ContactPoint p;
     p.key = m.key;
-    p.vertex = own.first_segment + m.key.part;
     p.edge = setup_->edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
+    if (of < 0 || p.edge < 0) continue;  // the face of a crack that this stage does not cut
+    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(of)];
+    if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
+    p.vertex = own.first_segment + m.key.part;
     out.points.push_back(p);
     out.memory.push_back(m);
   }

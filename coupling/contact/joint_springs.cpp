@@ -26,10 +26,8 @@ JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
   for (const Outlines::Edge& e : setup.outlines().edges) {
     const BlockId id = setup.bodies()[static_cast<std::size_t>(e.body)].block;
     const Polygon& block = model.blocks[id.index()].polygon;
-    const Ring& ring = block.ring(static_cast<std::size_t>(e.ring));
-    const auto k = static_cast<std::size_t>(e.edge);
-    const Vec2 d = (ring[(k + 1) % ring.size()] - ring[k]).normalized();
-    modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width(block, Vec2(d.y(), -d.x())));
+    modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() /
+                                  width(block, Vec2(e.along.y(), -e.along.x())));
     root_area_.push_back(std::sqrt(moments(block).area));
   }
 }

@@ -16,23 +16,26 @@
 namespace scree::coupling {
 namespace {
 
-/// Pairs worth keeping: segments of different bodies, not both driven.
-class DifferentBodies final : public btOverlapFilterCallback {
+/// Pairs worth keeping: segments of different bodies, not both driven, and of the two faces of a crack.
+class MayTouch final : public btOverlapFilterCallback {
  public:
-  explicit DifferentBodies(const Setup& setup) : setup_(&setup) {}
+  explicit MayTouch(const Setup& setup) : setup_(&setup) {}
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-    const std::int32_t i = body_of(a), j = body_of(b);
-    const auto& bodies = setup_->bodies();
-    return i != j && !(bodies[static_cast<std::size_t>(i)].driven && bodies[static_cast<std::size_t>(j)].driven);
+    const Outlines& o = setup_->outlines();
+    const std::int32_t ea = edge_of(a), eb = edge_of(b);
+    const Outlines::Edge &of_a = o.edges[static_cast<std::size_t>(ea)], &of_b = o.edges[static_cast<std::size_t>(eb)];
+    if (of_a.body == of_b.body) return of_a.opposite == eb;
+    const auto driven = [&](std::int32_t body) { return setup_->bodies()[static_cast<std::size_t>(body)].driven; };
+    return of_a.touches && of_b.touches && !(driven(of_a.body) && driven(of_b.body)) && of_a.opposite < 0 &&
+           of_b.opposite < 0;
   }
   static std::int32_t index_of(const btBroadphaseProxy* p) {
     return static_cast<std::int32_t>(reinterpret_cast<std::intptr_t>(p->m_clientObject));
   }
 
  private:
-  [[nodiscard]] std::int32_t body_of(const btBroadphaseProxy* p) const {
-    const Outlines& o = setup_->outlines();
-    return o.edges[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(index_of(p))].edge)].body;
+  [[nodiscard]] std::int32_t edge_of(const btBroadphaseProxy* p) const {
+    return setup_->outlines().segments[static_cast<std::size_t>(index_of(p))].edge;
   }
   const Setup* setup_;
 };
@@ -46,7 +49,7 @@ struct Search::Impl {
 
   const Setup* setup;
   double reach;
-  DifferentBodies filter;
+  MayTouch filter;
   btDbvtBroadphase tree;
   std::vector<btBroadphaseProxy*> proxies;
   std::vector<Box> fat;
@@ -96,7 +99,9 @@ double Search::room_between_bodies(std::span<const Vec2> x) const {
   const Setup& setup = *impl_->setup;
   const Outlines& o = setup.outlines();
   const std::size_t count = setup.bodies().size();
-  if (count > kMany) return 0.0;
+  const bool cracked =
+      std::any_of(o.edges.begin(), o.edges.end(), [](const Outlines::Edge& e) { return e.opposite >= 0; });
+  if (count > kMany || cracked) return 0.0;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<Box, kMany> box;
   for (std::size_t b = 0; b < count; ++b) box[b] = {Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
@@ -132,7 +137,7 @@ void Search::collect() {
   const btBroadphasePair* found = cache->getOverlappingPairArrayPtr();
   for (int i = 0; i < cache->getNumOverlappingPairs(); ++i) {
     const auto edge = [&](const btBroadphaseProxy* proxy) {
-      return o.segments[static_cast<std::size_t>(DifferentBodies::index_of(proxy))].edge;
+      return o.segments[static_cast<std::size_t>(MayTouch::index_of(proxy))].edge;
     };
     const auto [a, b] = std::minmax({edge(found[i].m_pProxy0), edge(found[i].m_pProxy1)});
     s.pairs.push_back({a, b});

@@ -10,7 +10,7 @@
 
 namespace scree::coupling {
 
-/// Two edges of different bodies that have segments near each other.
+/// Two edges of different bodies, or the two faces of a crack, that have segments near each other.
 struct EdgePair {
   std::int32_t a, b;  // into Outlines::edges, a < b
   auto operator<=>(const EdgePair&) const = default;

@@ -1,6 +1,7 @@
 #include "coupling/stages/setup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -113,6 +114,9 @@ void Setup::add_outline(std::int32_t body) {
       edge.edge = segment.edge.edge;
       edge.first_segment = index;
       edge.convex_start = convex;
+      const Ring& ring = model_->blocks[b.block.index()].polygon.ring(static_cast<std::size_t>(edge.ring));
+      const auto k = static_cast<std::size_t>(edge.edge);
+      edge.along = (ring[(k + 1) % ring.size()] - ring[k]).normalized();
       edge.joint = model_->joint_of(b.block, static_cast<std::size_t>(edge.ring), static_cast<std::size_t>(edge.edge));
       out.edges.push_back(edge);
     }
@@ -129,6 +133,55 @@ void Setup::add_outline(std::int32_t body) {
     out.vertices[ring_segment].segment_in = index;
     out.vertices[ring_segment].edge_in = of;
   }
+  add_cracks(body, boundary, node0);
+}
+
+void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node) {
+  const Body& b = bodies_[static_cast<std::size_t>(body)];
+  std::vector<const Crack*> of_block;
+  for (const Crack& c : model_->cracks)
+    if (c.block == b.block) of_block.push_back(&c);
+  Outlines& out = outlines_;
+  std::int32_t stretch = 0;
+  for (std::size_t i = 0; i < boundary.cracks.size(); ++i) {
+    const Boundary::Crack& faces = boundary.cracks[i];
+    stretch = i > 0 && boundary.cracks[i - 1].crack == faces.crack ? stretch + 1 : 0;
+    const Crack& crack = *of_block[static_cast<std::size_t>(faces.crack)];
+    const auto first_edge = static_cast<std::int32_t>(out.edges.size()),
+               first_segment = static_cast<std::int32_t>(out.segments.size());
+    const std::vector<std::int32_t>&left = faces.left, back(faces.right.rbegin(), faces.right.rend());
+    const Vec2 along = (crack.to - crack.from).normalized();
+    const auto add = [&](std::span<const std::int32_t> nodes, const Vec2& direction, bool touches) {
+      Outlines::Edge edge;
+      const auto index = static_cast<std::int32_t>(out.edges.size());
+      edge.body = body;
+      edge.ring = static_cast<std::int32_t>(model_->blocks[b.block.index()].polygon.rings()) + faces.crack;
+      edge.edge = 4 * stretch + index - first_edge;
+      edge.first_segment = static_cast<std::int32_t>(out.segments.size());
+      edge.segments = static_cast<std::int32_t>(nodes.size()) - 1;
+      edge.end_vertex = edge.first_segment + edge.segments;
+      edge.joint = crack.joint;
+      edge.along = direction;
+      edge.touches = touches;
+      if (touches) edge.opposite = first_edge + (index == first_edge ? 2 : 0);
+      for (std::int32_t k = 0; k < edge.segments; ++k) {
+        const auto segment = static_cast<std::int32_t>(out.segments.size());
+        const auto at = static_cast<std::size_t>(k);
+        out.segments.push_back({first_node + nodes[at], first_node + nodes[at + 1], index, k});
+        out.vertices.push_back(
+            {first_node + nodes[at], body, segment - 1, k == 0 ? index - 1 : index, index, false});
+      }
+      out.edges.push_back(edge);
+    };
+    add(left, along, true);
+    add(std::array{left.back(), back.front()}, along, false);
+    add(back, -along, true);
+    add(std::array{back.back(), left.front()}, -along, false);
+    out.edges.back().end_vertex = first_segment;
+    out.vertices[static_cast<std::size_t>(first_segment)].segment_in =
+        static_cast<std::int32_t>(out.segments.size()) - 1;
+    out.vertices[static_cast<std::size_t>(first_segment)].edge_in = static_cast<std::int32_t>(out.edges.size()) - 1;
+  }
 }
 
 std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const {
@@ -137,6 +190,7 @@ std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t 
   };
   const auto at = std::lower_bound(outlines_.edges.begin(), outlines_.edges.end(), std::tuple(block, ring, edge),
                                    [&](const Outlines::Edge& e, const auto& wanted) { return key(e) < wanted; });
+  if (at == outlines_.edges.end() || key(*at) != std::tuple(block, ring, edge)) return -1;
   return static_cast<std::int32_t>(at - outlines_.edges.begin());
 }
 

@@ -28,7 +28,9 @@ struct Body {
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
 
-/// Outlines of all bodies, with rows in the state's nodes.
+/// Outlines of all bodies, with rows in the state's nodes. Faces of cracks follow a block's rings: crack c is ring
+/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it to
+/// the right one, that backwards, and back to the left.
 struct Outlines {
   struct Segment {
     std::int32_t a, b;  // outline nodes
@@ -41,6 +43,9 @@ struct Outlines {
     std::int32_t end_vertex = -1;                   // the vertex after its last segment
     bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
     JointId joint;                                  // its own law; may be invalid
+    Vec2 along{0.0, 0.0};                           // its direction where the model has it
+    std::int32_t opposite = -1;                     // of a face of a crack: the other one, which alone it may touch
+    bool touches = true;                            // false: joins the faces of a crack at their ends
   };
   /// Start of a segment, with the same index as the segment that leaves it: a corner of the outline (part 0), or a
   /// node where a mesh divides an edge.
@@ -88,13 +93,14 @@ class Setup {
 
   /// Puts driven bodies where they are at a time, with their velocity.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
-  /// Index of an outline edge.   @pre it exists
+  /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
   /// Displacement of a driven body between two times.
   [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
 
  private:
   void add_outline(std::int32_t body);
+  void add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node);
 
   const Model* model_;
   std::vector<std::unique_ptr<Pool>> pools_;
