@@ -46,12 +46,21 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     t.status = p.suppressed ? ContactStatus::open : m.status;
     t.direction = m.ft < 0.0 ? -1.0 : 1.0;
     t.load = m.fn;
+    t.opened = 0.0;
   }
 }
 
-double OpenClose::limit(std::size_t i) const {
+const JointLaw& OpenClose::law_of(std::size_t i) const {
+  return setup_->model().joints[static_cast<std::size_t>(list_->memory[i].joint)];
+}
+
+double OpenClose::limit(std::size_t i) const { return friction_limit(law_of(i), list_->memory[i], trial_[i].load); }
+
+double OpenClose::slip_of(std::size_t i) const {
+  const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
-  return friction_limit(setup_->model().joints[static_cast<std::size_t>(m.joint)], m, trial_[i].load);
+  const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
+  return std::max(0.0, -t.direction * (before + t.moved - t.stretch));
 }
 
 double OpenClose::normal_stiffness(std::size_t i) const {
@@ -145,7 +154,8 @@ void OpenClose::evaluate_points(std::span<const double> d) {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
-    t.gap = m.gap + t.normal.change(d);
+    if (t.status != ContactStatus::slip) t.opened = 0.0;
+    t.gap = m.gap + t.normal.change(d) - t.opened;
     t.moved = t.tangential.change(d);
     t.fn = t.status == ContactStatus::open ? 0.0 : -m.kn * t.gap;
     const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
@@ -166,8 +176,14 @@ bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
   for (std::size_t i = 0; i < trial_.size(); ++i)
     if (trial_[i].status == ContactStatus::slip) slipping.push_back(i);
   const auto n = static_cast<Eigen::Index>(slipping.size());
-  Eigen::VectorXd load(n), found(n);
+  std::vector<std::size_t> dilating;
+  for (const std::size_t i : slipping)
+    if (law_of(i).dilation > 0.0) dilating.push_back(i);
+  // Normal forces, then what dilation presses the springs by.
+  Eigen::VectorXd load(n + static_cast<Eigen::Index>(dilating.size())), found(load.size());
   for (Eigen::Index k = 0; k < n; ++k) load[k] = trial_[slipping[static_cast<std::size_t>(k)]].load;
+  for (std::size_t k = 0; k < dilating.size(); ++k)
+    load[n + static_cast<Eigen::Index>(k)] = list_->memory[dilating[k]].kn * trial_[dilating[k]].opened;
   Anderson anderson(10);
   std::vector<double> rhs(rhs_.size());
   for (int pass = 0; pass < 100; ++pass) {
@@ -179,14 +195,27 @@ bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
       for (std::size_t j = 0; j < t.tangential.dof.size(); ++j)
         rhs[static_cast<std::size_t>(t.tangential.dof[j])] += ft * t.tangential.h[j];
     }
+    for (std::size_t k = 0; k < dilating.size(); ++k) {
+      Trial& t = trial_[dilating[k]];
+      const double press = std::max(load[n + static_cast<Eigen::Index>(k)], 0.0);
+      t.opened = press / list_->memory[dilating[k]].kn;
+      for (std::size_t j = 0; j < t.normal.dof.size(); ++j)
+        rhs[static_cast<std::size_t>(t.normal.dof[j])] += press * t.normal.h[j];
+    }
     if (!solve_linear(rhs, d)) {
       if (!factorise_anew(report)) return false;
       cholesky_.solve(rhs, d);
     }
     evaluate_points(d);
     double change = 0.0, size = 0.0;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      found[k] = std::max(trial_[slipping[static_cast<std::size_t>(k)]].fn, 0.0);
+    for (Eigen::Index k = 0; k < n; ++k) found[k] = std::max(trial_[slipping[static_cast<std::size_t>(k)]].fn, 0.0);
+    for (std::size_t k = 0; k < dilating.size(); ++k) {
+      const ContactMemory& m = list_->memory[dilating[k]];
+      const JointLaw& law = law_of(dilating[k]);
+      found[n + static_cast<Eigen::Index>(k)] =
+          m.kn * (opened_by_slip(law, m.slip + slip_of(dilating[k])) - opened_by_slip(law, m.slip));
+    }
+    for (Eigen::Index k = 0; k < found.size(); ++k) {
       change = std::max(change, std::abs(found[k] - load[k]));
       size = std::max(size, std::abs(found[k]));
     }
@@ -228,7 +257,7 @@ int OpenClose::switch_states(bool only_worst) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
     if (list_->points[i].suppressed) continue;
-    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    const JointLaw& law = law_of(i);
     ContactStatus to = t.status;
     double violation = 0.0, direction = t.direction;
     if (t.status == ContactStatus::open) {
@@ -287,6 +316,11 @@ int OpenClose::switch_states(bool only_worst) {
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const DofRow& row = trial_[i].normal;
+    for (std::size_t j = 0; j < row.dof.size(); ++j)
+      base_[static_cast<std::size_t>(row.dof[j])] += list_->memory[i].water * row.h[j];
+  }
   A_ = A;
   std::set<std::vector<std::int8_t>> seen;
   bool only_worst = false;
@@ -342,9 +376,10 @@ double OpenClose::add_forces(std::span<const double> d, std::span<double> out) c
     for (std::size_t j = 0; j < row.dof.size(); ++j) out[static_cast<std::size_t>(row.dof[j])] += force * row.h[j];
   };
   for (const StepSpring& s : springs_) add(s.row, s.force(d));
-  for (const Trial& t : trial_) {
-    add(t.normal, t.fn);
-    add(t.tangential, t.ft);
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    add(trial_[i].normal, trial_[i].fn);
+    add(trial_[i].normal, list_->memory[i].water);
+    add(trial_[i].tangential, trial_[i].ft);
   }
   return largest;
 }

@@ -20,8 +20,10 @@ struct StepSpring {
 };
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
-/// sliding points is a load of the right-hand side that follows their normal force (Anderson acceleration, GMRES for a
-/// linear iteration). Gaps and stretches are linear in d, about the start of the step.
+/// sliding points is a load of the right-hand side that follows their normal force, and so is what dilation presses
+/// their normal springs by, which follows their slip (Anderson acceleration, GMRES for a
+/// linear iteration). Water in joints is a load along the gaps, that of the step's start. Gaps and stretches are linear
+/// in d, about the start of the step.
 /// @source thesis 3.2.2, 4.5
 class OpenClose {
  public:
@@ -30,6 +32,7 @@ class OpenClose {
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;  // sign of the friction force while slipping
     double load = 0.0;       // normal force that its friction limit was taken from [N]
+    double opened = 0.0;     // by dilation in the step, while slipping; the gap below is less by it [m]
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
   };
 
@@ -53,7 +56,8 @@ class OpenClose {
   /// @return false: the report says why
   [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                            StepReport& report);
-  /// out += forces of springs and contacts at the unknowns last found; also the largest of them.
+  /// out += forces of springs and contacts, of the water in them too, at the unknowns last found; also the largest of
+  /// them.
   double add_forces(std::span<const double> d, std::span<double> out) const;
 
   [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
@@ -76,6 +80,9 @@ class OpenClose {
   [[nodiscard]] bool solve_with_friction(std::span<double> d, StepReport& report);
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
+  [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
+  /// Slip of a slipping point in the step, in the direction that it slips in; 0 if it goes the other way [m].
+  [[nodiscard]] double slip_of(std::size_t i) const;
   [[nodiscard]] double normal_stiffness(std::size_t i) const;
   [[nodiscard]] double tangential_stiffness(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
