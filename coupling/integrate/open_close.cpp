@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "coupling/contact/joint_strength.h"
@@ -16,6 +17,10 @@ OpenClose::OpenClose(const Setup& setup, const StepControl& control, const Impli
                      bool rank_updates)
     : setup_(&setup), control_(control), system_(&system), allowed_(allowed), rank_updates_(rank_updates) {
   cholesky_.set_pattern(system.pattern());
+  for (const Body& b : setup.bodies()) {
+    const Model& model = setup.model();
+    mass_.push_back(model.material_of(b.block).density * moments(model.blocks[b.block.index()].polygon).area);
+  }
 }
 
 DofRow OpenClose::dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
@@ -37,6 +42,15 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   factored_ = false;
   passes_.clear();
   trial_.resize(list.points.size());
+  weight_.resize(trial_.size());
+  double farthest = 0.0;
+  for (const double x : q) farthest = std::max(farthest, std::abs(x));
+  gap_round_off_ = 8.0 * std::numeric_limits<double>::epsilon() * farthest;
+  const double g = setup_->model().gravity.norm();
+  const auto weight = [&](std::int32_t node) {
+    const auto b = static_cast<std::size_t>(setup_->outlines().node_body[static_cast<std::size_t>(node)]);
+    return setup_->bodies()[b].driven ? std::numeric_limits<double>::infinity() : g * mass_[b];
+  };
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
@@ -47,6 +61,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     t.direction = m.ft < 0.0 ? -1.0 : 1.0;
     t.load = m.fn;
     t.opened = 0.0;
+    weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
 }
 
@@ -246,9 +261,15 @@ bool OpenClose::may_close(std::size_t i) const {
   return true;
 }
 
+double OpenClose::tolerance(std::size_t i) const {
+  return 1e-9 * weight_[i] + 1e-11 * largest_force_ + list_->memory[i].kn * gap_round_off_;
+}
+
 int OpenClose::switch_states(bool only_worst) {
   // How far each point violates its state, as a force; the worst one alone is switched once a cycle was seen.
   int switched = 0;
+  largest_force_ = 0.0;
+  for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
   double worst = 0.0;
   std::size_t worst_point = 0;
   ContactStatus worst_status = ContactStatus::open;
@@ -290,7 +311,7 @@ int OpenClose::switch_states(bool only_worst) {
         violation = m.kt * std::abs(slip);
       }
     }
-    if (to == t.status) continue;
+    if (to == t.status || violation <= tolerance(i)) continue;
     ++switched;
     if (only_worst) {
       if (violation > worst) {

@@ -86,6 +86,8 @@ class OpenClose {
   [[nodiscard]] double normal_stiffness(std::size_t i) const;
   [[nodiscard]] double tangential_stiffness(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
+  /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
+  [[nodiscard]] double tolerance(std::size_t i) const;
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool refuse(StepReport& report) const;
 
@@ -96,6 +98,10 @@ class OpenClose {
   const ContactList* list_ = nullptr;
   std::vector<StepSpring> springs_;
   std::vector<Trial> trial_;
+  std::vector<double> mass_;    // of a body, as the model has it [kg]
+  std::vector<double> weight_;  // of the lighter free body at a point [N]
+  double largest_force_ = 0.0;  // of the points' normal forces in a pass [N]
+  double gap_round_off_ = 0.0;  // to which positions define a gap [m]
   std::span<const double> A_;
   std::vector<double> rhs_, base_, scale_, factored_scale_, residual_, correction_;
   std::vector<Cholesky::Change> changes_;
