@@ -10,6 +10,7 @@
 
 #include "coupling/contact/joint_strength.h"
 #include "coupling/integrate/anderson.h"
+#include "coupling/integrate/gmres.h"
 
 namespace scree::coupling {
 namespace {
@@ -19,6 +20,11 @@ double size_of_change(const DofRow& row, std::span<const double> d) {
   double size = std::abs(row.known);
   for (std::size_t j = 0; j < row.dof.size(); ++j) size += std::abs(row.h[j] * d[static_cast<std::size_t>(row.dof[j])]);
   return size;
+}
+
+/// out += force along a row.
+void add_to(std::span<double> out, const DofRow& row, double force) {
+  for (std::size_t j = 0; j < row.dof.size(); ++j) out[static_cast<std::size_t>(row.dof[j])] += force * row.h[j];
 }
 
 }  // namespace
@@ -196,62 +202,128 @@ void OpenClose::evaluate_points(std::span<const double> d) {
   }
 }
 
+void OpenClose::gather_friction() {
+  Friction& f = friction_;
+  f.slipping.clear();
+  f.dilating.clear();
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (trial_[i].status != ContactStatus::slip) continue;
+    f.slipping.push_back(i);
+    if (law_of(i).dilation > 0.0) f.dilating.push_back(i);
+  }
+  const auto n = static_cast<Eigen::Index>(f.slipping.size());
+  f.load.resize(n + static_cast<Eigen::Index>(f.dilating.size()));
+  f.found.resize(f.load.size());
+  for (Eigen::Index k = 0; k < n; ++k) f.load[k] = trial_[f.slipping[static_cast<std::size_t>(k)]].load;
+  for (std::size_t k = 0; k < f.dilating.size(); ++k)
+    f.load[n + static_cast<Eigen::Index>(k)] = list_->memory[f.dilating[k]].kn * trial_[f.dilating[k]].opened;
+}
+
+bool OpenClose::follow_friction(std::span<double> d, StepReport& report) {
+  Friction& f = friction_;
+  const auto n = static_cast<Eigen::Index>(f.slipping.size());
+  friction_rhs_ = rhs_;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
+    Trial& t = trial_[i];
+    t.load = std::max(f.load[k], 0.0);
+    add_to(friction_rhs_, t.tangential, t.direction * limit(i));
+  }
+  for (std::size_t k = 0; k < f.dilating.size(); ++k) {
+    Trial& t = trial_[f.dilating[k]];
+    const double press = std::max(f.load[n + static_cast<Eigen::Index>(k)], 0.0);
+    t.opened = press / list_->memory[f.dilating[k]].kn;
+    add_to(friction_rhs_, t.normal, press);
+  }
+  if (!solve_linear(friction_rhs_, d)) {
+    if (!factorise_anew(report)) return false;
+    cholesky_.solve(friction_rhs_, d);
+  }
+  evaluate_points(d);
+  double size = 0.0, round_off = 0.0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
+    f.found[k] = std::max(trial_[i].fn, 0.0);
+    round_off = std::max(round_off, list_->memory[i].kn * size_of_change(trial_[i].normal, d));
+  }
+  for (std::size_t k = 0; k < f.dilating.size(); ++k) {
+    const ContactMemory& m = list_->memory[f.dilating[k]];
+    const JointLaw& law = law_of(f.dilating[k]);
+    f.found[n + static_cast<Eigen::Index>(k)] =
+        m.kn * (opened_by_slip(law, m.slip + slip_of(f.dilating[k])) - opened_by_slip(law, m.slip));
+  }
+  double change = 0.0;
+  for (Eigen::Index k = 0; k < f.found.size(); ++k) {
+    change = std::max(change, std::abs(f.found[k] - f.load[k]));
+    size = std::max(size, std::abs(f.found[k]));
+  }
+  for (const Trial& t : trial_) size = std::max(size, std::abs(t.fn));
+  // No absolute force: it would be large for small blocks. A gap is known to some last places of what it is a sum of.
+  f.settled = change <= 1e-11 * size + 64.0 * std::numeric_limits<double>::epsilon() * round_off;
+  return true;
+}
+
+Eigen::VectorXd OpenClose::friction_response(const Eigen::VectorXd& change) {
+  // Derivative of what follow_friction() finds from its loads: those that are cut off at zero count for nothing.
+  const Friction& f = friction_;
+  const auto n = static_cast<Eigen::Index>(f.slipping.size());
+  const auto friction_of = [&](Eigen::Index k) {
+    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
+    if (f.load[k] <= 0.0 || limit(i) == 0.0) return 0.0;
+    return trial_[i].direction * friction_coefficient(law_of(i), list_->memory[i]) * change[k];
+  };
+  const auto press_of = [&](std::size_t k) {
+    const auto at = n + static_cast<Eigen::Index>(k);
+    return f.load[at] >= 0.0 ? change[at] : 0.0;
+  };
+  std::vector<double> rhs(rhs_.size(), 0.0), d(rhs_.size());
+  for (Eigen::Index k = 0; k < n; ++k)
+    add_to(rhs, trial_[f.slipping[static_cast<std::size_t>(k)]].tangential, friction_of(k));
+  for (std::size_t k = 0; k < f.dilating.size(); ++k) add_to(rhs, trial_[f.dilating[k]].normal, press_of(k));
+  cholesky_.solve(rhs, d);
+  const auto along = [&](const DofRow& row) { return row.change(d) - row.known; };
+  Eigen::VectorXd out(change.size());
+  std::size_t dilating = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
+    const Trial& t = trial_[i];
+    const ContactMemory& m = list_->memory[i];
+    const bool dilates = dilating < f.dilating.size() && f.dilating[dilating] == i;
+    out[k] = t.fn > 0.0 ? -m.kn * along(t.normal) + (dilates ? press_of(dilating) : 0.0) : 0.0;
+    if (!dilates) continue;
+    const JointLaw& law = law_of(i);
+    const double slip = slip_of(i);
+    const bool opens =
+        slip > 0.0 && m.slip + slip < law.dilation_slip.value_or(std::numeric_limits<double>::infinity());
+    const double slips = -t.direction * (along(t.tangential) + friction_of(k) / m.kt);
+    out[n + static_cast<Eigen::Index>(dilating++)] = opens ? m.kn * std::tan(law.dilation) * slips : 0.0;
+  }
+  return out;
+}
+
 bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
-  std::vector<std::size_t> slipping;
-  for (std::size_t i = 0; i < trial_.size(); ++i)
-    if (trial_[i].status == ContactStatus::slip) slipping.push_back(i);
-  const auto n = static_cast<Eigen::Index>(slipping.size());
-  std::vector<std::size_t> dilating;
-  for (const std::size_t i : slipping)
-    if (law_of(i).dilation > 0.0) dilating.push_back(i);
-  // Normal forces, then what dilation presses the springs by.
-  Eigen::VectorXd load(n + static_cast<Eigen::Index>(dilating.size())), found(load.size());
-  for (Eigen::Index k = 0; k < n; ++k) load[k] = trial_[slipping[static_cast<std::size_t>(k)]].load;
-  for (std::size_t k = 0; k < dilating.size(); ++k)
-    load[n + static_cast<Eigen::Index>(k)] = list_->memory[dilating[k]].kn * trial_[dilating[k]].opened;
+  constexpr int kAccelerated = 40, kNewton = 12;
+  gather_friction();
+  Friction& f = friction_;
+  const Eigen::VectorXd begin = f.load;
   Anderson anderson(10);
-  std::vector<double> rhs(rhs_.size());
-  for (int pass = 0; pass < 100; ++pass) {
-    rhs = rhs_;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      Trial& t = trial_[slipping[static_cast<std::size_t>(k)]];
-      t.load = std::max(load[k], 0.0);
-      const double ft = t.direction * limit(slipping[static_cast<std::size_t>(k)]);
-      for (std::size_t j = 0; j < t.tangential.dof.size(); ++j)
-        rhs[static_cast<std::size_t>(t.tangential.dof[j])] += ft * t.tangential.h[j];
-    }
-    for (std::size_t k = 0; k < dilating.size(); ++k) {
-      Trial& t = trial_[dilating[k]];
-      const double press = std::max(load[n + static_cast<Eigen::Index>(k)], 0.0);
-      t.opened = press / list_->memory[dilating[k]].kn;
-      for (std::size_t j = 0; j < t.normal.dof.size(); ++j)
-        rhs[static_cast<std::size_t>(t.normal.dof[j])] += press * t.normal.h[j];
-    }
-    if (!solve_linear(rhs, d)) {
-      if (!factorise_anew(report)) return false;
-      cholesky_.solve(rhs, d);
-    }
-    evaluate_points(d);
-    double change = 0.0, size = 0.0, round_off = 0.0;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const std::size_t i = slipping[static_cast<std::size_t>(k)];
-      found[k] = std::max(trial_[i].fn, 0.0);
-      round_off = std::max(round_off, list_->memory[i].kn * size_of_change(trial_[i].normal, d));
-    }
-    for (std::size_t k = 0; k < dilating.size(); ++k) {
-      const ContactMemory& m = list_->memory[dilating[k]];
-      const JointLaw& law = law_of(dilating[k]);
-      found[n + static_cast<Eigen::Index>(k)] =
-          m.kn * (opened_by_slip(law, m.slip + slip_of(dilating[k])) - opened_by_slip(law, m.slip));
-    }
-    for (Eigen::Index k = 0; k < found.size(); ++k) {
-      change = std::max(change, std::abs(found[k] - load[k]));
-      size = std::max(size, std::abs(found[k]));
-    }
-    for (const Trial& t : trial_) size = std::max(size, std::abs(t.fn));
-    // No absolute force: it would be large for small blocks. A gap is known to some last places of what it is a sum of.
-    if (change <= 1e-11 * size + 64.0 * std::numeric_limits<double>::epsilon() * round_off) return true;
-    load = anderson.next(load, found);
+  for (int pass = 0; pass < kAccelerated; ++pass) {
+    if (!follow_friction(d, report)) return false;
+    if (f.settled) return true;
+    f.load = anderson.next(f.load, f.found);
+  }
+  // Steep wedges with many points: Newton's method, where the accelerated iteration began; the loads are linear but for
+  // those that are cut off.
+  if (updated_ && !factorise_anew(report)) return false;
+  f.load = begin;
+  for (int pass = 0; pass < kNewton; ++pass) {
+    if (!follow_friction(d, report)) return false;
+    if (f.settled) return true;
+    Eigen::VectorXd step;
+    const auto newton = [this](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - friction_response(x)); };
+    // What it leaves the next pass takes up.
+    if (!gmres(newton, f.found - f.load, 1e-10, step) && !step.allFinite()) break;
+    f.load += step;
   }
   report.status = StepReport::Status::no_friction;
   report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";

@@ -1,6 +1,7 @@
 // Open-close iteration: contact states of an implicit step.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
@@ -21,9 +22,9 @@ struct StepSpring {
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
 /// sliding points is a load of the right-hand side that follows their normal force, and so is what dilation presses
-/// their normal springs by, which follows their slip (Anderson acceleration, GMRES for a
-/// linear iteration). Water in joints is a load along the gaps, that of the step's start. Gaps and stretches are linear
-/// in d, about the start of the step.
+/// their normal springs by, which follows their slip: Anderson acceleration (GMRES for a linear iteration), and where
+/// that does not settle, Newton's method with GMRES and the factor. Water in joints is a load along the gaps, that of
+/// the step's start. Gaps and stretches are linear in d, about the start of the step.
 /// @source thesis 3.2.2, 4.5
 class OpenClose {
  public:
@@ -77,7 +78,18 @@ class OpenClose {
   [[nodiscard]] bool update(StepReport& report);
   /// d = A^-1 rhs, refined where the factor was updated. False: the updates have lost too much.
   [[nodiscard]] bool solve_linear(std::span<const double> rhs, std::span<double> d);
+  /// Friction of the points that slip, and what dilation presses their springs by: loads that have to be those found.
+  struct Friction {
+    std::vector<std::size_t> slipping, dilating;  // points
+    Eigen::VectorXd load, found;                  // of slipping ones the normal force, of dilating ones k_n opening [N]
+    bool settled = false;
+  };
   [[nodiscard]] bool solve_with_friction(std::span<double> d, StepReport& report);
+  void gather_friction();
+  /// Unknowns under the loads, and the loads that these give. False: there is no factor.
+  [[nodiscard]] bool follow_friction(std::span<double> d, StepReport& report);
+  /// Change of the loads found with a change of those taken.   @pre a new factor
+  [[nodiscard]] Eigen::VectorXd friction_response(const Eigen::VectorXd& change);
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
   [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
@@ -104,6 +116,8 @@ class OpenClose {
   double gap_round_off_ = 0.0;  // to which positions define a gap [m]
   std::span<const double> A_;
   std::vector<double> rhs_, base_, scale_, factored_scale_, residual_, correction_;
+  std::vector<double> friction_rhs_;
+  Friction friction_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
   bool factored_ = false, updated_ = false;
