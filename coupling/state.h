@@ -46,6 +46,17 @@ struct Remainder {
   std::vector<double> velocity, stress;
 };
 
+/// What the next implicit step begins to solve with.
+struct KeptFactor {
+  /// Steps make a factor of their own while `wait` is above 0, and wait the longer the less a kept one was worth.
+  struct Patience {
+    std::int32_t wait = 0, next_wait = 0;
+  };
+  Patience patience;
+  std::vector<std::int32_t> column_start, row;  // the matrix it is of: lower triangle; empty: there is none
+  std::vector<double> value;
+};
+
 struct State {
   Tick time = 0;
   std::int64_t step = 0;
@@ -58,6 +69,7 @@ struct State {
   std::vector<double> v_before;    // velocity of the half step before, where damping lags on it (else empty)
   std::vector<double> damping;     // forces of mass-proportional damping that spares affine motion (else empty) [N]
   std::vector<ContactMemory> contacts;  // sorted by key
+  KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
   Ledger ledger;
 
@@ -130,6 +142,11 @@ void State::visit(Visitor&& see) {
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
   }
+  see("factored.wait", factored.patience.wait);
+  see("factored.next_wait", factored.patience.next_wait);
+  see("factored.column_start", factored.column_start);
+  see("factored.row", factored.row);
+  see("factored.value", factored.value);
   see.size("rest", rest);
   for (Remainder& r : rest) {
     see("rest.block", r.block.value);

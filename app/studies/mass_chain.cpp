@@ -1,6 +1,5 @@
 #include "app/studies/mass_chain.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -39,15 +38,19 @@ void MassChain::step_explicit() {
 void MassChain::step_implicit() {
   const auto n = static_cast<std::int32_t>(u_.size());
   const double inertia = 2.0 * setting_.mass / (h_ * h_);
-  matrix_.begin({});
-  constexpr std::array<double, 2> kOne{1.0, 0.0}, kStretch{-1.0, 1.0};
+  rows_.clear();
+  scale_.clear();
   for (std::int32_t i = 0; i < n; ++i) {
-    const std::array<std::int32_t, 2> ends{i, i + 1};
-    matrix_.add_outer(std::span(ends).first(1), std::span(kOne).first(1), inertia);
-    if (i == 0) matrix_.add_outer(std::span(ends).first(1), std::span(kOne).first(1), setting_.stiffness);
-    if (i + 1 < n) matrix_.add_outer(ends, kStretch, setting_.stiffness);
+    rows_.begin_row();
+    rows_.add(i, 1.0);
+    scale_.push_back(inertia + (i == 0 ? setting_.stiffness : 0.0));
+    if (i + 1 == n) break;
+    rows_.begin_row();
+    rows_.add(i, -1.0);
+    rows_.add(i + 1, 1.0);
+    scale_.push_back(setting_.stiffness);
   }
-  if (!matrix_.factorise()) throw std::runtime_error("the chain's matrix is not positive definite");
+  if (!matrix_.factorise({}, rows_, scale_)) throw std::runtime_error("the chain's matrix is not positive definite");
   steps_ += 1.0;
   forces(time());  // at u_n, with the load of t_n+1
   for (std::size_t i = 0; i < u_.size(); ++i) f_[i] += 2.0 * setting_.mass / h_ * v_[i];

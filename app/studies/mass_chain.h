@@ -42,6 +42,8 @@ class MassChain {
   std::vector<double> u_, v_, f_, d_;
   coupling::SymmetricPattern no_fixed_part_;  // every number comes with a spring, as in contact
   coupling::Cholesky matrix_;
+  coupling::DofRows rows_;
+  std::vector<double> scale_;
 };
 
 }  // namespace scree::app

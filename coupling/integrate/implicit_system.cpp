@@ -4,12 +4,6 @@
 
 namespace scree::coupling {
 
-double DofRow::change(std::span<const double> d) const {
-  double sum = known;
-  for (std::size_t i = 0; i < dof.size(); ++i) sum += h[i] * d[static_cast<std::size_t>(dof[i])];
-  return sum;
-}
-
 ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value_(1, 0) {
   std::vector<std::int32_t> row, column;
   for (const Body& b : setup.bodies()) {
@@ -87,26 +81,13 @@ double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool
   return energy;
 }
 
-void ImplicitSystem::add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q,
-                               const Vec2& driven_move) const {
+ChartRow ImplicitSystem::chart(std::int32_t body, const Row& row, std::span<const double> q) const {
   const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
-  if (b.driven) {
-    out.known += c.dot(driven_move);
-    return;
-  }
-  const ChartRow chart =
+  ChartRow chart =
       setup_->pool_of(b).chart_row(b.index, setup_->local(b, row), setup_->part(q, static_cast<std::size_t>(b.pool)));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k) {
-    const std::int32_t dof = chart.dof[k] + first_dof_[static_cast<std::size_t>(body)];
-    const double h = c.x() * chart.tx[k] + c.y() * chart.ty[k];
-    const auto at = std::find(out.dof.begin(), out.dof.end(), dof);
-    if (at == out.dof.end()) {
-      out.dof.push_back(dof);
-      out.h.push_back(h);
-    } else {
-      out.h[static_cast<std::size_t>(at - out.dof.begin())] += h;
-    }
-  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k)
+    chart.dof[k] += first_dof_[static_cast<std::size_t>(body)];
+  return chart;
 }
 
 void ImplicitSystem::add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const {

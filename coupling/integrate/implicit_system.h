@@ -4,18 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "coupling/integrate/dof_rows.h"
 #include "coupling/integrate/symmetric_pattern.h"
 #include "coupling/stages/setup.h"
 
 namespace scree::coupling {
-
-/// A scalar of the step, linear in the unknowns: change = h.d + known.
-struct DofRow {
-  std::vector<std::int32_t> dof;  // each once
-  std::vector<double> h;
-  double known = 0.0;  // part of driven bodies
-  [[nodiscard]] double change(std::span<const double> d) const;
-};
 
 /// Numbers the unknowns of free bodies and sums their element matrices on one pattern, found once a stage.
 class ImplicitSystem {
@@ -42,10 +35,13 @@ class ImplicitSystem {
   [[nodiscard]] std::span<const double> mass() const { return mass_; }
   [[nodiscard]] std::span<const double> rate() const { return rate_; }
 
-  /// out += c.(displacement of a row of a body); what a driven body does is known.
-  /// @param q  positions at the start of the step   @param driven_move  of a driven body in the step
-  void add_point(DofRow& out, std::int32_t body, const Row& row, const Vec2& c, std::span<const double> q,
-                 const Vec2& driven_move) const;
+  /// A row of a free body in the unknowns.   @param q  positions at the start of the step
+  [[nodiscard]] ChartRow chart(std::int32_t body, const Row& row, std::span<const double> q) const;
+  /// The last row += c.(displacement of the point).
+  static void add_point(const ChartRow& point, const Vec2& c, DofRows& out) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(point.n); ++k)
+      out.add(point.dof[k], c.x() * point.tx[k] + c.y() * point.ty[k]);
+  }
   /// out += forces on nodes, in the unknowns.   @param f  x, y a node of the state's arrays
   void add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const;
   /// Accelerations of the free bodies' nodes in the unknowns, and back.   @pre constant charts

@@ -29,6 +29,7 @@ struct StepReport {
   int switches = 0;        // of contact states in them
   int factorisations = 0;
   int updates = 0;            // rank-1 changes of a factor
+  int corrections = 0;        // solutions with the factor of a matrix that is not quite that of the step
   int iterations = 0;         // of Newton's method
   double residual = 0.0;      // it left, over the largest force
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there

@@ -27,7 +27,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       options_(options),
       finder_(setup, detection),
       system_(setup),
-      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.rank_updates) {
+      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor) {
   driven_move_.resize(setup.bodies().size());
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
@@ -48,6 +48,7 @@ double Newmark::enter(State& state) {
   finder_.find(state.q, before_, state.step == 0, list_);
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it
   state.contacts = list_.memory;
+  contacts_.enter(state.factored);
   state.last_step = 0;
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
@@ -63,21 +64,18 @@ double Newmark::enter(State& state) {
       // M a = f - C v at the start: the residual of a step that has not moved yet.
       state.a.assign(state.q.size(), 0.0);
       prepare(state, 1.0);
-      contacts_.begin(list_, state.q, driven_move_, {});
+      find_step_springs(state, 1.0);
+      contacts_.begin(list_, state.q, driven_move_, springs_);
       std::fill(d_.begin(), d_.end(), 0.0);
       for (std::size_t i = 0; i < rhs_.size(); ++i)
         rhs_[i] =
             gravity_[i] + load_before_[i] + force_before_[i] + damped_before_.mass[i] + damped_before_.stiffness[i];
-      std::size_t n = 0;
-      for (const StepSpring& s : step_springs(state, 1.0)) {
-        const double sign = n++ < 2 * supports_.size() ? -1.0 : 1.0;  // dashpots: k at = -c v, see StepSpring
-        for (std::size_t j = 0; j < s.row.dof.size(); ++j)
-          rhs_[static_cast<std::size_t>(s.row.dof[j])] += sign * s.k * s.at * s.row.h[j];
-      }
+      // Of a dashpot k at = -c v, see StepSprings.
+      for (std::size_t k = 0; k < springs_.size(); ++k)
+        springs_.rows[k].add_force((k < 2 * supports_.size() ? -1.0 : 1.0) * springs_.k[k] * springs_.at[k], rhs_);
       Cholesky mass;
       mass.set_pattern(system_.pattern());
-      mass.begin(system_.mass());
-      if (mass.factorise()) mass.solve(rhs_, acceleration_);
+      if (mass.factorise(system_.mass(), DofRows(), {})) mass.solve(rhs_, acceleration_);
       system_.node_accelerations(acceleration_, state.a);
     }
   } else {
@@ -89,6 +87,7 @@ double Newmark::enter(State& state) {
 void Newmark::leave(State& state) {
   update_ledger(state);
   state.last_step = 0;  // no shadow of ours
+  state.factored = {};
   state.a.clear();
 }
 
@@ -184,16 +183,26 @@ void Newmark::add_affine_damping(const State& state, std::span<const double> rat
   system_.add_forces(node_scratch_, state.q, out);
 }
 
-std::vector<StepSpring> Newmark::step_springs(const State& state, double h) const {
-  std::vector<StepSpring> out;
-  const auto add = [&](std::int32_t body, const Row& row, const Vec2& direction, double k, double at) {
-    StepSpring s{{}, k, at};
-    system_.add_point(s.row, body, row, direction, state.q, driven_move_[static_cast<std::size_t>(body)]);
-    out.push_back(std::move(s));
+void Newmark::find_step_springs(const State& state, double h) {
+  springs_.clear();
+  const auto begin = [&](double k, double at) {
+    springs_.rows.begin_row();
+    springs_.k.push_back(k);
+    springs_.at.push_back(at);
+  };
+  const auto add = [&](std::int32_t body, const Row& row, const Vec2& direction) {
+    const auto b = static_cast<std::size_t>(body);
+    if (setup_->bodies()[b].driven)
+      springs_.rows.add_known(direction.dot(driven_move_[b]));
+    else
+      ImplicitSystem::add_point(system_.chart(body, row, state.q), direction, springs_.rows);
   };
   for (const PointSpring& s : supports_) {
     const Vec2 u = position(s.row, state.q) - s.anchor;
-    for (int d = 0; d < 2; ++d) add(s.body, s.row, d == 0 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0), s.k[d], u[d]);
+    for (int d = 0; d < 2; ++d) {
+      begin(s.k[d], u[d]);
+      add(s.body, s.row, d == 0 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0));
+    }
   }
   // A dashpot's force -c v', v' = 2 u/h - v.
   for (const Dashpot& p : dashpots_) {
@@ -201,17 +210,14 @@ std::vector<StepSpring> Newmark::step_springs(const State& state, double h) cons
     const std::span<const double> at = trapezoidal() ? std::span<const double>(reference_) : state.q;
     const Vec2 t = (position(p.stretch.b, at) - position(p.stretch.a, at)).normalized(), n(t.y(), -t.x());
     for (const double s : {p.stretch.from, p.stretch.to}) {
-      Row row;  // of the point: both ends' rows name the same element's nodes
       const Vec2 v = p.stretch.at(s, state.v);
       for (const auto& [direction, c] : {std::pair(n, p.normal), std::pair(t, p.shear)}) {
-        StepSpring spring{{}, 2.0 * c / h, -0.5 * h * direction.dot(v)};
-        system_.add_point(spring.row, p.stretch.body, p.stretch.a, (1.0 - s) * direction, state.q, Vec2::Zero());
-        system_.add_point(spring.row, p.stretch.body, p.stretch.b, s * direction, state.q, Vec2::Zero());
-        out.push_back(std::move(spring));
+        begin(2.0 * c / h, -0.5 * h * direction.dot(v));
+        add(p.stretch.body, p.stretch.a, (1.0 - s) * direction);
+        add(p.stretch.body, p.stretch.b, s * direction);
       }
     }
   }
-  return out;
 }
 
 void Newmark::linear_system(double h) {
@@ -254,8 +260,10 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   const bool spares = options_.damping > 0.0 && !options_.damp_rigid_motion;
   const bool iterative = system_.nonlinear() || spares;
   Stiffness kind = Stiffness::exact;
-  contacts_.begin(list_, state.q, driven_move_, step_springs(state, h));
-  std::fill(d_.begin(), d_.end(), 0.0);
+  find_step_springs(state, h);
+  contacts_.begin(list_, state.q, driven_move_, springs_);
+  // Newton's method begins where the step does; what is linear, where it would be without new forces.
+  for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
   std::vector<double> affine(d_.size(), 0.0);
   if (spares) add_affine_damping(state, system_.rate(), affine);

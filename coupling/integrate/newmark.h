@@ -20,7 +20,7 @@ struct ImplicitOptions {
   double damping = 0.0;            // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // [s]
-  bool rank_updates = true;        // of the factor where contacts switch; false: it is made anew, for comparison
+  OpenClose::Factor factor = OpenClose::Factor::kept;
 };
 
 /// With v' = 2 d/h - v in both schemes, at the end of the step:
@@ -58,7 +58,7 @@ class Newmark final : public Mover {
   };
   void prepare_damping(const State& state);
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
-  [[nodiscard]] std::vector<StepSpring> step_springs(const State& state, double h) const;
+  void find_step_springs(const State& state, double h);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
@@ -87,6 +87,7 @@ class Newmark final : public Mover {
   ContactList list_, before_;
   ImplicitSystem system_;
   OpenClose contacts_;
+  StepSprings springs_;
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
   std::vector<LoadVector> loads_;

@@ -57,21 +57,21 @@ void Newmark::book_damping(Ledger& ledger) const {
 }
 
 void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
-  for (std::size_t i = 0; i < contacts_.springs().size(); ++i) {
-    const StepSpring& s = contacts_.springs()[i];
-    const double u = s.row.change(d_);
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const double u = springs_.rows[i].change(d_), k = springs_.k[i], at = springs_.at[i];
     if (i < 2 * supports_.size()) {
-      if (!trapezoidal()) ledger.book(Column::newmark_damping, 0.5 * s.k * u * u);
-      after.supports += 0.5 * s.k * (s.at + u) * (s.at + u);
+      if (!trapezoidal()) ledger.book(Column::newmark_damping, 0.5 * k * u * u);
+      after.supports += 0.5 * k * (at + u) * (at + u);
     } else {  // a dashpot: its force at the start of the step was k at
-      ledger.book(Column::viscous_edges, trapezoidal() ? 0.5 * s.k * u * u : -s.force(d_) * u);
+      ledger.book(Column::viscous_edges, trapezoidal() ? 0.5 * k * u * u : -springs_.force(i, d_) * u);
     }
   }
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     const ContactMemory& m = list_.memory[i];
-    ledger.book(Column::prescribed_motion, -((t.fn + m.water) * t.normal.known + t.ft * t.tangential.known));
-    if (m.water != 0.0) ledger.book(Column::water, m.water * t.normal.change(d_));
+    const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
+    ledger.book(Column::prescribed_motion, -known);
+    if (m.water != 0.0) ledger.book(Column::water, m.water * contacts_.normal(i).change(d_));
     // Normal: -(f dg + dU), split by what happened; dg of the spring, which dilation takes along.
     if (t.opened != 0.0) ledger.book(Column::dilation, -t.fn * t.opened);
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
@@ -199,6 +199,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   std::vector<double> linear = remember_contacts(state);
   book_contact_update(state, std::move(linear), state.ledger);
   state.contacts = list_.memory;
+  contacts_.accept(state.factored);
   state.ledger.set(Column::contact_springs, contact_energy(list_));
   book_update(state, after);
 }

@@ -6,57 +6,87 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "coupling/contact/joint_strength.h"
-#include "coupling/integrate/anderson.h"
-#include "coupling/integrate/gmres.h"
 
 namespace scree::coupling {
-namespace {
-
-/// Sum of the sizes of what DofRow::change() adds up.
-double size_of_change(const DofRow& row, std::span<const double> d) {
-  double size = std::abs(row.known);
-  for (std::size_t j = 0; j < row.dof.size(); ++j) size += std::abs(row.h[j] * d[static_cast<std::size_t>(row.dof[j])]);
-  return size;
-}
-
-/// out += force along a row.
-void add_to(std::span<double> out, const DofRow& row, double force) {
-  for (std::size_t j = 0; j < row.dof.size(); ++j) out[static_cast<std::size_t>(row.dof[j])] += force * row.h[j];
-}
-
-}  // namespace
 
 OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
-                     bool rank_updates)
-    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), rank_updates_(rank_updates) {
+                     Factor factor)
+    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor) {
   cholesky_.set_pattern(system.pattern());
+  chart_of_node_.assign(setup.outlines().nodes.size(), -1);
   for (const Body& b : setup.bodies()) {
     const Model& model = setup.model();
     mass_.push_back(model.material_of(b.block).density * moments(model.blocks[b.block.index()].polygon).area);
   }
 }
 
-DofRow OpenClose::dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
-                          std::span<const Vec2> driven_move) const {
-  const Outlines& o = setup_->outlines();
-  DofRow out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto node = static_cast<std::size_t>(p.node[i]);
-    const std::int32_t body = o.node_body[node];
-    system_->add_point(out, body, o.nodes[node], row[i], q, driven_move[static_cast<std::size_t>(body)]);
+void OpenClose::enter(const KeptFactor& kept) {
+  patience_ = kept.patience;
+  made_ = false;
+  cholesky_.set_pattern(system_->pattern());
+  if (kept.column_start.empty()) return;
+  SymmetricMatrix matrix;
+  matrix.pattern.n = static_cast<std::int32_t>(kept.column_start.size()) - 1;
+  matrix.pattern.column_start = kept.column_start;
+  matrix.pattern.row = kept.row;
+  matrix.value = kept.value;
+  (void)cholesky_.factorise(matrix);  // not definite: neither was it for the run that wrote it, which goes on without
+}
+
+void OpenClose::accept(KeptFactor& kept) {
+  if (factor_ != Factor::kept) return;
+  if (made_) {
+    const SymmetricMatrix& matrix = cholesky_.matrix();
+    kept.column_start = matrix.pattern.column_start;
+    kept.row = matrix.pattern.row;
+    kept.value = matrix.value;
+    made_ = false;
   }
-  return out;
+  if (keep_) patience_.next_wait = 0;
+  if (patience_.wait > 0) --patience_.wait;
+  kept.patience = patience_;
+}
+
+const ChartRow& OpenClose::chart(std::int32_t node, std::span<const double> q) {
+  const Outlines& o = setup_->outlines();
+  const auto n = static_cast<std::size_t>(node);
+  if (chart_of_node_[n] < 0) {
+    chart_of_node_[n] = static_cast<std::int32_t>(charts_.size());
+    charts_.push_back(system_->chart(o.node_body[n], o.nodes[n], q));
+  }
+  return charts_[static_cast<std::size_t>(chart_of_node_[n])];
+}
+
+void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
+                         std::span<const Vec2> driven_move) {
+  const Outlines& o = setup_->outlines();
+  for (const ContactRow& row : {gap_row(p.at), stretch_row(p.at, m.anchor)}) {
+    rows_.begin_row();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto body = static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(p.node[i])]);
+      if (setup_->bodies()[body].driven)
+        rows_.add_known(row[i].dot(driven_move[body]));
+      else
+        ImplicitSystem::add_point(chart(p.node[i], q), row[i], rows_);
+    }
+  }
 }
 
 void OpenClose::begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
-                      std::vector<StepSpring> springs) {
+                      const StepSprings& springs) {
   list_ = &list;
-  springs_ = std::move(springs);
-  factored_ = false;
+  springs_ = &springs;
+  current_ = updated_ = false;
+  keep_ = factor_ == Factor::kept && !system_->nonlinear() && cholesky_.factored() && patience_.wait == 0;
+  if (keep_) cholesky_.drop_updates();
+  corrections_left_ = cholesky_.solves_per_factorisation();
   passes_.clear();
+  rows_.clear();
+  for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
+  charts_.clear();
+  std::fill(chart_of_node_.begin(), chart_of_node_.end(), -1);
   trial_.resize(list.points.size());
   weight_.resize(trial_.size());
   double farthest = 0.0;
@@ -70,13 +100,9 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
-    Trial& t = trial_[i];
-    t.normal = dof_row(p, gap_row(p.at), q, driven_move);
-    t.tangential = dof_row(p, stretch_row(p.at, m.anchor), q, driven_move);
-    t.status = p.suppressed ? ContactStatus::open : m.status;
-    t.direction = m.ft < 0.0 ? -1.0 : 1.0;
-    t.load = m.fn;
-    t.opened = 0.0;
+    add_rows(p, m, q, driven_move);
+    trial_[i] = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0, m.fn};
+    trial_[i].opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
 }
@@ -85,13 +111,27 @@ const JointLaw& OpenClose::law_of(std::size_t i) const {
   return setup_->model().joints[static_cast<std::size_t>(list_->memory[i].joint)];
 }
 
+double OpenClose::stretch_before(std::size_t i) const {
+  const ContactMemory& m = list_->memory[i];
+  return m.status == ContactStatus::open ? 0.0 : m.stretch;
+}
+
 double OpenClose::limit(std::size_t i) const { return friction_limit(law_of(i), list_->memory[i], trial_[i].load); }
 
-double OpenClose::slip_of(std::size_t i) const {
-  const Trial& t = trial_[i];
+double OpenClose::slip_left(std::size_t i) const {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  return std::max(0.0, law_of(i).dilation_slip.value_or(kInf) - list_->memory[i].slip);
+}
+
+OpenClose::Dilation OpenClose::dilation(std::size_t i) const {
+  // The spring is pressed by tan psi times the slip |s|, |s| = -dir e - (c + tan phi f)/k_t, so that
+  //   f = -k_n g + k_n tan psi |s| has f on both sides; after the end of dilation |s| is what was left.
   const ContactMemory& m = list_->memory[i];
-  const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
-  return std::max(0.0, -t.direction * (before + t.moved - t.stretch));
+  const JointLaw& law = law_of(i);
+  const double slope = m.kn * std::tan(law.dilation);
+  if (!trial_[i].opens) return {m.kn, 0.0, -slope * slip_left(i)};
+  const double part = 1.0 / (1.0 + slope / m.kt * friction_coefficient(law, m));
+  return {part * m.kn, part * slope * trial_[i].direction, part * slope * friction_limit(law, m, 0.0) / m.kt};
 }
 
 double OpenClose::normal_stiffness(std::size_t i) const {
@@ -102,232 +142,183 @@ double OpenClose::tangential_stiffness(std::size_t i) const {
   return trial_[i].status == ContactStatus::stick ? list_->memory[i].kt : 0.0;
 }
 
-template <class See>
-void OpenClose::for_springs(See&& see) const {
-  for (const StepSpring& s : springs_) see(s.row, s.k, s.at);
+void OpenClose::take_states() {
+  k_.assign(springs_->k.begin(), springs_->k.end());
+  at_.assign(springs_->at.begin(), springs_->at.end());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactMemory& m = list_->memory[i];
-    see(trial_[i].normal, normal_stiffness(i), m.gap);
-    see(trial_[i].tangential, tangential_stiffness(i), m.status == ContactStatus::open ? 0.0 : m.stretch);
+    k_.push_back(normal_stiffness(i));
+    at_.push_back(m.gap);
+    k_.push_back(tangential_stiffness(i));
+    at_.push_back(m.status == ContactStatus::open ? 0.0 : m.stretch);
+  }
+  rhs_ = base_;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
+  // Coulomb's force c + tan phi f_n on what slips: with the gap, of which f_n is a multiple, and without.
+  slipping_.clear();
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    Trial& t = trial_[i];
+    if (t.status != ContactStatus::slip) continue;
+    slipping_.push_back(i);
+    t.load = 0.0;
+    const double gap = list_->memory[i].gap + normal(i).known;
+    if (!dilates(i)) {
+      tangential(i).add_force(t.direction * limit(i) - friction_per_gap(i) * gap, rhs_);
+      continue;
+    }
+    const Dilation f = dilation(i);
+    const double force = -(f.per_gap * gap + f.per_stretch * (stretch_before(i) + tangential(i).known) + f.constant),
+                 spring = -list_->memory[i].kn * gap;  // that it would be without, which rhs has
+    normal(i).add_force(force - spring, rhs_);
+    tangential(i).add_force(t.direction * limit(i) + friction_per_gap(i) / list_->memory[i].kn * force, rhs_);
   }
 }
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
-  rhs_ = base_;
-  scale_.clear();
-  for_springs([&](const DofRow& row, double k, double at) {
-    scale_.push_back(k);
-    if (k != 0.0)
-      for (std::size_t j = 0; j < row.dof.size(); ++j)
-        rhs_[static_cast<std::size_t>(row.dof[j])] -= k * (at + row.known) * row.h[j];
-  });
-  if (factored_ && !fresh && (scale_ == factored_scale_ || update(report))) return true;
+  take_states();
+  if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
 
 bool OpenClose::factorise_anew(StepReport& report) {
-  cholesky_.begin(A_);
-  for_springs([&](const DofRow& row, double k, double) { cholesky_.add_outer(row.dof, row.h, k); });
-  factored_ = cholesky_.factorise();
-  updated_ = false;
+  keep_ = updated_ = false;
+  current_ = cholesky_.factorise(A_, rows_, k_);
+  made_ = true;
   ++report.factorisations;
-  factored_scale_ = scale_;
-  if (factored_) return true;
+  factored_k_ = k_;
+  if (current_) return true;
   report.status = StepReport::Status::not_definite;
   report.cause = "the implicit matrix is not positive definite";
   return false;
 }
 
 bool OpenClose::update(StepReport& report) {
-  if (!rank_updates_) return false;
+  if (factor_ == Factor::anew) return false;
   changes_.clear();
-  std::size_t n = 0;
-  for_springs([&](const DofRow& row, double k, double) {
-    if (const double delta = k - factored_scale_[n++]; delta != 0.0 && !row.dof.empty())
-      changes_.push_back({row.dof, row.h, delta});
-  });
-  if (cholesky_.relative_work(changes_) > 1.0 || !cholesky_.update(changes_)) return false;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (const double delta = k_[r] - factored_k_[r]; delta != 0.0 && !rows_[r].dof.empty())
+      changes_.push_back({r, delta});
+  if (cholesky_.relative_work(rows_, changes_) > 1.0 || !cholesky_.update(rows_, changes_)) return false;
   report.updates += static_cast<int>(changes_.size());
-  factored_scale_ = scale_;
+  factored_k_ = k_;
   updated_ = true;
   return true;
 }
 
-bool OpenClose::solve_linear(std::span<const double> rhs, std::span<double> d) {
-  cholesky_.solve(rhs, d);
-  if (!updated_) return true;
-  constexpr double kExact = 1e-12;  // of the largest force: what a factorisation leaves
-  for (int refined = 0;; ++refined) {
-    residual_.assign(rhs.begin(), rhs.end());
-    system_->pattern().multiply_add(-1.0, A_, d, residual_);
-    double size = 0.0, left = 0.0;
-    for (std::size_t i = 0; i < residual_.size(); ++i)
-      size = std::max({size, std::abs(rhs[i]), std::abs(residual_[i] - rhs[i])});
-    for_springs([&](const DofRow& row, double k, double) {
-      if (k == 0.0) return;
-      double force = 0.0;
-      for (std::size_t j = 0; j < row.dof.size(); ++j) force += row.h[j] * d[static_cast<std::size_t>(row.dof[j])];
-      force *= k;
-      size = std::max(size, std::abs(force));
-      for (std::size_t j = 0; j < row.dof.size(); ++j)
-        residual_[static_cast<std::size_t>(row.dof[j])] -= force * row.h[j];
-    });
-    for (const double r : residual_) left = std::max(left, std::abs(r));
-    if (left <= kExact * size) return true;
-    if (refined == 3 || !std::isfinite(left)) return false;
-    correction_.resize(d.size());
-    cholesky_.solve(residual_, correction_);
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] += correction_[i];
+void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
+  system_->pattern().multiply(A_, x, y);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) rows_[r].add_force(k_[r] * (rows_[r].change(x) - rows_[r].known), y);
+  for (const std::size_t i : slipping_) {
+    const double gap = normal(i).change(x) - normal(i).known;
+    if (!dilates(i)) {
+      tangential(i).add_force(friction_per_gap(i) * gap, y);
+      continue;
+    }
+    const Dilation f = dilation(i);
+    const double loss = f.per_gap * gap + f.per_stretch * (tangential(i).change(x) - tangential(i).known),
+                 kn = list_->memory[i].kn;
+    normal(i).add_force(loss - kn * gap, y);
+    tangential(i).add_force(friction_per_gap(i) / kn * loss, y);
   }
+}
+
+double OpenClose::friction_per_gap(std::size_t i) const {
+  const ContactMemory& m = list_->memory[i];
+  return trial_[i].direction * m.kn * friction_coefficient(law_of(i), m);
+}
+
+double OpenClose::force_scale(std::span<const double> d) const {
+  double size = 0.0;
+  for (std::size_t i = 0; i < rhs_.size(); ++i) size = std::max({size, std::abs(rhs_[i]), std::abs(base_[i])});
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) size = std::max(size, k_[r] * std::abs(at_[r] + rows_[r].change(d)));
+  return size;
+}
+
+double OpenClose::round_off(std::span<const double> d) const {
+  const SymmetricPattern& p = system_->pattern();
+  std::vector<double> size(d.size(), 0.0);
+  for (std::int32_t c = 0; c < p.n; ++c)
+    for (std::int32_t k = p.column_start[static_cast<std::size_t>(c)];
+         k < p.column_start[static_cast<std::size_t>(c) + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k), row = static_cast<std::size_t>(p.row[at]),
+                 column = static_cast<std::size_t>(c);
+      size[row] += std::abs(A_[at] * d[column]);
+      if (row != column) size[column] += std::abs(A_[at] * d[row]);
+    }
+  return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
+}
+
+int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
+  constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
+  constexpr int kAtOnce = ConjugateResiduals::kDepth;
+  double enough = kExact * force_scale(d);
+  int taken = 0;
+  for (bool looked = false;;) {
+    const int part = std::min(most - taken, kAtOnce);
+    const int more = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
+                                      [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
+                                      rhs_, enough, part, d);
+    taken += more >= 0 ? more : part;
+    if (more >= 0 || (looked && taken >= most)) {
+      report.corrections += taken;
+      return more >= 0 ? taken : -1;
+    }
+    // Static steps of stiff meshes: forces inside are far larger than those on the blocks, and so is what they leave.
+    enough = std::max(kExact * force_scale(d), round_off(d));
+    looked = true;
+  }
+}
+
+bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
+  constexpr int kRefinements = 6, kFriction = 200;
+  friction_settled_ = true;
+  if (keep_) {
+    const int taken = improve(corrections_left_, d, report);
+    corrections_left_ -= std::max(taken, 0);
+    if (taken >= 0) return true;
+    constexpr std::int32_t kLongest = 15;
+    patience_.wait = patience_.next_wait = std::min(2 * patience_.next_wait + 1, kLongest);
+    if (!factorise_anew(report)) return false;
+  }
+  if (updated_) {
+    if (improve(slipping_.empty() ? kRefinements : kFriction, d, report) >= 0) return true;
+    if (!factorise_anew(report)) return false;
+  }
+  if (slipping_.empty())
+    cholesky_.solve(rhs_, d);
+  else
+    friction_settled_ = improve(kFriction, d, report) >= 0;
+  return true;
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
-    if (t.status != ContactStatus::slip) t.opened = 0.0;
-    t.gap = m.gap + t.normal.change(d) - t.opened;
-    t.moved = t.tangential.change(d);
+    t.gap = m.gap + normal(i).change(d);
+    t.moved = tangential(i).change(d);
+    t.opened = 0.0;
+    if (t.status == ContactStatus::slip && dilates(i)) {
+      const Dilation f = dilation(i);
+      const double force = -(f.per_gap * t.gap + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
+      t.opened = t.gap + force / m.kn;
+      t.gap = -force / m.kn;
+    }
     t.fn = t.status == ContactStatus::open ? 0.0 : -m.kn * t.gap;
-    const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
     if (t.status == ContactStatus::stick) {
-      t.stretch = before + t.moved;
+      t.stretch = stretch_before(i) + t.moved;
       t.ft = -m.kt * t.stretch;
     } else if (t.status == ContactStatus::slip) {
+      t.load = std::max(t.fn, 0.0);
       t.ft = t.direction * limit(i);
       t.stretch = -t.ft / m.kt;
     } else {
       t.ft = t.stretch = 0.0;
     }
   }
-}
-
-void OpenClose::gather_friction() {
-  Friction& f = friction_;
-  f.slipping.clear();
-  f.dilating.clear();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (trial_[i].status != ContactStatus::slip) continue;
-    f.slipping.push_back(i);
-    if (law_of(i).dilation > 0.0) f.dilating.push_back(i);
-  }
-  const auto n = static_cast<Eigen::Index>(f.slipping.size());
-  f.load.resize(n + static_cast<Eigen::Index>(f.dilating.size()));
-  f.found.resize(f.load.size());
-  for (Eigen::Index k = 0; k < n; ++k) f.load[k] = trial_[f.slipping[static_cast<std::size_t>(k)]].load;
-  for (std::size_t k = 0; k < f.dilating.size(); ++k)
-    f.load[n + static_cast<Eigen::Index>(k)] = list_->memory[f.dilating[k]].kn * trial_[f.dilating[k]].opened;
-}
-
-bool OpenClose::follow_friction(std::span<double> d, StepReport& report) {
-  Friction& f = friction_;
-  const auto n = static_cast<Eigen::Index>(f.slipping.size());
-  friction_rhs_ = rhs_;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
-    Trial& t = trial_[i];
-    t.load = std::max(f.load[k], 0.0);
-    add_to(friction_rhs_, t.tangential, t.direction * limit(i));
-  }
-  for (std::size_t k = 0; k < f.dilating.size(); ++k) {
-    Trial& t = trial_[f.dilating[k]];
-    const double press = std::max(f.load[n + static_cast<Eigen::Index>(k)], 0.0);
-    t.opened = press / list_->memory[f.dilating[k]].kn;
-    add_to(friction_rhs_, t.normal, press);
-  }
-  if (!solve_linear(friction_rhs_, d)) {
-    if (!factorise_anew(report)) return false;
-    cholesky_.solve(friction_rhs_, d);
-  }
-  evaluate_points(d);
-  double size = 0.0, round_off = 0.0;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
-    f.found[k] = std::max(trial_[i].fn, 0.0);
-    round_off = std::max(round_off, list_->memory[i].kn * size_of_change(trial_[i].normal, d));
-  }
-  for (std::size_t k = 0; k < f.dilating.size(); ++k) {
-    const ContactMemory& m = list_->memory[f.dilating[k]];
-    const JointLaw& law = law_of(f.dilating[k]);
-    f.found[n + static_cast<Eigen::Index>(k)] =
-        m.kn * (opened_by_slip(law, m.slip + slip_of(f.dilating[k])) - opened_by_slip(law, m.slip));
-  }
-  double change = 0.0;
-  for (Eigen::Index k = 0; k < f.found.size(); ++k) {
-    change = std::max(change, std::abs(f.found[k] - f.load[k]));
-    size = std::max(size, std::abs(f.found[k]));
-  }
-  for (const Trial& t : trial_) size = std::max(size, std::abs(t.fn));
-  // No absolute force: it would be large for small blocks. A gap is known to some last places of what it is a sum of.
-  f.settled = change <= 1e-11 * size + 64.0 * std::numeric_limits<double>::epsilon() * round_off;
-  return true;
-}
-
-Eigen::VectorXd OpenClose::friction_response(const Eigen::VectorXd& change) {
-  // Derivative of what follow_friction() finds from its loads: those that are cut off at zero count for nothing.
-  const Friction& f = friction_;
-  const auto n = static_cast<Eigen::Index>(f.slipping.size());
-  const auto friction_of = [&](Eigen::Index k) {
-    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
-    if (f.load[k] <= 0.0 || limit(i) == 0.0) return 0.0;
-    return trial_[i].direction * friction_coefficient(law_of(i), list_->memory[i]) * change[k];
-  };
-  const auto press_of = [&](std::size_t k) {
-    const auto at = n + static_cast<Eigen::Index>(k);
-    return f.load[at] >= 0.0 ? change[at] : 0.0;
-  };
-  std::vector<double> rhs(rhs_.size(), 0.0), d(rhs_.size());
-  for (Eigen::Index k = 0; k < n; ++k)
-    add_to(rhs, trial_[f.slipping[static_cast<std::size_t>(k)]].tangential, friction_of(k));
-  for (std::size_t k = 0; k < f.dilating.size(); ++k) add_to(rhs, trial_[f.dilating[k]].normal, press_of(k));
-  cholesky_.solve(rhs, d);
-  const auto along = [&](const DofRow& row) { return row.change(d) - row.known; };
-  Eigen::VectorXd out(change.size());
-  std::size_t dilating = 0;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const std::size_t i = f.slipping[static_cast<std::size_t>(k)];
-    const Trial& t = trial_[i];
-    const ContactMemory& m = list_->memory[i];
-    const bool dilates = dilating < f.dilating.size() && f.dilating[dilating] == i;
-    out[k] = t.fn > 0.0 ? -m.kn * along(t.normal) + (dilates ? press_of(dilating) : 0.0) : 0.0;
-    if (!dilates) continue;
-    const JointLaw& law = law_of(i);
-    const double slip = slip_of(i);
-    const bool opens =
-        slip > 0.0 && m.slip + slip < law.dilation_slip.value_or(std::numeric_limits<double>::infinity());
-    const double slips = -t.direction * (along(t.tangential) + friction_of(k) / m.kt);
-    out[n + static_cast<Eigen::Index>(dilating++)] = opens ? m.kn * std::tan(law.dilation) * slips : 0.0;
-  }
-  return out;
-}
-
-bool OpenClose::solve_with_friction(std::span<double> d, StepReport& report) {
-  constexpr int kAccelerated = 40, kNewton = 12;
-  gather_friction();
-  Friction& f = friction_;
-  const Eigen::VectorXd begin = f.load;
-  Anderson anderson(10);
-  for (int pass = 0; pass < kAccelerated; ++pass) {
-    if (!follow_friction(d, report)) return false;
-    if (f.settled) return true;
-    f.load = anderson.next(f.load, f.found);
-  }
-  // Steep wedges with many points: Newton's method, where the accelerated iteration began; the loads are linear but for
-  // those that are cut off.
-  if (updated_ && !factorise_anew(report)) return false;
-  f.load = begin;
-  for (int pass = 0; pass < kNewton; ++pass) {
-    if (!follow_friction(d, report)) return false;
-    if (f.settled) return true;
-    Eigen::VectorXd step;
-    const auto newton = [this](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - friction_response(x)); };
-    // What it leaves the next pass takes up.
-    if (!gmres(newton, f.found - f.load, 1e-10, step) && !step.allFinite()) break;
-    f.load += step;
-  }
-  report.status = StepReport::Status::no_friction;
-  report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
-  return false;
 }
 
 bool OpenClose::may_close(std::size_t i) const {
@@ -362,6 +353,7 @@ int OpenClose::switch_states(bool only_worst) {
   std::size_t worst_point = 0;
   ContactStatus worst_status = ContactStatus::open;
   double worst_direction = 0.0;
+  bool worst_opens = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
@@ -369,12 +361,13 @@ int OpenClose::switch_states(bool only_worst) {
     const JointLaw& law = law_of(i);
     ContactStatus to = t.status;
     double violation = 0.0, direction = t.direction;
+    bool opens = t.opens;
     if (t.status == ContactStatus::open) {
       if (t.gap < 0.0 && may_close(i)) {
         // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
         // lifted by its own tangential spring, and never settle.
         violation = -m.kn * t.gap;
-        const double ft = -m.kt * ((m.status == ContactStatus::open ? 0.0 : m.stretch) + t.moved);
+        const double ft = -m.kt * (stretch_before(i) + t.moved);
         const bool slips = std::abs(ft) > friction_limit(law, m, violation);
         to = slips ? ContactStatus::slip : ContactStatus::stick;
         direction = ft < 0.0 ? -1.0 : 1.0;
@@ -392,14 +385,16 @@ int OpenClose::switch_states(bool only_worst) {
         direction = t.ft < 0.0 ? -1.0 : 1.0;
       }
     } else {
-      const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
-      const double slip = before + t.moved - t.stretch;
+      const double slip = stretch_before(i) + t.moved - t.stretch;
       if (t.ft * slip > 0.0) {
         to = ContactStatus::stick;
         violation = m.kt * std::abs(slip);
+      } else if (dilates(i) && (std::abs(slip) < slip_left(i)) != t.opens) {
+        opens = !t.opens;
+        violation = m.kn * std::tan(law.dilation) * std::abs(std::abs(slip) - slip_left(i));
       }
     }
-    if (to == t.status || violation <= tolerance(i)) continue;
+    if ((to == t.status && opens == t.opens) || violation <= tolerance(i)) continue;
     ++switched;
     if (only_worst) {
       if (violation > worst) {
@@ -407,16 +402,19 @@ int OpenClose::switch_states(bool only_worst) {
         worst_point = i;
         worst_status = to;
         worst_direction = direction;
+        worst_opens = opens;
       }
       continue;
     }
     t.status = to;
     t.direction = direction;
+    t.opens = opens;
     t.load = std::max(t.fn, 0.0);
   }
   if (only_worst && switched > 0) {
     trial_[worst_point].status = worst_status;
     trial_[worst_point].direction = worst_direction;
+    trial_[worst_point].opens = worst_opens;
     trial_[worst_point].load = std::max(trial_[worst_point].fn, 0.0);
   }
   return only_worst ? std::min(switched, 1) : switched;
@@ -425,13 +423,10 @@ int OpenClose::switch_states(bool only_worst) {
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const DofRow& row = trial_[i].normal;
-    for (std::size_t j = 0; j < row.dof.size(); ++j)
-      base_[static_cast<std::size_t>(row.dof[j])] += list_->memory[i].water * row.h[j];
-  }
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (const double water = list_->memory[i].water; water != 0.0) normal(i).add_force(water, base_);
   A_ = A;
-  std::set<std::vector<std::int8_t>> seen;
+  seen_.clear();
   bool only_worst = false;
   // After a cycle points switch one at a time, which takes more, cheaper-to-trust passes.
   int switched = 0;
@@ -439,12 +434,17 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     ++report.passes;
     const auto begin = std::chrono::steady_clock::now();
     const int updates = report.updates, factorisations = report.factorisations;
-    if (!factorise(fresh && pass == 0, report) || !solve_with_friction(d, report)) return false;
+    if (!factorise(fresh && pass == 0, report) || !solve_states(d, report)) return false;
+    evaluate_points(d);
     if (!allowed_ && refuse(report)) return false;
-    std::vector<std::int8_t> states;
+    states_.clear();
     for (const Trial& t : trial_)
-      states.push_back(static_cast<std::int8_t>(static_cast<int>(t.status) * (t.direction < 0.0 ? -1 : 1)));
-    if (!seen.insert(states).second && !only_worst) {
+      states_.push_back(
+          static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0)) * (t.direction < 0.0 ? -1 : 1)));
+    const std::size_t now = std::hash<std::string>{}(states_);
+    const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
+    seen_.push_back(now);
+    if (cycle && !only_worst) {
       only_worst = true;
       most = 3 * control_.max_passes;
     }
@@ -452,7 +452,12 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     switched = switch_states(only_worst);
     passes_.push_back({before_it, report.updates - updates, report.factorisations > factorisations,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
-    if (switched == 0) return true;
+    if (switched == 0 && friction_settled_) return true;
+    if (switched == 0) {
+      report.status = StepReport::Status::no_friction;
+      report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
+      return false;
+    }
     report.switches += switched;
   }
   report.status = StepReport::Status::no_states;
@@ -481,14 +486,13 @@ double OpenClose::add_forces(std::span<const double> d, std::span<double> out) c
   double largest = 0.0;
   const auto add = [&](const DofRow& row, double force) {
     largest = std::max(largest, std::abs(force));
-    if (force == 0.0) return;
-    for (std::size_t j = 0; j < row.dof.size(); ++j) out[static_cast<std::size_t>(row.dof[j])] += force * row.h[j];
+    if (force != 0.0) row.add_force(force, out);
   };
-  for (const StepSpring& s : springs_) add(s.row, s.force(d));
+  for (std::size_t i = 0; i < springs_->size(); ++i) add(springs_->rows[i], springs_->force(i, d));
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    add(trial_[i].normal, trial_[i].fn);
-    add(trial_[i].normal, list_->memory[i].water);
-    add(trial_[i].tangential, trial_[i].ft);
+    add(normal(i), trial_[i].fn);
+    add(normal(i), list_->memory[i].water);
+    add(tangential(i), trial_[i].ft);
   }
   return largest;
 }

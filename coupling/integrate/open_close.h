@@ -1,39 +1,50 @@
 // Open-close iteration: contact states of an implicit step.
 #pragma once
 
-#include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
 #include "coupling/integrate/cholesky.h"
+#include "coupling/integrate/conjugate_residuals.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/mover.h"
 
 namespace scree::coupling {
 
-/// Something of stiffness k between bodies or to the ground that stays as it is during a step: force -k (at + u) along
-/// the row, u its change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
-struct StepSpring {
-  DofRow row;
-  double k = 0.0;   // [N/m]
-  double at = 0.0;  // elongation at the start of the step [m]
-  [[nodiscard]] double force(std::span<const double> d) const { return -k * (at + row.change(d)); }
+/// Things of stiffness k between bodies or to the ground that stay as they are during a step: force -k (at + u) along
+/// their rows, u the change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
+struct StepSprings {
+  DofRows rows;
+  std::vector<double> k;   // [N/m]
+  std::vector<double> at;  // elongation at the start of the step [m]
+  [[nodiscard]] std::size_t size() const { return k.size(); }
+  [[nodiscard]] double force(std::size_t i, std::span<const double> d) const {
+    return -k[i] * (at[i] + rows[i].change(d));
+  }
+  void clear() {
+    rows.clear();
+    k.clear();
+    at.clear();
+  }
 };
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
-/// sliding points is a load of the right-hand side that follows their normal force, and so is what dilation presses
-/// their normal springs by, which follows their slip: Anderson acceleration (GMRES for a linear iteration), and where
-/// that does not settle, Newton's method with GMRES and the factor. Water in joints is a load along the gaps, that of
-/// the step's start. Gaps and stretches are linear in d, about the start of the step.
+/// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned
+/// by the factor of the symmetric part. So does the normal force of points that dilate, which follows their slip. Water
+/// in joints is a load along the gaps, that of the step's start. Gaps and stretches are linear in d, about the start of
+/// the step. A factor is kept from step to step as that preconditioner while it is less work than a new one:
+/// State::factored tells what it is of. Where it is not, the factor of the step's matrix follows the states that switch
+/// by rank updates.
 /// @source thesis 3.2.2, 4.5
 class OpenClose {
  public:
   struct Trial {  // a contact point during the iteration
-    DofRow normal, tangential;
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;  // sign of the friction force while slipping
     double load = 0.0;       // normal force that its friction limit was taken from [N]
-    double opened = 0.0;     // by dilation in the step, while slipping; the gap below is less by it [m]
+    bool opens = false;      // it dilates while it slips: not at the end of dilation yet
+    double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
   };
 
@@ -44,57 +55,75 @@ class OpenClose {
     double seconds = 0.0;
   };
 
-  /// @param allowed       false: a contact that closes makes the step fail (schemes without contacts)
-  /// @param rank_updates  contacts that switch change the factor while that is less work than factorising anew
-  OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
-            bool rank_updates);
+  /// How the factor follows the states.
+  enum class Factor {
+    anew,     // one a pass, for comparison
+    updated,  // one a step, rank updates while they are less work
+    kept      // the same, and from step to step
+  };
+  /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
+  OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
 
-  /// Begins a step with the points of a list, which must outlive it.
+  /// Takes over the factor that a state tells of.
+  void enter(const KeptFactor& kept);
+  /// Begins a step with the points of a list and other springs, which must outlive it.
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
-             std::vector<StepSpring> springs);
+             const StepSprings& springs);
   /// @param A    numbers on the system's pattern   @param fresh  they have changed since the last call
-  /// @param d    the unknowns found
+  /// @param d    a first guess; the unknowns found
   /// @return false: the report says why
   [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                            StepReport& report);
+  /// Called once the step is taken: what the next one begins with.
+  void accept(KeptFactor& kept);
   /// out += forces of springs and contacts, of the water in them too, at the unknowns last found; also the largest of
   /// them.
   double add_forces(std::span<const double> d, std::span<double> out) const;
 
   [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
-  [[nodiscard]] const std::vector<StepSpring>& springs() const { return springs_; }
+  [[nodiscard]] const StepSprings& springs() const { return *springs_; }
+  /// Rows of a point's gap and stretch in the step.
+  [[nodiscard]] DofRow normal(std::size_t i) const { return rows_[springs_->size() + 2 * i]; }
+  [[nodiscard]] DofRow tangential(std::size_t i) const { return rows_[springs_->size() + 2 * i + 1]; }
   [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
 
  private:
-  [[nodiscard]] DofRow dof_row(const ContactPoint& p, const ContactRow& row, std::span<const double> q,
-                               std::span<const Vec2> driven_move) const;
-  /// see(row, stiffness, elongation at the start of the step) for all springs, supports and contacts.
-  template <class See>
-  void for_springs(See&& see) const;
-  /// Brings factor and right-hand side to the states of the points.
+  void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
+                std::span<const Vec2> driven_move);
+  [[nodiscard]] const ChartRow& chart(std::int32_t node, std::span<const double> q);
+  /// Stiffnesses and right-hand side of the states of the points.
+  void take_states();
+  /// Brings the factor to them, or leaves a kept one.
   [[nodiscard]] bool factorise(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_anew(StepReport& report);
   [[nodiscard]] bool update(StepReport& report);
-  /// d = A^-1 rhs, refined where the factor was updated. False: the updates have lost too much.
-  [[nodiscard]] bool solve_linear(std::span<const double> rhs, std::span<double> d);
-  /// Friction of the points that slip, and what dilation presses their springs by: loads that have to be those found.
-  struct Friction {
-    std::vector<std::size_t> slipping, dilating;  // points
-    Eigen::VectorXd load, found;                  // of slipping ones the normal force, of dilating ones k_n opening [N]
-    bool settled = false;
+  /// y = (A + springs + closed contacts, with friction of those that slip) x.
+  void multiply(std::span<const double> x, std::span<double> y) const;
+  /// What the friction force of a slipping point loses as its gap opens [N/m].
+  [[nodiscard]] double friction_per_gap(std::size_t i) const;
+  /// Normal force of a slipping point that dilates, linear in the unknowns: -(per_gap g + per_stretch e + constant), g
+  /// the gap and e the stretch that its spring would have if it stuck.
+  struct Dilation {
+    double per_gap = 0.0, per_stretch = 0.0, constant = 0.0;
   };
-  [[nodiscard]] bool solve_with_friction(std::span<double> d, StepReport& report);
-  void gather_friction();
-  /// Unknowns under the loads, and the loads that these give. False: there is no factor.
-  [[nodiscard]] bool follow_friction(std::span<double> d, StepReport& report);
-  /// Change of the loads found with a change of those taken.   @pre a new factor
-  [[nodiscard]] Eigen::VectorXd friction_response(const Eigen::VectorXd& change);
+  [[nodiscard]] bool dilates(std::size_t i) const { return law_of(i).dilation > 0.0; }
+  [[nodiscard]] Dilation dilation(std::size_t i) const;
+  /// Slip left at the start of the step until dilation ends [m]; infinite: it does not.
+  [[nodiscard]] double slip_left(std::size_t i) const;
+  /// Stretch of a point's spring at the start of the step.
+  [[nodiscard]] double stretch_before(std::size_t i) const;
+  [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
+  /// The largest force that a solution is made of [N].
+  [[nodiscard]] double force_scale(std::span<const double> d) const;
+  /// What round-off leaves of the forces inside the bodies [N].
+  [[nodiscard]] double round_off(std::span<const double> d) const;
+  /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
+  int improve(int most, std::span<double> d, StepReport& report);
+  /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
+  [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
-  [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
-  /// Slip of a slipping point in the step, in the direction that it slips in; 0 if it goes the other way [m].
-  [[nodiscard]] double slip_of(std::size_t i) const;
   [[nodiscard]] double normal_stiffness(std::size_t i) const;
   [[nodiscard]] double tangential_stiffness(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
@@ -106,21 +135,34 @@ class OpenClose {
   const Setup* setup_;
   StepControl control_;
   const ImplicitSystem* system_;
-  bool allowed_, rank_updates_;
+  bool allowed_;
+  Factor factor_;
   const ContactList* list_ = nullptr;
-  std::vector<StepSpring> springs_;
+  const StepSprings* springs_ = nullptr;
+  DofRows rows_;                // springs, then gap and stretch of every point
+  std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<Trial> trial_;
   std::vector<double> mass_;    // of a body, as the model has it [kg]
   std::vector<double> weight_;  // of the lighter free body at a point [N]
   double largest_force_ = 0.0;  // of the points' normal forces in a pass [N]
   double gap_round_off_ = 0.0;  // to which positions define a gap [m]
+  std::vector<ChartRow> charts_;
+  std::vector<std::int32_t> chart_of_node_;  // -1: not yet this step
   std::span<const double> A_;
-  std::vector<double> rhs_, base_, scale_, factored_scale_, residual_, correction_;
-  std::vector<double> friction_rhs_;
-  Friction friction_;
+  std::vector<double> rhs_, base_, factored_k_;
+  std::vector<std::size_t> slipping_;  // points
+  std::string states_;                 // of all points in a pass, a character each
+  std::vector<std::size_t> seen_;      // hashes of the states that the passes have had
+  ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
-  bool factored_ = false, updated_ = false;
+  bool current_ = false;  // the factor is that of the step's matrix, with updates
+  bool updated_ = false;
+  bool friction_settled_ = true;  // in the last pass
+  bool keep_ = false;             // this step may use the kept factor
+  int corrections_left_ = 0;      // iterations that this step may still take with it
+  bool made_ = false;             // a factor was made since the last accept()
+  KeptFactor::Patience patience_;
   Cholesky cholesky_;
 };
 

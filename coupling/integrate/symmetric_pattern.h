@@ -25,4 +25,10 @@ struct SymmetricPattern {
                     std::span<double> y) const;
 };
 
+/// A matrix by itself, as it travels in a state.
+struct SymmetricMatrix {
+  SymmetricPattern pattern;
+  std::vector<double> value;
+};
+
 }  // namespace scree::coupling

@@ -52,9 +52,9 @@ struct Side {
   double seconds = 0.0;
   std::map<int, std::vector<double>> pass;  // by the number of points that switched before it
 
-  Side(Wall& wall, bool rank_updates)
+  Side(Wall& wall, coupling::OpenClose::Factor factor)
       : hand(wall.scene.model, wall.scene.plan.stages[0]),
-        mover(*hand.setup, wall.control, 0.05, coupling::ImplicitOptions{.rank_updates = rank_updates}) {
+        mover(*hand.setup, wall.control, 0.05, coupling::ImplicitOptions{.factor = factor}) {
     mover.enter(hand.state);
   }
   void step() {
@@ -78,7 +78,7 @@ struct Side {
 
 void compare(int columns, int rows, int steps) {
   Wall wall(columns, rows);
-  Side with(wall, true), without(wall, false);
+  Side with(wall, coupling::OpenClose::Factor::updated), without(wall, coupling::OpenClose::Factor::anew);
   for (int i = 0; i < steps; ++i) {
     with.step();
     without.step();

@@ -29,9 +29,9 @@ struct Fall {
   Newmark mover;
   StepReport all;
 
-  Fall(const Wall& wall, bool rank_updates, int steps)
+  Fall(const Wall& wall, OpenClose::Factor factor, int steps)
       : hand(wall.scene.model, wall.scene.plan.stages[0]),
-        mover(*hand.setup, control(), 0.05, ImplicitOptions{.rank_updates = rank_updates}) {
+        mover(*hand.setup, control(), 0.05, ImplicitOptions{.factor = factor}) {
     hand.state.ledger.open(std::array{mover.enter(hand.state)});
     for (int i = 0; i < steps; ++i) {
       Tick h = ticks(1e-3);
@@ -57,7 +57,7 @@ class OpenCloseUpdates : public testing::TestWithParam<std::string> {};
 
 TEST_P(OpenCloseUpdates, rank_updates_give_the_motion_of_new_factors) {
   const Wall wall(GetParam());
-  const Fall with(wall, true, 60), without(wall, false, 60);
+  const Fall with(wall, OpenClose::Factor::updated, 60), without(wall, OpenClose::Factor::anew, 60);
   EXPECT_GT(with.all.updates, 20);
   EXPECT_EQ(without.all.updates, 0);
   EXPECT_LT(with.all.factorisations, without.all.factorisations);

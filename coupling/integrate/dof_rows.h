@@ -1,0 +1,78 @@
+// Scalars of a step that are linear in its unknowns: gaps, stretches, displacements of supports.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scree::coupling {
+
+/// change = h.d + known.
+struct DofRow {
+  std::span<const std::int32_t> dof;  // each once, in order
+  std::span<const double> h;
+  double known = 0.0;  // part of driven bodies
+
+  [[nodiscard]] double change(std::span<const double> d) const {
+    double sum = known;
+    for (std::size_t i = 0; i < dof.size(); ++i) sum += h[i] * d[static_cast<std::size_t>(dof[i])];
+    return sum;
+  }
+  /// out += force h.
+  void add_force(double force, std::span<double> out) const {
+    for (std::size_t i = 0; i < dof.size(); ++i) out[static_cast<std::size_t>(dof[i])] += force * h[i];
+  }
+};
+
+/// Many rows, one after another in contiguous arrays.
+class DofRows {
+ public:
+  void clear() {
+    start_.assign(1, 0);
+    dof_.clear();
+    h_.clear();
+    known_.clear();
+  }
+  [[nodiscard]] std::size_t size() const { return known_.size(); }
+  [[nodiscard]] DofRow operator[](std::size_t i) const {
+    const auto first = static_cast<std::size_t>(start_[i]), n = static_cast<std::size_t>(start_[i + 1]) - first;
+    return {std::span(dof_).subspan(first, n), std::span(h_).subspan(first, n), known_[i]};
+  }
+  /// Of all rows, one after another, and where each begins.
+  [[nodiscard]] const std::vector<std::int32_t>& start() const { return start_; }
+  [[nodiscard]] const std::vector<std::int32_t>& dof() const { return dof_; }
+  [[nodiscard]] const std::vector<double>& h() const { return h_; }
+
+  /// Begins a row; add() fills it.
+  void begin_row() {
+    start_.push_back(start_.back());
+    known_.push_back(0.0);
+  }
+  void add_known(double change) { known_.back() += change; }
+  void add(std::int32_t dof, double h) {
+    // In order, from the end: charts name their unknowns in order.
+    auto at = dof_.size();
+    const auto first = static_cast<std::size_t>(start_[start_.size() - 2]);
+    while (at > first && dof_[at - 1] > dof) --at;
+    if (at > first && dof_[at - 1] == dof) {
+      h_[at - 1] += h;
+      return;
+    }
+    dof_.insert(dof_.begin() + static_cast<std::ptrdiff_t>(at), dof);
+    h_.insert(h_.begin() + static_cast<std::ptrdiff_t>(at), h);
+    ++start_.back();
+  }
+  void add_row(const DofRow& row) {
+    begin_row();
+    known_.back() = row.known;
+    dof_.insert(dof_.end(), row.dof.begin(), row.dof.end());
+    h_.insert(h_.end(), row.h.begin(), row.h.end());
+    start_.back() += static_cast<std::int32_t>(row.dof.size());
+  }
+
+ private:
+  std::vector<std::int32_t> start_{0}, dof_;
+  std::vector<double> h_, known_;
+};
+
+}  // namespace scree::coupling

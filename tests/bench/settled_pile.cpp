@@ -1,0 +1,96 @@
+// A pile of DDA blocks of unequal sizes, settled under gravity: time a step, and how it grows with the number of blocks.
+//
+//   usage: bench_settled_pile [steps]
+#include <fmt/format.h>
+
+#include <ctime>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "coupling/integrate/newmark.h"
+#include "tests/support/by_hand.h"
+
+namespace scree::bench {
+namespace {
+
+/// Processor time: what a step takes on one core, whatever else the machine does.
+double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Courses of blocks of unequal widths on a base that is held, each a little narrower than the one below.
+test::Scene pile(int rows) {
+  test::Scene scene{1e9, 0.2, 2500.0};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> width(0.8, 1.2), height(0.9, 1.1);
+  scene.model.joints[0].friction = 0.6;
+  const double below = 2.0 * rows;
+  scene.add("base", test::rectangle(-2.0, -1.0, below + 2.0, 0.0), true);
+  double y = 0.0, end = below;  // of the course below, on the right
+  for (int j = 0; j < rows; ++j) {
+    const double top = y + height(random);
+    const double room = end - 0.3;
+    for (double x = 0.5 * j + 0.1 * width(random); x + 1.2 < room;) {
+      const double right = x + width(random);
+      scene.add(fmt::format("b{}-{:.3f}", j, x), test::rectangle(x, y, right, top));
+      x = right + 0.01;
+      end = right;
+    }
+    y = top;
+  }
+  scene.stage("dda", coupling::Integrator::implicit, 1.0, 1e-3, 1.0);
+  return scene;
+}
+
+struct Timing {
+  int blocks = 0;
+  double ms = 0.0;  // median of a step
+};
+
+Timing settled(int rows, int steps) {
+  const test::Scene scene = pile(rows);
+  test::ByHand hand(scene.model, scene.plan.stages[0]);
+  coupling::StepControl control;
+  control.max_displacement = 0.05;
+  const auto run = [&](double dynamics, double dt, int count) {
+    coupling::Newmark mover(*hand.setup, control, 0.05, coupling::ImplicitOptions{.dynamics = dynamics});
+    mover.enter(hand.state);
+    coupling::StepReport all;
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+      const double begin = now();
+      const coupling::StepReport report = mover.step(hand.state, ticks(dt));
+      times.push_back(1e3 * (now() - begin));
+      if (report.status != coupling::StepReport::Status::ok) fmt::print("not converged: {}\n", report.cause);
+      all.passes += report.passes;
+      all.switches += report.switches;
+      all.updates += report.updates;
+      all.factorisations += report.factorisations;
+      all.corrections += report.corrections;
+    }
+    std::sort(times.begin(), times.end());
+    mover.update_ledger(hand.state);
+    fmt::print("{:>7} {:>8.1f} {:>6} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9.2f} {:>9.2f} {:>10.2e}\n", hand.setup->bodies().size() - 1,
+               dynamics, count, all.passes, all.switches, all.updates, all.factorisations, all.corrections, times[times.size() / 2],
+               times.back(), hand.state.ledger[coupling::Column::kinetic]);
+    return times[times.size() / 2];
+  };
+  (void)run(0.0, 0.02, 40);(void)run(0.0, 0.02, 40);(void)run(0.0, 0.02, 40);
+  (void)run(0.5, 1e-3, 20);
+  for (int k = 0; k < 1; ++k) (void)run(1.0, 1e-3, 20);
+  return {static_cast<int>(hand.setup->bodies().size()) - 1, run(1.0, 1e-3, steps)};
+}
+
+}  // namespace
+}  // namespace scree::bench
+
+int main(int argc, char** argv) {
+  const int steps = argc > 1 ? std::atoi(argv[1]) : 100;
+  fmt::print("{:>7} {:>8} {:>6} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n", "blocks", "dynamics", "steps", "passes",
+             "switches", "updates", "factors", "solves", "ms a step", "longest", "kinetic, J");
+  std::vector<scree::bench::Timing> all;
+  for (const int rows : {9, 29, 92})
+    if (argc <= 2 || rows <= std::atoi(argv[2])) all.push_back(scree::bench::settled(rows, rows > 50 ? std::max(steps / 3, 10) : steps));
+  for (std::size_t i = 1; i < all.size(); ++i)
+    fmt::print("{} to {} blocks: {:.2f} to {:.2f} ms a step, exponent {:.2f}\n", all[i - 1].blocks, all[i].blocks,
+               all[i - 1].ms, all[i].ms, std::log(all[i].ms / all[i - 1].ms) / std::log(1.0 * all[i].blocks / all[i - 1].blocks));
+}
