@@ -58,6 +58,7 @@ struct Stage {
 struct OutputPlan {
   Tick every = 0;          // a frame every so many ticks
   Tick history_every = 0;  // monitors and ledger
+  bool contacts = false;   // frames show the contact points
 };
 
 struct LivePlan {

@@ -33,6 +33,13 @@ struct RunStats {
   double element_steps = 0.0;                                          // explicit element updates made
 };
 
+/// The contact points watched at an instant, open ones too, in the order of their keys.
+struct ContactView {
+  std::span<const double> position;       // x, y of the corner of a point [m]
+  std::span<const double> normal;         // x, y of the unit normal of the edge, outward of its block
+  std::span<const ContactMemory> memory;  // of a point: who, state, forces
+};
+
 /// One instant. Points are those of the mesh, in its order.
 struct FrameView {
   double time = 0.0;  // [s]
@@ -47,6 +54,7 @@ struct FrameView {
   const MeshView* mesh = nullptr;
   const State* state = nullptr;
   const RunStats* stats = nullptr;
+  const ContactView* contacts = nullptr;  // nullptr: not asked for (Plan::output.contacts)
 };
 
 /// Monitors and ledger, more often than frames. Spans in the order of Model::monitors.

@@ -32,6 +32,7 @@ struct ContactMemory {
   double anchor = 0.0;         // its anchor: fraction of the segment
   double fn = 0.0, ft = 0.0;   // forces on the corner, along the outward normal and the direction of the edge [N]
   double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
+  double water = 0.0;          // force of the water in the joint on the corner, along the outward normal [N]
   double slip = 0.0;           // accumulated |slip| [m]
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
@@ -134,6 +135,7 @@ void State::visit(Visitor&& see) {
     see("contact.ft", c.ft);
     see("contact.fd", c.fd);
     see("contact.fdt", c.fdt);
+    see("contact.water", c.water);
     see("contact.slip", c.slip);
     see("contact.facing", c.facing);
     see("contact.share", c.share);

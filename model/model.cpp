@@ -8,6 +8,12 @@ const BlockSupport* Model::support_of(BlockId b) const {
   return nullptr;
 }
 
+const JointWater* Model::water_in(JointId joint) const {
+  for (const JointWater& w : waters)
+    if (w.fills(joint)) return &w;
+  return nullptr;
+}
+
 JointId Model::joint_of(BlockId b, std::size_t ring, std::size_t edge) const {
   const Block& block = blocks[b.index()];
   if (ring < block.edges.size() && edge < block.edges[ring].size() && block.edges[ring][edge].valid())

@@ -10,6 +10,7 @@
 #include "model/geometry.h"
 #include "model/ground_motion.h"
 #include "model/ids.h"
+#include "model/joint_water.h"
 #include "model/loads.h"
 #include "model/time_function.h"
 
@@ -34,6 +35,8 @@ struct JointLaw {
   double tensile_strength = 0.0;   // [Pa], of contacts closed at t = 0, until failure; infinite: they never fail
   std::optional<double> residual_friction;  // [rad], 0 <= . <= friction; empty: friction does not weaken
   double weakening_slip = 0.0;              // [m] over which it falls to the residual; 0: at the first failure
+  double dilation = 0.0;                    // dilation angle [rad], 0 <= psi <= phi: slip opens the joint by tan psi
+  std::optional<double> dilation_slip;      // [m] of slip after which it opens no further; empty: always
   double contact_length = 0.0;  // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
   std::optional<double> normal_stiffness;  // [Pa/m]
   std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one
@@ -97,6 +100,7 @@ struct Model {
   std::vector<EdgeTraction> tractions;
   std::vector<BodyAcceleration> body_accelerations;
   std::vector<ViscousEdge> viscous_edges;
+  std::vector<JointWater> waters;  // a joint law is in one of them at most
   // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
   std::vector<JointLine> joint_lines;
   std::vector<Crack> cracks;
@@ -110,6 +114,8 @@ struct Model {
   [[nodiscard]] const BlockSupport* support_of(BlockId b) const;
   /// Value of a load's time function; 1 where it has none.
   [[nodiscard]] double factor(FunctionId f, double t) const { return f.valid() ? functions[f.index()].value(t) : 1.0; }
+  /// The water in joints of a law; nullptr: they are dry.
+  [[nodiscard]] const JointWater* water_in(JointId joint) const;
   /// Law of an edge of a block: its own, else the block's, else invalid.
   [[nodiscard]] JointId joint_of(BlockId b, std::size_t ring, std::size_t edge) const;
 };

@@ -252,14 +252,17 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
     m.stretch = -(m.ft - m.fdt) / kt;
   } else if (!closed && !at_start) {
-    // A contact closes where its gap passes zero. One that is found deep (a corner that came in from the side, or whose
-    // other edge carried it so far) begins without force where it is, and forgets that depth as it comes out.
+    // A contact closes where its gap passes zero, or what slip has left open. One that is found deep (a corner that
+    // came in from the side, or whose other edge carried it so far) begins without force where it is, and forgets that
+    // depth as it comes out.
+    const double opened = opened_by_slip(setup_->model().joints[static_cast<std::size_t>(m.joint)], m.slip),
+                 above = p.at.gap - opened;
     if (old == nullptr || m.gap < 0.0)
       m.gap0 = p.first_gap0;
     else if (m.segment < 0)
-      m.gap0 = std::min(p.at.gap, 0.0);
+      m.gap0 = opened + std::min(above, 0.0);
     else
-      m.gap0 = m.gap0 > 0.0 ? 0.0 : std::clamp(p.at.gap, m.gap0, 0.0);
+      m.gap0 = opened + (m.gap0 > opened ? 0.0 : std::clamp(above, m.gap0 - opened, 0.0));
   }
   m.gap = p.at.gap - m.gap0;
   if (!closed) {
@@ -396,6 +399,8 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     p.facing = pair.share > 0.0;
+    p.behind = pair.behind;
+    p.ahead = pair.ahead;
     set_range(p, closed);
     const double foot = p.at.xi * p.at.length;
     p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
@@ -448,6 +453,22 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   interpolate(known, out);
   pair_edges(out);
   suppress_second_edges(out);
+  if (!setup_->model().waters.empty()) fill_with_water(out);
+}
+
+void ContactFinder::fill_with_water(ContactList& list) const {
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    ContactMemory& m = list.memory[i];
+    m.water = 0.0;
+    const JointWater* water = setup_->model().water_in(JointId{m.joint});
+    if (water == nullptr || !p.facing || p.suppressed) continue;
+    // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
+    // of a piece carries what a linear pressure gives it.
+    const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
+    for (const double piece : {-p.behind, p.ahead})
+      if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
+  }
 }
 
 double ContactFinder::adopt_kinds(ContactList& list) const {

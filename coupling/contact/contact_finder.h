@@ -61,6 +61,7 @@ class ContactFinder {
   /// from the remembered points on either side, and the bond of the nearest.
   void interpolate(const ContactList& known, ContactList& out) const;
   void pair_edges(ContactList& list) const;
+  void fill_with_water(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;
 
   const Setup* setup_;

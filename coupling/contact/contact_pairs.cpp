@@ -32,7 +32,7 @@ std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) c
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
   if (!v.convex || facing(v.edge_in, edge, known)) return;
-  pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0});
+  pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known) {
@@ -48,7 +48,10 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     if (facing(a, b, known)) {
       const Vec2 along = (direction(a) - direction(b)).normalized();
       for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
-        pairs_.push_back({p.vertex, p.edge, p.edge == b ? a : b, p.share});
+        if (p.edge == a)
+          pairs_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
+        else  // b runs against the direction
+          pairs_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
     } else {
       try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
       try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
@@ -58,10 +61,13 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   // A vertex between two edges in line may face one edge with both.
   std::size_t kept = 0;
   for (std::size_t i = 1; i < pairs_.size(); ++i) {
-    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge)
+    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge) {
       pairs_[kept].share += pairs_[i].share;
-    else
+      pairs_[kept].behind += pairs_[i].behind;
+      pairs_[kept].ahead += pairs_[i].ahead;
+    } else {
       pairs_[++kept] = pairs_[i];
+    }
   }
   if (!pairs_.empty()) pairs_.resize(kept + 1);
   return pairs_;

@@ -40,6 +40,7 @@ struct ContactPoint {
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
   bool facing = false;                 // part of an edge-edge contact
+  double behind = 0.0, ahead = 0.0;    // of it: pieces of the overlap on either side, against and along the edge [m]
   double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
   bool suppressed = false;             // another edge at the same convex corner is the way out
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here

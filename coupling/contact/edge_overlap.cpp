@@ -9,7 +9,7 @@ void EdgeOverlap::add(const Outlines& o, std::span<const Vec2> x, std::int32_t e
   const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
   const auto put = [&](std::int32_t vertex) {
     const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node);
-    kinks_.push_back({along.dot(x[node]), {vertex, against, 0.0}});
+    kinks_.push_back({along.dot(x[node]), {vertex, against, 0.0, 0.0, 0.0}});
   };
   put(e.first_segment);
   if (middle)
@@ -30,9 +30,11 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
   std::sort(kinks_.begin(), kinks_.end(),
             [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.point.vertex < q.point.vertex; });
   for (std::size_t i = 0; i + 1 < kinks_.size(); ++i) {
-    const double half = 0.5 * (kinks_[i + 1].s - kinks_[i].s);
+    const double piece = kinks_[i + 1].s - kinks_[i].s, half = 0.5 * piece;
     kinks_[i].point.share += half;
+    kinks_[i].point.ahead = piece;
     kinks_[i + 1].point.share += half;
+    kinks_[i + 1].point.behind = piece;
   }
   for (const Kink& k : kinks_)
     if (k.point.share > 0.0) points_.push_back(k.point);

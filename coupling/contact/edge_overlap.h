@@ -10,9 +10,10 @@ namespace scree::coupling {
 
 /// A vertex of one edge that lies over the other, with the length of joint that it stands for.
 struct OverlapPoint {
-  std::int32_t vertex;  // into Outlines::vertices
-  std::int32_t edge;    // the edge that it faces
-  double share;         // [m]
+  std::int32_t vertex;               // into Outlines::vertices
+  std::int32_t edge;                 // the edge that it faces
+  double share;                      // [m], half of the pieces on either side
+  double behind = 0.0, ahead = 0.0;  // their lengths, against and along the direction given [m]
 };
 
 /// Cuts the overlap of two edges at every vertex of either side; each end of a piece carries half of its length. The

@@ -13,14 +13,42 @@ void let_go(ContactMemory& m) {
   m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
 }
 
+/// How a contact moved to where it is.
+struct Motion {
+  double rate = 0.0, shear = 0.0;  // of gap and stretch [m/s]
+  double per_time = 0.0;           // one over the step [1/s]; 0: it stands
+};
+
+/// Opening of a point that slips further [m].
+double opened_in(const JointLaw& law, const ContactMemory& m, double slip) {
+  return opened_by_slip(law, m.slip + slip) - opened_by_slip(law, m.slip);
+}
+
+/// Slip of a dilating point whose spring is beyond Coulomb's limit [m]. What opens presses the normal spring, and its
+/// damping, so the limit grows with the slip:
+///   k_t (|e| - s) = c + tan phi f(s),  f(s) = -k_n g - c_n g' + (k_n + c_n/h) tan psi s, if that is not negative
+double dilating_slip(const JointLaw& law, const ContactPoint& p, const Motion& motion, const ContactMemory& m) {
+  const double stiffness = (m.kn + p.cn * motion.per_time) * std::tan(law.dilation), e = std::abs(m.stretch),
+               mu = friction_coefficient(law, m), cohesion = friction_limit(law, m, 0.0),
+               trial = -m.kn * m.gap - p.cn * motion.rate;
+  const double left = law.dilation_slip ? std::max(0.0, *law.dilation_slip - m.slip) : e;
+  double slip = (m.kt * e - cohesion - mu * trial) / (m.kt + mu * stiffness);
+  if (slip > left) slip = e - (cohesion + mu * (trial + stiffness * left)) / m.kt;
+  if (trial + stiffness * std::min(slip, left) < 0.0) slip = e - cohesion / m.kt;
+  return std::clamp(slip, 0.0, e);
+}
+
 /// Normal penalty, which pulls as far as a bond bears, tangential spring with Coulomb's cap (return mapping). Moves the
-/// anchor when it slips.
-/// @param rate,shear  rates of gap and stretch [m/s]
-void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double shear, ContactMemory& m) {
-  const double spring = -m.kn * m.gap;
-  if (m.bonded != 0 && -spring > tension_limit(law, m)) mark_failed(law, m);
-  if (p.suppressed || p.beyond || (m.gap >= 0.0 && m.bonded == 0)) return let_go(m);
-  const auto press = [&] {  // damping never pulls more than a bond bears
+/// anchor when it slips, and gap0 where slip opens the joint.
+void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion, ContactMemory& m) {
+  if (m.bonded != 0 && m.kn * m.gap > tension_limit(law, m)) mark_failed(law, m);
+  // A slide that opens the joint lifts the bodies before the spring follows.
+  const double follows =
+      law.dilation > 0.0 && m.status != ContactStatus::open ? opened_in(law, m, std::abs(m.stretch)) : 0.0;
+  if (p.suppressed || p.beyond || (m.gap >= follows && m.bonded == 0)) return let_go(m);
+  double opened = 0.0;      // in this step
+  const auto press = [&] {  // damping never pulls more than a bond bears; it acts on the spring, not on what opens
+    const double spring = -m.kn * m.gap, rate = motion.rate - motion.per_time * opened;
     m.fn = std::max(0.0 - tension_limit(law, m), spring - p.cn * rate);
     m.fd = m.fn - spring;
   };
@@ -32,9 +60,16 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
   }
   const double limit = friction_limit(law, m, m.fn);
   if (m.kt * std::abs(m.stretch) > limit) {
+    const bool pulled = m.bonded != 0 && m.gap >= 0.0;
     mark_failed(law, m);
-    if (m.gap >= 0.0) return let_go(m);  // sheared through while it was pulled
+    if (pulled) return let_go(m);  // sheared through
     press();
+    if (law.dilation > 0.0) {
+      opened = opened_in(law, m, dilating_slip(law, p, motion, m));
+      m.gap -= opened;
+      m.gap0 += opened;
+      press();
+    }
     const double kept = std::copysign(friction_limit(law, m, m.fn) / m.kt, m.stretch);
     m.slip += std::abs(m.stretch - kept);
     m.anchor = p.at.xi - kept / p.at.length;
@@ -43,9 +78,10 @@ void apply_law(const JointLaw& law, const ContactPoint& p, double rate, double s
   } else {
     m.status = ContactStatus::stick;
   }
+  if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
   const double spring_t = -m.kt * m.stretch, cap = friction_limit(law, m, m.fn);
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * shear, -cap, cap) : spring_t;
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -cap, cap) : spring_t;
   m.fdt = m.ft - spring_t;
 }
 
@@ -60,6 +96,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(
   left_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
+  opened_.reserve(expected);
 }
 
 void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
@@ -69,7 +106,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
   for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], 0.0, 0.0, m);
+    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], {}, m);
   }
   state.contacts = now_.memory;
   clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
@@ -85,7 +122,7 @@ void ExplicitContact::add(std::span<double> f) const {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     const ContactMemory& m = now_.memory[i];
-    if (m.fn != 0.0) add_row_force(o, now_.points[i], gap_row(now_.points[i].at), m.fn, f);
+    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, now_.points[i], gap_row(now_.points[i].at), m.fn + m.water, f);
     if (m.ft != 0.0) add_row_force(o, now_.points[i], stretch_row(now_.points[i].at, m.anchor), m.ft, f);
   }
 }
@@ -94,10 +131,11 @@ ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p
                                                  std::span<const double> v) const {
   const Outlines& o = setup_->outlines();
   Half half;
-  if (m.fn != 0.0 || m.fd != 0.0) {
+  if (m.fn != 0.0 || m.fd != 0.0 || m.water != 0.0) {
     const double way = 0.5 * h * row_rate(o, p, gap_row(p.at), v);
     half.normal = (m.fn - m.fd) * way;
     half.damping = m.fd * way;
+    half.water = m.water * way;
   }
   if (m.ft != 0.0 || m.fdt != 0.0) {
     const double way = 0.5 * h * row_rate(o, p, stretch_row(p.at, m.anchor), v);
@@ -116,11 +154,16 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   const ContactMemory &a = before_.memory[before], &b = now_.memory[after];
   const double energy_a = normal_energy(before_.points[before], a), energy_b = normal_energy(now_.points[after], b);
   const bool bond_broke = a.bonded != 0 && b.status == ContactStatus::open && b.gap >= 0.0;
-  ledger.book(Column::contact_damping, -left_[before].damping - arriving.damping);
+  const double lifted = 0.5 * opened_[after];
+  ledger.book(Column::contact_damping, -left_[before].damping - arriving.damping + lifted * (a.fd + b.fd));
+  if (lifted != 0.0) ledger.book(Column::dilation, -lifted * (a.fn + b.fn));
+  ledger.book(Column::water, left_[before].water + arriving.water);
   const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
   if (fa != 0.0 || fb != 0.0) {
     const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
-    ledger.book(Column::contact_geometry, left_[before].normal + arriving.normal - trapezoid);
+    // Dilation takes the spring with it: the bodies moved by more than the spring did.
+    ledger.book(Column::contact_geometry,
+                left_[before].normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
     // Closed at both ends: trapezoid and energy cancel but for the change of the share. Closing: -k d g_n/2, opening:
     // +k d g_{n+1}/2.
     if (bond_broke) {
@@ -151,17 +194,21 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
   trial_.resize(now_.points.size());
+  opened_.resize(now_.points.size());
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
     trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
     const ContactPoint& p = now_.points[i];
-    double rate = 0.0, shear = 0.0;
-    if ((m.gap < 0.0 || m.bonded != 0) && p.cn > 0.0) {
-      rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
-      shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
+    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    Motion motion{0.0, 0.0, 1.0 / h};
+    if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
+      motion.rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
+      motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], p, rate, shear, m);
+    const double gap0 = m.gap0;
+    apply_law(law, p, motion, m);
+    opened_[i] = m.gap0 - gap0;
   }
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
@@ -171,7 +218,10 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
       const auto a = static_cast<std::size_t>(now_.points[b].from);
       kept_[a] = 1;
       book_pair(a, b, arriving, ledger);
-    } else if (now_.memory[b].gap < 0.0 || now_.memory[b].bonded != 0) {
+      continue;
+    }
+    ledger.book(Column::water, arriving.water);
+    if (now_.memory[b].gap < 0.0 || now_.memory[b].bonded != 0) {
       ledger.book(Column::contact_damping, -arriving.damping);
       ledger.book(Column::contact_edges, arriving.normal + arriving.tangential +
                                              normal_energy(now_.points[b], now_.memory[b]) +
@@ -181,6 +231,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   for (std::size_t i = 0; i < before_.points.size(); ++i) {
     if (kept_[i] != 0) continue;  // else the pair ended: its springs are gone
     ledger.book(Column::contact_damping, -left_[i].damping);
+    ledger.book(Column::water, left_[i].water);
     ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
     ledger.book(Column::springs_dropped,
                 normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));

@@ -33,7 +33,7 @@ class ExplicitContact {
  private:
   /// Half-step works of one contact, and the geometric changes they are compared with.
   struct Half {
-    double normal = 0.0, damping = 0.0, tangential = 0.0;  // h/2 times force times rate [J]
+    double normal = 0.0, damping = 0.0, tangential = 0.0, water = 0.0;  // h/2 times force times rate [J]
   };
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
                                std::span<const double> v) const;
@@ -42,10 +42,11 @@ class ExplicitContact {
   const Setup* setup_;
   ContactFinder finder_;
   ContactList now_, before_;
-  double clear_ = 0.0;         // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<Half> left_;     // a point of before_
-  std::vector<char> kept_;     // 1: the point of before_ goes on in now_
-  std::vector<double> trial_;  // stretch before return mapping, a point of now_
+  double clear_ = 0.0;          // while nothing is near: how far nodes may still move before something can be [m]
+  std::vector<Half> left_;      // a point of before_
+  std::vector<char> kept_;      // 1: the point of before_ goes on in now_
+  std::vector<double> trial_;   // stretch before return mapping, a point of now_
+  std::vector<double> opened_;  // by dilation in the step, a point of now_ [m]
 };
 
 }  // namespace scree::coupling

@@ -15,6 +15,8 @@ namespace scree::coupling {
 /// @source Eisenstat, Elman & Schultz 1983, SIAM J. Numer. Anal. 20
 class ConjugateResiduals {
  public:
+  static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh
+
   /// Improves x until no number of b - A x is above `enough`.
   /// @param A        A(x, y) sets y = A x
   /// @param inverse  inverse(r, z) sets z to about A^-1 r
@@ -40,8 +42,6 @@ class ConjugateResiduals {
   }
 
  private:
-  static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh
-
   struct Correction {
     std::vector<double> z, Az;
     double square = 0.0;  // Az.Az

@@ -107,8 +107,8 @@ void Newmark::contact_forces(const State&, std::span<double> f) const {
   for (std::size_t i = 0; i < list_.points.size(); ++i) {
     const ContactPoint& p = list_.points[i];
     const ContactMemory& m = list_.memory[i];
-    if (m.status == ContactStatus::open) continue;
-    add_row_force(setup_->outlines(), p, gap_row(p.at), m.fn, f);
+    if (m.status == ContactStatus::open && m.water == 0.0) continue;
+    add_row_force(setup_->outlines(), p, gap_row(p.at), m.fn + m.water, f);
     add_row_force(setup_->outlines(), p, stretch_row(p.at, m.anchor), m.ft, f);
   }
 }

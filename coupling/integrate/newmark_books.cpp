@@ -69,8 +69,11 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     const ContactMemory& m = list_.memory[i];
-    ledger.book(Column::prescribed_motion, -(t.fn * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known));
-    // Normal: -(f dg + dU), split by what happened.
+    const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
+    ledger.book(Column::prescribed_motion, -known);
+    if (m.water != 0.0) ledger.book(Column::water, m.water * contacts_.normal(i).change(d_));
+    // Normal: -(f dg + dU), split by what happened; dg of the spring, which dilation takes along.
+    if (t.opened != 0.0) ledger.book(Column::dilation, -t.fn * t.opened);
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
     // Its energy counted, at the start of the step.
     const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_.points[i].suppressed && !list_.points[i].beyond;
@@ -111,6 +114,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     if (t.status == ContactStatus::slip) {
       const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
       m.slip += std::abs(before + t.moved - t.stretch);
+      m.gap0 += t.opened;
       mark_failed(law, m);
       const ContactGeometry g = contact_geometry(position(o.nodes[static_cast<std::size_t>(p.node[0])], state.q),
                                                  position(o.nodes[static_cast<std::size_t>(p.node[1])], state.q),

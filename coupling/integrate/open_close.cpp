@@ -102,13 +102,36 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     const ContactMemory& m = list.memory[i];
     add_rows(p, m, q, driven_move);
     trial_[i] = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0, m.fn};
+    trial_[i].opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
 }
 
-double OpenClose::limit(std::size_t i) const {
+const JointLaw& OpenClose::law_of(std::size_t i) const {
+  return setup_->model().joints[static_cast<std::size_t>(list_->memory[i].joint)];
+}
+
+double OpenClose::stretch_before(std::size_t i) const {
   const ContactMemory& m = list_->memory[i];
-  return friction_limit(setup_->model().joints[static_cast<std::size_t>(m.joint)], m, trial_[i].load);
+  return m.status == ContactStatus::open ? 0.0 : m.stretch;
+}
+
+double OpenClose::limit(std::size_t i) const { return friction_limit(law_of(i), list_->memory[i], trial_[i].load); }
+
+double OpenClose::slip_left(std::size_t i) const {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  return std::max(0.0, law_of(i).dilation_slip.value_or(kInf) - list_->memory[i].slip);
+}
+
+OpenClose::Dilation OpenClose::dilation(std::size_t i) const {
+  // The spring is pressed by tan psi times the slip |s|, |s| = -dir e - (c + tan phi f)/k_t, so that
+  //   f = -k_n g + k_n tan psi |s| has f on both sides; after the end of dilation |s| is what was left.
+  const ContactMemory& m = list_->memory[i];
+  const JointLaw& law = law_of(i);
+  const double slope = m.kn * std::tan(law.dilation);
+  if (!trial_[i].opens) return {m.kn, 0.0, -slope * slip_left(i)};
+  const double part = 1.0 / (1.0 + slope / m.kt * friction_coefficient(law, m));
+  return {part * m.kn, part * slope * trial_[i].direction, part * slope * friction_limit(law, m, 0.0) / m.kt};
 }
 
 double OpenClose::normal_stiffness(std::size_t i) const {
@@ -139,8 +162,16 @@ void OpenClose::take_states() {
     if (t.status != ContactStatus::slip) continue;
     slipping_.push_back(i);
     t.load = 0.0;
-    tangential(i).add_force(
-        t.direction * limit(i) - friction_per_gap(i) * (list_->memory[i].gap + normal(i).known), rhs_);
+    const double gap = list_->memory[i].gap + normal(i).known;
+    if (!dilates(i)) {
+      tangential(i).add_force(t.direction * limit(i) - friction_per_gap(i) * gap, rhs_);
+      continue;
+    }
+    const Dilation f = dilation(i);
+    const double force = -(f.per_gap * gap + f.per_stretch * (stretch_before(i) + tangential(i).known) + f.constant),
+                 spring = -list_->memory[i].kn * gap;  // that it would be without, which rhs has
+    normal(i).add_force(force - spring, rhs_);
+    tangential(i).add_force(t.direction * limit(i) + friction_per_gap(i) / list_->memory[i].kn * force, rhs_);
   }
 }
 
@@ -179,13 +210,23 @@ void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
   system_->pattern().multiply(A_, x, y);
   for (std::size_t r = 0; r < rows_.size(); ++r)
     if (k_[r] != 0.0) rows_[r].add_force(k_[r] * (rows_[r].change(x) - rows_[r].known), y);
-  for (const std::size_t i : slipping_)
-    tangential(i).add_force(friction_per_gap(i) * (normal(i).change(x) - normal(i).known), y);
+  for (const std::size_t i : slipping_) {
+    const double gap = normal(i).change(x) - normal(i).known;
+    if (!dilates(i)) {
+      tangential(i).add_force(friction_per_gap(i) * gap, y);
+      continue;
+    }
+    const Dilation f = dilation(i);
+    const double loss = f.per_gap * gap + f.per_stretch * (tangential(i).change(x) - tangential(i).known),
+                 kn = list_->memory[i].kn;
+    normal(i).add_force(loss - kn * gap, y);
+    tangential(i).add_force(friction_per_gap(i) / kn * loss, y);
+  }
 }
 
 double OpenClose::friction_per_gap(std::size_t i) const {
   const ContactMemory& m = list_->memory[i];
-  return trial_[i].direction * m.kn * friction_coefficient(setup_->model().joints[static_cast<std::size_t>(m.joint)], m);
+  return trial_[i].direction * m.kn * friction_coefficient(law_of(i), m);
 }
 
 double OpenClose::force_scale(std::span<const double> d) const {
@@ -196,13 +237,39 @@ double OpenClose::force_scale(std::span<const double> d) const {
   return size;
 }
 
+double OpenClose::round_off(std::span<const double> d) const {
+  const SymmetricPattern& p = system_->pattern();
+  std::vector<double> size(d.size(), 0.0);
+  for (std::int32_t c = 0; c < p.n; ++c)
+    for (std::int32_t k = p.column_start[static_cast<std::size_t>(c)];
+         k < p.column_start[static_cast<std::size_t>(c) + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k), row = static_cast<std::size_t>(p.row[at]),
+                 column = static_cast<std::size_t>(c);
+      size[row] += std::abs(A_[at] * d[column]);
+      if (row != column) size[column] += std::abs(A_[at] * d[row]);
+    }
+  return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
+}
+
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
-  const int taken = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
-                                     [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
-                                     rhs_, kExact * force_scale(d), most, d);
-  report.corrections += taken >= 0 ? taken : most;
-  return taken;
+  constexpr int kAtOnce = ConjugateResiduals::kDepth;
+  double enough = kExact * force_scale(d);
+  int taken = 0;
+  for (bool looked = false;;) {
+    const int part = std::min(most - taken, kAtOnce);
+    const int more = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
+                                      [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
+                                      rhs_, enough, part, d);
+    taken += more >= 0 ? more : part;
+    if (more >= 0 || (looked && taken >= most)) {
+      report.corrections += taken;
+      return more >= 0 ? taken : -1;
+    }
+    // Static steps of stiff meshes: forces inside are far larger than those on the blocks, and so is what they leave.
+    enough = std::max(kExact * force_scale(d), round_off(d));
+    looked = true;
+  }
 }
 
 bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
@@ -233,10 +300,16 @@ void OpenClose::evaluate_points(std::span<const double> d) {
     const ContactMemory& m = list_->memory[i];
     t.gap = m.gap + normal(i).change(d);
     t.moved = tangential(i).change(d);
+    t.opened = 0.0;
+    if (t.status == ContactStatus::slip && dilates(i)) {
+      const Dilation f = dilation(i);
+      const double force = -(f.per_gap * t.gap + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
+      t.opened = t.gap + force / m.kn;
+      t.gap = -force / m.kn;
+    }
     t.fn = t.status == ContactStatus::open ? 0.0 : -m.kn * t.gap;
-    const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
     if (t.status == ContactStatus::stick) {
-      t.stretch = before + t.moved;
+      t.stretch = stretch_before(i) + t.moved;
       t.ft = -m.kt * t.stretch;
     } else if (t.status == ContactStatus::slip) {
       t.load = std::max(t.fn, 0.0);
@@ -280,19 +353,21 @@ int OpenClose::switch_states(bool only_worst) {
   std::size_t worst_point = 0;
   ContactStatus worst_status = ContactStatus::open;
   double worst_direction = 0.0;
+  bool worst_opens = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
     if (list_->points[i].suppressed) continue;
-    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    const JointLaw& law = law_of(i);
     ContactStatus to = t.status;
     double violation = 0.0, direction = t.direction;
+    bool opens = t.opens;
     if (t.status == ContactStatus::open) {
       if (t.gap < 0.0 && may_close(i)) {
         // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
         // lifted by its own tangential spring, and never settle.
         violation = -m.kn * t.gap;
-        const double ft = -m.kt * ((m.status == ContactStatus::open ? 0.0 : m.stretch) + t.moved);
+        const double ft = -m.kt * (stretch_before(i) + t.moved);
         const bool slips = std::abs(ft) > friction_limit(law, m, violation);
         to = slips ? ContactStatus::slip : ContactStatus::stick;
         direction = ft < 0.0 ? -1.0 : 1.0;
@@ -310,14 +385,16 @@ int OpenClose::switch_states(bool only_worst) {
         direction = t.ft < 0.0 ? -1.0 : 1.0;
       }
     } else {
-      const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
-      const double slip = before + t.moved - t.stretch;
+      const double slip = stretch_before(i) + t.moved - t.stretch;
       if (t.ft * slip > 0.0) {
         to = ContactStatus::stick;
         violation = m.kt * std::abs(slip);
+      } else if (dilates(i) && (std::abs(slip) < slip_left(i)) != t.opens) {
+        opens = !t.opens;
+        violation = m.kn * std::tan(law.dilation) * std::abs(std::abs(slip) - slip_left(i));
       }
     }
-    if (to == t.status || violation <= tolerance(i)) continue;
+    if ((to == t.status && opens == t.opens) || violation <= tolerance(i)) continue;
     ++switched;
     if (only_worst) {
       if (violation > worst) {
@@ -325,16 +402,19 @@ int OpenClose::switch_states(bool only_worst) {
         worst_point = i;
         worst_status = to;
         worst_direction = direction;
+        worst_opens = opens;
       }
       continue;
     }
     t.status = to;
     t.direction = direction;
+    t.opens = opens;
     t.load = std::max(t.fn, 0.0);
   }
   if (only_worst && switched > 0) {
     trial_[worst_point].status = worst_status;
     trial_[worst_point].direction = worst_direction;
+    trial_[worst_point].opens = worst_opens;
     trial_[worst_point].load = std::max(trial_[worst_point].fn, 0.0);
   }
   return only_worst ? std::min(switched, 1) : switched;
@@ -343,6 +423,8 @@ int OpenClose::switch_states(bool only_worst) {
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (const double water = list_->memory[i].water; water != 0.0) normal(i).add_force(water, base_);
   A_ = A;
   seen_.clear();
   bool only_worst = false;
@@ -357,7 +439,8 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     if (!allowed_ && refuse(report)) return false;
     states_.clear();
     for (const Trial& t : trial_)
-      states_.push_back(static_cast<char>(static_cast<int>(t.status) * (t.direction < 0.0 ? -1 : 1)));
+      states_.push_back(
+          static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0)) * (t.direction < 0.0 ? -1 : 1)));
     const std::size_t now = std::hash<std::string>{}(states_);
     const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
     seen_.push_back(now);
@@ -408,6 +491,7 @@ double OpenClose::add_forces(std::span<const double> d, std::span<double> out) c
   for (std::size_t i = 0; i < springs_->size(); ++i) add(springs_->rows[i], springs_->force(i, d));
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     add(normal(i), trial_[i].fn);
+    add(normal(i), list_->memory[i].water);
     add(tangential(i), trial_[i].ft);
   }
   return largest;

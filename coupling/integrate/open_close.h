@@ -30,9 +30,10 @@ struct StepSprings {
 };
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
-/// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned by
-/// the factor of the symmetric part. Gaps and stretches are linear in d, about the start of the step.
-/// A factor is kept from step to step as that preconditioner while it is less work than a new one:
+/// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned
+/// by the factor of the symmetric part. So does the normal force of points that dilate, which follows their slip. Water
+/// in joints is a load along the gaps, that of the step's start. Gaps and stretches are linear in d, about the start of
+/// the step. A factor is kept from step to step as that preconditioner while it is less work than a new one:
 /// State::factored tells what it is of. Where it is not, the factor of the step's matrix follows the states that switch
 /// by rank updates.
 /// @source thesis 3.2.2, 4.5
@@ -42,6 +43,8 @@ class OpenClose {
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;  // sign of the friction force while slipping
     double load = 0.0;       // normal force that its friction limit was taken from [N]
+    bool opens = false;      // it dilates while it slips: not at the end of dilation yet
+    double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
   };
 
@@ -73,7 +76,8 @@ class OpenClose {
                            StepReport& report);
   /// Called once the step is taken: what the next one begins with.
   void accept(KeptFactor& kept);
-  /// out += forces of springs and contacts at the unknowns last found; also the largest of them.
+  /// out += forces of springs and contacts, of the water in them too, at the unknowns last found; also the largest of
+  /// them.
   double add_forces(std::span<const double> d, std::span<double> out) const;
 
   [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
@@ -98,8 +102,22 @@ class OpenClose {
   void multiply(std::span<const double> x, std::span<double> y) const;
   /// What the friction force of a slipping point loses as its gap opens [N/m].
   [[nodiscard]] double friction_per_gap(std::size_t i) const;
+  /// Normal force of a slipping point that dilates, linear in the unknowns: -(per_gap g + per_stretch e + constant), g
+  /// the gap and e the stretch that its spring would have if it stuck.
+  struct Dilation {
+    double per_gap = 0.0, per_stretch = 0.0, constant = 0.0;
+  };
+  [[nodiscard]] bool dilates(std::size_t i) const { return law_of(i).dilation > 0.0; }
+  [[nodiscard]] Dilation dilation(std::size_t i) const;
+  /// Slip left at the start of the step until dilation ends [m]; infinite: it does not.
+  [[nodiscard]] double slip_left(std::size_t i) const;
+  /// Stretch of a point's spring at the start of the step.
+  [[nodiscard]] double stretch_before(std::size_t i) const;
+  [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
   /// The largest force that a solution is made of [N].
   [[nodiscard]] double force_scale(std::span<const double> d) const;
+  /// What round-off leaves of the forces inside the bodies [N].
+  [[nodiscard]] double round_off(std::span<const double> d) const;
   /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
   int improve(int most, std::span<double> d, StepReport& report);
   /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
@@ -121,8 +139,8 @@ class OpenClose {
   Factor factor_;
   const ContactList* list_ = nullptr;
   const StepSprings* springs_ = nullptr;
-  DofRows rows_;                 // springs, then gap and stretch of every point
-  std::vector<double> k_, at_;   // of the rows, as the states are: stiffness, elongation at the start of the step
+  DofRows rows_;                // springs, then gap and stretch of every point
+  std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<Trial> trial_;
   std::vector<double> mass_;    // of a body, as the model has it [kg]
   std::vector<double> weight_;  // of the lighter free body at a point [N]
@@ -133,17 +151,17 @@ class OpenClose {
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_;
   std::vector<std::size_t> slipping_;  // points
-  std::string states_;             // of all points in a pass, a character each
-  std::vector<std::size_t> seen_;  // hashes of the states that the passes have had
+  std::string states_;                 // of all points in a pass, a character each
+  std::vector<std::size_t> seen_;      // hashes of the states that the passes have had
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
   bool current_ = false;  // the factor is that of the step's matrix, with updates
   bool updated_ = false;
   bool friction_settled_ = true;  // in the last pass
-  bool keep_ = false;       // this step may use the kept factor
-  int corrections_left_ = 0;  // iterations that this step may still take with it
-  bool made_ = false;       // a factor was made since the last accept()
+  bool keep_ = false;             // this step may use the kept factor
+  int corrections_left_ = 0;      // iterations that this step may still take with it
+  bool made_ = false;             // a factor was made since the last accept()
   KeptFactor::Patience patience_;
   Cholesky cholesky_;
 };

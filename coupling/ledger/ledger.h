@@ -21,9 +21,11 @@ enum class Column : int {
   // W: work done on the system since the start
   gravity,
   loads,
+  water,
   prescribed_motion,
   // D: dissipated since the start
   friction,
+  dilation,
   contact_damping,
   mass_damping,
   stiffness_damping,

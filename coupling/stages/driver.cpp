@@ -44,6 +44,8 @@ void check_implicit(const Stage& stage, const Setup& setup) {
   if (trapezoidal && stage.kinematics == Kinematics::corotational &&
       (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
     refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
+  if (trapezoidal && !setup.model().waters.empty())
+    refuse("the trapezoidal scheme has no contacts, and so no water in joints; use newmark = \"damped\"");
   for (const Body& b : setup.bodies()) {
     if (b.driven) continue;
     const Pool& pool = setup.pool_of(b);
@@ -204,7 +206,8 @@ void Driver::change_stage(std::size_t index) {
   const double now = mover_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
-  observer_ = std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(index) + 1);
+  observer_ =
+      std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(index) + 1, plan_->output.contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())

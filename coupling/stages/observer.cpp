@@ -1,5 +1,7 @@
 #include "coupling/stages/observer.h"
 
+#include "coupling/contact/contact_point.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -10,7 +12,8 @@ void put(const Vec2& x, std::size_t at, std::vector<double>& out) {
 
 }  // namespace
 
-Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id) : setup_(&setup) {
+Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, bool contacts)
+    : setup_(&setup), contacts_(contacts) {
   offsets_.assign(1, 0);
   std::vector<std::vector<const Body*>> of_pool(setup.pools());
   for (const Body& b : setup.bodies()) of_pool[static_cast<std::size_t>(b.pool)].push_back(&b);
@@ -79,7 +82,31 @@ FrameView Observer::frame(const State& state, const RunStats& stats) {
   f.mesh = &view_;
   f.state = &state;
   f.stats = &stats;
+  if (contacts_) {
+    see_contacts(state);
+    f.contacts = &contact_view_;
+  }
   return f;
+}
+
+void Observer::see_contacts(const State& state) {
+  const Outlines& o = setup_->outlines();
+  const auto at = [&](std::int32_t node) {
+    return scree::coupling::position(o.nodes[static_cast<std::size_t>(node)], state.q);
+  };
+  contact_position_.resize(2 * state.contacts.size());
+  contact_normal_.resize(2 * state.contacts.size());
+  for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+    const ContactMemory& m = state.contacts[i];
+    const ContactKey& k = m.key;
+    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_p, k.ring_p, k.vertex))];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_e, k.ring_e, k.edge))];
+    const Vec2 corner = at(o.vertices[static_cast<std::size_t>(own.first_segment + k.part)].node);
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
+    put(corner, i, contact_position_);
+    put(contact_geometry(corner, at(s.a), at(s.b)).n, i, contact_normal_);
+  }
+  contact_view_ = {contact_position_, contact_normal_, state.contacts};
 }
 
 void Observer::recover_stress(const State& state) {

@@ -10,7 +10,8 @@ namespace scree::coupling {
 
 class Observer {
  public:
-  Observer(const Setup& setup, const State& state, std::uint32_t mesh_id);
+  /// @param contacts  frames show the contact points
+  Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, bool contacts = false);
 
   [[nodiscard]] const MeshView& mesh() const { return view_; }
   /// Fills positions, velocities and stresses; valid until the next call.
@@ -19,8 +20,10 @@ class Observer {
 
  private:
   void recover_stress(const State& state);
+  void see_contacts(const State& state);
 
   const Setup* setup_;
+  bool contacts_;
   std::vector<Row> points_;
   std::vector<std::int32_t> offsets_, connectivity_, cell_block_, cell_material_, cell_method_;
   std::vector<double> origin_, position_, velocity_, stress_;
@@ -29,6 +32,8 @@ class Observer {
   std::vector<std::vector<double>> recovered_;  // a pool: stress a node; empty where no monitor needs it
   std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_, monitor_stress_;
   std::vector<std::int32_t> pool_cells_;  // first cell of each pool
+  std::vector<double> contact_position_, contact_normal_;
+  ContactView contact_view_;
   MeshView view_;
 };
 

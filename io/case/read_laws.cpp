@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -43,11 +44,39 @@ void read_strength(const Section& s, JointLaw& law) {
                               shear));
 }
 
+void read_dilation(const Section& s, JointLaw& law) {
+  law.dilation = s.number("dilation_deg") * std::numbers::pi / 180.0;
+  if (s.has("dilation_slip")) law.dilation_slip = s.number("dilation_slip");
+  if (law.dilation == 0.0) {
+    if (law.dilation_slip)
+      throw s.error("dilation_slip", "a dilation_slip without a dilation_deg", "dilation_slip [m] beside dilation_deg",
+                    "add dilation_deg = ...");
+    return;
+  }
+  // Sliding spends friction on lifting; what would be spent beyond it would come from nowhere.
+  double least = law.friction;
+  if (law.residual_friction) {
+    const double lost =
+        !law.dilation_slip || law.weakening_slip == 0.0 ? 1.0 : std::min(1.0, *law.dilation_slip / law.weakening_slip);
+    least = std::atan(std::tan(law.friction) + lost * (std::tan(*law.residual_friction) - std::tan(law.friction)));
+  }
+  constexpr double kRounding = 1e-12;
+  if (law.dilation > least * (1.0 + kRounding))
+    throw s.error("dilation_deg", "the joint would open by more than its friction can lift",
+                  fmt::format("0 <= value <= {:.4g}, the least friction angle while it dilates",
+                              least * 180.0 / std::numbers::pi),
+                  law.residual_friction ? "give a smaller dilation_deg, or a dilation_slip that ends it before the "
+                                          "friction has fallen so far"
+                                        : "dilation angles of rock joints are below their friction angle: give a "
+                                          "smaller one");
+}
+
 JointLaw joint_law(const Section::Named& named) {
   const Section& s = named.section;
   JointLaw law;
   law.name = named.name;
   read_strength(s, law);
+  read_dilation(s, law);
   if (s.has("contact_length")) law.contact_length = s.number("contact_length");
   law.normal_stiffness = s.number_or_auto("normal_stiffness");
   law.shear_stiffness = s.number_or_auto("shear_stiffness");

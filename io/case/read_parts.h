@@ -30,6 +30,8 @@ void read_supports(const Section& root, Model& model);
 void read_monitors(const Section& root, Model& model);
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
+/// Water in joints.   @pre read_laws
+void read_water(const Section& root, Model& model);
 /// How a stage represents blocks, damps and comes to rest; what does not go together is refused.
 /// @param nmm  a block of the stage uses the NMM     @pre its method and integrator are set
 void read_stage_options(const Section& s, bool nmm, coupling::Stage& stage);

@@ -100,7 +100,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
 coupling::OutputPlan read_output(const Section& s, Tick total) {
   if (!s.has("every")) s.settle("every", seconds(std::max<Tick>(total / 100, 1)));
   if (!s.has("history_every")) s.settle("history_every", s.number("every"));
-  return {ticks(s.number("every")), ticks(s.number("history_every"))};
+  return {ticks(s.number("every")), ticks(s.number("history_every")), s.boolean("contacts")};
 }
 
 coupling::LivePlan read_live(const Section& s) {

@@ -93,6 +93,12 @@ constexpr Key kKeys[] = {
      "Pull that a contact bears which was closed at the start, until it first fails in tension or shear; then it can "
      "open. At most cohesion / tan(friction_deg), where Coulomb's line ends. \"unlimited\": such a contact never "
      "fails, in shear neither."},
+    {"joint.NAME.dilation_deg", Type::number, "deg", kFriction, "0.0", false, "",
+     "Dilation angle: slip, in either direction, opens the joint by its tangent. At most the friction angle that is "
+     "left "
+     "while it dilates."},
+    {"joint.NAME.dilation_slip", Type::number, "m", kPositive, "(no end)", false, "",
+     "Slip after which the joint opens no further. Goes with dilation_deg."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
      "4G/3)/d "
@@ -306,6 +312,17 @@ constexpr Key kKeys[] = {
     {"viscous_edge[].on", Type::line, "m", kCoordinate, "", false, "", "As traction.on. Either this or edge."},
     {"viscous_edge[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge."},
 
+    {"water", Type::table_list, "", kAny, "", false, "",
+     "Water that fills joints below a piezometric line. Its hydrostatic pressure pushes the faces of a joint apart "
+     "where "
+     "two edges face each other, within the detection distance also where they have opened; contact forces are then "
+     "effective forces. The line stays while the blocks move."},
+    {"water[].line", Type::line, "m", kCoordinate, "", true, "",
+     "Points of the piezometric line, x increasing. Beyond its ends it goes on level."},
+    {"water[].unit_weight", Type::number, "N/m3", kPositive, "9810.0", false, "", "Unit weight of the water."},
+    {"water[].joints", Type::names, "", kAny, "(all)", false, "",
+     "Names of the joint laws that it fills; * stands for any characters. A law has one line at most."},
+
     {"monitor", Type::table_list, "", kAny, "", false, "", "A point whose history is written."},
     {"monitor[].block", Type::name, "", kAny, "(the block that holds the point)", false, "", "Name of the block."},
     {"monitor[].point", Type::point, "m", kCoordinate, "", true, "",
@@ -378,6 +395,8 @@ constexpr Key kKeys[] = {
     {"output.every", Type::number, "s", kTime, "(a hundredth of the run)", false, "", "Simulated time between frames."},
     {"output.history_every", Type::number, "s", kTime, "(output.every)", false, "",
      "Simulated time between samples of monitors and energies."},
+    {"output.contacts", Type::boolean, "", kAny, "false", false, "",
+     "Write the contact points of every frame: place, state, forces, gap and slip."},
 
     {"live", Type::table, "", kAny, "", false, "", "Streaming of the running model over LCM."},
     {"live.enabled", Type::boolean, "", kAny, "false", false, "", "Stream."},

@@ -1,5 +1,6 @@
 #include "io/results/joints_writer.h"
 
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct Pieces {
 
 void write_joints(const h5::File& file, const Model& model) {
   std::vector<std::string> names;
-  std::vector<double> friction, cohesion, tension, residual_friction, residual_cohesion, slip;
+  std::vector<double> friction, cohesion, tension, residual_friction, residual_cohesion, slip, dilation, dilating_slip;
   for (const JointLaw& law : model.joints) {
     names.push_back(law.name);
     friction.push_back(law.friction * 180.0 / std::numbers::pi);
@@ -42,6 +43,8 @@ void write_joints(const h5::File& file, const Model& model) {
     residual_friction.push_back(law.residual_friction.value_or(law.friction) * 180.0 / std::numbers::pi);
     residual_cohesion.push_back(law.residual_cohesion);
     slip.push_back(law.weakening_slip);
+    dilation.push_back(law.dilation * 180.0 / std::numbers::pi);
+    dilating_slip.push_back(law.dilation_slip.value_or(std::numeric_limits<double>::infinity()));
   }
   h5::write(file, "/joints/name", names, {"none", "names of the joint laws"});
   h5::write<double>(file, "/joints/friction_deg", 1, friction, {"deg", "friction angle"});
@@ -55,6 +58,9 @@ void write_joints(const h5::File& file, const Model& model) {
                     {"Pa", "cohesion after the first failure"});
   h5::write<double>(file, "/joints/weakening_slip", 1, slip,
                     {"m", "slip over which friction falls; 0: at the first failure"});
+  h5::write<double>(file, "/joints/dilation_deg", 1, dilation, {"deg", "dilation angle"});
+  h5::write<double>(file, "/joints/dilation_slip", 1, dilating_slip,
+                    {"m", "slip after which the joint opens no further; infinite: it always does"});
 
   Pieces(model.joint_lines).write(file, "/joints/lines", "a straight piece of a discontinuity");
   std::vector<std::int32_t> kind, source, block;

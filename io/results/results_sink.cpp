@@ -1,7 +1,9 @@
 #include "io/results/results_sink.h"
 
+#include <optional>
 #include <utility>
 
+#include "io/results/contact_writer.h"
 #include "io/results/csv.h"
 #include "io/results/event_writer.h"
 #include "io/results/history_writer.h"
@@ -19,25 +21,30 @@ struct ResultsSink::Files {
   XdmfWriter xdmf;
   HistoryWriter histories;
   EventWriter events;
+  std::optional<ContactWriter> contacts;  // where the plan asks for them
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
 
-  Files(const RunFolder& folder, const Provenance& provenance, const Model& model)
+  Files(const RunFolder& folder, const Provenance& provenance, const Model& model, bool with_contacts)
       : file(h5::File::create(folder.results())),
         frames(file),
         xdmf(file, folder.xdmf()),
         histories(file, model),
         events(file),
         tables(folder.history(), folder.energy(), model),
-        summary(model, provenance) {}
+        summary(model, provenance) {
+    if (with_contacts) contacts.emplace(file);
+  }
 
   void frame(const coupling::FrameView& view) {
     xdmf.frame(view, frames.frame(view));
+    if (contacts) contacts->frame(view);
     stored = {view.tick, view.stage};
     frames.flush();
     histories.flush();
     events.flush();
+    if (contacts) contacts->flush();
     tables.flush();
     file.flush();
     xdmf.flush();  // after what it refers to
@@ -47,6 +54,7 @@ struct ResultsSink::Files {
     frames.close();
     histories.close();
     events.close();
+    if (contacts) contacts->close();
     tables.close();
     file.flush();
     xdmf.close();
@@ -65,7 +73,7 @@ ResultsSink::Files& ResultsSink::files() {
 }
 
 void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
-  files_ = std::make_unique<Files>(folder_, provenance_, model);
+  files_ = std::make_unique<Files>(folder_, provenance_, model, plan.output.contacts);
   write_provenance(files_->file, provenance_);
   write_model(files_->file, model);
   write_joints(files_->file, model);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks a run folder as another program sees it: layout of run.vtkhdf, units, times, ledger, tables, summary.
 
-Usage: check_results.py RUN_FOLDER [--unfinished]
+Usage: check_results.py RUN_FOLDER [--unfinished] [--contacts]
 Exit code 0 when everything holds; otherwise 1, with a line for each thing that does not.
 """
 import argparse
@@ -168,6 +168,37 @@ def check_histories(file, last):
         expect(len(time) == 0 or np.allclose(shift, shift[0], atol=1e-9), f"monitor {name}: position less displacement varies")
 
 
+CONTACT_WIDTHS = {"corner": 4, "edge": 3, "joint": 1, "state": 1, "facing": 1, "bonded": 1, "failed": 1, "position": 2, "normal": 2,
+                  "share": 1, "gap": 1, "gap0": 1, "fn": 1, "ft": 1, "water": 1, "slip": 1}
+
+
+def check_contacts(file):
+    """The rows of /contacts belong to the frames, frame after frame, and say what a contact law allows."""
+    group, frames = file["contacts"], len(file["VTKHDF/Steps/Values"])
+    first, count = group["frames/first"][...], group["frames/count"][...]
+    expect(len(first) == len(count) == frames, "/contacts/frames has not a row a frame")
+    expect(np.array_equal(first, np.concatenate(([0], np.cumsum(count)[:-1]))), "frames of /contacts do not follow one another")
+    rows = int(count.sum())
+    for name, width in CONTACT_WIDTHS.items():
+        expect(group[name].shape == ((rows,) if width == 1 else (rows, width)), f"/contacts/{name} has another shape")
+    c = {name: group[name][...] for name in CONTACT_WIDTHS}
+    expect(rows > 0 and np.any(c["state"] > 0), "nothing touches in the whole run")
+    blocks, joints = len(file["blocks/name"]), len(file["joints/name"])
+    for side in ("corner", "edge"):
+        expect(c[side].min() >= 0 and c[side][:, 0].max() < blocks, f"/contacts/{side} names a block that is not in /blocks")
+    expect(np.all(c["corner"][:, 0] != c["edge"][:, 0]), "a block touches itself")
+    expect(c["joint"].min() >= 0 and c["joint"].max() < joints, "a law is not in /joints")
+    expect(np.allclose(np.linalg.norm(c["normal"], axis=1), 1.0, atol=1e-14), "normals are not unit vectors")
+    is_open, loose = c["state"] == 0, c["bonded"] == 0
+    expect(np.all((c["state"] >= 0) & (c["state"] <= 2)), "a state is none of 0, 1, 2")
+    expect(np.all(c["fn"][is_open] == 0.0) and np.all(c["ft"][is_open] == 0.0), "an open contact has a force")
+    expect(np.all(c["fn"][loose] >= 0.0), "a contact without a bond pulls")
+    expect(np.all(c["share"] > 0.0) and np.all(c["slip"] >= 0.0), "a share or slip is negative")
+    for k in range(frames):  # each contact once, in order
+        keys = [tuple(key) for key in np.hstack([c["corner"], c["edge"]])[first[k]:first[k] + count[k]]]
+        expect(keys == sorted(set(keys)), f"frame {k}: contacts are not sorted, or twice there")
+
+
 def check_tables(folder, file):
     """CSV and HDF5 hold the same numbers, bit for bit."""
     def table(name):
@@ -206,6 +237,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("run", type=pathlib.Path)
     parser.add_argument("--unfinished", action="store_true", help="a run that was killed: no summary, histories to the last frame")
+    parser.add_argument("--contacts", action="store_true", help="the run wrote its contacts")
     arguments = parser.parse_args()
     with h5py.File(arguments.run / "run.vtkhdf", "r") as file:
         for group in GROUPS:
@@ -216,6 +248,9 @@ def main():
         attempt(check_frames, file)
         attempt(check_ledger, file)
         attempt(check_histories, file, times[-1])
+        expect(("contacts" in file) == arguments.contacts, "/contacts is there, or not, against what was asked for")
+        if "contacts" in file:
+            attempt(check_contacts, file)
         case = file["provenance/case"][0]
         expect(hashlib.sha256(case).hexdigest() == file["provenance"].attrs["case_sha256"], "SHA-256 is not that of the case text")
         if not arguments.unfinished:

@@ -1,4 +1,4 @@
-// What monitors report of stress.
+// What monitors report of stress, and frames of contacts.
 #include "coupling/stages/observer.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +112,58 @@ TEST(MonitorStress, is_empty_without_monitors) {
   run.add_sink(last);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   EXPECT_TRUE(last.monitors.empty());
+}
+
+/// Looks at every frame with the contacts it shows.
+class Contacts final : public coupling::Sink {
+ public:
+  void frame(const coupling::FrameView& f) override {
+    ++frames;
+    if (f.contacts == nullptr) return;
+    ++shown;
+    weight = 0.0;
+    ASSERT_EQ(f.contacts->memory.size(), f.state->contacts.size());
+    ASSERT_EQ(f.contacts->position.size(), 2 * f.contacts->memory.size());
+    for (std::size_t i = 0; i < f.contacts->memory.size(); ++i) {
+      const coupling::ContactMemory& m = f.contacts->memory[i];
+      const Vec2 at(f.contacts->position[2 * i], f.contacts->position[2 * i + 1]),
+          normal(f.contacts->normal[2 * i], f.contacts->normal[2 * i + 1]);
+      EXPECT_NEAR(normal.norm(), 1.0, 1e-15);
+      // The joint is the line y = 0: of a corner of the block the normal looks up, of one of the base down.
+      EXPECT_NEAR(normal.y(), m.key.block_p == 1 ? 1.0 : -1.0, 1e-6);
+      EXPECT_NEAR(at.y(), 0.0, 1e-3);
+      if (m.key.block_p == 1) {
+        EXPECT_NEAR(at.y() - m.gap0, m.gap, 1e-12);  // the base is held
+      }
+      if (m.key.block_p == 1 && m.key.part == 0) corners += at.x() == 0.0 || at.x() == 2.0 ? 1 : 0;
+      weight += m.fn;
+    }
+  }
+  int frames = 0, shown = 0, corners = 0;
+  double weight = 0.0;
+};
+
+TEST(ContactView, shows_the_points_of_every_frame_where_it_is_asked_for) {
+  for (const bool asked : {false, true}) {
+    Scene scene(1e8, 0.0, 2500.0, 30.0);
+    scene.add("base", rectangle(-1, -1, 3, 0), true);
+    scene.add("block", rectangle(0, 0, 2, 1));
+    for (const char* method : {"nmm", "dda"}) {
+      coupling::Stage& stage = scene.stage(method, coupling::Integrator::implicit, 1.0, 0.05, 0.4);
+      stage.rest = true;
+    }
+    scene.plan.output.contacts = asked;
+    const coupling::Methods methods = coupling::standard_methods();
+    coupling::Driver run(scene.model, scene.plan, methods);
+    Contacts contacts;
+    run.add_sink(contacts);
+    ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
+    EXPECT_GT(contacts.frames, 20);
+    EXPECT_EQ(contacts.shown, asked ? contacts.frames : 0);
+    if (!asked) continue;
+    EXPECT_GE(contacts.corners, 2);  // at the start
+    EXPECT_NEAR(contacts.weight, 2.0 * 2500.0 * 9.81, 1.0);
+  }
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ void dump_model(Dump& d, const Model& m) {
       d.line("  {} {} {} {} from {}", s(0, 0), s(0, 1), s(1, 0), s(1, 1), x.initial_stress->level);
   }
   for (const JointLaw& x : m.joints)
-    d.line("joint {} {} {} {} {} {} {} {} {} tension {} residual {} {} over {}", x.name, x.friction, x.cohesion,
-           x.contact_length, Dump::of(x.normal_stiffness), Dump::of(x.shear_stiffness), Dump::of(x.penalty),
+    d.line("joint {} {} {} {} {} {} {} {} {} tension {} residual {} {} over {} dilation {} {}", x.name, x.friction,
+           x.cohesion, x.contact_length, Dump::of(x.normal_stiffness), Dump::of(x.shear_stiffness), Dump::of(x.penalty),
            Dump::of(x.shear_penalty), x.damping, x.tensile_strength, Dump::of(x.residual_friction), x.residual_cohesion,
-           x.weakening_slip);
+           x.weakening_slip, x.dilation, Dump::of(x.dilation_slip));
   for (const Block& b : m.blocks) {
     d.line("block {} material {} joint {} covers {}", b.name, b.material.value, b.joint.value, b.cover_size);
     for (std::size_t k = 0; k < b.polygon.rings(); ++k)
@@ -82,6 +82,14 @@ void dump_loads(Dump& d, const Model& m) {
   }
 }
 
+void dump_water(Dump& d, const Model& m) {
+  for (const JointWater& w : m.waters) {
+    d.line("water {}", w.unit_weight);
+    for (const Vec2& p : w.line) d.line("  {}", Dump::of(p));
+    for (const JointId j : w.joints) d.line("  in {}", j.value);
+  }
+}
+
 void dump_plan(Dump& d, const coupling::Plan& p) {
   d.line("detection {} threads {}", p.detection, p.threads);
   for (const coupling::Stage& s : p.stages) {
@@ -96,7 +104,7 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
       for (const BlockId b : r.blocks)
         d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
   }
-  d.line("output {} {}", p.output.every, p.output.history_every);
+  d.line("output {} {} {}", p.output.every, p.output.history_every, p.output.contacts);
   d.line("live {} {} {}", p.live.enabled, p.live.url, p.live.rate);
 }
 
@@ -106,6 +114,7 @@ std::string dump(const Case& c) {
   Dump d;
   dump_model(d, c.model);
   dump_loads(d, c.model);
+  dump_water(d, c.model);
   dump_plan(d, c.plan);
   return d.out;
 }

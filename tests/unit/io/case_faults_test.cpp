@@ -85,6 +85,19 @@ INSTANTIATE_TEST_SUITE_P(
               "0 <= value <= 10000", "the one after it"},
         Wrong{"joint_weakening_alone.toml", 10, 18, "joint.plane.weakening_slip", "0.01",
               "without a residual_friction_deg", "beside residual_friction_deg", "add residual_friction_deg"},
+        Wrong{"joint_dilation_beyond_friction.toml", 10, 16, "joint.plane.dilation_deg", "35", "more than its friction",
+              "0 <= value <= 30", "smaller one"},
+        Wrong{"joint_dilation_beyond_residual.toml", 11, 16, "joint.plane.dilation_deg", "15", "more than its friction",
+              "0 <= value <= 10", "a dilation_slip that ends it"},
+        Wrong{"joint_dilation_slip_alone.toml", 10, 17, "joint.plane.dilation_slip", "0.01", "without a dilation_deg",
+              "beside dilation_deg", "add dilation_deg"},
+        Wrong{"water_backwards.toml", 26, 27, "water.0.line.2", "[2.0, 1.0]", "x = 2 m comes after x = 3 m", "x > 3 m",
+              "left to right"},
+        Wrong{"water_twice.toml", 30, 11, "water.1.joints.0", "\"plane\"", "has a piezometric line already",
+              "one [[water]] section", "remove one"},
+        Wrong{"water_unknown_joint.toml", 27, 11, "water.0.joints.0", "\"plain\"", "joint", "\"plane\"",
+              "define the joint"},
+        Wrong{"water_weightless.toml", 27, 15, "water.0.unit_weight", "0", "out of range", "number [N/m3], > 0", ""},
         Wrong{"empty.toml", 1, 1, "", "", "empty", "[[block]]", "scree schema"},
         Wrong{"not_toml.toml", 14, 8, "", "", "not TOML", "TOML 1.0", "quotation marks"}),
     [](const auto& test) {
@@ -111,7 +124,7 @@ TEST(WrongFiles, folder_holds_no_file_without_a_test) {
         name.starts_with("record_") || name.starts_with("load_") || name.starts_with("stage_");
     count += entry.path().extension() == ".toml" && !elsewhere;
   }
-  EXPECT_EQ(count, 32u);
+  EXPECT_EQ(count, 39u);
 }
 
 // Each would run the parser or its tables out of stack if it got there.
@@ -303,7 +316,7 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = 0.5", "");
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
-  EXPECT_EQ(e.line, 182) << e.what();
+  EXPECT_EQ(e.line, 184) << e.what();
   EXPECT_TRUE(holds(e.problem, "\"far wall\"")) << e.what();  // the others have a size of their own
 }
 

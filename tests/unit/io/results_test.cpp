@@ -89,6 +89,59 @@ TEST_F(Results, lines_and_cracks_of_joints_read_back) {
   EXPECT_EQ(h5::read<std::int32_t>(file, "/joints/cracks/block"), (std::vector<std::int32_t>{1}));
 }
 
+TEST_F(Results, contacts_are_there_only_where_asked_for) {
+  EXPECT_FALSE(h5::File::open(run / "run.vtkhdf").has("/contacts"));
+}
+
+TEST(ContactResults, rows_of_a_frame_are_those_it_showed) {
+  const Scratch scratch;
+  SmallRun small;
+  small.plan.output.contacts = true;
+  ResultsSink sink(RunFolder::create(scratch.path() / "run", false), provenance());
+  sink.begin(small.model, small.plan);
+  small.use_triangles();
+  sink.topology(small.mesh);
+  const std::array<std::size_t, 4> counts{2, 0, 3, 1};
+  std::vector<coupling::ContactMemory> memory;
+  std::vector<double> position, normal;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    memory.assign(counts[k], {});
+    position.clear(), normal.clear();
+    for (std::size_t i = 0; i < counts[k]; ++i) {
+      const auto x = static_cast<double>(10 * k + i);
+      coupling::ContactMemory& m = memory[i];
+      m.key = {1, 0, static_cast<std::int32_t>(k), static_cast<std::int32_t>(i), 0, 2, 3};
+      m.status = coupling::ContactStatus::stick;
+      m.joint = 0, m.failed = 1, m.share = x + 0.125, m.gap = -x, m.gap0 = 2.0 * x, m.fn = 3.0 * x, m.ft = -4.0 * x;
+      m.slip = 5.0 * x, m.water = 6.0 * x;
+      position.insert(position.end(), {x, -x});
+      normal.insert(normal.end(), {0.6, 0.8});
+    }
+    const coupling::ContactView view{position, normal, memory};
+    coupling::FrameView frame = small.frame(0.25 * static_cast<double>(k), 0, 0.0, 0.0, 0.0);
+    frame.contacts = &view;
+    if (k + 1 < counts.size())
+      sink.frame(frame);
+    else
+      sink.end({}, frame);  // the last instant is a frame too
+  }
+  const h5::File file = h5::File::open(scratch.path() / "run" / "run.vtkhdf");
+  EXPECT_EQ(h5::read<std::int64_t>(file, "/contacts/frames/first"), (std::vector<std::int64_t>{0, 2, 2, 5}));
+  EXPECT_EQ(h5::read<std::int64_t>(file, "/contacts/frames/count"), (std::vector<std::int64_t>{2, 0, 3, 1}));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/contacts/corner", 3, 2),
+            (std::vector<std::int32_t>{1, 0, 2, 1, 1, 0, 2, 2}));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/contacts/edge", 5, 1), (std::vector<std::int32_t>{0, 2, 3}));
+  EXPECT_EQ(h5::read<double>(file, "/contacts/position", 4, 1), (std::vector<double>{22.0, -22.0}));
+  EXPECT_EQ(h5::read<double>(file, "/contacts/normal", 0, 1), (std::vector<double>{0.6, 0.8}));
+  const double at_22[] = {22.125, -22.0, 44.0, 66.0, -88.0, 110.0, 132.0};
+  const char* names[] = {"share", "gap", "gap0", "fn", "ft", "slip", "water"};
+  for (std::size_t n = 0; n < std::size(names); ++n)
+    EXPECT_EQ(h5::read<double>(file, std::string("/contacts/") + names[n], 4, 1).front(), at_22[n]) << names[n];
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/contacts/state"), (std::vector<std::int32_t>(6, 2)));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/contacts/failed"), (std::vector<std::int32_t>(6, 1)));
+  EXPECT_EQ(h5::read<std::int32_t>(file, "/contacts/bonded"), (std::vector<std::int32_t>(6, 0)));
+}
+
 TEST_F(Results, every_dataset_has_units_and_long_name) {
   const std::vector<DatasetNote> notes = RunReader(run).datasets();
   EXPECT_GT(notes.size(), 60u);

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include "io/case/read_parts.h"
+#include "io/case/suggest.h"
+
+namespace scree::io {
+namespace {
+
+std::vector<Vec2> piezometric_line(const Section& s) {
+  const Ring points = s.ring("line");
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].x() <= points[i - 1].x())
+      throw s.error("line", i, fmt::format("x = {:g} m comes after x = {:g} m", points[i].x(), points[i - 1].x()),
+                    fmt::format("x > {:g} m", points[i - 1].x()),
+                    "sort the points from left to right; a piezometric line has one height above each place");
+  return points;
+}
+
+/// Laws that a section names, none of which has water yet.
+std::vector<JointId> filled_joints(const Section& s, const Model& model) {
+  const std::vector<std::string> known = names_of(model.joints);
+  const auto take = [&](JointId joint, auto&& error) {
+    if (model.water_in(joint) != nullptr)
+      throw error(fmt::format("joint {} has a piezometric line already", in_quotes(known[joint.index()])));
+    return joint;
+  };
+  const char* once = "each joint in one [[water]] section at most";
+  std::vector<JointId> joints;
+  if (!s.has("joints")) {
+    for (std::size_t j = 0; j < known.size(); ++j)
+      (void)take(JointId{static_cast<std::int32_t>(j)}, [&](std::string problem) {
+        return s.error("joints", std::move(problem), once, "without the key all joints are meant: name them");
+      });
+    return joints;
+  }
+  const std::size_t count = s.texts("joints").size();
+  if (count == 0)
+    throw s.error("joints", "the list of joints is empty", listed(known),
+                  "name joints, or remove the key: then all are meant");
+  for (std::size_t i = 0; i < count; ++i)
+    for (const std::int32_t j : find_names(s, "joints", i, "joint", known))
+      joints.push_back(take(JointId{j}, [&](std::string problem) {
+        return s.error("joints", i, std::move(problem), once, "remove one of the two");
+      }));
+  return joints;
+}
+
+}  // namespace
+
+void read_water(const Section& root, Model& model) {
+  for (const Section& s : root.list("water")) {
+    JointWater water{piezometric_line(s), s.number("unit_weight"), filled_joints(s, model)};
+    model.waters.push_back(std::move(water));
+  }
+}
+
+}  // namespace scree::io
