@@ -17,6 +17,7 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
+constexpr double kInLine = 0.5;           // of a corner's depth: more of it is that of the joint that goes on beside it
 constexpr double kBoundMargin = 0.1;      // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
@@ -94,13 +95,17 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
 
 template <class See>
 void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const {
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
-    known_.for_vertices(
-        of,
-        [this, other = against](std::int32_t edge) {
-          return edge != other && pairs_.direction(edge).dot(pairs_.direction(other)) > kStillFaces;
-        },
-        see);
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto next = [this, other = against](std::int32_t edge) {
+      return edge != other && pairs_.in_line(edge, other);
+    };
+    known_.for_vertices(of, next, see);
+    // Where vertices meet exactly, either may stand for both.
+    known_.for_against(of, [&](std::size_t i) {
+      const ContactPoint& p = known_.list().points[i];
+      if (next(pairs_.facing_edge(p.vertex, p.edge))) see(i);
+    });
+  }
 }
 
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
@@ -358,14 +363,22 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (other <= static_cast<std::int32_t>(i)) continue;
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
-      if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
+      ContactPoint &a = list.points[i], &b = list.points[j];
+      if (a.beyond || b.beyond) continue;
       if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
+      const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
+      if (!inside && !loaded) continue;
+      const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+      // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+      if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+        a.suppressed = b.suppressed = true;
+        continue;
+      }
+      if (!loaded) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = ma.bonded != mb.bonded
-                              ? ma.bonded != 0
-                              : entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
-      list.points[a_wins ? j : i].suppressed = true;
+      const bool a_wins = ma.bonded != mb.bonded ? ma.bonded != 0 : depth_a * keep_a <= depth_b * keep_b;
+      (a_wins ? b : a).suppressed = true;
     }
 }
 
@@ -385,15 +398,18 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
     const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     if (nearest > 2.0 * detection_) continue;
-    const auto before = [&](const ContactPoint& a) {
+    const auto precedes = [&](const ContactPoint& a) {
       return std::pair(a.vertex, a.edge) < std::pair(pair.vertex, pair.edge);
     };
-    while (old < known.points.size() && before(known.points[old])) ++old;
+    while (old < known.points.size() && precedes(known.points[old])) ++old;
     if (old < known.points.size() && known.points[old].vertex == pair.vertex && known.points[old].edge == pair.edge)
       p.from = static_cast<std::int32_t>(old);
-    const bool closed = p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[static_cast<std::size_t>(p.from)];
+    const bool closed = was != nullptr && was->status != ContactStatus::open;
     p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    // What is more than half way through a body when it is first seen came in over another edge.
+    if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0)) continue;
     p.facing = pair.share > 0.0;
     set_range(p, closed);
     const double foot = p.at.xi * p.at.length;
@@ -413,7 +429,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
+    if (was == nullptr || (!closed && was->gap < 0.0)) {
       p.beside = neighbour(p, false);
       p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
     }

@@ -34,7 +34,7 @@ class ContactFinder {
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
 
  private:
-  /// Calls see(i) for the known points that vertices of either edge have on edges in line with the other, of any body.
+  /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
   template <class See>
   void for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const;
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
