@@ -167,10 +167,14 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
-  const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
+  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
+  const double xi = std::clamp(p.at.xi, 0.0, 1.0);
+  const double mu = compliance(p.node[0]) + (1.0 - xi) * compliance(p.node[1]) + xi * compliance(p.node[2]);
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
-  p.cn = 2.0 * fraction * std::sqrt(m.kn / mu);
-  p.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
+  // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
+  const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
+  p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
+  p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
 }
 
 void ContactFinder::inherit(const ContactList& known, ContactList& out) {
@@ -426,7 +430,10 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
         const Outlines::Segment& own = o.segments[static_cast<std::size_t>(segment)];
         return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
       };
-      p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
+      const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
+      p.largest_share = before + after;
+      p.full_share =
+          std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     if (was == nullptr || (!closed && was->gap < 0.0)) {

@@ -47,6 +47,7 @@ struct ContactPoint {
   std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
   Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
   double largest_share = 0.0;          // that the vertex could have in an overlap per area [m]
+  double full_share = 0.0;             // that it has where the segments of both sides lie on each other [m]
   double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };
