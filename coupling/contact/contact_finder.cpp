@@ -145,13 +145,19 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
-  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
-  // little further, so that corners which meet exactly do not lose and find each other.
-  const auto beyond = [&](bool convex) {
-    return !convex || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, and beyond a straight one the
+  // next edge holds. But a closed contact is kept a little further, so that corners which meet exactly do not lose and
+  // find each other, and another edge can take it over.
+  const auto beyond = [&](bool convex, std::int32_t next) {
+    const bool ends = convex || pairs_.in_line(next, p.edge);
+    return !ends || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
-  p.s_low = part == 0 ? -beyond(edge.convex_start) : -detection_;
-  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end) : detection_);
+  const Outlines::Vertex &first = o.vertices[static_cast<std::size_t>(edge.first_segment)],
+                         &last = o.vertices[static_cast<std::size_t>(edge.end_vertex)];
+  p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
+  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
+  const double foot = p.at.xi * p.at.length;
+  p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
@@ -175,6 +181,72 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
   p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
+}
+
+bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
+  if (to.facing || to.beyond) return false;
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
+                       &b = o.edges[static_cast<std::size_t>(to.edge)];
+  // Over a convex corner: where both gaps are equal.
+  if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
+    constexpr double kClearly = 1.0 - 1e-6;  // so that it does not go to and fro
+    return from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
+  }
+  // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
+  const auto off = [](const ContactPoint& p) { return p.at.xi < 0.0 || p.at.xi > 1.0; };
+  return pairs_.in_line(from.edge, to.edge) && off(from) && !off(to) &&
+         from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
+}
+
+void ContactFinder::pass_corners(const ContactList& known, ContactList& out) const {
+  const auto closed = [&](const ContactPoint& p) {
+    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+  };
+  for (std::size_t first = 0, end = 0; first < out.points.size(); first = end) {
+    while (end < out.points.size() && out.points[end].vertex == out.points[first].vertex) ++end;
+    if (end == first + 1) continue;
+    for (std::size_t i = first; i < end; ++i) {
+      ContactPoint& from = out.points[i];
+      if (from.facing || !closed(from) || known.memory[static_cast<std::size_t>(from.from)].bonded != 0) continue;
+      for (std::size_t j = first; j < end; ++j) {
+        ContactPoint& to = out.points[j];
+        if (j == i || closed(to) || !goes_over(from, to)) continue;
+        std::swap(from.from, to.from);
+        set_range(from, false);
+        set_range(to, true);
+        break;
+      }
+    }
+  }
+}
+
+void ContactFinder::cover_corners(const ContactList& known, ContactList& out) const {
+  // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
+  // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
+  const Outlines& o = setup_->outlines();
+  const auto closed = [&](const ContactPoint& p) {
+    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+  };
+  for (ContactPoint& p : out.points) {
+    if (p.facing || closed(p)) continue;
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+    const auto goes_on = [&](std::int32_t e) {
+      return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
+    };
+    for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+      const auto begin =
+          std::lower_bound(out.points.begin(), out.points.end(), tip,
+                           [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
+      for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
+        if (t->facing || !closed(*t) || !goes_on(t->edge)) continue;
+        const double step =
+            t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
+        if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
+      }
+    }
+  }
 }
 
 void ContactFinder::inherit(const ContactList& known, ContactList& out) {
@@ -230,8 +302,10 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   else
     m.joint = p.joint;
   m.key = p.key;
-  const bool closed = m.status != ContactStatus::open;
-  if (!closed || m.facing == static_cast<std::int32_t>(p.facing)) {
+  const bool closed = m.status != ContactStatus::open, passed = old != nullptr && before->key != p.key;
+  if (passed) m.joint = p.joint;
+  // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds().
+  if (!closed || (m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
     m.facing = static_cast<std::int32_t>(p.facing);
     m.share = p.springs.share;
     m.kn = p.springs.kn;
@@ -279,7 +353,7 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
     m.segment = part;
     m.anchor = p.at.xi - m.stretch / p.at.length;
-  } else if (m.segment != part || before->key != p.key) {
+  } else if (m.segment != part || passed) {
     // The stretch as the old place sees it now, then the same stretch on the new one.
     const ContactGeometry g =
         geometry(before->vertex, o.edges[static_cast<std::size_t>(before->edge)].first_segment + m.segment);
@@ -416,8 +490,6 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0)) continue;
     p.facing = pair.share > 0.0;
     set_range(p, closed);
-    const double foot = p.at.xi * p.at.length;
-    p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
     if (p.beyond && closed) continue;
     if (!closed && (nearest > detection_ || (!p.facing && !admissible(p)))) continue;
     p.key = key_of(p.vertex, p.edge);
@@ -436,12 +508,15 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
           std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
+    p.first_gap0 = std::min(p.at.gap, 0.0);
     if (was == nullptr || (!closed && was->gap < 0.0)) {
       p.beside = neighbour(p, false);
-      p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
+      if (p.beside >= 0) p.first_gap0 = known.memory[static_cast<std::size_t>(p.beside)].gap0;
     }
     out.points.push_back(p);
   }
+  pass_corners(known, out);
+  cover_corners(known, out);
   inherit(known, out);
   out.memory.resize(out.points.size());
   for (std::size_t i = 0; i < out.points.size(); ++i) {
@@ -477,7 +552,9 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
-    if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
+    const bool same_kind = m.facing == static_cast<std::int32_t>(p.facing);
+    if (m.status == ContactStatus::open || (same_kind && (p.facing || (m.kn == p.springs.kn && m.kt == p.springs.kt))))
+      continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
     if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
     const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);

@@ -41,7 +41,7 @@ struct ContactPoint {
   ContactGeometry at;
   bool facing = false;                 // part of an edge-edge contact
   double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
-  bool suppressed = false;             // another edge at the same convex corner is the way out
+  bool suppressed = false;             // another edge, or another corner, holds what there is here
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
