@@ -17,6 +17,7 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
+constexpr double kInLine = 0.5;           // of a corner's depth: more of it is that of the joint that goes on beside it
 constexpr double kBoundMargin = 0.1;      // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
@@ -95,13 +96,17 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
 
 template <class See>
 void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const {
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
-    known_.for_vertices(
-        of,
-        [this, other = against](std::int32_t edge) {
-          return edge != other && pairs_.direction(edge).dot(pairs_.direction(other)) > kStillFaces;
-        },
-        see);
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto next = [this, other = against](std::int32_t edge) {
+      return edge != other && pairs_.in_line(edge, other);
+    };
+    known_.for_vertices(of, next, see);
+    // Where vertices meet exactly, either may stand for both.
+    known_.for_against(of, [&](std::size_t i) {
+      const ContactPoint& p = known_.list().points[i];
+      if (next(pairs_.facing_edge(p.vertex, p.edge))) see(i);
+    });
+  }
 }
 
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
@@ -141,13 +146,19 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
-  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, but a closed contact is kept a
-  // little further, so that corners which meet exactly do not lose and find each other.
-  const auto beyond = [&](bool convex) {
-    return !convex || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, and beyond a straight one the
+  // next edge holds. But a closed contact is kept a little further, so that corners which meet exactly do not lose and
+  // find each other, and another edge can take it over.
+  const auto beyond = [&](bool convex, std::int32_t next) {
+    const bool ends = convex || pairs_.in_line(next, p.edge);
+    return !ends || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
-  p.s_low = part == 0 ? -beyond(edge.convex_start) : -detection_;
-  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end) : detection_);
+  const Outlines::Vertex &first = o.vertices[static_cast<std::size_t>(edge.first_segment)],
+                         &last = o.vertices[static_cast<std::size_t>(edge.end_vertex)];
+  p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
+  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
+  const double foot = p.at.xi * p.at.length;
+  p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
@@ -163,10 +174,80 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
-  const double mu = compliance(p.node[0]) + std::max(compliance(p.node[1]), compliance(p.node[2]));
+  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
+  const double xi = std::clamp(p.at.xi, 0.0, 1.0);
+  const double mu = compliance(p.node[0]) + (1.0 - xi) * compliance(p.node[1]) + xi * compliance(p.node[2]);
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
-  p.cn = 2.0 * fraction * std::sqrt(m.kn / mu);
-  p.ct = 2.0 * fraction * std::sqrt(m.kt / mu);
+  // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
+  const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
+  p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
+  p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
+}
+
+bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
+  if (to.facing || to.beyond) return false;
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
+                       &b = o.edges[static_cast<std::size_t>(to.edge)];
+  // Over a convex corner: where both gaps are equal.
+  if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
+    constexpr double kClearly = 1.0 - 1e-6;  // so that it does not go to and fro
+    return from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
+  }
+  // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
+  const auto off = [](const ContactPoint& p) { return p.at.xi < 0.0 || p.at.xi > 1.0; };
+  return pairs_.in_line(from.edge, to.edge) && off(from) && !off(to) &&
+         from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
+}
+
+void ContactFinder::pass_corners(const ContactList& known, ContactList& out) const {
+  const auto closed = [&](const ContactPoint& p) {
+    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+  };
+  for (std::size_t first = 0, end = 0; first < out.points.size(); first = end) {
+    while (end < out.points.size() && out.points[end].vertex == out.points[first].vertex) ++end;
+    if (end == first + 1) continue;
+    for (std::size_t i = first; i < end; ++i) {
+      ContactPoint& from = out.points[i];
+      if (from.facing || !closed(from) || known.memory[static_cast<std::size_t>(from.from)].bonded != 0) continue;
+      for (std::size_t j = first; j < end; ++j) {
+        ContactPoint& to = out.points[j];
+        if (j == i || closed(to) || !goes_over(from, to)) continue;
+        std::swap(from.from, to.from);
+        set_range(from, false);
+        set_range(to, true);
+        break;
+      }
+    }
+  }
+}
+
+void ContactFinder::cover_corners(const ContactList& known, ContactList& out) const {
+  // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
+  // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
+  const Outlines& o = setup_->outlines();
+  const auto closed = [&](const ContactPoint& p) {
+    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+  };
+  for (ContactPoint& p : out.points) {
+    if (p.facing || closed(p)) continue;
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+    const auto goes_on = [&](std::int32_t e) {
+      return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
+    };
+    for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+      const auto begin =
+          std::lower_bound(out.points.begin(), out.points.end(), tip,
+                           [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
+      for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
+        if (t->facing || !closed(*t) || !goes_on(t->edge)) continue;
+        const double step =
+            t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
+        if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
+      }
+    }
+  }
 }
 
 void ContactFinder::inherit(const ContactList& known, ContactList& out) {
@@ -222,8 +303,10 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   else
     m.joint = p.joint;
   m.key = p.key;
-  const bool closed = m.status != ContactStatus::open;
-  if (!closed || m.facing == static_cast<std::int32_t>(p.facing)) {
+  const bool closed = m.status != ContactStatus::open, passed = old != nullptr && before->key != p.key;
+  if (passed) m.joint = p.joint;
+  // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds().
+  if (!closed || (m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
     m.facing = static_cast<std::int32_t>(p.facing);
     m.share = p.springs.share;
     m.kn = p.springs.kn;
@@ -274,7 +357,7 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
     m.segment = part;
     m.anchor = p.at.xi - m.stretch / p.at.length;
-  } else if (m.segment != part || before->key != p.key) {
+  } else if (m.segment != part || passed) {
     // The stretch as the old place sees it now, then the same stretch on the new one.
     const ContactGeometry g =
         geometry(before->vertex, o.edges[static_cast<std::size_t>(before->edge)].first_segment + m.segment);
@@ -362,14 +445,22 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (other <= static_cast<std::int32_t>(i)) continue;
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
-      if (ma.gap >= 0.0 || mb.gap >= 0.0 || list.points[i].beyond || list.points[j].beyond) continue;
+      ContactPoint &a = list.points[i], &b = list.points[j];
+      if (a.beyond || b.beyond) continue;
       if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
+      const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
+      if (!inside && !loaded) continue;
+      const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+      // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+      if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+        a.suppressed = b.suppressed = true;
+        continue;
+      }
+      if (!loaded) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = ma.bonded != mb.bonded
-                              ? ma.bonded != 0
-                              : entry_depth(list.points[i]) * keep_a <= entry_depth(list.points[j]) * keep_b;
-      list.points[a_wins ? j : i].suppressed = true;
+      const bool a_wins = ma.bonded != mb.bonded ? ma.bonded != 0 : depth_a * keep_a <= depth_b * keep_b;
+      (a_wins ? b : a).suppressed = true;
     }
 }
 
@@ -389,21 +480,22 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
     const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     if (nearest > 2.0 * detection_) continue;
-    const auto before = [&](const ContactPoint& a) {
+    const auto precedes = [&](const ContactPoint& a) {
       return std::pair(a.vertex, a.edge) < std::pair(pair.vertex, pair.edge);
     };
-    while (old < known.points.size() && before(known.points[old])) ++old;
+    while (old < known.points.size() && precedes(known.points[old])) ++old;
     if (old < known.points.size() && known.points[old].vertex == pair.vertex && known.points[old].edge == pair.edge)
       p.from = static_cast<std::int32_t>(old);
-    const bool closed = p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
+    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[static_cast<std::size_t>(p.from)];
+    const bool closed = was != nullptr && was->status != ContactStatus::open;
     p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    // What is more than half way through a body when it is first seen came in over another edge.
+    if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0)) continue;
     p.facing = pair.share > 0.0;
     p.behind = pair.behind;
     p.ahead = pair.ahead;
     set_range(p, closed);
-    const double foot = p.at.xi * p.at.length;
-    p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
     if (p.beyond && closed) continue;
     if (!closed && (nearest > detection_ || (!p.facing && !admissible(p)))) continue;
     p.key = key_of(p.vertex, p.edge);
@@ -416,15 +508,21 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
         const Outlines::Segment& own = o.segments[static_cast<std::size_t>(segment)];
         return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
       };
-      p.largest_share = 0.5 * (length(v.segment_in) + length(p.vertex));
+      const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
+      p.largest_share = before + after;
+      p.full_share =
+          std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
-    if (p.from < 0 || (!closed && known.memory[static_cast<std::size_t>(p.from)].gap < 0.0)) {
+    p.first_gap0 = std::min(p.at.gap, 0.0);
+    if (was == nullptr || (!closed && was->gap < 0.0)) {
       p.beside = neighbour(p, false);
-      p.first_gap0 = p.beside >= 0 ? known.memory[static_cast<std::size_t>(p.beside)].gap0 : std::min(p.at.gap, 0.0);
+      if (p.beside >= 0) p.first_gap0 = known.memory[static_cast<std::size_t>(p.beside)].gap0;
     }
     out.points.push_back(p);
   }
+  pass_corners(known, out);
+  cover_corners(known, out);
   inherit(known, out);
   out.memory.resize(out.points.size());
   for (std::size_t i = 0; i < out.points.size(); ++i) {
@@ -476,7 +574,9 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
-    if (m.status == ContactStatus::open || m.facing == static_cast<std::int32_t>(p.facing)) continue;
+    const bool same_kind = m.facing == static_cast<std::int32_t>(p.facing);
+    if (m.status == ContactStatus::open || (same_kind && (p.facing || (m.kn == p.springs.kn && m.kt == p.springs.kt))))
+      continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
     if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
     const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);

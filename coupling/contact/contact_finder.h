@@ -28,13 +28,13 @@ class ContactFinder {
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
   /// candidates now.
   [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
-  /// Gives closed points that changed between edge-edge and angle-edge the stiffness of their new kind; force and state
-  /// stay, gap0 and anchor move.
+  /// Gives closed points that changed between edge-edge and angle-edge, and corners that passed to another edge, the
+  /// stiffness of their new kind; force and state stay, gap0 and anchor move.
   /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
 
  private:
-  /// Calls see(i) for the known points that vertices of either edge have on edges in line with the other, of any body.
+  /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
   template <class See>
   void for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const;
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
@@ -49,6 +49,13 @@ class ContactFinder {
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
+  /// True if a closed corner has passed from one edge to another.
+  [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
+  /// Gives the points of closed corners that went over to another edge what they remember; the edges they left begin
+  /// anew.
+  void pass_corners(const ContactList& known, ContactList& out) const;
+  /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
+  void cover_corners(const ContactList& known, ContactList& out) const;
   void inherit(const ContactList& known, ContactList& out);
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
   void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided, ContactPoint& p,

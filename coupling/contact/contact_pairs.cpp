@@ -10,7 +10,11 @@ constexpr double kFaces = 0.9962;  // cosine of 5 degrees: edges this nearly ant
 }  // namespace
 
 ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
-    : setup_(&setup), springs_(&springs), search_(setup, reach), direction_(setup.outlines().edges.size()) {}
+    : setup_(&setup),
+      springs_(&springs),
+      search_(setup, reach),
+      direction_(setup.outlines().edges.size()),
+      ends_(direction_.size()) {}
 
 bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
   const double against = -direction(a).dot(direction(b));
@@ -21,6 +25,14 @@ bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& k
     closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
   });
   return closed;
+}
+
+bool ContactPairs::in_line(std::int32_t a, std::int32_t b) const {
+  const Vec2& t = direction(b);
+  if (direction(a).dot(t) <= kStillFaces) return false;
+  const auto &ea = ends_[static_cast<std::size_t>(a)], &eb = ends_[static_cast<std::size_t>(b)];
+  const double a0 = t.dot(ea[0] - eb[0]), a1 = t.dot(ea[1] - eb[0]), length = t.dot(eb[1] - eb[0]);
+  return std::min(a1, length) - std::max(a0, 0.0) < 0.5 * std::min(a1 - a0, length);
 }
 
 std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) const {
@@ -41,7 +53,8 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     const auto node = [&](std::int32_t v) {
       return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
     };
-    direction_[e] = (x[node(o.edges[e].end_vertex)] - x[node(o.edges[e].first_segment)]).normalized();
+    ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
+    direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
   }
   pairs_.clear();
   for (const auto& [a, b] : search_.update(x)) {

@@ -1,6 +1,7 @@
 // Which vertices may touch which edges, and with what share of the joint.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,9 @@ class ContactPairs {
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
   [[nodiscard]] const Vec2& direction(std::int32_t edge) const { return direction_[static_cast<std::size_t>(edge)]; }
+  /// True if one edge goes on, in the same direction, about where the other ends: a joint may run on from one to the
+  /// other. Sides of thin blocks next to each other are as parallel, and do not.
+  [[nodiscard]] bool in_line(std::int32_t a, std::int32_t b) const;
   /// Of the two edges that meet at a vertex, the one that turns towards an edge.
   [[nodiscard]] std::int32_t facing_edge(std::int32_t vertex, std::int32_t edge) const;
 
@@ -48,6 +52,7 @@ class ContactPairs {
   Search search_;
   EdgeOverlap overlap_;
   std::vector<Vec2> direction_;
+  std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<VertexEdge> pairs_;
 };
 

@@ -42,12 +42,13 @@ struct ContactPoint {
   bool facing = false;                 // part of an edge-edge contact
   double behind = 0.0, ahead = 0.0;    // of it: pieces of the overlap on either side, against and along the edge [m]
   double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
-  bool suppressed = false;             // another edge at the same convex corner is the way out
+  bool suppressed = false;             // another edge, or another corner, holds what there is here
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
   Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
   double largest_share = 0.0;          // that the vertex could have in an overlap per area [m]
+  double full_share = 0.0;             // that it has where the segments of both sides lie on each other [m]
   double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };

@@ -10,7 +10,7 @@ namespace {
 constexpr double kCornerLength = 0.1;  // of the smaller block's root area
 
 /// Extent of a block along a direction [m].
-double width(const Polygon& block, const Vec2& direction) {
+double width_of(const Polygon& block, const Vec2& direction) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec2& x : block.outer) {
     low = std::min(low, direction.dot(x));
@@ -26,8 +26,8 @@ JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
   for (const Outlines::Edge& e : setup.outlines().edges) {
     const BlockId id = setup.bodies()[static_cast<std::size_t>(e.body)].block;
     const Polygon& block = model.blocks[id.index()].polygon;
-    modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() /
-                                  width(block, Vec2(e.along.y(), -e.along.x())));
+    width_.push_back(width_of(block, Vec2(e.along.y(), -e.along.x())));
+    modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width_.back());
     root_area_.push_back(std::sqrt(moments(block).area));
   }
 }

@@ -29,6 +29,8 @@ class JointSprings {
   [[nodiscard]] double normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
   /// Length that a corner against an edge stands for [m].
   [[nodiscard]] double corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
+  /// Extent of the edge's block, as the model has it, normal to the edge [m].
+  [[nodiscard]] double width(std::int32_t edge) const { return width_[static_cast<std::size_t>(edge)]; }
   /// Springs of a point with a length of overlap [m].
   [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const;
 
@@ -36,6 +38,7 @@ class JointSprings {
   [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }
 
   const Setup* setup_;
+  std::vector<double> width_;               // an edge [m]
   std::vector<double> modulus_over_width_;  // an edge [Pa/m]
   std::vector<double> root_area_;           // an edge's block [m]
 };

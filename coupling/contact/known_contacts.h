@@ -17,13 +17,23 @@ struct ContactList {
 /// Finds points of a list by vertex and edge. Refers to the list.
 class KnownContacts {
  public:
-  explicit KnownContacts(const Outlines& outlines) : outlines_(&outlines), first_(outlines.vertices.size() + 1) {}
+  explicit KnownContacts(const Outlines& outlines)
+      : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 2) {}
 
   void index(const ContactList& list) {
     list_ = &list;
     first_.assign(first_.size(), 0);
     for (const ContactPoint& p : list.points) ++first_[static_cast<std::size_t>(p.vertex) + 1];
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
+    against_first_.assign(against_first_.size(), 0);
+    for (const ContactPoint& p : list.points) ++against_first_[static_cast<std::size_t>(p.edge) + 2];
+    for (std::size_t e = 2; e < against_first_.size(); ++e) against_first_[e] += against_first_[e - 1];
+    against_.resize(list.points.size());
+    for (std::size_t i = 0; i < list.points.size(); ++i) {
+      std::int32_t& next = against_first_[static_cast<std::size_t>(list.points[i].edge) + 1];
+      against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
+    }
   }
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// Calls see(i) for the points of an edge's vertices against the edges that take() accepts.
@@ -36,6 +46,13 @@ class KnownContacts {
         if (take(list_->points[i].edge)) see(i);
     }
   }
+  /// Calls see(i) for the points against an edge, of whatever vertices.
+  template <class See>
+  void for_against(std::int32_t edge, See&& see) const {
+    const auto e = static_cast<std::size_t>(edge);
+    for (auto i = against_first_[e]; i < against_first_[e + 1]; ++i)
+      see(static_cast<std::size_t>(against_[static_cast<std::size_t>(i)]));
+  }
   /// Calls see(i) for the points between two edges.
   template <class See>
   void for_pair(std::int32_t a, std::int32_t b, See&& see) const {
@@ -47,7 +64,9 @@ class KnownContacts {
  private:
   const Outlines* outlines_;
   const ContactList* list_ = nullptr;
-  std::vector<std::int32_t> first_;  // a vertex: its first point, and the end
+  std::vector<std::int32_t> first_;          // a vertex: its first point, and the end
+  std::vector<std::int32_t> against_first_;  // an edge: the first in against_, and the end
+  std::vector<std::int32_t> against_;        // points by edge
 };
 
 }  // namespace scree::coupling

@@ -56,6 +56,8 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       weight_power_(weights_.size(), 0.0),
       partial_(chunks_.count() * (weights_.size() + 1), 0.0),
       left_(chunks_.count()) {
+  for (const Row& row : setup.outlines().nodes)
+    outline_weights_ = std::max(outline_weights_, std::abs(row.w[0]) + std::abs(row.w[1]) + std::abs(row.w[2]));
   const std::size_t n = 2 * static_cast<std::size_t>(setup.nodes());
   for (auto* v : {&stress_, &total_, &q_new_, &v_half_, &v_new_, &a_new_}) v->assign(n, 0.0);
   if (damping.stiffness > 0.0) stiffness_.force.assign(n, 0.0);
@@ -214,25 +216,19 @@ double CentralDifference::kick_off(const State& state, double h) {
   return h * std::sqrt(2.0) * all.largest;
 }
 
-StepReport CentralDifference::refuse(const State& state, double h) const {
-  const auto squared = [&](std::size_t k) {
-    const bool driven = setup_->free()[k] == 0.0;
-    const double x = driven ? v_half_[2 * k] : state.v[2 * k] + 0.5 * h * state.a[2 * k],
-                 y = driven ? v_half_[2 * k + 1] : state.v[2 * k + 1] + 0.5 * h * state.a[2 * k + 1];
-    return h * h * (x * x + y * y);
-  };
+StepReport CentralDifference::refuse(double h) const {
+  const Outlines& o = setup_->outlines();
   std::size_t where = 0;
-  for (std::size_t k = 1; k < state.v.size() / 2 && std::isfinite(squared(where)); ++k)
-    if (!(squared(k) <= squared(where))) where = k;
-  const double farthest = std::sqrt(squared(where));
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < o.nodes.size() && std::isfinite(farthest); ++k) {
+    const double way = h * position(o.nodes[k], v_half_).norm();
+    if (way <= farthest) continue;
+    farthest = way;
+    where = k;
+  }
   StepReport report;
   if (farthest <= control_.max_displacement) return report;
-  const auto& bodies = setup_->bodies();
-  const auto here = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) {
-    const auto k = static_cast<std::int32_t>(where);
-    return k >= b.first_node && k < b.first_node + b.nodes;
-  });
-  report.body = static_cast<std::int32_t>(here - bodies.begin());
+  report.body = o.node_body[where];
   report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;
   report.suggested = std::isfinite(farthest) ? control_.max_displacement / farthest : 0.0;
   report.cause = std::isfinite(farthest) ? fmt::format("a point would move {:.3g} m in one step, {:.3g} m is allowed",
@@ -345,8 +341,8 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // would go too far is refused here.
   double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
-  if (!(farthest <= control_.max_displacement)) {
-    StepReport report = refuse(state, h);
+  if (!(outline_weights_ * farthest <= control_.max_displacement)) {
+    StepReport report = refuse(h);
     if (report.status != StepReport::Status::ok) {
       restore_stress(state);
       return report;

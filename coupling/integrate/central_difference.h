@@ -49,9 +49,10 @@ class CentralDifference final : public Mover {
   [[nodiscard]] bool lags() const { return lags_; }
 
   /// v_{n+1/2}, x_{n+1} of the free nodes and the work over the first half, for which their stress is used up; returns
-  /// a bound of the farthest way [m].
+  /// a bound of the farthest way of a node (in its own unit: the axes of an affine body are numbers).
   [[nodiscard]] double kick_off(const State& state, double h);
-  StepReport refuse(const State& state, double h) const;
+  /// How far the points of the outlines would go: too_far, or ok.
+  [[nodiscard]] StepReport refuse(double h) const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void leave_instant(const State& state, double h);
@@ -74,6 +75,7 @@ class CentralDifference final : public Mover {
   StepControl control_;
   ExplicitDamping damping_;
   bool rest_, lags_;
+  double outline_weights_ = 1.0;  // sum |w| of a row: how much farther than the nodes an outline may go
   ExplicitContact contact_;
   NodeChunks chunks_;
   std::vector<BodyLoad> weights_;
