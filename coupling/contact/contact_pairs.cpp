@@ -14,7 +14,9 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       springs_(&springs),
       search_(setup, reach),
       direction_(setup.outlines().edges.size()),
-      ends_(direction_.size()) {}
+      ends_(direction_.size()) {
+  deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
+}
 
 bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
   const double against = -direction(a).dot(direction(b));

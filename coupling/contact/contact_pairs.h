@@ -49,7 +49,7 @@ class ContactPairs {
 
   const Setup* setup_;
   const JointSprings* springs_;
-  double reach_;
+  double reach_ = 0.0;
   Search search_;
   EdgeOverlap overlap_;
   std::vector<Vec2> direction_;

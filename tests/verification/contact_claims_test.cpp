@@ -230,6 +230,7 @@ TEST_P(Thrown, never_deeper_than_the_penalty_allows) {
     Watch watch;
     watch.see = [&](const FrameView&) {
       std::vector<Ring> rings;
+      rings.reserve(ids.size());
       for (const BlockId id : ids) rings.push_back(outline_of(run, id));
       for (std::size_t a = 0; a < rings.size(); ++a)
         for (std::size_t b = 0; b < rings.size(); ++b)

@@ -49,7 +49,8 @@ class Heap {
   Heap(Random& random, int blocks) : random_(&random) {
     const int columns = std::max(1, static_cast<int>(std::sqrt(blocks)));
     for (int i = 0; i < blocks; ++i) {
-      const Vec2 centre(1.2 * (i % columns), 1.2 * static_cast<double>(i / columns));
+      const int row = i / columns;
+      const Vec2 centre(1.2 * (i % columns), 1.2 * row);
       scene_.add("b", {random_block(random, centre, 0.3 + 0.4 * random.uniform()), {}}, random.uniform() < 0.1);
       angle_.push_back(0.0);
     }
@@ -176,8 +177,10 @@ TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
   scene.add("left", rectangle(-1.5, 0, -0.5, 9), true);
   scene.add("right", rectangle(5.1, 0, 6.1, 9), true);
   Random random(7);
-  for (int i = 0; i < 40; ++i)
-    scene.add("b", {random_block(random, Vec2(0.92 * (i % 6), 0.5 + 0.92 * static_cast<double>(i / 6)), 0.45), {}});
+  for (int i = 0; i < 40; ++i) {
+    const int row = i / 6;
+    scene.add("b", {random_block(random, Vec2(0.92 * (i % 6), 0.5 + 0.92 * row), 0.45), {}});
+  }
   ByHand hand(scene.model, scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt));
   StepControl control;
   control.max_displacement = 0.01;
