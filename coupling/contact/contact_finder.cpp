@@ -479,7 +479,6 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     p.segment = segment_under(xP, pair.edge);
     const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
     const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-    if (nearest > 2.0 * detection_) continue;
     const auto precedes = [&](const ContactPoint& a) {
       return std::pair(a.vertex, a.edge) < std::pair(pair.vertex, pair.edge);
     };
@@ -488,6 +487,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.from = static_cast<std::int32_t>(old);
     const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[static_cast<std::size_t>(p.from)];
     const bool closed = was != nullptr && was->status != ContactStatus::open;
+    if (!closed && nearest > 2.0 * detection_) continue;
     p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     // What is more than half way through a body when it is first seen came in over another edge.

@@ -14,7 +14,9 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       springs_(&springs),
       search_(setup, reach),
       direction_(setup.outlines().edges.size()),
-      ends_(direction_.size()) {}
+      ends_(direction_.size()) {
+  deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
+}
 
 bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
   const double against = -direction(a).dot(direction(b));
@@ -47,6 +49,21 @@ void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const Know
   pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
+void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
+  const Outlines& o = setup_->outlines();
+  if (facing(a, b, known)) {
+    const Vec2 along = (direction(a) - direction(b)).normalized();
+    for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
+      if (p.edge == a)
+        pairs_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
+      else  // b runs against the direction
+        pairs_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
+  } else {
+    try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
+    try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+  }
+}
+
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known) {
   const Outlines& o = setup_->outlines();
   for (std::size_t e = 0; e < o.edges.size(); ++e) {
@@ -57,19 +74,23 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
   }
   pairs_.clear();
-  for (const auto& [a, b] : search_.update(x)) {
-    if (facing(a, b, known)) {
-      const Vec2 along = (direction(a) - direction(b)).normalized();
-      for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
-        if (p.edge == a)
-          pairs_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
-        else  // b runs against the direction
-          pairs_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
-    } else {
-      try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
-      try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
-    }
+  const std::span<const EdgePair> near = search_.update(x);
+  for (const auto& [a, b] : near) try_edges(x, a, b, known);
+  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+  deep_.clear();
+  for (std::size_t i = 0; i < known.list().points.size(); ++i) {
+    const ContactPoint& p = known.list().points[i];
+    const ContactMemory& m = known.list().memory[i];
+    if (m.status == ContactStatus::open || m.gap + m.gap0 > -0.25 * reach_) continue;
+    // Corners are tried with the edge that begins at them.
+    const std::int32_t own =
+        m.facing != 0 ? facing_edge(p.vertex, p.edge) : o.vertices[static_cast<std::size_t>(p.vertex)].edge_out;
+    deep_.push_back({std::min(own, p.edge), std::max(own, p.edge)});
   }
+  std::sort(deep_.begin(), deep_.end());
+  deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
+  for (const EdgePair& pair : deep_)
+    if (!std::binary_search(near.begin(), near.end(), pair)) try_edges(x, pair.a, pair.b, known);
   std::sort(pairs_.begin(), pairs_.end());
   // A vertex between two edges in line may face one edge with both.
   std::size_t kept = 0;

@@ -45,15 +45,18 @@ class ContactPairs {
 
  private:
   [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
+  void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
   void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
 
   const Setup* setup_;
   const JointSprings* springs_;
+  double reach_ = 0.0;
   Search search_;
   EdgeOverlap overlap_;
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<VertexEdge> pairs_;
+  std::vector<EdgePair> deep_;  // of closed contacts deeper than the search looks
 };
 
 }  // namespace scree::coupling

@@ -18,7 +18,9 @@ struct ContactList {
 class KnownContacts {
  public:
   explicit KnownContacts(const Outlines& outlines)
-      : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 2) {}
+      : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 2) {
+    against_.reserve(2 * outlines.vertices.size());  // so that steps need not allocate
+  }
 
   void index(const ContactList& list) {
     list_ = &list;

@@ -59,6 +59,12 @@ struct Search::Impl {
 Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(setup, reach)) {}
 
 Search::~Search() {
+  // Bullet looks through all pairs for every proxy that goes: none are left for it.
+  btOverlappingPairCache* cache = impl_->tree.getOverlappingPairCache();
+  for (int n = cache->getNumOverlappingPairs(); n > 0; n = cache->getNumOverlappingPairs()) {
+    const btBroadphasePair& last = cache->getOverlappingPairArrayPtr()[n - 1];
+    cache->removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, nullptr);
+  }
   for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
 }
 

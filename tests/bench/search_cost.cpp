@@ -1,0 +1,81 @@
+// Cost of the contact search: Search::update and ContactFinder::find a step, for a brick wall at rest and one whose
+// bricks all move, by number of edges. Prints microseconds a step and how the cost grows against linear.
+//
+//   usage: bench_search_cost [steps]
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/search.h"
+#include "tests/support/by_hand.h"
+
+namespace scree::bench {
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+struct Cost {
+  double edges = 0.0, search = 0.0, find = 0.0;  // [s] a step
+};
+
+/// @param speed  of the bricks, each in its own direction, in detection distances a step
+Cost measure(int edges, double speed, int steps) {
+  test::Scene scene;
+  const int bricks = edges / 4, columns = static_cast<int>(std::sqrt(bricks));
+  for (int i = 0; i < bricks; ++i) {
+    const int row = i / columns;
+    const double x = 2.0 * (i % columns) + (row % 2);
+    scene.add("b", test::rectangle(x, row, x + 2.0, row + 1.0), row == 0);
+  }
+  test::ByHand hand(scene.model, scene.stage("dda", coupling::Integrator::explicit_, 1.0, std::nullopt));
+  const double detection = 0.05 * std::sqrt(2.0);
+  coupling::Search search(*hand.setup, 2.0 * detection);
+  coupling::ContactFinder finder(*hand.setup, detection);
+  coupling::ContactList list, next;
+  std::vector<double> q = hand.state.q;
+  std::vector<Vec2> x(hand.setup->outlines().nodes.size());
+  Cost cost{4.0 * bricks, 0.0, 0.0};
+  for (int step = -3; step < steps; ++step) {
+    // To and fro on a line of its own, ten steps each way: a pile that shakes and stays together.
+    const double way = speed * detection * (((step + 30) / 10) % 2 == 0 ? 1.0 : -1.0);
+    for (const coupling::Body& b : hand.setup->bodies()) {
+      const double angle = 2.4 * static_cast<double>(b.block.value);
+      if (b.driven) continue;
+      q[2 * static_cast<std::size_t>(b.first_node)] += way * std::cos(angle);
+      q[2 * static_cast<std::size_t>(b.first_node) + 1] += way * std::sin(angle);
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = coupling::position(hand.setup->outlines().nodes[i], q);
+    const double begin = now();
+    (void)search.update(x);
+    const double middle = now();
+    finder.find(q, list, step == -3, next);
+    const double end = now();
+    std::swap(list, next);
+    if (step < 0) continue;
+    cost.search += (middle - begin) / steps;
+    cost.find += (end - middle) / steps;
+  }
+  return cost;
+}
+
+}  // namespace
+}  // namespace scree::bench
+
+int main(int argc, char** argv) {
+  const int steps = argc > 1 ? std::atoi(argv[1]) : 100;
+  fmt::print("{:>8} {:>10} {:>12} {:>10} {:>12} {:>10}\n", "edges", "motion", "search us", "to linear", "find us",
+             "to linear");
+  for (const double speed : {0.0, 1e-3, 0.1}) {
+    scree::bench::Cost first;
+    for (const int edges : {1000, 10000, 50000}) {
+      const scree::bench::Cost c = scree::bench::measure(edges, speed, steps);
+      if (first.edges == 0.0) first = c;
+      const double linear = c.edges / first.edges;
+      fmt::print("{:>8.0f} {:>10g} {:>12.1f} {:>10.2f} {:>12.1f} {:>10.2f}\n", c.edges, speed, 1e6 * c.search,
+                 c.search / first.search / linear, 1e6 * c.find, c.find / first.find / linear);
+    }
+  }
+}
