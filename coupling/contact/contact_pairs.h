@@ -15,9 +15,9 @@ inline constexpr double kStillFaces = 0.9848;  // cosine of 10 degrees: closed e
 
 /// A vertex against an edge.
 struct VertexEdge {
-  std::int32_t vertex, edge;
-  std::int32_t own;                  // the edge of the vertex that faces it
-  double share;                      // of the overlap [m]; 0: a corner against an edge
+  std::int32_t vertex = -1, edge = -1;
+  std::int32_t own = -1;             // the edge of the vertex that faces it
+  double share = 0.0;                // of the overlap [m]; 0: a corner against an edge
   double behind = 0.0, ahead = 0.0;  // pieces of the overlap on either side, against and along the edge [m]
   auto operator<=>(const VertexEdge&) const = default;
 };

@@ -10,9 +10,9 @@ namespace scree::coupling {
 
 /// A vertex of one edge that lies over the other, with the length of joint that it stands for.
 struct OverlapPoint {
-  std::int32_t vertex;               // into Outlines::vertices
-  std::int32_t edge;                 // the edge that it faces
-  double share;                      // [m], half of the pieces on either side
+  std::int32_t vertex = -1;          // into Outlines::vertices
+  std::int32_t edge = -1;            // the edge that it faces
+  double share = 0.0;                // [m], half of the pieces on either side
   double behind = 0.0, ahead = 0.0;  // their lengths, against and along the direction given [m]
 };
 
@@ -30,7 +30,7 @@ class EdgeOverlap {
 
  private:
   struct Kink {
-    double s;
+    double s = 0.0;
     OverlapPoint point;
   };
   void add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against, const Vec2& along,

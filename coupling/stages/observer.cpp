@@ -101,8 +101,9 @@ void Observer::see_contacts(const State& state) {
     const ContactKey& k = m.key;
     const Outlines::Edge& own = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_p, k.ring_p, k.vertex))];
     const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_e, k.ring_e, k.edge))];
-    const Vec2 corner = at(o.vertices[static_cast<std::size_t>(own.first_segment + k.part)].node);
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(edge.first_segment + m.segment)];
+    const std::int32_t vertex = own.first_segment + k.part, segment = edge.first_segment + m.segment;
+    const Vec2 corner = at(o.vertices[static_cast<std::size_t>(vertex)].node);
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
     put(corner, i, contact_position_);
     put(contact_geometry(corner, at(s.a), at(s.b)).n, i, contact_normal_);
   }

@@ -7,7 +7,7 @@ namespace scree::io {
 namespace {
 
 std::vector<Vec2> piezometric_line(const Section& s) {
-  const Ring points = s.ring("line");
+  Ring points = s.ring("line");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].x() <= points[i - 1].x())
       throw s.error("line", i, fmt::format("x = {:g} m comes after x = {:g} m", points[i].x(), points[i - 1].x()),

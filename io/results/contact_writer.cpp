@@ -10,7 +10,8 @@ ContactWriter::ContactWriter(const h5::File& file) {
              g + "corner",
              4,
              {"1",
-              "corner of a point: block, counted from 0 in /blocks; ring, 0 the outer one; edge that begins at the "
+              "corner of a point: block, counted from 0 in /blocks; ring, 0 the outer one, then holes and cracks; edge "
+              "that begins at the "
               "corner; vertex of the mesh along that edge, 0 the corner itself"}};
   edge_ = {file, g + "edge", 3, {"1", "edge against the corner: block, ring, edge from corner k to k + 1"}};
   joint_ = {file, g + "joint", 1, {"1", "law, counted from 0 in /joints/name"}};

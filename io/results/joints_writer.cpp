@@ -1,6 +1,5 @@
 #include "io/results/joints_writer.h"
 
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -44,7 +43,7 @@ void write_joints(const h5::File& file, const Model& model) {
     residual_cohesion.push_back(law.residual_cohesion);
     slip.push_back(law.weakening_slip);
     dilation.push_back(law.dilation * 180.0 / std::numbers::pi);
-    dilating_slip.push_back(law.dilation_slip.value_or(std::numeric_limits<double>::infinity()));
+    dilating_slip.push_back(law.dilation_slip.value_or(0.0));
   }
   h5::write(file, "/joints/name", names, {"none", "names of the joint laws"});
   h5::write<double>(file, "/joints/friction_deg", 1, friction, {"deg", "friction angle"});
@@ -60,7 +59,7 @@ void write_joints(const h5::File& file, const Model& model) {
                     {"m", "slip over which friction falls; 0: at the first failure"});
   h5::write<double>(file, "/joints/dilation_deg", 1, dilation, {"deg", "dilation angle"});
   h5::write<double>(file, "/joints/dilation_slip", 1, dilating_slip,
-                    {"m", "slip after which the joint opens no further; infinite: it always does"});
+                    {"m", "slip after which the joint opens no further; 0: it always does"});
 
   Pieces(model.joint_lines).write(file, "/joints/lines", "a straight piece of a discontinuity");
   std::vector<std::int32_t> kind, source, block;
