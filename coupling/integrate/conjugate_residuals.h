@@ -17,13 +17,16 @@ class ConjugateResiduals {
  public:
   static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh
 
-  /// Improves x until no number of b - A x is above `enough`.
+  /// Improves x until no number of b - A x over its unit is above `enough`.
   /// @param A        A(x, y) sets y = A x
   /// @param inverse  inverse(r, z) sets z to about A^-1 r
+  /// @param unit     of every number of b: results do not depend on the units that the unknowns are counted in
   /// @param most     iterations
   /// @return iterations taken; -1: not there by then, x is the best so far
   template <class Matrix, class Inverse>
-  int solve(Matrix&& A, Inverse&& inverse, std::span<const double> b, double enough, int most, std::span<double> x) {
+  int solve(Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit, double enough,
+            int most, std::span<double> x) {
+    unit_ = unit;
     residual(A, b, x);
     std::size_t depth = 0;
     for (int taken = 0;; ++taken) {
@@ -46,9 +49,9 @@ class ConjugateResiduals {
     std::vector<double> z, Az;
     double square = 0.0;  // Az.Az
   };
-  static double dot(const std::vector<double>& u, const std::vector<double>& v) {
+  [[nodiscard]] double dot(const std::vector<double>& u, const std::vector<double>& v) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i];
+    for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i] / (unit_[i] * unit_[i]);
     return sum;
   }
   static void subtract(double factor, const std::vector<double>& u, std::vector<double>& from) {
@@ -56,8 +59,8 @@ class ConjugateResiduals {
   }
   [[nodiscard]] double largest() const {
     double most = 0.0;
-    for (const double value : r_)
-      if (!(std::abs(value) <= most)) most = std::abs(value);
+    for (std::size_t i = 0; i < r_.size(); ++i)
+      if (const double value = std::abs(r_[i]) / unit_[i]; !(value <= most)) most = value;
     return most;
   }
   template <class Matrix>
@@ -90,6 +93,7 @@ class ConjugateResiduals {
   }
 
   std::vector<double> r_;
+  std::span<const double> unit_;
   std::vector<Correction> corrections_;
 };
 

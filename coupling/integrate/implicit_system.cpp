@@ -1,6 +1,7 @@
 #include "coupling/integrate/implicit_system.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scree::coupling {
 
@@ -40,6 +41,30 @@ std::int32_t ImplicitSystem::body_of(std::int32_t dof) const {
 void ImplicitSystem::scatter(std::size_t body, std::span<const double> values, std::span<double> out) const {
   const std::size_t first = first_value_[body];
   for (std::size_t k = 0; k < values.size(); ++k) out[static_cast<std::size_t>(place_[first + k])] += values[k];
+}
+
+void ImplicitSystem::find_units(std::span<const double> reference) {
+  unit_.assign(static_cast<std::size_t>(dofs_), 0.0);
+  const Outlines& o = setup_->outlines();
+  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
+    const std::int32_t body = o.node_body[k];
+    if (first_dof(static_cast<std::size_t>(body)) < 0) continue;
+    const ChartRow row = chart(body, o.nodes[k], reference);
+    for (std::size_t j = 0; j < static_cast<std::size_t>(row.n); ++j) {
+      double& unit = unit_[static_cast<std::size_t>(row.dof[j])];
+      unit = std::max(unit, std::hypot(row.tx[j], row.ty[j]));
+    }
+  }
+  // Displacements of the inside, and those that hardly move the outline.
+  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
+    if (first_dof_[i] < 0) continue;
+    const auto n = static_cast<std::size_t>(setup_->pool_of(setup_->bodies()[i]).dofs(setup_->bodies()[i].index));
+    const std::span<double> of_body = std::span(unit_).subspan(static_cast<std::size_t>(first_dof_[i]), n);
+    if (setup_->pool_of(setup_->bodies()[i]).constant_chart(setup_->bodies()[i].index))
+      std::fill(of_body.begin(), of_body.end(), 1.0);
+    for (double& unit : of_body)
+      if (unit == 0.0) unit = 1.0;
+  }
 }
 
 void ImplicitSystem::take_masses(std::span<const double> q, std::span<const double> v) {

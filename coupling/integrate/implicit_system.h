@@ -25,6 +25,11 @@ class ImplicitSystem {
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   [[nodiscard]] bool nonlinear() const { return nonlinear_; }
 
+  /// Finds the units below from the bodies where they are at rest.
+  void find_units(std::span<const double> reference);
+  /// How far an unknown moves the outline of its body at most, by one: 1 for a displacement, a length for a rotation or
+  /// a strain. What a force on it is to be divided by to be one of newtons.
+  [[nodiscard]] std::span<const double> unit() const { return unit_; }
   /// Masses and velocities in the unknowns at a state.
   void take_masses(std::span<const double> q, std::span<const double> v);
   /// Stiffness and internal force of the bodies whose force is not linear, or of all.
@@ -65,7 +70,7 @@ class ImplicitSystem {
   bool nonlinear_ = false;
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
-  std::vector<double> mass_, rate_, nonlinear_dof_, scratch_;
+  std::vector<double> mass_, rate_, nonlinear_dof_, unit_, scratch_;
 };
 
 }  // namespace scree::coupling

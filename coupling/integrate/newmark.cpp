@@ -59,6 +59,7 @@ double Newmark::enter(State& state) {
     setup_->pool_of(b).place(b.index, still, setup_->part(std::span<double>(reference_), p),
                              setup_->part(std::span<double>(node_scratch_), p));
   }
+  system_.find_units(reference_);
   if (trapezoidal()) {
     if (state.a.empty()) {
       // M a = f - C v at the start: the residual of a step that has not moved yet.

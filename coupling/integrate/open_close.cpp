@@ -231,7 +231,9 @@ double OpenClose::friction_per_gap(std::size_t i) const {
 
 double OpenClose::force_scale(std::span<const double> d) const {
   double size = 0.0;
-  for (std::size_t i = 0; i < rhs_.size(); ++i) size = std::max({size, std::abs(rhs_[i]), std::abs(base_[i])});
+  const auto unit = system_->unit();
+  for (std::size_t i = 0; i < rhs_.size(); ++i)
+    size = std::max({size, std::abs(rhs_[i]) / unit[i], std::abs(base_[i]) / unit[i]});
   for (std::size_t r = 0; r < rows_.size(); ++r)
     if (k_[r] != 0.0) size = std::max(size, k_[r] * std::abs(at_[r] + rows_[r].change(d)));
   return size;
@@ -248,6 +250,7 @@ double OpenClose::round_off(std::span<const double> d) const {
       size[row] += std::abs(A_[at] * d[column]);
       if (row != column) size[column] += std::abs(A_[at] * d[row]);
     }
+  for (std::size_t i = 0; i < size.size(); ++i) size[i] /= system_->unit()[i];
   return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
 }
 
@@ -260,7 +263,7 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
     const int part = std::min(most - taken, kAtOnce);
     const int more = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
                                       [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
-                                      rhs_, enough, part, d);
+                                      rhs_, system_->unit(), enough, part, d);
     taken += more >= 0 ? more : part;
     if (more >= 0 || (looked && taken >= most)) {
       report.corrections += taken;
