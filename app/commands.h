@@ -15,6 +15,7 @@ struct RunOptions {
   std::filesystem::path case_file;
   std::filesystem::path out;  // empty: runs/<name of the case>
   bool overwrite = false, quiet = false;
+  bool audit = false;               // check every step
   std::optional<std::string> live;  // stream; an empty text keeps the case's URL
   int threads = 0;                  // 0: as the case says, else as many as the machine has
   std::optional<double> until;      // [s]

@@ -37,6 +37,8 @@ int dispatch(int argc, char** argv) {
   run_command->add_option("--set", options.set, "override a key of the case: key=value")
       ->take_all()
       ->type_name("KEY=VALUE");
+  run_command->add_flag("--audit", options.audit,
+                        "check every step: contact laws and geometry, balance, energy; end where one is wrong");
   run_command->add_flag("--quiet", options.quiet, "print nothing but errors and warnings");
 
   std::filesystem::path case_file;

@@ -93,6 +93,7 @@ void print(const CuttingReport& r) {
 int run(const RunOptions& options) {
   const std::vector<std::string> methods = method_names();
   io::Case c = io::read_case(options.case_file, options.set, methods);
+  c.plan.audit = options.audit;
   if (options.live) {
     c.plan.live.enabled = true;
     if (!options.live->empty()) c.plan.live.url = *options.live;
@@ -154,6 +155,10 @@ int run(const RunOptions& options) {
   if (!options.quiet) {
     fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()),
                ledger.relative_closure(), ledger.moved());
+    if (options.audit)
+      fmt::print("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n",
+                 driver.stats().audit_checks, driver.stats().steps, driver.stats().audit_worst,
+                 driver.audit().text().empty() ? "" : ": ", driver.audit().text());
     fmt::print("results in {}\n", folder.path().string());
   }
   switch (end.status) {

@@ -72,7 +72,8 @@ struct Plan {
   double detection = 0.0;  // contact detection distance [m]; 0: auto
   OutputPlan output;
   LivePlan live;
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;     // 0: as many as the machine has
+  bool audit = false;  // every step is checked, and a run ends where one is wrong
 };
 
 }  // namespace scree::coupling

@@ -1,7 +1,10 @@
 #include "coupling/contact/explicit_contact.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupling/contact/joint_strength.h"
 
@@ -110,6 +113,25 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   }
   state.contacts = now_.memory;
   clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
+}
+
+void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
+  double farthest = 0.0;
+  for (const double x : q) farthest = std::max(farthest, std::abs(x));
+  const double last_places = 8.0 * std::numeric_limits<double>::epsilon() * farthest;
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    const ContactPoint& p = now_.points[i];
+    const ContactMemory& m = now_.memory[i];
+    const double allowed = 1e-9 * (std::abs(m.fn) + std::abs(m.ft)) + (m.kn + m.kt) * last_places;
+    if (m.status != ContactStatus::open) {
+      audit_law(*setup_, m, m.fn, m.ft, allowed, audit);
+    } else if (!p.suppressed && !p.beyond) {
+      audit.check(m.kn * std::max(0.0, -m.gap), allowed, [&] {
+        return fmt::format("{}: open and {:.3g} m deep", contact_name(setup_->model(), m.key), -m.gap);
+      });
+    }
+  }
+  audit_geometry(*setup_, now_, q, finder_.detection(), audit);
 }
 
 void ExplicitContact::undo(State& state) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "coupling/contact/audit.h"
 #include "coupling/contact/contact_energy.h"
 
 namespace scree::coupling {
@@ -25,6 +26,8 @@ class ExplicitContact {
   /// Points at the new positions, return mapping, second half of the books.
   /// @param farthest  no node of the state has moved farther since the instant left [m]
   void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
+  /// Checks the points of the present instant.
+  void check(std::span<const double> q, Audit& audit) const;
   /// Goes back to the instant left, after arrive().
   void undo(State& state);
 

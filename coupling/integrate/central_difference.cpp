@@ -394,6 +394,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   setup_->prescribe(end, state.q, state.v);
   state.last_step = ticks_of_step;
   ++state.step;
+  if (audit_ != nullptr) contact_.check(state.q, *audit_);
   if (rest_) relax(state);
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "coupling/contact/audit.h"
 #include "coupling/plan.h"
 #include "coupling/stages/setup.h"
 #include "coupling/state.h"
@@ -54,8 +55,14 @@ class Mover {
   virtual double stable_step(const State& state, std::string* binding) = 0;
   /// f += forces of the contacts on the nodes at the present instant (for the balance of forces).
   virtual void contact_forces(const State& state, std::span<double> f) const = 0;
+  /// From now on every step that is taken is checked; null: not any more. The audit must outlive the steps.
+  void watch(Audit* audit) { audit_ = audit; }
   /// False once contacts have changed by more than the last stable_step() allowed for.
   [[nodiscard]] virtual bool step_still_stable() const { return true; }
+
+ protected:
+  Audit* audit_ = nullptr;
 };
+
 
 }  // namespace scree::coupling

@@ -400,7 +400,10 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
   StepReport report;
   const double h = seconds(ticks_of_step);
   prepare(state, h);
-  if (balance(state, h, report) && reach(state, ticks_of_step, report)) accept(state, ticks_of_step);
+  if (!balance(state, h, report) || !reach(state, ticks_of_step, report)) return report;
+  if (audit_ != nullptr) contacts_.check(d_, *audit_);
+  accept(state, ticks_of_step);
+  if (audit_ != nullptr) audit_geometry(*setup_, list_, state.q, finder_.detection(), *audit_);
   return report;
 }
 

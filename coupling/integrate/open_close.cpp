@@ -468,6 +468,34 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   return false;
 }
 
+void OpenClose::check(std::span<const double> d, Audit& audit) const {
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const Trial& t = trial_[i];
+    const ContactMemory& m = list_->memory[i];
+    if (list_->points[i].suppressed) continue;
+    const double allowed = 2.0 * tolerance(i), gap = m.gap + normal(i).change(d) - t.opened;
+    const auto name = [&] { return contact_name(setup_->model(), m.key); };
+    if (t.status == ContactStatus::open) {
+      audit.check(may_close(i) ? m.kn * std::max(0.0, -gap) : 0.0, allowed,
+                  [&] { return fmt::format("{}: open and {:.3g} m deep", name(), -gap); });
+      continue;
+    }
+    audit.check(t.fn + m.kn * gap, allowed,
+                [&] { return fmt::format("{}: {:.6g} N is not the force of its spring", name(), t.fn); });
+    audit_law(*setup_, m, t.fn, t.ft, allowed, audit);
+    const double slip = stretch_before(i) + t.moved - t.stretch;
+    audit.check(t.ft * slip > 0.0 && t.status == ContactStatus::slip ? m.kt * slip : 0.0, allowed,
+                [&] { return fmt::format("{}: friction drives it, {:.3g} m", name(), slip); });
+  }
+  std::vector<double> residual(d.size());
+  multiply(d, residual);
+  double left = 0.0;
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    left = std::max(left, std::abs(rhs_[i] - residual[i]) / system_->unit()[i]);
+  audit.check(left, std::max(1e-11 * force_scale(d), 4.0 * round_off(d)),
+              [&] { return fmt::format("the forces of a step are {:.3g} N out of balance", left); });
+}
+
 bool OpenClose::refuse(StepReport& report) const {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const bool closes = trial_[i].status != ContactStatus::open ||

@@ -15,6 +15,8 @@ namespace {
 
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+constexpr double kClosure = 1e-9;  // of the energy moved: what an audit lets the ledger be open by
+
 constexpr const char* kUnsupported =
     "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
     "under it, a support that is missing, or a stage that should not come to rest";
@@ -164,6 +166,7 @@ void Driver::start() {
                                               setup_->part(std::span<const double>(state_.v), p), setup_->counted(p));
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
+  audit_ = Audit{};
   travels_.clear();
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
@@ -201,6 +204,7 @@ void Driver::change_stage(std::size_t index) {
                                   stage.damp_rigid_motion, stage.stiffness_damping};
     mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
   }
+  if (plan_->audit) mover_->watch(&audit_);
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
   const double now = mover_->enter(state_);
@@ -289,12 +293,14 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     stats_.switches += report.switches;
     stats_.factorisations += report.factorisations;
     stats_.updates += report.updates;
+    stats_.corrections += report.corrections;
     if (report.status == StepReport::Status::ok) {
       ++stats_.steps;
       if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+      if (RunEnd found = check_audit(stage); found.status != RunEnd::Status::done) return found;
       if (balance_) {
         RunEnd rest = check_rest(stage, stage_end_);
         if (rest.status != RunEnd::Status::done || rested_) return rest;
@@ -323,6 +329,21 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
   }
   return {};
+}
+
+RunEnd Driver::check_audit(const Stage& stage) {
+  if (!plan_->audit) return {};
+  mover_->update_ledger(state_);
+  audit_.check(state_.ledger.relative_closure(), kClosure, [&] {
+    return fmt::format("the energy ledger is open by {:.2g} of the energy moved", state_.ledger.relative_closure());
+  });
+  stats_.audit_checks = audit_.checks();
+  stats_.audit_worst = audit_.worst();
+  if (audit_.passed()) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}', audit: {}, {:.3g} times what is allowed",
+                                         seconds(state_.time), stage.name, audit_.text(), audit_.worst());
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
 }
 
 void Driver::drop_velocities() {

@@ -34,6 +34,8 @@ class Driver {
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Setup& setup() const { return *setup_; }
   [[nodiscard]] const RunStats& stats() const { return stats_; }
+  /// What an audited run has found so far.
+  [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
   /// A stage that has ended: how far its blocks went.
   [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
@@ -48,6 +50,8 @@ class Driver {
   RunEnd run_stage(std::size_t index, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
+  /// Ends the run where the last step was wrong (Plan::audit).
+  [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
   RunEnd advance_to(const Stage& stage, Tick target);
   /// @param first  of the stage: what binds the step is told
@@ -75,6 +79,7 @@ class Driver {
   std::int64_t first_step_ = 0;            // of the stage
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_;
+  Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
 };

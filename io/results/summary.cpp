@@ -27,6 +27,9 @@ void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall) {
   json.field("steps", stats.steps).field("cuts", stats.cuts).field("open_close_passes", stats.passes);
   json.field("newton_iterations", stats.iterations).field("contact_switches", stats.switches);
   json.field("factorisations", stats.factorisations).field("factor_updates", stats.updates);
+  json.field("corrections", stats.corrections);
+  if (stats.audit_checks > 0)
+    json.open('{', "audit").field("checks", stats.audit_checks).field("worst", stats.audit_worst).close('}');
   json.open('{', "wall_seconds").field("explicit", stats.wall_explicit).field("implicit", stats.wall_implicit);
   json.field("output", stats.wall_output).field("total", wall).close('}');
   json.field("cpu_seconds", seconds_of(use.ru_utime) + seconds_of(use.ru_stime));

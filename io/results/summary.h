@@ -16,7 +16,8 @@ namespace scree::io {
 /// Collects during a run what the summary needs. The keys (units: s, m, J, bytes where a name has no other):
 ///   version, commit, case_sha256, title, status, reason, final_time, end_time, state_hash (16 hexadecimal digits),
 ///   stage, steps, cuts, open_close_passes, newton_iterations, contact_switches, factorisations, factor_updates (rank
-///   1 each), wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes, blocks_count,
+///   1 each), corrections (solutions with a factor of another matrix), audit {checks, worst} (of audited runs),
+///   wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes, blocks_count,
 ///   elements, unknowns, element_steps_per_second, contacts,
 ///   ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
 ///           relative_closure, scheme_share = max |scheme column| / moved},

@@ -1,0 +1,162 @@
+// The audit: it finds what is wrong with a contact, and nothing wrong in runs of many steps.
+#include "coupling/contact/audit.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/by_hand.h"
+
+namespace scree::test {
+namespace {
+
+using coupling::Integrator;
+
+/// Blocks of unequal sizes and shapes, turned and thrown together onto a floor between walls.
+Scene heap(int count) {
+  Scene scene(5e8, 0.2, 2500.0, 25.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> size(0.6, 1.2), turn(0.0, 3.0), speed(-3.0, 0.0);
+  scene.add("floor", rectangle(-3.0, -1.0, 7.0, 0.0), true);
+  scene.add("left", rectangle(-4.0, -1.0, -3.0, 6.0), true);
+  scene.add("right", rectangle(7.0, -1.0, 8.0, 6.0), true);
+  for (int i = 0; i < count; ++i) {
+    const double w = size(random), h = size(random), bevel = 0.3 * std::min(w, h);
+    const Polygon p{{{-w / 2, -h / 2}, {w / 2, -h / 2}, {w / 2, h / 2 - bevel}, {w / 2 - bevel, h / 2}, {-w / 2, h / 2}},
+                    {}};
+    const Vec2 at(-1.8 + 1.9 * (i % 5), 1.0 + 1.9 * (i / 5));
+    const BlockId id = scene.add("b" + std::to_string(i), transformed(p, at, rotation(turn(random))));
+    scene.model.initial_velocities.push_back({id, Vec2(0.5 * speed(random), speed(random)), turn(random) - 1.5});
+  }
+  return scene;
+}
+
+/// Two blocks on a slope, one bonded to it, that the shaking of their base breaks loose.
+Scene shaken() {
+  Scene scene(1e9, 0.2, 2500.0, 30.0);
+  scene.model.joints[0].cohesion = 2e4;
+  scene.model.joints[0].tensile_strength = 1e4;
+  scene.model.joints[0].residual_friction = 20.0 * kDegree;
+  const Mat2 R = rotation(-0.4);
+  scene.add("base", transformed(rectangle(-3, -1, 12, 0), Vec2(0, 0), R));
+  std::vector<double> t, a;
+  for (int i = 0; i <= 400; ++i) {
+    t.push_back(0.005 * i);
+    a.push_back(8.0 * std::sin(2.0 * std::numbers::pi * 3.0 * t.back()));
+  }
+  scene.model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
+  scene.model.block_supports.push_back({BlockId{0}, MotionId{0}});
+  scene.add("lower", transformed(rectangle(0, 0, 1.5, 1), Vec2(0, 0), R));
+  scene.add("upper", transformed(rectangle(0.1, 1, 1.3, 2.2), Vec2(0, 0), R));
+  return scene;
+}
+
+struct Setting {
+  const char* name;
+  const char* method;
+  Integrator integrator;
+  bool heap;
+  double duration, dt;  // dt 0: auto
+};
+
+class AuditedRun : public testing::TestWithParam<Setting> {};
+
+TEST_P(AuditedRun, every_step_passes) {
+  const Setting& r = GetParam();
+  Scene scene = r.heap ? heap(10) : shaken();
+  scene.stage(r.method, r.integrator, r.duration, r.dt > 0.0 ? std::optional<double>(r.dt) : std::nullopt, 0.6);
+  scene.plan.audit = true;
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver run(scene.model, scene.plan, methods);
+  const coupling::RunEnd end = run.run();
+  std::printf("%s: %lld steps, %lld checks, worst %.2g of what is allowed (%s)\n", r.name,
+              static_cast<long long>(run.stats().steps), static_cast<long long>(run.audit().checks()),
+              run.audit().worst(), run.audit().text().c_str());
+  ASSERT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
+  EXPECT_GE(run.stats().steps, 500);
+  EXPECT_GT(run.audit().checks(), 5 * run.stats().steps);
+  EXPECT_TRUE(run.audit().passed());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Runs, AuditedRun,
+    testing::Values(Setting{"dda_implicit_heap", "dda", Integrator::implicit, true, 1.2, 2e-3},
+                    Setting{"dda_explicit_heap", "dda", Integrator::explicit_, true, 0.6, 0.0},
+                    Setting{"nmm_explicit_heap", "nmm", Integrator::explicit_, true, 0.4, 0.0},
+                    Setting{"dda_implicit_shaken", "dda", Integrator::implicit, false, 1.5, 2e-3},
+                    Setting{"dda_explicit_shaken", "dda", Integrator::explicit_, false, 1.0, 0.0},
+                    Setting{"nmm_implicit_shaken", "nmm", Integrator::implicit, false, 1.0, 2e-3}),
+    [](const auto& p) { return p.param.name; });
+
+/// A block that rests on a floor, and a way to spoil what its contacts say.
+struct Resting {
+  Scene scene{1e9, 0.2, 2500.0, 30.0};
+  std::unique_ptr<ByHand> hand;
+  coupling::ContactList list;
+
+  Resting() {
+    scene.add("floor", rectangle(-1, -1, 3, 0), true);
+    scene.add("block", rectangle(0, 0, 1, 1));
+    const coupling::Stage& stage = scene.stage("dda", Integrator::implicit, 1.0, 1e-3);
+    hand = std::make_unique<ByHand>(scene.model, stage);
+    coupling::ContactFinder finder(*hand->setup, 0.05);
+    finder.find(hand->state.q, coupling::ContactList(), true, list);
+  }
+  [[nodiscard]] coupling::Audit geometry() const {
+    coupling::Audit audit;
+    coupling::audit_geometry(*hand->setup, list, hand->state.q, 0.05, audit);
+    return audit;
+  }
+  [[nodiscard]] coupling::Audit law(double fn, double ft) const {
+    coupling::Audit audit;
+    coupling::audit_law(*hand->setup, list.memory[0], fn, ft, 1e-3, audit);
+    return audit;
+  }
+};
+
+TEST(Audit, contact_as_it_is_passes) {
+  const Resting r;
+  ASSERT_FALSE(r.list.points.empty());
+  EXPECT_TRUE(r.geometry().passed());
+  EXPECT_GT(r.geometry().checks(), 1);
+  EXPECT_TRUE(r.law(1000.0, 577.0).passed());
+}
+
+TEST(Audit, wrong_gap_or_stretch_is_found) {
+  Resting gap, stretch;
+  gap.list.memory[0].gap += 1e-6;
+  EXPECT_FALSE(gap.geometry().passed());
+  EXPECT_NE(gap.geometry().text().find("the gap is"), std::string::npos) << gap.geometry().text();
+  stretch.list.memory[0].stretch = 1e-6;
+  EXPECT_FALSE(stretch.geometry().passed());
+}
+
+TEST(Audit, pull_and_friction_beyond_the_law_are_found) {
+  const Resting r;
+  EXPECT_FALSE(r.law(-1.0, 0.0).passed());
+  EXPECT_NE(r.law(-1.0, 0.0).text().find("'block'"), std::string::npos);
+  EXPECT_FALSE(r.law(1000.0, 578.0).passed());
+  EXPECT_NE(r.law(1000.0, 578.0).text().find("limit is 577.35"), std::string::npos) << r.law(1000.0, 578.0).text();
+}
+
+TEST(Audit, block_that_nothing_holds_inside_another_is_found) {
+  Resting r;
+  r.list.points.clear();
+  r.list.memory.clear();
+  EXPECT_TRUE(r.geometry().passed());  // it touches, no more
+  AffineMotion m;
+  m.c = Vec2(0.5, 0.45);
+  const coupling::Body& b = r.hand->setup->bodies()[1];
+  r.hand->setup->pool_of(b).place(b.index, m, r.hand->state.q, r.hand->state.v);
+  EXPECT_FALSE(r.geometry().passed());
+  EXPECT_NE(r.geometry().text().find("inside block 'floor'"), std::string::npos) << r.geometry().text();
+}
+
+TEST(Audit, not_a_number_is_a_violation) {
+  coupling::Audit audit;
+  audit.check(std::nan(""), 1.0, [] { return std::string("lost"); });
+  EXPECT_FALSE(audit.passed());
+}
+
+}  // namespace
+}  // namespace scree::test
