@@ -99,6 +99,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(
   left_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
+  anchor_.reserve(expected);
   opened_.reserve(expected);
 }
 
@@ -258,7 +259,20 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
     ledger.book(Column::springs_dropped,
                 normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
   }
+  // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
+  anchor_.resize(now_.memory.size());
+  for (std::size_t i = 0; i < anchor_.size(); ++i) anchor_[i] = now_.memory[i].anchor;
   ledger.book(Column::contact_share, finder_.adopt_kinds(now_));
+  for (std::size_t i = 0; i < anchor_.size(); ++i) {
+    const ContactPoint& p = now_.points[i];
+    const ContactMemory& m = now_.memory[i];
+    if (m.anchor == anchor_[i] || m.ft == 0.0) continue;
+    const double way = 0.5 * h *
+                       (row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v) -
+                        row_rate(setup_->outlines(), p, stretch_row(p.at, anchor_[i]), v));
+    ledger.book(Column::contact_geometry, (m.ft - m.fdt) * way);
+    ledger.book(Column::contact_damping, -m.fdt * way);
+  }
   state.contacts = now_.memory;
   ledger.set(Column::contact_springs, contact_energy(now_));
   clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;

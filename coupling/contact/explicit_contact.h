@@ -49,6 +49,7 @@ class ExplicitContact {
   std::vector<Half> left_;      // a point of before_
   std::vector<char> kept_;      // 1: the point of before_ goes on in now_
   std::vector<double> trial_;   // stretch before return mapping, a point of now_
+  std::vector<double> anchor_;  // before closed points take the stiffness of a new kind
   std::vector<double> opened_;  // by dilation in the step, a point of now_ [m]
 };
 

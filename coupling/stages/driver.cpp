@@ -299,8 +299,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
+      const RunEnd found = check_audit(stage);
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
-      if (RunEnd found = check_audit(stage); found.status != RunEnd::Status::done) return found;
+      if (found.status != RunEnd::Status::done) return found;
       if (balance_) {
         RunEnd rest = check_rest(stage, stage_end_);
         if (rest.status != RunEnd::Status::done || rested_) return rest;
