@@ -42,7 +42,7 @@ struct Stage {
   double cover_size = 0.0;  // NMM mesh [m]
   Kinematics kinematics = Kinematics::corotational;
   std::optional<MassKind> mass;    // empty: affine-exact in explicit stages, consistent in implicit ones
-  bool cracks = false;             // NMM: blocks are cut along their cracks, whose faces do not touch each other
+  bool cracks = true;              // NMM: blocks are cut along their cracks
   double damping = 0.0;            // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]

@@ -17,7 +17,8 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   const bool implicit = stage.integrator == Integrator::implicit;
   const std::string &kinematics = s.text("kinematics"), &mass = s.text("mass");
   stage.kinematics = kinematics == "linear" ? Kinematics::linear : Kinematics::corotational;
-  stage.cracks = s.boolean("cracks");
+  const bool wants_none = s.has("cracks") && !s.boolean("cracks");
+  stage.cracks = nmm && !wants_none;
   refuse(s, "mass", implicit && mass == "affine-exact",
          "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
          "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
@@ -32,7 +33,7 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   const char *problem = "no block uses the NMM in this stage", *hint = "remove the key, or set method = \"nmm\"";
   refuse(s, "kinematics", stage.kinematics != Kinematics::corotational, problem, "\"corotational\"", hint);
   refuse(s, "mass", stage.mass.has_value(), problem, "\"auto\"", hint);
-  refuse(s, "cracks", stage.cracks, problem, "false", hint);
+  refuse(s, "cracks", s.has("cracks") && !wants_none, problem, "false", hint);
 }
 
 void read_damping(const Section& s, coupling::Stage& stage) {

@@ -254,8 +254,8 @@ constexpr Key kKeys[] = {
     {"domain.arc[].joint", Type::name, "", kAny, "", true, "", "Joint law of the line."},
 
     {"crack", Type::table_list, "", kAny, "", false, "",
-     "A discontinuity inside a block, beside those that a domain leaves. Stages with cracks = true cut the covers of "
-     "the NMM along it; the block stays one block even where the crack runs through it."},
+     "A discontinuity inside a block, beside those that a domain leaves. Stages of the NMM cut their covers along it "
+     "unless cracks = false; the block stays one block even where the crack runs through it."},
     {"crack[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
     {"crack[].points", Type::line, "m", kCoordinate, "", true, "",
      "Points of the line in order, inside the block or on its outline."},
@@ -354,8 +354,9 @@ constexpr Key kKeys[] = {
      "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, "
      "consistent "
      "in implicit ones."},
-    {"stage[].cracks", Type::boolean, "", kAny, "false", false, "",
-     "Cut the covers of the NMM along the cracks of its blocks. The faces of a crack do not touch each other."},
+    {"stage[].cracks", Type::boolean, "", kAny, "(true where a block uses the NMM)", false, "",
+     "Cut the covers of the NMM along the cracks of its blocks. The two faces of a straight crack touch each other by the "
+     "law of its joint. Stages of DDA, whose blocks deform as a whole, have no cracks."},
     {"stage[].damping", Type::number, "1/s", kNotNegative, "0.0", false, "",
      "Mass-proportional damping, on velocities less their affine part, so that sliding is not slowed."},
     {"stage[].damp_rigid_motion", Type::boolean, "", kAny, "false", false, "",
