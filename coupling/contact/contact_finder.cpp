@@ -173,11 +173,12 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 }
 
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
+  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
+  if (fraction == 0.0) return;
   const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
   // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
   const double xi = std::clamp(p.at.xi, 0.0, 1.0);
   const double mu = compliance(p.node[0]) + (1.0 - xi) * compliance(p.node[1]) + xi * compliance(p.node[2]);
-  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
   // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
   const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
@@ -260,37 +261,35 @@ void ContactFinder::inherit(const ContactList& known, ContactList& out) {
     else
       fresh_.push_back(static_cast<std::int32_t>(i));
   }
-  if (fresh_.empty()) return;
-  const auto adjacent = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-    return v.edge_in == edge || v.edge_out == edge;
-  };
   const auto in_line = [&](std::int32_t a, std::int32_t b) {
     const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
     return (ea.end_vertex == eb.first_segment || eb.end_vertex == ea.first_segment) &&
            pairs_.direction(a).dot(pairs_.direction(b)) > kStillFaces;
   };
-  std::size_t left = 0;  // the closed ones among those gone
-  for (std::size_t i = 0; i < gone_.size(); ++i)
-    if (gone_[i] != 0 && known.memory[i].status != ContactStatus::open) gone_[left++] = static_cast<std::int32_t>(i);
-  gone_.resize(left);
   for (const std::int32_t f : fresh_) {
     ContactPoint& p = out.points[static_cast<std::size_t>(f)];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
     double nearest = detection_;
-    for (std::size_t g = 0; g < gone_.size(); ++g) {
-      if (gone_[g] < 0) continue;
-      const ContactPoint& was = known.points[static_cast<std::size_t>(gone_[g])];
-      const bool sides = p.facing && known.memory[static_cast<std::size_t>(gone_[g])].facing != 0 &&
-                         adjacent(was.vertex, p.edge) && adjacent(p.vertex, was.edge);
-      if (!sides && !(was.vertex == p.vertex && in_line(was.edge, p.edge))) continue;
+    const auto look = [&](std::size_t g) {
+      if (gone_[g] == 0 || known.memory[g].status == ContactStatus::open) return;
+      const ContactPoint& was = known.points[g];
       const auto at = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(was.vertex)].node);
       const double d = (x_[at] - x_[static_cast<std::size_t>(p.node[0])]).norm();
-      if (d > nearest || (p.from >= 0 && d == nearest)) continue;
+      const auto index = static_cast<std::int32_t>(g);
+      if (d > nearest || (d == nearest && p.from >= 0 && p.from <= index)) return;
       nearest = d;
-      p.from = gone_[g];
-    }
-    for (std::int32_t& g : gone_)
-      if (g == p.from) g = -1;
+      p.from = index;
+    };
+    // One of the other side that takes the vertex's place, and the vertex itself against the next edge in line.
+    if (p.facing)
+      known_.for_vertices(
+          p.edge, [&v](std::int32_t edge) { return edge == v.edge_in || edge == v.edge_out; },
+          [&](std::size_t g) {
+            if (known.memory[g].facing != 0) look(g);
+          });
+    known_.for_vertex(
+        p.vertex, [&](std::int32_t edge) { return in_line(edge, p.edge); }, look);
+    if (p.from >= 0) gone_[static_cast<std::size_t>(p.from)] = 0;
   }
 }
 
@@ -368,14 +367,37 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
-bool ContactFinder::divides(const ContactPoint& added, const ContactPoint& remembered) const {
-  const Outlines& o = setup_->outlines();
-  const Outlines::Vertex &v = o.vertices[static_cast<std::size_t>(added.vertex)],
-                         &n = o.vertices[static_cast<std::size_t>(remembered.vertex)];
-  if (added.from >= 0 || remembered.from < 0 || !added.facing || v.edge_in != v.edge_out) return false;
-  const auto ends_on = [&n](std::int32_t edge) { return n.edge_in == edge || n.edge_out == edge; };
-  return (remembered.edge == added.edge && ends_on(v.edge_out)) ||
-         (remembered.edge == v.edge_out && ends_on(added.edge));
+bool ContactFinder::adds(const ContactPoint& p) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
+  return p.from < 0 && p.facing && v.edge_in == v.edge_out;
+}
+
+EdgePair ContactFinder::joint_of(const ContactPoint& p, bool out) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
+  const std::int32_t own = out ? v.edge_out : v.edge_in;
+  return {std::min(p.edge, own), std::max(p.edge, own)};
+}
+
+void ContactFinder::index_divided(const ContactList& known, const ContactList& out) {
+  added_.clear();
+  remembered_.clear();
+  if (std::none_of(known.memory.begin(), known.memory.end(), [](const ContactMemory& m) { return m.segment < 0; }))
+    return;
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const ContactPoint& p = out.points[i];
+    if (adds(p)) added_.push_back(joint_of(p, true));
+    if (p.from < 0) continue;
+    const EdgePair in = joint_of(p, false), leaving = joint_of(p, true);
+    remembered_.push_back({in, static_cast<std::int32_t>(i)});
+    if (leaving != in) remembered_.push_back({leaving, static_cast<std::int32_t>(i)});
+  }
+  std::sort(added_.begin(), added_.end());
+  std::sort(remembered_.begin(), remembered_.end());
+}
+
+bool ContactFinder::is_divided(const ContactPoint& p) const {
+  return std::binary_search(added_.begin(), added_.end(), joint_of(p, false)) ||
+         std::binary_search(added_.begin(), added_.end(), joint_of(p, true));
 }
 
 void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
@@ -389,14 +411,17 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
   if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
   for (std::size_t f = 0; f < out.points.size(); ++f) {
     const ContactPoint& p = out.points[f];
+    if (!adds(p)) continue;
     // Nearest remembered points of the two edges, before and behind.
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
     } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
-    for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const EdgePair joint = joint_of(p, true);
+    for (auto r = std::lower_bound(remembered_.begin(), remembered_.end(), OnJoint{joint, 0});
+         r != remembered_.end() && r->joint == joint; ++r) {
+      const auto i = static_cast<std::size_t>(r->point);
       const ContactPoint& n = out.points[i];
-      if (!divides(p, n)) continue;
       const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
       if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
       if (out.memory[i].status == ContactStatus::open) continue;
@@ -498,7 +523,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     set_range(p, closed);
     if (p.beyond && closed) continue;
     if (!closed && (nearest > detection_ || (!p.facing && !admissible(p)))) continue;
-    p.key = key_of(p.vertex, p.edge);
+    p.key = p.from >= 0 ? known.points[old].key : key_of(p.vertex, p.edge);
     const JointId law = springs_.law_of(pair.own, pair.edge);
     p.joint = law.value;
     p.springs = springs_.springs(law, pair.own, pair.edge,
@@ -524,15 +549,14 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   pass_corners(known, out);
   cover_corners(known, out);
   inherit(known, out);
+  index_divided(known, out);
   out.memory.resize(out.points.size());
   for (std::size_t i = 0; i < out.points.size(); ++i) {
     ContactPoint& p = out.points[i];
     out.memory[i] = ContactMemory{};
     const auto from = static_cast<std::size_t>(p.from);
     const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[from];
-    const bool divided =
-        was != nullptr && was->segment < 0 &&
-        std::any_of(out.points.begin(), out.points.end(), [&](const ContactPoint& added) { return divides(added, p); });
+    const bool divided = was != nullptr && was->segment < 0 && is_divided(p);
     fill(was, p.from < 0 ? nullptr : &known.points[from], at_start, divided, p, out.memory[i]);
     ContactMemory& m = out.memory[i];
     if (p.from >= 0 || p.beside < 0) continue;

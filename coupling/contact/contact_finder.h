@@ -60,8 +60,14 @@ class ContactFinder {
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
   void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided, ContactPoint& p,
             ContactMemory& m) const;
-  /// True for a point that a mesh has added to a joint, and if the remembered point is on that joint.
-  [[nodiscard]] bool divides(const ContactPoint& added, const ContactPoint& remembered) const;
+  /// True for a point that a mesh has added to a joint.
+  [[nodiscard]] bool adds(const ContactPoint& p) const;
+  /// A point's edge with the one that leaves its vertex, or comes to it.
+  [[nodiscard]] EdgePair joint_of(const ContactPoint& p, bool out) const;
+  /// Lists by joint what a mesh has added and what is remembered, if any body was made anew.
+  void index_divided(const ContactList& known, const ContactList& out);
+  /// True for a remembered point if a mesh has added one to its joint.
+  [[nodiscard]] bool is_divided(const ContactPoint& p) const;
   /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
   void bond_like(const ContactMemory& beside, ContactMemory& m) const;
   /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
@@ -79,7 +85,15 @@ class ContactFinder {
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on driven bodies
   std::vector<Vec2> x_;                     // outline nodes
-  std::vector<std::int32_t> fresh_, gone_;  // points without memory, and closed memory without a point
+  std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
+  std::vector<EdgePair> added_;             // joints of points that a mesh has added, in order
+  /// A remembered point by the edges that its joint may be of.
+  struct OnJoint {
+    EdgePair joint;
+    std::int32_t point;
+    auto operator<=>(const OnJoint&) const = default;
+  };
+  std::vector<OnJoint> remembered_;
 };
 
 }  // namespace scree::coupling

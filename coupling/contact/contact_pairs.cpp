@@ -12,9 +12,12 @@ constexpr double kFaces = 0.9962;  // cosine of 5 degrees: edges this nearly ant
 ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
     : setup_(&setup),
       springs_(&springs),
+      reach_(reach),
       search_(setup, reach),
       direction_(setup.outlines().edges.size()),
-      ends_(direction_.size()) {
+      ends_(direction_.size()),
+      box_(direction_.size()),
+      first_(setup.outlines().vertices.size() + 1) {
   deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
 }
 
@@ -46,7 +49,7 @@ std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) c
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
   if (!v.convex || facing(v.edge_in, edge, known)) return;
-  pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
+  unsorted_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
 void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
@@ -55,12 +58,25 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
     const Vec2 along = (direction(a) - direction(b)).normalized();
     for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
       if (p.edge == a)
-        pairs_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
+        unsorted_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
       else  // b runs against the direction
-        pairs_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
+        unsorted_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
   } else {
     try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
     try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+  }
+}
+
+void ContactPairs::sort() {
+  std::fill(first_.begin(), first_.end(), 0);
+  for (const VertexEdge& p : unsorted_) ++first_[static_cast<std::size_t>(p.vertex) + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  pairs_.resize(unsorted_.size());
+  for (const VertexEdge& p : unsorted_)
+    pairs_[static_cast<std::size_t>(first_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
+    while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
+    std::sort(begin, end);
   }
 }
 
@@ -72,26 +88,44 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     };
     ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
+    Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
+    for (std::int32_t k = 1; k < o.edges[e].segments; ++k) {  // may be bent
+      const Vec2& at = x[node(o.edges[e].first_segment + k)];
+      box.lo = box.lo.cwiseMin(at);
+      box.hi = box.hi.cwiseMax(at);
+    }
   }
-  pairs_.clear();
-  const std::span<const EdgePair> near = search_.update(x);
-  for (const auto& [a, b] : near) try_edges(x, a, b, known);
-  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+  const auto apart = [this](const Box& a, const Box& b) {
+    const double reach = reach_ * (1.0 + 1e-9);  // whatever the rounding of the distance
+    return (a.lo.array() - b.hi.array() > reach).any() || (b.lo.array() - a.hi.array() > reach).any();
+  };
+  unsorted_.clear();
   deep_.clear();
+  bool closed_apart = false;
   for (std::size_t i = 0; i < known.list().points.size(); ++i) {
     const ContactPoint& p = known.list().points[i];
     const ContactMemory& m = known.list().memory[i];
-    if (m.status == ContactStatus::open || m.gap + m.gap0 > -0.25 * reach_) continue;
+    if (m.status == ContactStatus::open) continue;
+    const Vec2& at = x[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(p.vertex)].node)];
+    closed_apart = closed_apart || apart({at, at}, box_[static_cast<std::size_t>(p.edge)]);
+    // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+    if (m.gap + m.gap0 > -0.25 * reach_) continue;
     // Corners are tried with the edge that begins at them.
     const std::int32_t own =
         m.facing != 0 ? facing_edge(p.vertex, p.edge) : o.vertices[static_cast<std::size_t>(p.vertex)].edge_out;
     deep_.push_back({std::min(own, p.edge), std::max(own, p.edge)});
   }
+  const std::span<const EdgePair> near = search_.update(x);
+  for (const auto& [a, b] : near) {
+    // The boxes of the search are fat, and closed contacts are looked at however far they are.
+    if (!closed_apart && apart(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) continue;
+    try_edges(x, a, b, known);
+  }
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
   for (const EdgePair& pair : deep_)
     if (!std::binary_search(near.begin(), near.end(), pair)) try_edges(x, pair.a, pair.b, known);
-  std::sort(pairs_.begin(), pairs_.end());
+  sort();
   // A vertex between two edges in line may face one edge with both.
   std::size_t kept = 0;
   for (std::size_t i = 1; i < pairs_.size(); ++i) {

@@ -47,6 +47,8 @@ class ContactPairs {
   [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
   void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
   void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
+  /// Brings the pairs into order: by vertex in one pass, then the few of each vertex.
+  void sort();
 
   const Setup* setup_;
   const JointSprings* springs_;
@@ -55,8 +57,10 @@ class ContactPairs {
   EdgeOverlap overlap_;
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
-  std::vector<VertexEdge> pairs_;
-  std::vector<EdgePair> deep_;  // of closed contacts deeper than the search looks
+  std::vector<Box> box_;                   // of an edge
+  std::vector<VertexEdge> pairs_, unsorted_;
+  std::vector<std::int32_t> first_;  // a vertex: its first pair
+  std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };
 
 }  // namespace scree::coupling

@@ -38,15 +38,19 @@ class KnownContacts {
     }
   }
   [[nodiscard]] const ContactList& list() const { return *list_; }
+  /// Calls see(i) for the points of a vertex against the edges that take() accepts.
+  template <class Take, class See>
+  void for_vertex(std::int32_t vertex, Take&& take, See&& see) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (auto i = static_cast<std::size_t>(first_[v]); i < static_cast<std::size_t>(first_[v + 1]); ++i)
+      if (take(list_->points[i].edge)) see(i);
+  }
   /// Calls see(i) for the points of an edge's vertices against the edges that take() accepts.
   template <class Take, class See>
   void for_vertices(std::int32_t edge, Take&& take, See&& see) const {
     const Outlines::Edge& e = outlines_->edges[static_cast<std::size_t>(edge)];
-    for (std::int32_t k = 0; k <= e.segments; ++k) {
-      const auto v = static_cast<std::size_t>(k < e.segments ? e.first_segment + k : e.end_vertex);
-      for (auto i = static_cast<std::size_t>(first_[v]); i < static_cast<std::size_t>(first_[v + 1]); ++i)
-        if (take(list_->points[i].edge)) see(i);
-    }
+    for (std::int32_t k = 0; k <= e.segments; ++k)
+      for_vertex(k < e.segments ? e.first_segment + k : e.end_vertex, take, see);
   }
   /// Calls see(i) for the points against an edge, of whatever vertices.
   template <class See>
