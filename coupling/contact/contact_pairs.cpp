@@ -5,7 +5,8 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kFaces = 0.9962;  // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kFaces = 0.9962;   // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
 
 }  // namespace
 
@@ -25,10 +26,8 @@ bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& k
   const double against = -direction(a).dot(direction(b));
   if (against < kStillFaces || against > kFaces) return against > kFaces;
   bool closed = false;
-  known.for_pair(a, b, [&](std::size_t i) {
-    const ContactMemory& m = known.list().memory[i];
-    closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
-  });
+  known.for_pair(a, b,
+                 [&](std::size_t i) { closed = closed || (known.closed(i) && known.list().memory[i].facing != 0); });
   return closed;
 }
 
@@ -46,14 +45,38 @@ std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) c
   return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
 }
 
+bool ContactPairs::too_far(const Box& a, const Box& b) const {
+  const double far = 0.5 * reach_ * (1.0 + kRounding);
+  return (a.lo.array() - b.hi.array() > far).any() || (b.lo.array() - a.hi.array() > far).any();
+}
+
+bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  if (bent(edge) || bent(v.edge_in) || bent(v.edge_out)) return false;
+  const Vec2& t = direction(edge);
+  const Vec2 n(t.y(), -t.x());
+  const double least = -kWedgeTolerance - kRounding;
+  return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
+}
+
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
-  if (!v.convex || facing(v.edge_in, edge, known)) return;
+  if (!v.convex) return;
+  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
+  if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
+    return;
+  if (facing(v.edge_in, edge, known)) return;
   unsorted_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
 void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
   const Outlines& o = setup_->outlines();
+  if (too_far(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) {
+    bool closed = false;
+    known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
+    if (!closed) return;
+  }
   if (facing(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
     for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
@@ -95,31 +118,20 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
       box.hi = box.hi.cwiseMax(at);
     }
   }
-  const auto apart = [this](const Box& a, const Box& b) {
-    const double reach = reach_ * (1.0 + 1e-9);  // whatever the rounding of the distance
-    return (a.lo.array() - b.hi.array() > reach).any() || (b.lo.array() - a.hi.array() > reach).any();
-  };
   unsorted_.clear();
+  const std::span<const EdgePair> near = search_.update(x);
+  for (const auto& [a, b] : near) try_edges(x, a, b, known);
+  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   deep_.clear();
-  bool closed_apart = false;
-  for (std::size_t i = 0; i < known.list().points.size(); ++i) {
-    const ContactPoint& p = known.list().points[i];
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!known.closed(i)) continue;
     const ContactMemory& m = known.list().memory[i];
-    if (m.status == ContactStatus::open) continue;
-    const Vec2& at = x[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(p.vertex)].node)];
-    closed_apart = closed_apart || apart({at, at}, box_[static_cast<std::size_t>(p.edge)]);
-    // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
     if (m.gap + m.gap0 > -0.25 * reach_) continue;
+    const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
     // Corners are tried with the edge that begins at them.
     const std::int32_t own =
-        m.facing != 0 ? facing_edge(p.vertex, p.edge) : o.vertices[static_cast<std::size_t>(p.vertex)].edge_out;
-    deep_.push_back({std::min(own, p.edge), std::max(own, p.edge)});
-  }
-  const std::span<const EdgePair> near = search_.update(x);
-  for (const auto& [a, b] : near) {
-    // The boxes of the search are fat, and closed contacts are looked at however far they are.
-    if (!closed_apart && apart(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) continue;
-    try_edges(x, a, b, known);
+        m.facing != 0 ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+    deep_.push_back({std::min(own, edge), std::max(own, edge)});
   }
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
