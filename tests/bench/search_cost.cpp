@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   const int steps = argc > 1 ? std::atoi(argv[1]) : 100;
   fmt::print("{:>8} {:>10} {:>8} {:>12} {:>10} {:>12} {:>10} {:>12}\n", "edges", "motion", "points", "search us",
              "to linear", "find us", "to linear", "ns a point");
-  for (const double speed : {0.0, 1e-3, 0.1}) {
+  for (const double speed : {0.0, 1e-3, 0.1, 0.5}) {
     scree::bench::Cost first;
     for (const int edges : {1000, 10000, 50000}) {
       const scree::bench::Cost c = scree::bench::measure(edges, speed, steps);
