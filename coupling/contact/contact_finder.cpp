@@ -16,9 +16,8 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
-constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
-constexpr double kInLine = 0.5;           // of a corner's depth: more of it is that of the joint that goes on beside it
-constexpr double kBoundMargin = 0.1;      // of a point's largest share, so that the step bound outlives small changes
+constexpr double kInLine = 0.5;       // of a corner's depth: more of it is that of the joint that goes on beside it
+constexpr double kBoundMargin = 0.1;  // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
 
@@ -103,8 +102,7 @@ void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) co
     known_.for_vertices(of, next, see);
     // Where vertices meet exactly, either may stand for both.
     known_.for_against(of, [&](std::size_t i) {
-      const ContactPoint& p = known_.list().points[i];
-      if (next(pairs_.facing_edge(p.vertex, p.edge))) see(i);
+      if (next(pairs_.facing_edge(known_.vertex(i), known_.edge(i)))) see(i);
     });
   }
 }
@@ -117,11 +115,10 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
-    const ContactMemory& m = known.memory[i];
-    const ContactPoint& k = known.points[i];
-    if (m.facing == 0 || (k.vertex == p.vertex && k.edge == p.edge)) return;
-    if (m.status == ContactStatus::open && (next_only || p.from >= 0)) return;
-    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(k.vertex)].node);
+    if (!known_.closed(i) && (next_only || p.from >= 0)) return;
+    if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
+    if (known.memory[i].facing == 0) return;
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(i))].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
     if (d > within || d >= nearest) return;
     nearest = d;
@@ -135,11 +132,10 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
 double ContactFinder::entry_depth(const ContactPoint& p) const {
   const std::int32_t i = neighbour(p, true);
   if (i < 0) return -p.at.gap;
-  const ContactList& known = known_.list();
-  const ContactPoint& beside = known.points[static_cast<std::size_t>(i)];
-  const std::int32_t part = std::max(0, known.memory[static_cast<std::size_t>(i)].segment);
-  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(beside.edge)];
-  return std::max(0.0, geometry(beside.vertex, edge.first_segment + part).gap - p.at.gap);
+  const auto beside = static_cast<std::size_t>(i);
+  const std::int32_t part = std::max(0, known_.list().memory[beside].segment);
+  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
+  return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
 }
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
@@ -173,11 +169,12 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 }
 
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
+  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
+  if (fraction == 0.0) return;
   const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
   // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
   const double xi = std::clamp(p.at.xi, 0.0, 1.0);
   const double mu = compliance(p.node[0]) + (1.0 - xi) * compliance(p.node[1]) + xi * compliance(p.node[2]);
-  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
   // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
   const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
@@ -200,48 +197,60 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
          from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
 }
 
-void ContactFinder::pass_corners(const ContactList& known, ContactList& out) const {
-  const auto closed = [&](const ContactPoint& p) {
-    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
-  };
-  for (std::size_t first = 0, end = 0; first < out.points.size(); first = end) {
-    while (end < out.points.size() && out.points[end].vertex == out.points[first].vertex) ++end;
-    if (end == first + 1) continue;
-    for (std::size_t i = first; i < end; ++i) {
-      ContactPoint& from = out.points[i];
-      if (from.facing || !closed(from) || known.memory[static_cast<std::size_t>(from.from)].bonded != 0) continue;
-      for (std::size_t j = first; j < end; ++j) {
-        ContactPoint& to = out.points[j];
-        if (j == i || closed(to) || !goes_over(from, to)) continue;
-        std::swap(from.from, to.from);
-        set_range(from, false);
-        set_range(to, true);
-        break;
-      }
+bool ContactFinder::was_closed(const ContactPoint& p) const {
+  return p.from >= 0 && known_.closed(static_cast<std::size_t>(p.from));
+}
+
+void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
+  for (ContactPoint& from : points) {
+    if (from.facing || !was_closed(from) || known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
+      continue;
+    for (ContactPoint& to : points) {
+      if (&to == &from || was_closed(to) || !goes_over(from, to)) continue;
+      std::swap(from.from, to.from);
+      set_range(from, false);
+      set_range(to, true);
+      break;
     }
   }
 }
 
-void ContactFinder::cover_corners(const ContactList& known, ContactList& out) const {
+void ContactFinder::settle_vertex(std::size_t first, ContactList& out) {
+  const auto points = std::span(out.points).subspan(first);
+  if (points.size() > 1) {
+    pass_corners(points);
+    pair_edges(first, out);
+  }
+  for (std::size_t i = first; i < out.points.size(); ++i) {
+    const ContactPoint& p = out.points[i];
+    const auto index = static_cast<std::int32_t>(i);
+    if (p.from >= 0)
+      gone_[static_cast<std::size_t>(p.from)] = 0;
+    else
+      fresh_.push_back(index);
+    if (!p.facing && !was_closed(p)) corners_.push_back(index);
+    if (p.partner[0] >= 0) paired_.push_back(index);
+  }
+}
+
+void ContactFinder::cover_corners(ContactList& out) const {
   // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
   // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
   const Outlines& o = setup_->outlines();
-  const auto closed = [&](const ContactPoint& p) {
-    return p.from >= 0 && known.memory[static_cast<std::size_t>(p.from)].status != ContactStatus::open;
-  };
-  for (ContactPoint& p : out.points) {
-    if (p.facing || closed(p)) continue;
+  for (const std::int32_t c : corners_) {
+    ContactPoint& p = out.points[static_cast<std::size_t>(c)];
     const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
     const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
     const auto goes_on = [&](std::int32_t e) {
       return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
     };
     for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+      if (!known_.closed_vertex(tip)) continue;
       const auto begin =
           std::lower_bound(out.points.begin(), out.points.end(), tip,
                            [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
       for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
-        if (t->facing || !closed(*t) || !goes_on(t->edge)) continue;
+        if (t->facing || !was_closed(*t) || !goes_on(t->edge)) continue;
         const double step =
             t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
         if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
@@ -252,58 +261,50 @@ void ContactFinder::cover_corners(const ContactList& known, ContactList& out) co
 
 void ContactFinder::inherit(const ContactList& known, ContactList& out) {
   const Outlines& o = setup_->outlines();
-  gone_.assign(known.points.size(), 1);
-  fresh_.clear();
-  for (std::size_t i = 0; i < out.points.size(); ++i) {
-    if (out.points[i].from >= 0)
-      gone_[static_cast<std::size_t>(out.points[i].from)] = 0;
-    else
-      fresh_.push_back(static_cast<std::int32_t>(i));
-  }
-  if (fresh_.empty()) return;
-  const auto adjacent = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-    return v.edge_in == edge || v.edge_out == edge;
-  };
   const auto in_line = [&](std::int32_t a, std::int32_t b) {
     const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
     return (ea.end_vertex == eb.first_segment || eb.end_vertex == ea.first_segment) &&
            pairs_.direction(a).dot(pairs_.direction(b)) > kStillFaces;
   };
-  std::size_t left = 0;  // the closed ones among those gone
-  for (std::size_t i = 0; i < gone_.size(); ++i)
-    if (gone_[i] != 0 && known.memory[i].status != ContactStatus::open) gone_[left++] = static_cast<std::int32_t>(i);
-  gone_.resize(left);
   for (const std::int32_t f : fresh_) {
     ContactPoint& p = out.points[static_cast<std::size_t>(f)];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
     double nearest = detection_;
-    for (std::size_t g = 0; g < gone_.size(); ++g) {
-      if (gone_[g] < 0) continue;
-      const ContactPoint& was = known.points[static_cast<std::size_t>(gone_[g])];
-      const bool sides = p.facing && known.memory[static_cast<std::size_t>(gone_[g])].facing != 0 &&
-                         adjacent(was.vertex, p.edge) && adjacent(p.vertex, was.edge);
-      if (!sides && !(was.vertex == p.vertex && in_line(was.edge, p.edge))) continue;
-      const auto at = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(was.vertex)].node);
+    const auto look = [&](std::size_t g) {
+      if (gone_[g] == 0 || !known_.closed(g)) return;
+      const auto at = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(g))].node);
       const double d = (x_[at] - x_[static_cast<std::size_t>(p.node[0])]).norm();
-      if (d > nearest || (p.from >= 0 && d == nearest)) continue;
+      const auto index = static_cast<std::int32_t>(g);
+      if (d > nearest || (d == nearest && p.from >= 0 && p.from <= index)) return;
       nearest = d;
-      p.from = gone_[g];
-    }
-    for (std::int32_t& g : gone_)
-      if (g == p.from) g = -1;
+      p.from = index;
+    };
+    // One of the other side that takes the vertex's place, and the vertex itself against the next edge in line.
+    if (p.facing)
+      known_.for_vertices(
+          p.edge, [&v](std::int32_t edge) { return edge == v.edge_in || edge == v.edge_out; },
+          [&](std::size_t g) {
+            if (known.memory[g].facing != 0) look(g);
+          });
+    known_.for_vertex(
+        p.vertex, [&](std::int32_t edge) { return in_line(edge, p.edge); }, look);
+    if (p.from >= 0) gone_[static_cast<std::size_t>(p.from)] = 0;
   }
 }
 
-void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided,
-                         ContactPoint& p, ContactMemory& m) const {
+void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p,
+                         ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
   if (old != nullptr)
     m = *old;
   else
     m.joint = p.joint;
-  m.key = p.key;
-  const bool closed = m.status != ContactStatus::open, passed = old != nullptr && before->key != p.key;
+  const auto before = static_cast<std::size_t>(p.from);
+  const bool passed = old != nullptr && (known_.vertex(before) != p.vertex || known_.edge(before) != p.edge);
+  if (old == nullptr || passed) m.key = key_of(p.vertex, p.edge);
+  p.key = m.key;
+  const bool closed = m.status != ContactStatus::open;
   if (passed) m.joint = p.joint;
   // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds().
   if (!closed || (m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
@@ -359,8 +360,8 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
     m.anchor = p.at.xi - m.stretch / p.at.length;
   } else if (m.segment != part || passed) {
     // The stretch as the old place sees it now, then the same stretch on the new one.
-    const ContactGeometry g =
-        geometry(before->vertex, o.edges[static_cast<std::size_t>(before->edge)].first_segment + m.segment);
+    const ContactGeometry g = geometry(
+        known_.vertex(before), o.edges[static_cast<std::size_t>(known_.edge(before))].first_segment + m.segment);
     m.segment = part;
     m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
   }
@@ -368,14 +369,36 @@ void ContactFinder::fill(const ContactMemory* old, const ContactPoint* before, b
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
 }
 
-bool ContactFinder::divides(const ContactPoint& added, const ContactPoint& remembered) const {
-  const Outlines& o = setup_->outlines();
-  const Outlines::Vertex &v = o.vertices[static_cast<std::size_t>(added.vertex)],
-                         &n = o.vertices[static_cast<std::size_t>(remembered.vertex)];
-  if (added.from >= 0 || remembered.from < 0 || !added.facing || v.edge_in != v.edge_out) return false;
-  const auto ends_on = [&n](std::int32_t edge) { return n.edge_in == edge || n.edge_out == edge; };
-  return (remembered.edge == added.edge && ends_on(v.edge_out)) ||
-         (remembered.edge == v.edge_out && ends_on(added.edge));
+bool ContactFinder::adds(const ContactPoint& p) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
+  return p.from < 0 && p.facing && v.edge_in == v.edge_out;
+}
+
+EdgePair ContactFinder::joint_of(const ContactPoint& p, bool out) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
+  const std::int32_t own = out ? v.edge_out : v.edge_in;
+  return {std::min(p.edge, own), std::max(p.edge, own)};
+}
+
+void ContactFinder::index_divided(const ContactList& out) {
+  added_.clear();
+  remembered_.clear();
+  if (!known_.divided()) return;
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const ContactPoint& p = out.points[i];
+    if (adds(p)) added_.push_back(joint_of(p, true));
+    if (p.from < 0) continue;
+    const EdgePair in = joint_of(p, false), leaving = joint_of(p, true);
+    remembered_.push_back({in, static_cast<std::int32_t>(i)});
+    if (leaving != in) remembered_.push_back({leaving, static_cast<std::int32_t>(i)});
+  }
+  std::sort(added_.begin(), added_.end());
+  std::sort(remembered_.begin(), remembered_.end());
+}
+
+bool ContactFinder::is_divided(const ContactPoint& p) const {
+  return std::binary_search(added_.begin(), added_.end(), joint_of(p, false)) ||
+         std::binary_search(added_.begin(), added_.end(), joint_of(p, true));
 }
 
 void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
@@ -384,19 +407,21 @@ void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) con
   if (m.kn * m.gap > tension_limit(law, m)) m.bonded = 0;
 }
 
-void ContactFinder::interpolate(const ContactList& known, ContactList& out) const {
-  const auto divided_anew = [](const ContactMemory& m) { return m.segment < 0 && m.status != ContactStatus::open; };
-  if (std::none_of(known.memory.begin(), known.memory.end(), divided_anew)) return;
+void ContactFinder::interpolate(ContactList& out) const {
+  if (!known_.closed_divided()) return;
   for (std::size_t f = 0; f < out.points.size(); ++f) {
     const ContactPoint& p = out.points[f];
+    if (!adds(p)) continue;
     // Nearest remembered points of the two edges, before and behind.
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
     } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
-    for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const EdgePair joint = joint_of(p, true);
+    for (auto r = std::lower_bound(remembered_.begin(), remembered_.end(), OnJoint{joint, 0});
+         r != remembered_.end() && r->joint == joint; ++r) {
+      const auto i = static_cast<std::size_t>(r->point);
       const ContactPoint& n = out.points[i];
-      if (!divides(p, n)) continue;
       const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
       if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
       if (out.memory[i].status == ContactStatus::open) continue;
@@ -420,10 +445,10 @@ void ContactFinder::interpolate(const ContactList& known, ContactList& out) cons
   }
 }
 
-void ContactFinder::pair_edges(ContactList& list) const {
+void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < list.points.size(); ++i)
-    for (std::size_t j = i + 1; j < list.points.size() && list.points[j].vertex == list.points[i].vertex; ++j) {
+  for (std::size_t i = first; i < list.points.size(); ++i)
+    for (std::size_t j = i + 1; j < list.points.size(); ++j) {
       const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
                            &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
       const bool follows = a.end_vertex == b.first_segment && a.convex_end;
@@ -440,9 +465,10 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
   // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
   // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
-  for (std::size_t i = 0; i < list.points.size(); ++i)
-    for (const std::int32_t other : list.points[i].partner) {
-      if (other <= static_cast<std::int32_t>(i)) continue;
+  for (const std::int32_t index : paired_)
+    for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
+      if (other <= index) continue;
+      const auto i = static_cast<std::size_t>(index);
       const auto j = static_cast<std::size_t>(other);
       const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
       ContactPoint &a = list.points[i], &b = list.points[j];
@@ -468,26 +494,29 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   known_.index(known);
+  gone_.assign(known_.size(), 1);
+  fresh_.clear();
+  corners_.clear();
+  paired_.clear();
   out.points.clear();
-  std::size_t old = 0;
+  std::size_t old = 0, first_of_vertex = 0;
   for (const VertexEdge& pair : pairs_.update(x_, known_)) {
     const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
     const Vec2& xP = x_[static_cast<std::size_t>(v.node)];
+    const std::int32_t segment = segment_under(xP, pair.edge);
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
+    const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    const std::pair here(pair.vertex, pair.edge);
+    while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
+    const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
+    const bool closed = has_memory && known_.closed(old);
+    if (!closed && nearest > detection_) continue;
     ContactPoint p;
     p.vertex = pair.vertex;
     p.edge = pair.edge;
-    p.segment = segment_under(xP, pair.edge);
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
-    const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-    const auto precedes = [&](const ContactPoint& a) {
-      return std::pair(a.vertex, a.edge) < std::pair(pair.vertex, pair.edge);
-    };
-    while (old < known.points.size() && precedes(known.points[old])) ++old;
-    if (old < known.points.size() && known.points[old].vertex == pair.vertex && known.points[old].edge == pair.edge)
-      p.from = static_cast<std::int32_t>(old);
-    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[static_cast<std::size_t>(p.from)];
-    const bool closed = was != nullptr && was->status != ContactStatus::open;
-    if (!closed && nearest > 2.0 * detection_) continue;
+    p.segment = segment;
+    if (has_memory) p.from = static_cast<std::int32_t>(old);
+    const ContactMemory* was = has_memory ? &known.memory[old] : nullptr;
     p.node = {v.node, s.a, s.b};
     p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     // What is more than half way through a body when it is first seen came in over another edge.
@@ -497,15 +526,14 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     p.ahead = pair.ahead;
     set_range(p, closed);
     if (p.beyond && closed) continue;
-    if (!closed && (nearest > detection_ || (!p.facing && !admissible(p)))) continue;
-    p.key = key_of(p.vertex, p.edge);
+    if (!closed && !p.facing && !admissible(p)) continue;
     const JointId law = springs_.law_of(pair.own, pair.edge);
     p.joint = law.value;
     p.springs = springs_.springs(law, pair.own, pair.edge,
                                  p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
     if (p.facing && springs_.per_area(law)) {
-      const auto length = [&](std::int32_t segment) {
-        const Outlines::Segment& own = o.segments[static_cast<std::size_t>(segment)];
+      const auto length = [&](std::int32_t of) {
+        const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
         return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
       };
       const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
@@ -515,25 +543,28 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
       p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
     }
     p.first_gap0 = std::min(p.at.gap, 0.0);
-    if (was == nullptr || (!closed && was->gap < 0.0)) {
+    if (!has_memory || (!closed && was->gap < 0.0)) {
       p.beside = neighbour(p, false);
       if (p.beside >= 0) p.first_gap0 = known.memory[static_cast<std::size_t>(p.beside)].gap0;
     }
+    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != p.vertex) {
+      settle_vertex(first_of_vertex, out);
+      first_of_vertex = out.points.size();
+    }
     out.points.push_back(p);
   }
-  pass_corners(known, out);
-  cover_corners(known, out);
+  settle_vertex(first_of_vertex, out);
+  cover_corners(out);
   inherit(known, out);
+  index_divided(out);
   out.memory.resize(out.points.size());
   for (std::size_t i = 0; i < out.points.size(); ++i) {
     ContactPoint& p = out.points[i];
     out.memory[i] = ContactMemory{};
     const auto from = static_cast<std::size_t>(p.from);
     const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[from];
-    const bool divided =
-        was != nullptr && was->segment < 0 &&
-        std::any_of(out.points.begin(), out.points.end(), [&](const ContactPoint& added) { return divides(added, p); });
-    fill(was, p.from < 0 ? nullptr : &known.points[from], at_start, divided, p, out.memory[i]);
+    const bool divided = was != nullptr && was->segment < 0 && is_divided(p);
+    fill(was, at_start, divided, p, out.memory[i]);
     ContactMemory& m = out.memory[i];
     if (p.from >= 0 || p.beside < 0) continue;
     const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
@@ -548,8 +579,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     m.stretch = beside.stretch;
     m.anchor = p.at.xi - m.stretch / p.at.length;
   }
-  interpolate(known, out);
-  pair_edges(out);
+  interpolate(out);
   suppress_second_edges(out);
   if (!setup_->model().waters.empty()) fill_with_water(out);
 }

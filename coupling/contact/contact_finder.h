@@ -51,23 +51,32 @@ class ContactFinder {
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
-  /// Gives the points of closed corners that went over to another edge what they remember; the edges they left begin
-  /// anew.
-  void pass_corners(const ContactList& known, ContactList& out) const;
+  /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
+  /// they left begin anew.
+  void pass_corners(std::span<ContactPoint> points) const;
+  /// All that concerns the points of one vertex alone, while they are at hand; lists them for what comes after.
+  /// @param first  of the vertex, whose points are the last of the list
+  void settle_vertex(std::size_t first, ContactList& out);
+  [[nodiscard]] bool was_closed(const ContactPoint& p) const;
   /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
-  void cover_corners(const ContactList& known, ContactList& out) const;
+  void cover_corners(ContactList& out) const;
   void inherit(const ContactList& known, ContactList& out);
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
-  void fill(const ContactMemory* old, const ContactPoint* before, bool at_start, bool divided, ContactPoint& p,
-            ContactMemory& m) const;
-  /// True for a point that a mesh has added to a joint, and if the remembered point is on that joint.
-  [[nodiscard]] bool divides(const ContactPoint& added, const ContactPoint& remembered) const;
+  void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
+  /// True for a point that a mesh has added to a joint.
+  [[nodiscard]] bool adds(const ContactPoint& p) const;
+  /// A point's edge with the one that leaves its vertex, or comes to it.
+  [[nodiscard]] EdgePair joint_of(const ContactPoint& p, bool out) const;
+  /// Lists by joint what a mesh has added and what is remembered, if any body was made anew.
+  void index_divided(const ContactList& out);
+  /// True for a remembered point if a mesh has added one to its joint.
+  [[nodiscard]] bool is_divided(const ContactPoint& p) const;
   /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
   void bond_like(const ContactMemory& beside, ContactMemory& m) const;
   /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
   /// from the remembered points on either side, and the bond of the nearest.
-  void interpolate(const ContactList& known, ContactList& out) const;
-  void pair_edges(ContactList& list) const;
+  void interpolate(ContactList& out) const;
+  void pair_edges(std::size_t first, ContactList& list) const;
   void fill_with_water(ContactList& list) const;
   void suppress_second_edges(ContactList& list) const;
 
@@ -79,7 +88,16 @@ class ContactFinder {
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on driven bodies
   std::vector<Vec2> x_;                     // outline nodes
-  std::vector<std::int32_t> fresh_, gone_;  // points without memory, and closed memory without a point
+  std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
+  std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
+  std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
+  /// A remembered point by the edges that its joint may be of.
+  struct OnJoint {
+    EdgePair joint;
+    std::int32_t point;
+    auto operator<=>(const OnJoint&) const = default;
+  };
+  std::vector<OnJoint> remembered_;
 };
 
 }  // namespace scree::coupling

@@ -5,16 +5,20 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kFaces = 0.9962;  // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kFaces = 0.9962;   // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
 
 }  // namespace
 
 ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
     : setup_(&setup),
       springs_(&springs),
+      reach_(reach),
       search_(setup, reach),
       direction_(setup.outlines().edges.size()),
-      ends_(direction_.size()) {
+      ends_(direction_.size()),
+      box_(direction_.size()),
+      first_(setup.outlines().vertices.size() + 1) {
   deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
 }
 
@@ -22,10 +26,8 @@ bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& k
   const double against = -direction(a).dot(direction(b));
   if (against < kStillFaces || against > kFaces) return against > kFaces;
   bool closed = false;
-  known.for_pair(a, b, [&](std::size_t i) {
-    const ContactMemory& m = known.list().memory[i];
-    closed = closed || (m.facing != 0 && m.status != ContactStatus::open);
-  });
+  known.for_pair(a, b,
+                 [&](std::size_t i) { closed = closed || (known.closed(i) && known.list().memory[i].facing != 0); });
   return closed;
 }
 
@@ -43,24 +45,61 @@ std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) c
   return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
 }
 
+bool ContactPairs::too_far(const Box& a, const Box& b) const {
+  const double far = 0.5 * reach_ * (1.0 + kRounding);
+  return (a.lo.array() - b.hi.array() > far).any() || (b.lo.array() - a.hi.array() > far).any();
+}
+
+bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  if (bent(edge) || bent(v.edge_in) || bent(v.edge_out)) return false;
+  const Vec2& t = direction(edge);
+  const Vec2 n(t.y(), -t.x());
+  const double least = -kWedgeTolerance - kRounding;
+  return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
+}
+
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
-  if (!v.convex || facing(v.edge_in, edge, known)) return;
-  pairs_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
+  if (!v.convex) return;
+  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
+  if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
+    return;
+  if (facing(v.edge_in, edge, known)) return;
+  unsorted_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
 void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
   const Outlines& o = setup_->outlines();
+  if (too_far(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) {
+    bool closed = false;
+    known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
+    if (!closed) return;
+  }
   if (facing(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
     for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
       if (p.edge == a)
-        pairs_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
+        unsorted_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
       else  // b runs against the direction
-        pairs_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
+        unsorted_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
   } else {
     try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
     try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+  }
+}
+
+void ContactPairs::sort() {
+  std::fill(first_.begin(), first_.end(), 0);
+  for (const VertexEdge& p : unsorted_) ++first_[static_cast<std::size_t>(p.vertex) + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  pairs_.resize(unsorted_.size());
+  for (const VertexEdge& p : unsorted_)
+    pairs_[static_cast<std::size_t>(first_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
+    while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
+    std::sort(begin, end);
   }
 }
 
@@ -72,26 +111,33 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     };
     ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
+    Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
+    for (std::int32_t k = 1; k < o.edges[e].segments; ++k) {  // may be bent
+      const Vec2& at = x[node(o.edges[e].first_segment + k)];
+      box.lo = box.lo.cwiseMin(at);
+      box.hi = box.hi.cwiseMax(at);
+    }
   }
-  pairs_.clear();
+  unsorted_.clear();
   const std::span<const EdgePair> near = search_.update(x);
   for (const auto& [a, b] : near) try_edges(x, a, b, known);
   // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   deep_.clear();
-  for (std::size_t i = 0; i < known.list().points.size(); ++i) {
-    const ContactPoint& p = known.list().points[i];
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!known.closed(i)) continue;
     const ContactMemory& m = known.list().memory[i];
-    if (m.status == ContactStatus::open || m.gap + m.gap0 > -0.25 * reach_) continue;
+    if (m.gap + m.gap0 > -0.25 * reach_) continue;
+    const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
     // Corners are tried with the edge that begins at them.
     const std::int32_t own =
-        m.facing != 0 ? facing_edge(p.vertex, p.edge) : o.vertices[static_cast<std::size_t>(p.vertex)].edge_out;
-    deep_.push_back({std::min(own, p.edge), std::max(own, p.edge)});
+        m.facing != 0 ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+    deep_.push_back({std::min(own, edge), std::max(own, edge)});
   }
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
   for (const EdgePair& pair : deep_)
     if (!std::binary_search(near.begin(), near.end(), pair)) try_edges(x, pair.a, pair.b, known);
-  std::sort(pairs_.begin(), pairs_.end());
+  sort();
   // A vertex between two edges in line may face one edge with both.
   std::size_t kept = 0;
   for (std::size_t i = 1; i < pairs_.size(); ++i) {

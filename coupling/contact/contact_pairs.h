@@ -11,7 +11,8 @@
 
 namespace scree::coupling {
 
-inline constexpr double kStillFaces = 0.9848;  // cosine of 10 degrees: closed edges face each other up to here
+inline constexpr double kStillFaces = 0.9848;    // cosine of 10 degrees: closed edges face each other up to here
+inline constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
 
 /// A vertex against an edge.
 struct VertexEdge {
@@ -26,7 +27,7 @@ struct VertexEdge {
 /// every corner with an interior angle below pi is tried against every edge (angle-edge).
 class ContactPairs {
  public:
-  /// @param reach  distance within which no pair may be missed [m]
+  /// @param reach  distance within which no pair may be missed [m]; open ones are only listed within half of it
   ContactPairs(const Setup& setup, const JointSprings& springs, double reach);
 
   /// @param x      positions of the outline nodes
@@ -47,6 +48,12 @@ class ContactPairs {
   [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
   void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
   void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
+  /// True if what is in the boxes is farther apart than half the reach.
+  [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
+  /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
+  [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
+  /// Brings the pairs into order: by vertex in one pass, then the few of each vertex.
+  void sort();
 
   const Setup* setup_;
   const JointSprings* springs_;
@@ -55,8 +62,10 @@ class ContactPairs {
   EdgeOverlap overlap_;
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
-  std::vector<VertexEdge> pairs_;
-  std::vector<EdgePair> deep_;  // of closed contacts deeper than the search looks
+  std::vector<Box> box_;                   // of an edge
+  std::vector<VertexEdge> pairs_, unsorted_;
+  std::vector<std::int32_t> first_;  // a vertex: its first pair
+  std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };
 
 }  // namespace scree::coupling

@@ -16,6 +16,8 @@
 namespace scree::coupling {
 namespace {
 
+constexpr double kManyMoved = 0.05;  // of all boxes
+
 /// Pairs worth keeping: segments of different bodies, not both driven, and of the two faces of a crack.
 class MayTouch final : public btOverlapFilterCallback {
  public:
@@ -53,6 +55,7 @@ struct Search::Impl {
   btDbvtBroadphase tree;
   std::vector<btBroadphaseProxy*> proxies;
   std::vector<Box> fat;
+  std::vector<std::size_t> moved;  // boxes anew
   std::vector<EdgePair> pairs;
 };
 
@@ -73,16 +76,24 @@ bool Search::refit(std::span<const Vec2> x, bool all) {
   const Outlines& o = s.setup->outlines();
   const bool first = s.proxies.empty();
   const double need = 0.5 * s.reach, slack = s.reach;  // half the reach on either side of a pair
-  bool moved = first;
-  if (first) s.fat.resize(o.segments.size());
+  if (first) {
+    s.fat.resize(o.segments.size());
+    s.moved.reserve(o.segments.size());
+  }
+  s.moved.clear();
   for (std::size_t i = 0; i < o.segments.size(); ++i) {
     const Vec2 &a = x[static_cast<std::size_t>(o.segments[i].a)], &b = x[static_cast<std::size_t>(o.segments[i].b)];
     const Vec2 lo = a.cwiseMin(b).array() - need, hi = a.cwiseMax(b).array() + need;
     Box& fat = s.fat[i];
     if (!first && !all && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
-    moved = true;
+    s.moved.push_back(i);
     fat.lo = lo.array() - slack;
     fat.hi = hi.array() + slack;
+  }
+  // A few boxes look for their pairs one by one; of many it is cheaper to hold the tree against itself once.
+  s.tree.m_deferedcollide = kManyMoved * static_cast<double>(o.segments.size()) < static_cast<double>(s.moved.size());
+  for (const std::size_t i : s.moved) {
+    const Box& fat = s.fat[i];
     const btVector3 low(fat.lo.x(), fat.lo.y(), -1.0), high(fat.hi.x(), fat.hi.y(), 1.0);
     if (first) {
       s.proxies.push_back(s.tree.createProxy(low, high, 0,
@@ -92,7 +103,7 @@ bool Search::refit(std::span<const Vec2> x, bool all) {
       s.tree.setAabb(s.proxies[i], low, high, nullptr);
     }
   }
-  return moved;
+  return !s.moved.empty();
 }
 
 std::span<const EdgePair> Search::update(std::span<const Vec2> x) {

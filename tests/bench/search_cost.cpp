@@ -4,9 +4,9 @@
 //   usage: bench_search_cost [steps]
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 
 #include "coupling/contact/contact_finder.h"
 #include "coupling/contact/search.h"
@@ -15,10 +15,12 @@
 namespace scree::bench {
 namespace {
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+/// Processor time [s]: what else runs on the machine does not count.
+double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Cost {
-  double edges = 0.0, search = 0.0, find = 0.0;  // [s] a step
+  double edges = 0.0, points = 0.0;
+  double search = 0.0, find = 0.0;  // [s] a step
 };
 
 /// @param speed  of the bricks, each in its own direction, in detection distances a step
@@ -37,7 +39,7 @@ Cost measure(int edges, double speed, int steps) {
   coupling::ContactList list, next;
   std::vector<double> q = hand.state.q;
   std::vector<Vec2> x(hand.setup->outlines().nodes.size());
-  Cost cost{4.0 * bricks, 0.0, 0.0};
+  Cost cost{4.0 * bricks, 0.0, 0.0, 0.0};
   for (int step = -3; step < steps; ++step) {
     // To and fro on a line of its own, ten steps each way: a pile that shakes and stays together.
     const double way = speed * detection * (((step + 30) / 10) % 2 == 0 ? 1.0 : -1.0);
@@ -57,6 +59,7 @@ Cost measure(int edges, double speed, int steps) {
     if (step < 0) continue;
     cost.search += (middle - begin) / steps;
     cost.find += (end - middle) / steps;
+    cost.points += static_cast<double>(list.points.size()) / steps;
   }
   return cost;
 }
@@ -66,16 +69,17 @@ Cost measure(int edges, double speed, int steps) {
 
 int main(int argc, char** argv) {
   const int steps = argc > 1 ? std::atoi(argv[1]) : 100;
-  fmt::print("{:>8} {:>10} {:>12} {:>10} {:>12} {:>10}\n", "edges", "motion", "search us", "to linear", "find us",
-             "to linear");
-  for (const double speed : {0.0, 1e-3, 0.1}) {
+  fmt::print("{:>8} {:>10} {:>8} {:>12} {:>10} {:>12} {:>10} {:>12}\n", "edges", "motion", "points", "search us",
+             "to linear", "find us", "to linear", "ns a point");
+  for (const double speed : {0.0, 1e-3, 0.1, 0.5}) {
     scree::bench::Cost first;
     for (const int edges : {1000, 10000, 50000}) {
       const scree::bench::Cost c = scree::bench::measure(edges, speed, steps);
       if (first.edges == 0.0) first = c;
       const double linear = c.edges / first.edges;
-      fmt::print("{:>8.0f} {:>10g} {:>12.1f} {:>10.2f} {:>12.1f} {:>10.2f}\n", c.edges, speed, 1e6 * c.search,
-                 c.search / first.search / linear, 1e6 * c.find, c.find / first.find / linear);
+      fmt::print("{:>8.0f} {:>10g} {:>8.0f} {:>12.1f} {:>10.2f} {:>12.1f} {:>10.2f} {:>12.1f}\n", c.edges, speed,
+                 c.points, 1e6 * c.search, c.search / first.search / linear, 1e6 * c.find, c.find / first.find / linear,
+                 1e9 * c.find / c.points);
     }
   }
 }

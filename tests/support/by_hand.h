@@ -17,12 +17,18 @@ struct ByHand {
     setup = std::make_unique<coupling::Setup>(model, methods, state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;
-    for (std::size_t b = 0; b < setup->bodies().size(); ++b) move(b, Vec2(0.0, 0.0), Mat2::Zero());
+    for (std::size_t b = 0; b < setup->bodies().size(); ++b) place(b, Vec2(0.0, 0.0), Mat2::Zero());
     for (const InitialVelocity& i : model.initial_velocities)
-      move(i.block.index(), i.velocity, i.spin * quarter_turn());
+      place(i.block.index(), i.velocity, i.spin * quarter_turn());
+    state.ledger.open(std::array{kinetic()});
   }
   /// Puts a body where the model has it, with an affine velocity; the ledger begins anew.
   void move(std::size_t body, const Vec2& velocity, const Mat2& gradient) {
+    place(body, velocity, gradient);
+    state.ledger.open(std::array{kinetic()});
+  }
+  /// The same without the ledger.
+  void place(std::size_t body, const Vec2& velocity, const Mat2& gradient) {
     const coupling::Body& b = setup->bodies()[body];
     AffineMotion m;
     m.c = b.centre;
@@ -31,7 +37,6 @@ struct ByHand {
     const auto p = static_cast<std::size_t>(b.pool);
     setup->pool_of(b).place(b.index, m, setup->part(std::span<double>(state.q), p),
                             setup->part(std::span<double>(state.v), p));
-    state.ledger.open(std::array{kinetic()});
   }
   [[nodiscard]] double kinetic() const {
     double sum = 0.0;
