@@ -17,7 +17,8 @@ inline Ring outline_of(const coupling::Driver& run, BlockId id) {
   for (const coupling::Outlines::Edge& e : o.edges)
     if (setup.bodies()[static_cast<std::size_t>(e.body)].block == id)
       ring.push_back(coupling::position(
-          o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(e.first_segment)].node)], run.state().q));
+          o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(e.first_segment)].node)],
+          run.state().q));
   return ring;
 }
 
