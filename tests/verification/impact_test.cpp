@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "tests/support/outlines.h"
 #include "tests/support/schemes.h"
@@ -25,10 +26,10 @@ constexpr double kStiff = 1e14;      // of blocks that give way by 1e-4 of what 
 constexpr double kApart = 0.06;      // the blocks at first: farther than contacts are looked for [m]
 constexpr double kSpeeds[] = {1.0, 10.0, 50.0};
 
-const Scheme kSchemes[] = {{"dda", "dda", Integrator::explicit_},
-                           {"dda_implicit", "dda", Integrator::implicit},
-                           {"nmm", "nmm", Integrator::explicit_},
-                           {"nmm_implicit", "nmm", Integrator::implicit}};
+const Scheme kSchemes[] = {
+    {"dda", "dda", Integrator::explicit_},        {"dda_implicit", "dda", Integrator::implicit},
+    {"nmm", "nmm", Integrator::explicit_},        {"nmm_implicit", "nmm", Integrator::implicit},
+    {"nmm_on_dda", "nmm", Integrator::explicit_}, {"nmm_on_dda_implicit", "nmm", Integrator::implicit}};
 /// Those that are a two-mass oscillator, exactly or nearly.
 const Scheme kStiffExplicit[] = {{"rigid", "rigid", Integrator::explicit_}, {"dda", "dda", Integrator::explicit_}},
              kStiffImplicit[] = {{"rigid_implicit", "rigid", Integrator::implicit},
@@ -109,7 +110,7 @@ struct Outcome {
   double restitution = 0.0;            // of the centres, along x
   double kept = 0.0;                   // kinetic energy at the end, of that at the start
   double turned = 0.0;                 // an edge, while they touched [rad]
-  double steepest = 0.0;               // |f_t|/f_n of a contact
+  double beyond = 0.0;                 // Coulomb's limit, by a contact's friction [N]
   Vec2 impulse{0.0, 0.0};              // on the block that was at rest [N s]
   Vec2 centre[2];                      // at the end [m]
   bool met = false, apart = false;     // apart: at the end
@@ -119,13 +120,15 @@ struct Outcome {
 };
 
 Outcome run_impact(Impact& impact, const Scheme& scheme, std::optional<double> dt, int frames = 1) {
-  impact.scene.stage(scheme.method, scheme.integrator, impact.over, dt, 0.5);
+  Stage& stage = impact.scene.stage(scheme.method, scheme.integrator, impact.over, dt, 0.5);
+  if (std::string(scheme.name).starts_with("nmm_on_dda")) stage.rules.push_back({{impact.resting}, "dda"});
   OutputPlan& output = impact.scene.plan.output;
   output.every = output.history_every = impact.scene.plan.stages[0].duration / frames;
   Driver run(impact.scene.model, impact.scene.plan, with_rigid());
   const Vec2 momentum = impact.mass[0] * impact.velocity;
   const double angular = cross(moments(impact.scene.model.blocks[impact.flying.index()].polygon).centroid, momentum);
   const BlockId ids[] = {impact.flying, impact.resting};
+  const double mu = std::tan(impact.scene.model.joints[0].friction);
   Outcome out;
   EveryStep every;
   double last = 0.0;
@@ -136,7 +139,7 @@ Outcome run_impact(Impact& impact, const Scheme& scheme, std::optional<double> d
     for (const ContactMemory& m : run.state().contacts) {
       if (m.status == ContactStatus::open || m.fn <= 0.0) continue;
       touch = true;
-      out.steepest = std::max(out.steepest, std::abs(m.ft) / m.fn);
+      out.beyond = std::max(out.beyond, std::abs(m.ft) - mu * m.fn);
     }
     if (!touch) return;
     out.met = true;
@@ -331,21 +334,31 @@ INSTANTIATE_TEST_SUITE_P(stiff, ImplicitImpact, testing::ValuesIn(kStiffImplicit
 
 /// Forces f of a step make no torque about the positions x that it begins with, and M(v' - v) = h f, d = h (v + v')/2:
 ///   L' - L = sum d x M v' + x x h f = h/2 sum (v + v') x M v' = h^2/2 sum v x f,
-/// a sum over T/h steps: of first order. DDA's rotation is exact, but does not know it.
-class ImplicitAngular : public testing::TestWithParam<Scheme> {};
+/// a sum over T/h steps: of first order.
+class ImplicitAngular : public testing::TestWithParam<Scheme> {
+ protected:
+  static double defect(double young, double wh) {
+    Impact impact(Meeting::corner_past_corner, young, 10.0, 0.2);
+    const Outcome o = run_impact(impact, GetParam(), wh / impact.rate());
+    std::printf("%s E %.0e, w h %.4f: angular momentum off by %.3e of m v L\n", GetParam().name, young, wh, o.angular);
+    return o.angular;
+  }
+};
 
 TEST_P(ImplicitAngular, momentum_is_off_by_first_order_in_the_step) {
-  const Scheme scheme = GetParam();
-  double first = 0.0, last = 0.0;
-  for (const double wh : {0.1, 0.05, 0.025, 0.0125}) {
-    Impact impact(Meeting::corner_past_corner, kRock, 10.0, 0.2);
-    const Outcome o = run_impact(impact, scheme, wh / impact.rate());
-    std::printf("%s w h %.4f: angular momentum off by %.3e of m v L\n", scheme.name, wh, o.angular);
-    (first == 0.0 ? first : last) = o.angular;
-  }
+  const double first = defect(kStiff, 0.1), last = defect(kStiff, 0.0125);
   EXPECT_GT(last, 0.0);
-  EXPECT_GT(first / last, 5.0);
-  EXPECT_LT(first / last, 12.0);
+  EXPECT_NEAR(first / last, 8.0, 1.0);
+}
+
+/// What no step removes: DDA's unknowns leave out Coriolis' part of a block that strains while it turns (theory.md).
+TEST_P(ImplicitAngular, dda_loses_in_proportion_to_strain_besides) {
+  const auto left = [](double young) { return 2.0 * defect(young, 0.0125) - defect(young, 0.025); };
+  const double soft = left(1e10), stiff = left(5e10);
+  if (GetParam().method == std::string("dda"))
+    EXPECT_NEAR(soft / stiff, 5.0, 1.0);
+  else
+    EXPECT_LT(std::abs(soft), 2e-6);  // what is of second order
 }
 INSTANTIATE_TEST_SUITE_P(methods, ImplicitAngular, testing::Values(kSchemes[1], kSchemes[3]), kSchemeName);
 
@@ -356,17 +369,20 @@ class ObliqueImpact : public testing::TestWithParam<Scheme> {};
 TEST_P(ObliqueImpact, friction_stays_in_its_cone) {
   const Scheme scheme = GetParam();
   for (const double speed : kSpeeds)
-    for (const double phi : {0.0, 10.0, 20.0, 30.0}) {
+    for (const double phi : {0.0, 5.0, 10.0, 20.0, 30.0}) {
       Impact impact(Meeting::oblique_faces, kRock, speed, 0.2, phi);
       const std::optional<double> dt = scheme.implicit() ? std::optional<double>(0.05 / impact.rate()) : std::nullopt;
       const Outcome o = run_impact(impact, scheme, dt);
       const double mu = std::tan(phi * kDegree), ratio = o.impulse.y() / o.impulse.x();
-      std::printf("%s %g m/s, tan phi %.4f: J_t/J_n %.4f, a step's largest %.4f, turned %.1e rad\n", scheme.name, speed,
-                  mu, ratio, o.steepest, o.turned);
-      EXPECT_LE(o.steepest, mu * (1.0 + 1e-12) + 1e-12);
+      std::printf("%s %g m/s, tan phi %.4f: J_t/J_n %.4f, friction beyond its limit by %.1e N, turned %.1e rad\n",
+                  scheme.name, speed, mu, ratio, o.beyond, o.turned);
+      // A stretch is a difference of places along the edge.
+      EXPECT_LE(o.beyond, 16.0 * std::numeric_limits<double>::epsilon() * impact.stiffness * 1.0);
       // Forces within a cone about a normal that turns by so much add to one within as much more.
       EXPECT_LE(std::abs(ratio), std::tan(phi * kDegree + o.turned));
-      EXPECT_GT(ratio, phi <= 20.0 ? 0.9 * mu - std::tan(o.turned) : 0.0);  // up to there it slides until they part
+      // Square blocks slide until they part if J_t (2/m)(1 + 6/4) < v_t, J_n (2/m) = (1 + e) v_n:
+      // tan phi < 0.4 v_t/v_n/(1 + e), 9.1 degrees at least.
+      EXPECT_GT(ratio, phi < 9.1 ? 0.95 * mu - std::tan(o.turned) : 0.0);
       EXPECT_LT(o.kept, 1.0);
     }
 }
