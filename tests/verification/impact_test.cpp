@@ -207,6 +207,11 @@ TEST_P(Impacts, keep_momenta_and_books_and_nothing_tunnels) {
     EXPECT_LT(o.closure, 1e-9);
     EXPECT_LT(o.kept, 1.0);
     expect_no_tunnel(o, meeting);
+    if (meeting == Meeting::corner_on_corner) {
+      // Both tips leave over the same pair of sides, to either hand, and slide along it: the force is off the way by
+      // the 45 degrees of the sides less friction.
+      EXPECT_NEAR(std::abs(o.impulse.y()) / o.impulse.x(), std::tan((45.0 - 30.0) * kDegree), 0.03);
+    }
   }
 }
 INSTANTIATE_TEST_SUITE_P(
