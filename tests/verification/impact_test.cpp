@@ -23,6 +23,7 @@ constexpr double kDensity = 2600.0;
 constexpr double kStiffness = 1e10;  // of joints [Pa/m]
 constexpr double kRock = 5e10;       // Young's modulus [Pa]
 constexpr double kStiff = 1e14;      // of blocks that give way by 1e-4 of what their contacts do [Pa]
+constexpr double kGiveWay = 2e-4;    // what that may change a restitution by
 constexpr double kApart = 0.06;      // the blocks at first: farther than contacts are looked for [m]
 constexpr double kSpeeds[] = {1.0, 10.0, 50.0};
 
@@ -202,7 +203,7 @@ TEST_P(Impacts, keep_momenta_and_books_and_nothing_tunnels) {
         o.steps.size(), static_cast<long long>(o.cuts));
     EXPECT_LT(o.linear, 1e-12);
     // A step of the implicit scheme is linear: its forces make no torque about where the step began, not where it
-    // ends. See ImplicitImpact.
+    // ends. See ImplicitAngular.
     EXPECT_LT(o.angular, scheme.implicit() ? 1e-2 : 1e-10);
     EXPECT_LT(o.closure, 1e-9);
     EXPECT_LT(o.kept, 1.0);
@@ -225,8 +226,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Two masses and the contact between them, by the steps that a run took.
 struct Oscillator {
-  double m, k, c;             // reduced mass [kg], [N/m], [N s/m]
-  double gap, rate, a = 0.0;  // [m], [m/s], [m/s2]
+  double m = 0.0, k = 0.0, c = 0.0;       // reduced mass [kg], [N/m], [N s/m]
+  double gap = 0.0, rate = 0.0, a = 0.0;  // [m], [m/s], [m/s2]
 
   void central_difference(double h) {
     const double half = rate + 0.5 * h * a;
@@ -267,22 +268,23 @@ TEST_P(ExplicitImpact, restitution_is_that_of_the_damped_contact) {
   for (const Meeting meeting : {Meeting::equal_faces, Meeting::unequal_faces})
     for (const double fraction : {0.0, 0.05, 0.2, 0.5, 1.0}) {
       const double xi = damping_ratio(scheme, fraction);
-      for (const double h : {2e-6, 1e-6}) {
+      for (const double h : {1.6e-6, 0.8e-6}) {
         Impact impact(meeting, kStiff, 10.0, fraction);
-        const Outcome o = run_impact(impact, scheme, 0.8 * h);
+        const Outcome o = run_impact(impact, scheme, h);
         const double reference = restitution_by(&Oscillator::central_difference, impact, xi, o),
                      error = o.restitution - restitution(xi);
         std::printf("%s %s fraction %.2f, w h %.4f: e %.6f, stepped %.6f, exact %.6f\n", scheme.name, name(meeting),
-                    fraction, 0.8 * h * impact.rate(), o.restitution, reference, restitution(xi));
-        EXPECT_NEAR(o.restitution, reference, rigid ? 1e-9 : 1e-3);
-        EXPECT_NEAR(error, 0.0, rigid ? 2.0 * h * impact.rate() : 2.0 * h * impact.rate() + 1e-3);
+                    fraction, h * impact.rate(), o.restitution, reference, restitution(xi));
+        EXPECT_NEAR(o.restitution, reference, rigid ? 1e-9 : kGiveWay);
+        EXPECT_NEAR(error, 0.0, 0.1 * h * impact.rate() + (rigid ? 0.0 : kGiveWay));
       }
     }
 }
+INSTANTIATE_TEST_SUITE_P(stiff, ExplicitImpact, testing::ValuesIn(kStiffExplicit), kSchemeName);
 
-TEST_P(ExplicitImpact, undamped_restitution_is_off_by_what_the_ledger_books) {
-  const Scheme scheme = GetParam();
-  if (scheme.method != std::string("rigid")) GTEST_SKIP() << "its own stiffness allows no such step";
+/// Rigid blocks, since the stiffness of others allows no such step.
+TEST(UndampedImpact, restitution_is_off_by_what_the_ledger_books) {
+  const Scheme scheme = kStiffExplicit[0];
   for (const double speed : kSpeeds)
     for (const double part : {0.2, 0.17, 0.1, 0.03}) {  // of 2/w_c
       Impact impact(Meeting::equal_faces, kStiff, speed, 0.0);
@@ -297,7 +299,6 @@ TEST_P(ExplicitImpact, undamped_restitution_is_off_by_what_the_ledger_books) {
       EXPECT_LT(std::abs(o.transition), 0.25 * impact.stiffness * std::pow(speed * wh / impact.rate(), 2));
     }
 }
-INSTANTIATE_TEST_SUITE_P(stiff, ExplicitImpact, testing::ValuesIn(kStiffExplicit), kSchemeName);
 
 class ImplicitImpact : public testing::TestWithParam<Scheme> {};
 
@@ -313,7 +314,8 @@ TEST_P(ImplicitImpact, restitution_is_that_of_the_scheme_and_tends_to_1_with_the
         const double reference = restitution_by(&Oscillator::newmark, impact, 0.0, o);
         std::printf("%s %s %g m/s, w h %.3f: e %.6f, stepped %.6f, %lld cuts\n", scheme.name, name(meeting), speed, wh,
                     o.restitution, reference, static_cast<long long>(o.cuts));
-        EXPECT_NEAR(o.restitution, reference, rigid ? 1e-9 : 1e-3);
+        EXPECT_NEAR(o.restitution, reference, rigid ? 1e-9 : kGiveWay);
+        EXPECT_NEAR(o.restitution, std::exp(-0.25 * M_PI * wh), 0.03 * wh);  // half a period at the ratio w h/4
         EXPECT_LT(o.closure, 1e-9);
         (first == 0.0 ? first : last) = 1.0 - o.restitution;
       }
@@ -322,7 +324,7 @@ TEST_P(ImplicitImpact, restitution_is_that_of_the_scheme_and_tends_to_1_with_the
     }
 }
 
-TEST_P(ImplicitImpact, steps_too_long_for_the_speed_are_cut_and_the_impact_is_the_same) {
+TEST_P(ImplicitImpact, steps_too_long_for_the_speed_are_cut_and_nothing_tunnels) {
   const Scheme scheme = GetParam();
   Impact impact(Meeting::equal_faces, kStiff, 50.0, 0.2);
   const Outcome o = run_impact(impact, scheme, 1e-3);  // 0.05 m; 0.01 m are allowed
@@ -330,7 +332,7 @@ TEST_P(ImplicitImpact, steps_too_long_for_the_speed_are_cut_and_the_impact_is_th
   std::printf("%s: e %.6f, stepped %.6f, %zu steps, %lld cuts\n", scheme.name, o.restitution, reference, o.steps.size(),
               static_cast<long long>(o.cuts));
   EXPECT_GT(o.cuts, 0);
-  EXPECT_NEAR(o.restitution, reference, scheme.method == std::string("rigid") ? 1e-9 : 1e-3);
+  EXPECT_NEAR(o.restitution, reference, scheme.method == std::string("rigid") ? 1e-9 : kGiveWay);
   expect_no_tunnel(o, Meeting::equal_faces);
 }
 INSTANTIATE_TEST_SUITE_P(stiff, ImplicitImpact, testing::ValuesIn(kStiffImplicit), kSchemeName);
