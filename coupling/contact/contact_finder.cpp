@@ -454,10 +454,9 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
       const bool follows = a.end_vertex == b.first_segment && a.convex_end;
       const bool closes_ring = b.end_vertex == a.first_segment && b.convex_end;
       if (!follows && !closes_ring) continue;
-      for (const auto& [of, other] : {std::pair(i, j), std::pair(j, i)}) {
-        std::int32_t(&partner)[2] = list.points[of].partner;
-        partner[partner[0] < 0 ? 0 : 1] = static_cast<std::int32_t>(other);
-      }
+      const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // there
+      list.points[ends].partner[1] = static_cast<std::int32_t>(begins);
+      list.points[begins].partner[0] = static_cast<std::int32_t>(ends);
     }
 }
 
@@ -485,7 +484,9 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (!loaded) continue;
       const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
                    keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_wins = ma.bonded != mb.bonded ? ma.bonded != 0 : depth_a * keep_a <= depth_b * keep_b;
+      const bool a_ends = a.partner[1] == other, a_wins = ma.bonded != mb.bonded
+                                                              ? ma.bonded != 0
+                                                              : leaves_by(depth_a * keep_a, depth_b * keep_b, a_ends);
       (a_wins ? b : a).suppressed = true;
     }
 }

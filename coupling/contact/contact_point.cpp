@@ -1,5 +1,8 @@
 #include "coupling/contact/contact_point.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace scree::coupling {
 
 ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2) {
@@ -18,6 +21,11 @@ ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n,
 ContactRow stretch_row(const ContactGeometry& c, double anchor) {
   const Vec2 turn = c.gap / c.length * c.n;
   return {c.t, -(1.0 - anchor) * c.t - turn, -anchor * c.t + turn};
+}
+
+bool leaves_by(double depth, double other, bool ends) {
+  constexpr double kAsDeep = 1e-6;
+  return std::abs(depth - other) <= kAsDeep * std::max(depth, other) ? ends : depth < other;
 }
 
 double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v) {

@@ -45,13 +45,21 @@ struct ContactPoint {
   bool suppressed = false;             // another edge, or another corner, holds what there is here
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
-  std::int32_t partner[2] = {-1, -1};  // points of the same corner on edges that meet this one at a convex corner
+  std::int32_t partner[2] = {-1, -1};  // the same corner on the edges before and after, where they meet convexly
   Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
   double largest_share = 0.0;          // that the vertex could have in an overlap per area [m]
   double full_share = 0.0;             // that it has where the segments of both sides lie on each other [m]
   double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 };
+
+/// Which of two edges that meet at a convex corner another corner inside leaves by: true for the edge that it is
+/// `depth` deep in, the nearer one. Two tips that meet exactly are as deep in both: then the edge that ends at the
+/// corner, for both tips, which faces the other's. Left to round-off, each might choose the way that the other stands
+/// in.
+/// @param depth,other  [m], > 0    @param ends  the edge of `depth` is the one that ends at the corner
+/// @source thesis 2.4.3 (shortest path); the tie is ours
+[[nodiscard]] bool leaves_by(double depth, double other, bool ends);
 
 /// Rate of a contact scalar at outline node velocities taken from v.
 [[nodiscard]] double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row,

@@ -337,7 +337,7 @@ bool OpenClose::may_close(std::size_t i) const {
     const ContactPoint& po = list_->points[static_cast<std::size_t>(other)];
     const double foot_other = po.at.xi * po.at.length + t.moved;
     if (t.gap < 0.0 && foot_other >= po.s_low && foot_other <= po.s_high &&
-        (t.gap > trial_[i].gap || (t.gap == trial_[i].gap && other < static_cast<std::int32_t>(i))))
+        leaves_by(-t.gap, -trial_[i].gap, other == p.partner[0]))
       return false;
   }
   return true;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/contact/contact_point.h"
 #include "model/random.h"
+#include "tests/support/outlines.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -176,30 +176,6 @@ INSTANTIATE_TEST_SUITE_P(schemes, Column20,
                          scheme_name);
 
 // ---- Blocks thrown together -------------------------------------------------------------------------------------
-
-/// Outline of a block now.
-Ring outline_of(const Driver& run, BlockId id) {
-  const Setup& setup = run.setup();
-  Ring ring;
-  for (const Outlines::Edge& e : setup.outlines().edges)
-    if (setup.bodies()[static_cast<std::size_t>(e.body)].block == id)
-      ring.push_back(position(setup.outlines().nodes[static_cast<std::size_t>(
-                                  setup.outlines().vertices[static_cast<std::size_t>(e.first_segment)].node)],
-                              run.state().q));
-  return ring;
-}
-
-/// How deep a corner of one convex ring lies in another; 0 if none does.
-double depth_in(const Ring& of, const Ring& in) {
-  double deepest = 0.0;
-  for (const Vec2& x : of) {
-    double inside = 1e9;
-    for (std::size_t i = 0; i < in.size(); ++i)
-      inside = std::min(inside, -contact_geometry(x, in[i], in[(i + 1) % in.size()]).gap);
-    deepest = std::max(deepest, inside);
-  }
-  return deepest;
-}
 
 class Thrown : public testing::TestWithParam<Scheme> {};
 

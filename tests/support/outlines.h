@@ -1,0 +1,37 @@
+// Where the outlines of a run's blocks are, and how deep they lie in each other.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "coupling/contact/contact_point.h"
+#include "tests/support/scene.h"
+
+namespace scree::test {
+
+/// Outline of a block now.
+inline Ring outline_of(const coupling::Driver& run, BlockId id) {
+  const coupling::Setup& setup = run.setup();
+  const coupling::Outlines& o = setup.outlines();
+  Ring ring;
+  for (const coupling::Outlines::Edge& e : o.edges)
+    if (setup.bodies()[static_cast<std::size_t>(e.body)].block == id)
+      ring.push_back(coupling::position(
+          o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(e.first_segment)].node)],
+          run.state().q));
+  return ring;
+}
+
+/// How deep a corner of one convex ring lies in another; 0 if none does.
+inline double depth_in(const Ring& of, const Ring& in) {
+  double deepest = 0.0;
+  for (const Vec2& x : of) {
+    double inside = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < in.size(); ++i)
+      inside = std::min(inside, -coupling::contact_geometry(x, in[i], in[(i + 1) % in.size()]).gap);
+    deepest = std::max(deepest, inside);
+  }
+  return deepest;
+}
+
+}  // namespace scree::test
