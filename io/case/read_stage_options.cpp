@@ -18,7 +18,7 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   const std::string &kinematics = s.text("kinematics"), &mass = s.text("mass");
   stage.kinematics = kinematics == "linear" ? Kinematics::linear : Kinematics::corotational;
   const bool wants_none = s.has("cracks") && !s.boolean("cracks");
-  stage.cracks = nmm && !wants_none;
+  stage.cracks = !wants_none;
   refuse(s, "mass", implicit && mass == "affine-exact",
          "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
          "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
