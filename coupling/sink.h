@@ -28,11 +28,11 @@ struct RunStats {
   // Of implicit steps: Newton iterations, open-close passes, contact states switched in them, factors, their updates.
   std::int64_t iterations = 0, passes = 0, switches = 0, factorisations = 0, updates = 0;
   std::int64_t corrections = 0;  // solutions with a factor of another matrix
-  std::int64_t contacts = 0;  // points closed now
+  std::int64_t contacts = 0;     // points closed now
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
   double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]
-  std::int64_t audit_checks = 0;  // made so far in an audited run
-  double audit_worst = 0.0;       // the largest value over what is allowed
+  std::int64_t audit_checks = 0;                                       // made so far in an audited run
+  double audit_worst = 0.0;                                            // the largest value over what is allowed
   double element_steps = 0.0;                                          // explicit element updates made
 };
 

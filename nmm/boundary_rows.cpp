@@ -68,7 +68,8 @@ void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::spa
       const std::vector<double> t = crossings(pieces == nullptr ? nullptr : &pieces->lattice, cracks, a, b);
       for (std::size_t k = 0; k + 1 < t.size(); ++k) {
         const Vec2 start = a + t[k] * (b - a), middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
-        const std::int32_t cell = element_at(mesh, pieces, middle + kBeside * (t[k + 1] - t[k]) * (b - a).norm() * inward);
+        const std::int32_t cell =
+            element_at(mesh, pieces, middle + kBeside * (t[k + 1] - t[k]) * (b - a).norm() * inward);
         const Row row = mesh.row(cell, k == 0 ? a : start);
         if (!first_of_ring) end_segment(k == 0 ? a : start, row);
         first_of_ring = false;

@@ -39,9 +39,9 @@ class Audit {
 /// "blocks 'a' and 'b', corner 2 on edge 0"; faces of cracks by their ring.
 [[nodiscard]] std::string contact_name(const Model& model, const ContactKey& key);
 
-/// Contacts against the positions, whatever found them: gap and stretch of every point are those of the geometry, and no
-/// corner of a free block lies deep inside another one that no contact parts from it, closed or on its way out (looked
-/// for over all blocks, without the search).
+/// Contacts against the positions, whatever found them: gap and stretch of every point are those of the geometry, and
+/// no corner of a free block lies deep inside another one that no contact parts from it, closed or on its way out
+/// (looked for over all blocks, without the search).
 /// @param detection  of contacts; a corner may lie unheld within a tenth of it [m]
 void audit_geometry(const Setup& setup, const ContactList& list, std::span<const double> q, double detection,
                     Audit& audit);

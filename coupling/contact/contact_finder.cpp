@@ -229,7 +229,7 @@ void ContactFinder::settle_vertex(std::size_t first, ContactList& out) {
     else
       fresh_.push_back(index);
     if (!p.facing && !was_closed(p)) corners_.push_back(index);
-    if (p.partner[0] >= 0) paired_.push_back(index);
+    if (std::max(p.partner[0], p.partner[1]) >= 0) paired_.push_back(index);
   }
 }
 

@@ -67,8 +67,8 @@ struct Cholesky::Impl {
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
   const SymmetricPattern* fixed = nullptr;
   SymmetricMatrix matrix;
-  bool placed = false;  // fixed_place and clique_place are of the matrix's pattern
-  bool definite = false;  // the factor is that of the matrix
+  bool placed = false;                    // fixed_place and clique_place are of the matrix's pattern
+  bool definite = false;                  // the factor is that of the matrix
   std::vector<std::int32_t> fixed_place;  // of the fixed part's numbers
   // The lists of unknowns that the places below are of, and each list once: a clique.
   std::vector<std::int32_t> placed_start, placed_dof, clique, clique_row, clique_first, clique_place;

@@ -64,5 +64,4 @@ class Mover {
   Audit* audit_ = nullptr;
 };
 
-
 }  // namespace scree::coupling

@@ -168,8 +168,7 @@ void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t
         const auto segment = static_cast<std::int32_t>(out.segments.size());
         const auto at = static_cast<std::size_t>(k);
         out.segments.push_back({first_node + nodes[at], first_node + nodes[at + 1], index, k});
-        out.vertices.push_back(
-            {first_node + nodes[at], body, segment - 1, k == 0 ? index - 1 : index, index, false});
+        out.vertices.push_back({first_node + nodes[at], body, segment - 1, k == 0 ? index - 1 : index, index, false});
       }
       out.edges.push_back(edge);
     };

@@ -29,8 +29,8 @@ struct Body {
 };
 
 /// Outlines of all bodies, with rows in the state's nodes. Faces of cracks follow a block's rings: crack c is ring
-/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it to
-/// the right one, that backwards, and back to the left.
+/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it
+/// to the right one, that backwards, and back to the left.
 struct Outlines {
   struct Segment {
     std::int32_t a, b;  // outline nodes

@@ -355,7 +355,8 @@ constexpr Key kKeys[] = {
      "consistent "
      "in implicit ones."},
     {"stage[].cracks", Type::boolean, "", kAny, "(true where a block uses the NMM)", false, "",
-     "Cut the covers of the NMM along the cracks of its blocks. The two faces of a straight crack touch each other by the "
+     "Cut the covers of the NMM along the cracks of its blocks. The two faces of a straight crack touch each other by "
+     "the "
      "law of its joint. Stages of DDA, whose blocks deform as a whole, have no cracks."},
     {"stage[].damping", Type::number, "1/s", kNotNegative, "0.0", false, "",
      "Mass-proportional damping, on velocities less their affine part, so that sliding is not slowed."},

@@ -4,8 +4,8 @@
 //   usage: bench_open_close [steps]
 #include <fmt/format.h>
 
-#include <ctime>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <random>
 

@@ -22,8 +22,8 @@ Scene heap(int count) {
   scene.add("right", rectangle(7.0, -1.0, 8.0, 6.0), true);
   for (int i = 0; i < count; ++i) {
     const double w = size(random), h = size(random), bevel = 0.3 * std::min(w, h);
-    const Polygon p{{{-w / 2, -h / 2}, {w / 2, -h / 2}, {w / 2, h / 2 - bevel}, {w / 2 - bevel, h / 2}, {-w / 2, h / 2}},
-                    {}};
+    const Polygon p{
+        {{-w / 2, -h / 2}, {w / 2, -h / 2}, {w / 2, h / 2 - bevel}, {w / 2 - bevel, h / 2}, {-w / 2, h / 2}}, {}};
     const Vec2 at(-1.8 + 1.9 * (i % 5), 1.0 + 1.9 * (i / 5));
     const BlockId id = scene.add("b" + std::to_string(i), transformed(p, at, rotation(turn(random))));
     scene.model.initial_velocities.push_back({id, Vec2(0.5 * speed(random), speed(random)), turn(random) - 1.5});
@@ -78,15 +78,14 @@ TEST_P(AuditedRun, every_step_passes) {
   EXPECT_TRUE(run.audit().passed());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Runs, AuditedRun,
-    testing::Values(Setting{"dda_implicit_heap", "dda", Integrator::implicit, true, 1.2, 2e-3},
-                    Setting{"dda_explicit_heap", "dda", Integrator::explicit_, true, 0.6, 0.0},
-                    Setting{"nmm_explicit_heap", "nmm", Integrator::explicit_, true, 0.4, 0.0},
-                    Setting{"dda_implicit_shaken", "dda", Integrator::implicit, false, 1.5, 2e-3},
-                    Setting{"dda_explicit_shaken", "dda", Integrator::explicit_, false, 1.0, 0.0},
-                    Setting{"nmm_implicit_shaken", "nmm", Integrator::implicit, false, 1.0, 2e-3}),
-    [](const auto& p) { return p.param.name; });
+INSTANTIATE_TEST_SUITE_P(Runs, AuditedRun,
+                         testing::Values(Setting{"dda_implicit_heap", "dda", Integrator::implicit, true, 1.2, 2e-3},
+                                         Setting{"dda_explicit_heap", "dda", Integrator::explicit_, true, 0.6, 0.0},
+                                         Setting{"nmm_explicit_heap", "nmm", Integrator::explicit_, true, 0.4, 0.0},
+                                         Setting{"dda_implicit_shaken", "dda", Integrator::implicit, false, 1.5, 2e-3},
+                                         Setting{"dda_explicit_shaken", "dda", Integrator::explicit_, false, 1.0, 0.0},
+                                         Setting{"nmm_implicit_shaken", "nmm", Integrator::implicit, false, 1.0, 2e-3}),
+                         [](const auto& p) { return p.param.name; });
 
 /// A block that rests on a floor, and a way to spoil what its contacts say.
 struct Resting {

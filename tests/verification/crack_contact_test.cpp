@@ -40,8 +40,8 @@ double stress_error(const coupling::Setup& setup, const coupling::State& state) 
   setup.pool(0).stress(state.q, cells);
   double worst = 0.0;
   for (std::size_t c = 0; c < mesh.body.size(); ++c)
-    worst = std::max({worst, std::abs(cells[3 * c]), std::abs(cells[3 * c + 1] + kTraction),
-                      std::abs(cells[3 * c + 2])});
+    worst =
+        std::max({worst, std::abs(cells[3 * c]), std::abs(cells[3 * c + 1] + kTraction), std::abs(cells[3 * c + 2])});
   return worst;
 }
 
@@ -140,8 +140,8 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
     if (integrator == Integrator::implicit)
       mover = std::make_unique<coupling::Newmark>(*hand.setup, control, 0.02);
     else
-      mover = std::make_unique<coupling::CentralDifference>(*hand.setup, control, 0.02, coupling::ExplicitDamping{},
-                                                            false);
+      mover =
+          std::make_unique<coupling::CentralDifference>(*hand.setup, control, 0.02, coupling::ExplicitDamping{}, false);
     (void)mover->enter(hand.state);
     const double h = integrator == Integrator::implicit ? 1e-5 : 0.5 * mover->stable_step(hand.state, nullptr);
     double most = 0.0;
