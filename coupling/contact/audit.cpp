@@ -83,6 +83,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   }
   const std::vector<Polygon> outline = present_outlines(setup, q);
   std::vector<Box> box;
+  box.reserve(outline.size());
   for (const Polygon& p : outline) box.push_back(bounds(p));
   for (std::size_t a = 0; a < outline.size(); ++a)
     for (std::size_t b = 0; b < outline.size(); ++b) {

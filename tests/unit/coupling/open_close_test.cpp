@@ -70,5 +70,82 @@ TEST_P(OpenCloseUpdates, rank_updates_give_the_motion_of_new_factors) {
 INSTANTIATE_TEST_SUITE_P(Methods, OpenCloseUpdates, testing::Values("dda", "nmm"),
                          [](const auto& p) { return p.param; });
 
+/// Courses of blocks that touch exactly, whose weight comes at once.
+test::Scene courses() {
+  test::Scene scene(1e9, 0.2, 2500.0, 30.0);
+  scene.add("base", rectangle(-1.0, -1.0, 8.0, 0.0), true);
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 5; ++i) {
+      const double x = 1.01 * i + (j % 2 == 0 ? 0.0 : 0.47);
+      scene.add("b" + std::to_string(10 * j + i), rectangle(x, 1.0 * j, x + 1.0, 1.0 * (j + 1)));
+    }
+  scene.stage("dda", Integrator::implicit, 1.0, 1e-3, 2.0);
+  return scene;
+}
+
+StepControl wide() {
+  StepControl control;
+  control.max_displacement = 0.05;
+  return control;
+}
+
+TEST(OpenCloseStates, blocks_that_just_touch_do_not_switch_on_round_off) {
+  const test::Scene scene = courses();
+  test::ByHand hand(scene.model, scene.plan.stages[0]);
+  Newmark mover(*hand.setup, wide(), 0.05);
+  (void)mover.enter(hand.state);
+  // All fall by the same in the first step: gaps between them are round-off, and only the lowest are pressed.
+  const StepReport report = mover.step(hand.state, ticks(1e-3));
+  ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
+  EXPECT_LE(report.passes, 6);
+  EXPECT_LE(report.switches, 100);
+}
+
+TEST(KeptFactor, settled_blocks_need_no_new_one) {
+  const test::Scene scene = courses();
+  test::ByHand hand(scene.model, scene.plan.stages[0]);
+  Newmark settling(*hand.setup, wide(), 0.05, ImplicitOptions{.dynamics = 0.0});
+  (void)settling.enter(hand.state);
+  for (int i = 0; i < 40; ++i) ASSERT_EQ(settling.step(hand.state, ticks(0.02)).status, StepReport::Status::ok);
+  settling.leave(hand.state);
+  EXPECT_TRUE(hand.state.factored.column_start.empty());
+  Newmark mover(*hand.setup, wide(), 0.05);
+  (void)mover.enter(hand.state);
+  StepReport all;
+  for (int i = 0; i < 50; ++i) {
+    const StepReport report = mover.step(hand.state, ticks(1e-3));
+    ASSERT_EQ(report.status, StepReport::Status::ok);
+    all.factorisations += report.factorisations;
+    all.corrections += report.corrections;
+  }
+  EXPECT_LE(all.factorisations, 3);
+  EXPECT_GE(all.corrections, 40);
+}
+
+TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
+  const Wall wall("dda");
+  test::ByHand hand(wall.scene.model, wall.scene.plan.stages[0]);
+  StepControl control = wide();
+  control.max_passes = 30;
+  Newmark mover(*hand.setup, control, 0.05);
+  (void)mover.enter(hand.state);
+  int kept = 0, used = 0;  // copies with a factor that the next step may use; steps that made none
+  for (int i = 0; i < 20; ++i) {
+    State copy = hand.state;
+    kept += copy.factored.column_start.empty() || copy.factored.patience.wait > 0 ? 0 : 1;
+    Newmark other(*hand.setup, control, 0.05);
+    (void)other.enter(copy);
+    copy.last_step = hand.state.last_step;  // enter() begins a stage, a restart goes on within one
+    for (int k = 0; k < 6; ++k) {
+      const StepReport report = mover.step(hand.state, ticks(1e-3));
+      (void)other.step(copy, ticks(1e-3));
+      used += report.factorisations == 0 ? 1 : 0;
+    }
+    EXPECT_EQ(state_hash(copy), state_hash(hand.state)) << i;
+  }
+  EXPECT_GT(used, 10);
+  EXPECT_GT(kept, 3);
+}
+
 }  // namespace
 }  // namespace scree::coupling
