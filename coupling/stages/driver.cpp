@@ -299,7 +299,7 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
-      const RunEnd found = check_audit(stage);
+      RunEnd found = check_audit(stage);
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
       if (found.status != RunEnd::Status::done) return found;
       if (balance_) {

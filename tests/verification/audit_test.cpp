@@ -24,7 +24,8 @@ Scene heap(int count) {
     const double w = size(random), h = size(random), bevel = 0.3 * std::min(w, h);
     const Polygon p{
         {{-w / 2, -h / 2}, {w / 2, -h / 2}, {w / 2, h / 2 - bevel}, {w / 2 - bevel, h / 2}, {-w / 2, h / 2}}, {}};
-    const Vec2 at(-1.8 + 1.9 * (i % 5), 1.0 + 1.9 * (i / 5));
+    const int row = i / 5;
+    const Vec2 at(-1.8 + 1.9 * (i % 5), 1.0 + 1.9 * row);
     const BlockId id = scene.add("b" + std::to_string(i), transformed(p, at, rotation(turn(random))));
     scene.model.initial_velocities.push_back({id, Vec2(0.5 * speed(random), speed(random)), turn(random) - 1.5});
   }
