@@ -22,6 +22,18 @@ inline const coupling::Methods& methods() {
   return kAll;
 }
 
+/// The NMM and DDA, explicit and implicit.
+inline constexpr Scheme kAllSchemes[] = {{"nmm", "nmm", coupling::Integrator::explicit_},
+                                         {"dda", "dda", coupling::Integrator::explicit_},
+                                         {"nmm_implicit", "nmm", coupling::Integrator::implicit},
+                                         {"dda_implicit", "dda", coupling::Integrator::implicit}};
+
+/// Shows the time of every step of a run to a function.
+struct EveryStep final : coupling::Sink {
+  std::function<void(double)> see;
+  void step(double time, const coupling::RunStats&, const coupling::Ledger&) override { see(time); }
+};
+
 /// Shows every frame of a run to a function.
 struct Watch final : coupling::Sink {
   std::function<void(const coupling::FrameView&)> see;

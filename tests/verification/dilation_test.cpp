@@ -14,16 +14,6 @@ using namespace coupling;
 constexpr double kGravity = 9.81, kDensity = 2000.0, kYoung = 1e10, kStiffness = 1e9;
 constexpr double kLength = 2.0, kHeight = 0.2;
 
-const Scheme kSchemes[] = {{"nmm", "nmm", Integrator::explicit_},
-                           {"dda", "dda", Integrator::explicit_},
-                           {"nmm_implicit", "nmm", Integrator::implicit},
-                           {"dda_implicit", "dda", Integrator::implicit}};
-
-struct EveryStep final : Sink {
-  std::function<void(double)> see;
-  void step(double time, const RunStats&, const Ledger&) override { see(time); }
-};
-
 class Dilation : public testing::TestWithParam<Scheme> {
  protected:
   Dilation() {
@@ -163,7 +153,7 @@ TEST_P(Dilation, raises_the_normal_force_under_confinement) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(schemes, Dilation, testing::ValuesIn(kSchemes),
+INSTANTIATE_TEST_SUITE_P(schemes, Dilation, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace

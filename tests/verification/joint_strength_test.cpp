@@ -23,11 +23,6 @@ const Scheme kSchemes[] = {{"nmm", "nmm", Integrator::explicit_},
                            {"dda_implicit", "dda", Integrator::implicit}};
 const auto kNames = [](const auto& of) { return std::string(of.param.name); };
 
-struct EveryStep final : Sink {
-  std::function<void(double)> see;
-  void step(double time, const RunStats&, const Ledger&) override { see(time); }
-};
-
 /// Closed points of a state, summed.
 struct Joint {
   double normal = 0.0, shear = 0.0, length = 0.0;  // forces [N], share [m]

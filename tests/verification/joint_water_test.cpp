@@ -15,16 +15,6 @@ using namespace coupling;
 
 constexpr double kGravity = 9.81, kDensity = 2000.0, kYoung = 1e10, kStiffness = 1e9, kWater = 9810.0;
 
-const Scheme kSchemes[] = {{"nmm", "nmm", Integrator::explicit_},
-                           {"dda", "dda", Integrator::explicit_},
-                           {"nmm_implicit", "nmm", Integrator::implicit},
-                           {"dda_implicit", "dda", Integrator::implicit}};
-
-struct EveryStep final : Sink {
-  std::function<void(double)> see;
-  void step(double time, const RunStats&, const Ledger&) override { see(time); }
-};
-
 class Water : public testing::TestWithParam<Scheme> {
  protected:
   Water() {
@@ -220,7 +210,7 @@ TEST(WaterAndTrapezoid, is_refused) {
   EXPECT_THROW((void)run.run(), PlanError);
 }
 
-INSTANTIATE_TEST_SUITE_P(schemes, Water, testing::ValuesIn(kSchemes),
+INSTANTIATE_TEST_SUITE_P(schemes, Water, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
