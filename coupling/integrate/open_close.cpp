@@ -150,7 +150,7 @@ void OpenClose::take_states() {
     k_.push_back(normal_stiffness(i));
     at_.push_back(m.gap);
     k_.push_back(tangential_stiffness(i));
-    at_.push_back(m.status == ContactStatus::open ? 0.0 : m.stretch);
+    at_.push_back(stretch_before(i));
   }
   rhs_ = base_;
   for (std::size_t r = 0; r < rows_.size(); ++r)
