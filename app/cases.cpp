@@ -27,7 +27,10 @@ std::vector<std::string> names_in(const fs::path& library) {
 fs::path case_library() {
   if (const char* named = std::getenv("SCREE_CASES")) return named;
   if (fs::exists("cases")) return "cases";
-  return SCREE_SOURCE_CASES;
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = program.parent_path().parent_path() / "share/scree/cases";
+  return !none && fs::exists(installed) ? installed : fs::path(SCREE_SOURCE_CASES);
 }
 
 int cases_list() {

@@ -17,12 +17,22 @@ struct RunOptions {
   bool overwrite = false, quiet = false;
   bool audit = false;               // check every step
   std::optional<std::string> live;  // stream; an empty text keeps the case's URL
+  bool control = false;             // take commands over it
   int threads = 0;                  // 0: as the case says, else as many as the machine has
   std::optional<double> until;      // [s]
   std::vector<std::string> set;     // key=value
   std::string command_line;
 };
 int run(const RunOptions& options);
+struct ResumeOptions {
+  std::filesystem::path run;  // folder
+  bool quiet = false;
+  std::optional<std::string> live;  // as of RunOptions
+  int threads = 0;                  // as of RunOptions
+  std::optional<double> until;      // [s]; empty: as the run was told
+};
+/// Goes on from the newest checkpoint of a run folder that is whole.
+int resume(const ResumeOptions& options);
 /// Validates a case and says what it holds; writes nothing.
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& set);
 int cases_list();
@@ -46,6 +56,25 @@ struct WatchOptions {
 /// kDone when the run ended or the time is up, kFiles when nothing is to be seen, kInterrupted on Ctrl-C.
 int watch(const WatchOptions& options);
 
+struct ControlOptions {
+  std::string target;           // name of a run that streams on the default URL, its folder, or a URL
+  std::string run;              // of the runs on that URL the one with this name
+  std::string command;          // pause, resume, step, checkpoint, stop, rate
+  std::optional<double> value;  // step: how many (1); rate: frames a second
+  double timeout = 10.0;        // for the answer [s]
+};
+/// kDone when it was carried out, kFailed when it was refused or could not be, kFiles when no run answers.
+int control(const ControlOptions& options);
+
+struct ReplayOptions {
+  std::filesystem::path run;
+  double speed = 1.0;  // simulated seconds a second; 0: as fast as frames can be read and sent
+  std::string live;    // URL; empty: the default one
+  std::string name;    // of the run in the stream; empty: that of its folder
+};
+/// kDone when all was sent, kInterrupted on Ctrl-C.
+int replay(const ReplayOptions& options);
+
 struct SnapshotCommand {
   std::filesystem::path run, out;
   std::string at = "end";  // start, end, handover (last stage), a stage, a frame number, a time with the unit s
@@ -57,7 +86,8 @@ struct SnapshotCommand {
 };
 int snapshot(const SnapshotCommand& command);
 
-/// Folder of the case library: $SCREE_CASES, else cases/ beside the working folder or above the program.
+/// Folder of the case library: $SCREE_CASES, else cases/ in the working folder, else that installed with the program,
+/// else that of the sources.
 [[nodiscard]] std::filesystem::path case_library();
 
 }  // namespace scree::app

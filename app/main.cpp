@@ -6,6 +6,8 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "app/completion.h"
+#include "app/signals.h"
 #include "coupling/stages/driver.h"
 #include "io/case/case_error.h"
 #include "io/results/file_error.h"
@@ -29,6 +31,9 @@ int dispatch(int argc, char** argv) {
   CLI::Option* live_option = run_command->add_option("--live", live, "stream over LCM, to URL if one is given")
                                  ->expected(0, 1)
                                  ->type_name("[URL]");
+  run_command->add_flag(
+      "--control", options.control,
+      "take commands over LCM (scree control); whoever may send to the group of the URL may then give them");
   run_command->add_option("--threads", options.threads, "threads (results do not depend on it)")
       ->check(CLI::Range(1, 1024));
   double until = 0.0;
@@ -40,6 +45,24 @@ int dispatch(int argc, char** argv) {
   run_command->add_flag("--audit", options.audit,
                         "check every step: contact laws and geometry, balance, energy; end where one is wrong");
   run_command->add_flag("--quiet", options.quiet, "print nothing but errors and warnings");
+
+  ResumeOptions again;
+  CLI::App* resume_command =
+      app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  resume_command->add_option("run", again.run, "run folder")->required();
+  std::string again_live;
+  CLI::Option* again_live_option =
+      resume_command->add_option("--live", again_live, "stream over LCM, to URL if one is given")
+          ->expected(0, 1)
+          ->type_name("[URL]");
+  resume_command->add_option("--threads", again.threads, "threads (results do not depend on it)")
+      ->check(CLI::Range(1, 1024));
+  double again_until = 0.0;
+  CLI::Option* again_until_option =
+      resume_command
+          ->add_option("--until", again_until, "stop at this simulated time [s] (default: as the run was told)")
+          ->check(CLI::PositiveNumber);
+  resume_command->add_flag("--quiet", again.quiet, "print nothing but errors and warnings");
 
   std::filesystem::path case_file;
   std::vector<std::string> set;
@@ -78,7 +101,8 @@ int dispatch(int argc, char** argv) {
   snapshot_command->add_option("--range", picture.range, "ends of the colours, in SI units (default: of the values)")
       ->expected(2)
       ->type_name("LOW HIGH");
-  snapshot_command->add_option("--window", picture.window, "what to show, in m (default: everything)")
+  snapshot_command
+      ->add_option("--window", picture.window, "what to show, in m, as the axes count (default: everything)")
       ->expected(4)
       ->type_name("X0 Y0 X1 Y1");
   CLI::Option* arrows_option =
@@ -109,9 +133,42 @@ int dispatch(int argc, char** argv) {
   CLI::Option* for_option =
       watch_command->add_option("--for", look_for, "end after so many seconds")->check(CLI::PositiveNumber);
 
+  ControlOptions ask;
+  double ask_value = 0.0;
+  CLI::App* control_command = app.add_subcommand("control", "steer a run that was started with --live --control");
+  control_command->add_option("run", ask.target, "name of the run, or URL")->required()->type_name("RUN|URL");
+  control_command
+      ->add_option("command", ask.command,
+                   "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames a second")
+      ->required()
+      ->check(CLI::IsMember({"pause", "resume", "step", "checkpoint", "stop", "rate"}));
+  CLI::Option* ask_value_option =
+      control_command->add_option("value", ask_value, "N of step, HZ of rate")->type_name("[N|HZ]");
+  control_command->add_option("--run", ask.run, "of the runs on that URL the one with this name")->type_name("NAME");
+  control_command->add_option("--timeout", ask.timeout, "seconds to wait for the answer")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+
+  ReplayOptions shown;
+  CLI::App* replay_command = app.add_subcommand("replay", "stream a stored run as if it were running");
+  replay_command->add_option("run", shown.run, "run folder")->required();
+  replay_command
+      ->add_option("--speed", shown.speed, "simulated seconds a second; 0: as fast as frames can be read and sent")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  replay_command->add_option("--live", shown.live, "URL to stream to (default: that of run --live)")->type_name("URL");
+  replay_command->add_option("--run", shown.name, "name of the run in the stream (default: its folder)")
+      ->type_name("NAME");
+
   bool markdown = false;
   CLI::App* schema_command = app.add_subcommand("schema", "every key of a case file");
   schema_command->add_flag("--markdown", markdown, "as Markdown");
+
+  std::string shell;
+  CLI::App* completion_command = app.add_subcommand("completion", "a script that completes this command line");
+  completion_command->add_option("shell", shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 
   try {
     app.parse(argc, argv);
@@ -124,19 +181,30 @@ int dispatch(int argc, char** argv) {
   std::erase(picture.monitors, "");  // what CLI11 gives for the option alone
   if (*until_option) options.until = until;
   if (*run_command) return run(options);
+  if (*again_live_option) again.live = again_live;
+  if (*again_until_option) again.until = again_until;
+  if (*resume_command) return resume(again);
   if (*check_command) return check(case_file, set);
   if (*list_command) return cases_list();
   if (*verify_command) return cases_verify(verify);
   if (*snapshot_command) return snapshot(picture);
   if (*for_option) look.seconds = look_for;
   if (*watch_command) return watch(look);
+  if (*ask_value_option) ask.value = ask_value;
+  if (*control_command) return control(ask);
+  if (*replay_command) return replay(shown);
   if (*schema_command) return schema(markdown);
+  if (*completion_command) {
+    fmt::print("{}", completion(app, shell));
+    return kDone;
+  }
   return kUsage;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  scree::app::writes_tell_of_limits();
   try {
     return dispatch(argc, argv);
   } catch (const scree::io::CaseError& e) {

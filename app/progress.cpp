@@ -7,8 +7,17 @@
 
 namespace scree::app {
 
+Progress::Progress(bool terminal, double end_time, const coupling::Checkpoint* from)
+    : terminal_(terminal), end_(end_time) {
+  if (from == nullptr) return;
+  begin_ = seconds(from->state.time);
+  steps_made_ = from->stats.steps;
+  stage_index_ = static_cast<std::size_t>(from->state.stage);
+}
+
 void Progress::begin(const Model& model, const coupling::Plan& plan) {
   for (const coupling::Stage& s : plan.stages) stages_.push_back(s.name);
+  if (begin_ > 0.0 && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
   line(fmt::format("{}: {} blocks, {} stages, {:g} s", model.title.empty() ? "untitled case" : model.title,
                    model.blocks.size(), plan.stages.size(), end_));
 }
@@ -42,10 +51,11 @@ void Progress::step(double time, const coupling::RunStats& stats, const coupling
 
 void Progress::draw(double time, const coupling::RunStats& stats) {
   const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = time > 0.0 ? wall * (end_ - time) / time : 0.0;
+  const double left = time > begin_ ? wall * (end_ - time) / (time - begin_) : 0.0;
+  const double rate = static_cast<double>(stats.steps - steps_made_) / std::max(wall, 1e-9);
   const std::string facts = fmt::format(
-      "{:.3f}/{:g} s  {}  {} steps  {:.0f} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_,
-      stats.steps, static_cast<double>(stats.steps) / std::max(wall, 1e-9), left,
+      "{:.3f}/{:g} s  {}  {} steps  {} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_,
+      stats.steps, rate < 10.0 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate), left,
       static_cast<double>(stats.passes) / static_cast<double>(std::max<std::int64_t>(stats.steps, 1)), closure_);
   if (!terminal_) {
     line(facts);

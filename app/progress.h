@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/sink.h"
+#include "coupling/stages/checkpoint.h"
 
 namespace scree::app {
 
@@ -13,7 +14,8 @@ namespace scree::app {
 /// cuts get lines of their own (cuts of one kind at most five).
 class Progress final : public coupling::Sink {
  public:
-  Progress(bool terminal, double end_time) : terminal_(terminal), end_(end_time) {}
+  /// @param from  null: the run is at its start
+  Progress(bool terminal, double end_time, const coupling::Checkpoint* from);
 
   void begin(const Model& model, const coupling::Plan& plan) override;
   /// The ledger is complete at the instants of the history only: its closure is shown as of the last one.
@@ -29,6 +31,8 @@ class Progress final : public coupling::Sink {
 
   bool terminal_;
   double end_, closure_ = 0.0;
+  double begin_ = 0.0;           // simulated time at which this program began [s]
+  std::int64_t steps_made_ = 0;  // before
   double next_tenth_ = 0.0;
   int cuts_shown_ = 0;
   std::string stage_;

@@ -4,59 +4,55 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <csignal>
+#include <algorithm>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/progress.h"
+#include "app/session.h"
+#include "app/signals.h"
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
+#include "io/live/control_server.h"
 #include "io/live/live_sink.h"
 #include "io/results/results_sink.h"
 
 namespace scree::app {
 namespace {
 
-volatile std::sig_atomic_t stop_signal = 0;
-extern "C" void on_signal(int signal) { stop_signal = signal; }
-
-/// Ctrl-C and SIGTERM end the run after the present step, with everything written.
-class Signals final : public coupling::Control {
- public:
-  Signals() {
-    stop_signal = 0;
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
-  }
-  bool stop_requested() override { return stop_signal != 0; }
-};
+/// Where a model counts its coordinates from; empty for (0, 0).
+std::string told_origin(const Model& model) {
+  if (model.origin == Vec2(0.0, 0.0)) return {};
+  return fmt::format("coordinates are counted from ({}, {}) m", model.origin.x(), model.origin.y());
+}
 
 /// run.log: every event of the run.
 class Log final : public coupling::Sink {
  public:
-  explicit Log(const std::filesystem::path& file)
-      : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), true)) {
+  /// @param from  where the run goes on, and the log with it; empty: it begins
+  Log(const std::filesystem::path& file, const std::string& from)
+      : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), from.empty())) {
+    if (!from.empty()) log_->info("goes on from {}", from);
     log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
   }
   ~Log() override { spdlog::drop(log_->name()); }
+  void begin(const Model& model, const coupling::Plan&) override {
+    if (const std::string text = told_origin(model); !text.empty()) log_->info(text);
+  }
   void event(const coupling::Event& e) override {
     const bool warn = e.kind == coupling::EventKind::warning || e.kind == coupling::EventKind::not_converged;
     log_->log(warn ? spdlog::level::warn : spdlog::level::info, "t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind),
               e.text);
   }
   void warn(const std::string& text) { log_->warn(text); }
+  void note(const std::string& text) { log_->info(text); }
   void end(const coupling::RunEnd&, const coupling::FrameView&) override { log_->flush(); }
 
  private:
   std::shared_ptr<spdlog::logger> log_;
 };
-
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, factory] : coupling::standard_methods()) names.push_back(name);
-  return names;
-}
 
 std::string run_name(const std::filesystem::path& case_file) {
   const std::filesystem::path full = std::filesystem::absolute(case_file);
@@ -90,9 +86,29 @@ void print(const CuttingReport& r) {
 
 }  // namespace
 
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, factory] : coupling::standard_methods()) names.push_back(name);
+  return names;
+}
+
 int run(const RunOptions& options) {
   const std::vector<std::string> methods = method_names();
   io::Case c = io::read_case(options.case_file, options.set, methods);
+  const std::string name = run_name(options.case_file);
+  const std::filesystem::path out = options.out.empty() ? std::filesystem::path("runs") / name : options.out;
+  const auto open_folder = [&] {
+    std::unique_ptr<io::FolderLock> lock;  // before an earlier run is cleared: it may not have ended
+    if (std::filesystem::is_directory(out)) lock = std::make_unique<io::FolderLock>(out);
+    io::RunFolder folder = io::RunFolder::create(out, options.overwrite);
+    if (!lock) lock = std::make_unique<io::FolderLock>(out);
+    return OpenFolder{std::move(folder), std::move(lock)};
+  };
+  return carry_out(c, options, name, open_folder, nullptr);
+}
+
+int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
+              const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from) {
   c.plan.audit = options.audit;
   if (options.live) {
     c.plan.live.enabled = true;
@@ -103,13 +119,22 @@ int run(const RunOptions& options) {
       fmt::print(stderr, "error: --live={}: {}\n", c.plan.live.url, *wrong);
       return kUsage;
     }
+  if (options.control && !c.plan.live.enabled) {
+    fmt::print(stderr, "error: --control takes commands over the stream: it needs --live\n");
+    return kUsage;
+  }
+  if (options.control)
+    if (const std::string wrong = io::control_url_error(c.plan.live.url); !wrong.empty()) {
+      fmt::print(stderr, "error: --control with --live={}: {}\n", c.plan.live.url, wrong);
+      return kUsage;
+    }
   const int threads =
       options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
   omp_set_num_threads(threads);
 
-  const std::string name = run_name(options.case_file);
-  const std::filesystem::path out = options.out.empty() ? std::filesystem::path("runs") / name : options.out;
-  const io::RunFolder folder = io::RunFolder::create(out, options.overwrite);
+  const io::RunRecord record = record_of(c, options, name);
+  const OpenFolder open = open_folder();
+  const io::RunFolder& folder = open.folder;
   double end_time = 0.0;
   for (const coupling::Stage& s : c.plan.stages) end_time += seconds(s.duration);
   if (options.until) end_time = std::min(end_time, *options.until);
@@ -124,24 +149,50 @@ int run(const RunOptions& options) {
   coupling::Driver driver(c.model, c.plan, standard);
   Signals signals;
   driver.set_control(signals);
-  io::ResultsSink results(folder, provenance);
-  Log log(folder.log());
+  Log log(folder.log(), from == nullptr ? "" : place_of(from->stored.checkpoint.state));
+  const auto warn = [&log](const std::string& text) {
+    fmt::print(stderr, "warning: {}\n", text);
+    log.warn(text);
+  };
+  std::optional<io::ResultsSink::GoOn> go_on;
+  if (from != nullptr)
+    go_on = {from->stored.results, from->stored.checkpoint.transfers, from->stored.checkpoint.travels,
+             place_of(from->stored.checkpoint.state), warn};
+  io::ResultsSink results(folder, provenance, std::move(go_on));
+  io::Checkpoints checkpoints(folder, record, results, {c.plan.output.checkpoint_every, c.plan.output.checkpoint_steps},
+                              from);
+  driver.set_keeper(checkpoints);
+  if (from != nullptr) driver.continue_from(from->stored.checkpoint);
   driver.add_sink(results);
   driver.add_sink(log);
   std::unique_ptr<Progress> progress;
   if (!options.quiet) {
-    progress = std::make_unique<Progress>(isatty(STDOUT_FILENO) != 0, end_time);
+    progress = std::make_unique<Progress>(isatty(STDOUT_FILENO) != 0, end_time,
+                                          from != nullptr ? &from->stored.checkpoint : nullptr);
     driver.add_sink(*progress);
   }
   std::unique_ptr<io::LiveSink> live;
   if (c.plan.live.enabled) {
     live = std::make_unique<io::LiveSink>(
         c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance), io::LiveField::speed, options.until},
-        [&log](const std::string& text) {
-          fmt::print(stderr, "warning: {}\n", text);
-          log.warn(text);
-        });
+        warn);
     driver.add_sink(*live);
+  }
+  std::unique_ptr<io::ControlServer> control;
+  if (options.control) {
+    io::ControlHooks hooks;
+    hooks.session = [&live] { return live->session(); };
+    hooks.on_checkpoint = [&driver, &checkpoints] {
+      driver.keep_checkpoint();
+      return checkpoints.last().filename().string();
+    };
+    hooks.on_rate = [&live](double rate) { live->set_rate(rate); };
+    hooks.on_pause = [&live](bool paused) { live->set_paused(paused); };
+    hooks.note = [&log](const std::string& text) { log.note(text); };
+    hooks.warn = warn;
+    control = std::make_unique<io::ControlServer>(c.plan.live.url, name, signals, std::move(hooks));
+    driver.set_control(*control);
+    driver.add_sink(*control);  // after the stream, whose session it goes by
   }
 
   coupling::RunEnd end;
@@ -150,6 +201,12 @@ int run(const RunOptions& options) {
   } catch (const coupling::PlanError& e) {
     fmt::print(stderr, "error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
     return kBadCase;
+  } catch (const io::FileError& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    if (!checkpoints.last().empty())
+      fmt::print(stderr, "  the last good checkpoint is {}; go on with: scree resume {}\n", checkpoints.last().string(),
+                 folder.path().string());
+    return kFiles;
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
@@ -165,8 +222,8 @@ int run(const RunOptions& options) {
     case coupling::RunEnd::Status::done:
       return kDone;
     case coupling::RunEnd::Status::interrupted:
-      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}\n", seconds(driver.state().time),
-                 folder.path().string());
+      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}; go on with: scree resume {}\n",
+                 seconds(driver.state().time), folder.path().string(), folder.path().string());
       return kInterrupted;
     default:
       break;
@@ -182,6 +239,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
              c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
   print_loads(c.model);
+  if (const std::string text = told_origin(c.model); !text.empty()) fmt::print("  {} in the results\n", text);
   if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();

@@ -106,7 +106,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
     const bool known = !run.run.empty();
     if (known && !info_at) info_at = Clock::now();
     if (stop_signal != 0) return leave(run, kInterrupted);
-    if (known && run.status != "running") return leave(run, kDone);
+    if (known && io::has_ended(run)) return leave(run, kDone);
     if (known && (ended || (options.once && complete(run, passed(*info_at))))) return leave(run, kDone);
     if (options.seconds && passed(start) >= *options.seconds) {
       if (known) return leave(run, kDone);

@@ -1,3 +1,5 @@
+include(GNUInstallDirs)
+
 # How Scree is compiled. Presets in CMakePresets.json set these.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -15,15 +17,17 @@ option(SCREE_AUDIT "Keep SCREE_ASSERT in optimised code" OFF)
 set(SCREE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 
 add_library(scree_options INTERFACE)
-target_include_directories(scree_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(scree_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/scree>)
+target_compile_features(scree_options INTERFACE cxx_std_20)
 # Results must not depend on how the compiler contracts a*b+c: hashes are compared between runs and thread counts.
 # Nobody reads errno after sqrt, and loops with a call in them do not vectorise; values are the same.
-target_compile_options(scree_options INTERFACE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                               -Wno-sign-conversion
+target_compile_options(scree_options INTERFACE -ffp-contract=off -fno-math-errno
+                       "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>"
                        # False alarms of GCC 12 in its own headers (AVX-512 intrinsics: bugs 105593, 107461; strings: 105651).
-                       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds;-Wno-restrict>)
+                       "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds;-Wno-restrict>>")
 if(SCREE_WERROR)
-  target_compile_options(scree_options INTERFACE -Werror)
+  target_compile_options(scree_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(SCREE_NATIVE)
   target_compile_options(scree_options INTERFACE -march=native)

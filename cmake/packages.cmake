@@ -1,10 +1,10 @@
-# Every library that Scree uses, as an imported target. Debian packages: packages.txt.
+# Every library that Scree uses, as an imported target. Debian packages: packages.txt. Installed beside scree-config.cmake,
+# which sets SCREE_INSTALLED: programs that link Scree need what its libraries need, not what only builds them.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(spdlog 1.10 REQUIRED)
-find_package(CLI11 2.1 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C HL)
 find_package(Threads REQUIRED)
@@ -12,10 +12,14 @@ pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 pkg_check_modules(geos REQUIRED IMPORTED_TARGET geos)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
-find_program(LCM_GEN lcm-gen REQUIRED)
+
+if(NOT SCREE_INSTALLED)
+  find_package(CLI11 2.1 REQUIRED)
+  find_program(LCM_GEN lcm-gen REQUIRED)
+endif()
 
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-add_library(scree_cholmod INTERFACE)
+add_library(scree_cholmod INTERFACE IMPORTED)
 target_include_directories(scree_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
 target_link_libraries(scree_cholmod INTERFACE ${CHOLMOD_LIBRARY})

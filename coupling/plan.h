@@ -14,9 +14,12 @@ enum class Integrator { explicit_, implicit };
 /// beta = 1/2, gamma = 1 (thesis 3.3.2), or beta = 1/4, gamma = 1/2 for convergence studies without contacts.
 enum class NewmarkScheme { damped, trapezoidal };
 
+/// What becomes of the velocity beside the affine one of a block that changes method (coupling.md 1).
+enum class TransferMode { reservoir, strain_rate, rotational };
+
 /// Settings of the open-close iteration and of step control (thesis 3.2.2, 4.5).
 struct StepControl {
-  int max_passes = 12;            // open-close passes before the step is cut; the thesis uses 6
+  int max_passes = 12;  // open-close passes that do not halve the number of switches before the step is cut (thesis: 6)
   double max_displacement = 0.0;  // largest displacement a step [m]; 0: a hundredth of the smallest block's width
   double cut_factor = 1.0 / 3.0;  // a step that fails is repeated with this fraction
   int max_cuts = 12;              // consecutive cuts before the run gives up
@@ -48,6 +51,8 @@ struct Stage {
   double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local_damping = 0.0;      // fraction of the unbalanced force, against the velocity; explicit, 0 to 1
   NewmarkScheme newmark = NewmarkScheme::damped;
+  TransferMode transfer = TransferMode::reservoir;  // of blocks that change method as the stage begins
+  double transfer_cap = 1.1;                        // strain_rate: largest factor of the strain rates
   double dynamics = 1.0;    // fraction of the velocity that an implicit step hands to the next, 0 to 1
   bool rest = false;        // motion is taken out: explicit at peaks of kinetic energy, implicit after every step
   double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
@@ -56,9 +61,11 @@ struct Stage {
 };
 
 struct OutputPlan {
-  Tick every = 0;          // a frame every so many ticks
-  Tick history_every = 0;  // monitors and ledger
-  bool contacts = false;   // frames show the contact points
+  Tick every = 0;                     // a frame every so many ticks
+  Tick history_every = 0;             // monitors and ledger
+  bool contacts = false;              // frames show the contact points
+  double checkpoint_every = 60.0;     // a checkpoint every so many seconds of wall time; 0: not by the clock
+  std::int64_t checkpoint_steps = 0;  // and every so many steps; 0: not by steps
 };
 
 struct LivePlan {
@@ -72,8 +79,9 @@ struct Plan {
   double detection = 0.0;  // contact detection distance [m]; 0: auto
   OutputPlan output;
   LivePlan live;
-  int threads = 0;     // 0: as many as the machine has
-  bool audit = false;  // every step is checked, and a run ends where one is wrong
+  int threads = 0;           // 0: as many as the machine has
+  double max_closure = 0.0;  // a run ends once its ledger is open by more than this part of the energy moved; 0: never
+  bool audit = false;        // every step is checked, and a run ends where one is wrong
 };
 
 }  // namespace scree::coupling

@@ -130,6 +130,9 @@ class Control {
   virtual ~Control() = default;
   /// True to stop after the present step.
   virtual bool stop_requested() { return false; }
+  /// True to give up the present step too, if it takes long: the state stays what it was before. Asked inside of steps:
+  /// must be quick.
+  virtual bool give_up_step() { return false; }
 };
 
 }  // namespace scree::coupling

@@ -16,6 +16,9 @@ struct ContactKey {
   std::int32_t block_p = -1, ring_p = 0, vertex = 0, part = 0;  // the corner; part > 0: a mesh node along edge `vertex`
   std::int32_t block_e = -1, ring_e = 0, edge = 0;              // the edge
   auto operator<=>(const ContactKey&) const = default;
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
 };
 
 /// What a contact point remembers between steps.
@@ -39,11 +42,13 @@ struct ContactMemory {
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
 };
 
-/// Energy and fields that a block could not take along into its present method (coupling.md 1).
+/// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
+/// that it was, and its fields as Release has them. They are empty where the block has been something else since.
 struct Remainder {
   BlockId block;
   double kinetic = 0.0, elastic = 0.0;  // [J]
-  std::vector<double> velocity, stress;
+  BodyRecord record;
+  std::vector<double> position, velocity;
 };
 
 /// What the next implicit step begins to solve with.
@@ -85,6 +90,36 @@ struct State {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
+void ContactKey::visit(Visitor&& see) {
+  see("contact.block_p", block_p);
+  see("contact.ring_p", ring_p);
+  see("contact.vertex", vertex);
+  see("contact.part", part);
+  see("contact.block_e", block_e);
+  see("contact.ring_e", ring_e);
+  see("contact.edge", edge);
+}
+
+/// A body as State::visit() shows it.
+template <class Visitor>
+void visit_body(Visitor&& see, BodyRecord& b) {
+  see("body.block", b.block.value);
+  see("body.method", b.method);
+  see("body.outline", b.shape.outline);
+  see("body.origin", b.shape.origin);
+  see("body.mass", b.shape.mass);
+  see("body.area", b.shape.area);
+  see("body.second", b.shape.second);
+  see("body.kinematics", b.form.kinematics);
+  see("body.mass_kind", b.form.mass);
+  see("body.cover_size", b.form.cover_size);
+  see("body.offset_x", b.form.offset_x);
+  see("body.offset_y", b.form.offset_y);
+  see("body.onefold", b.form.onefold);
+  see("body.cracks", b.form.cracks);
+}
+
+template <class Visitor>
 void State::visit(Visitor&& see) {
   see("time", time);
   see("step", step);
@@ -92,22 +127,7 @@ void State::visit(Visitor&& see) {
   see("last_step", last_step);
   see("relaxing", relaxing);
   see.size("bodies", bodies);
-  for (BodyRecord& b : bodies) {
-    see("body.block", b.block.value);
-    see("body.method", b.method);
-    see("body.outline", b.shape.outline);
-    see("body.origin", b.shape.origin);
-    see("body.mass", b.shape.mass);
-    see("body.area", b.shape.area);
-    see("body.second", b.shape.second);
-    see("body.kinematics", b.form.kinematics);
-    see("body.mass_kind", b.form.mass);
-    see("body.cover_size", b.form.cover_size);
-    see("body.offset_x", b.form.offset_x);
-    see("body.offset_y", b.form.offset_y);
-    see("body.onefold", b.form.onefold);
-    see("body.cracks", b.form.cracks);
-  }
+  for (BodyRecord& b : bodies) visit_body(see, b);
   see("q", q);
   see("v", v);
   see("a", a);
@@ -115,13 +135,7 @@ void State::visit(Visitor&& see) {
   see("damping", damping);
   see.size("contacts", contacts);
   for (ContactMemory& c : contacts) {
-    see("contact.block_p", c.key.block_p);
-    see("contact.ring_p", c.key.ring_p);
-    see("contact.vertex", c.key.vertex);
-    see("contact.part", c.key.part);
-    see("contact.block_e", c.key.block_e);
-    see("contact.ring_e", c.key.ring_e);
-    see("contact.edge", c.key.edge);
+    c.key.visit(see);
     see("contact.status", c.status);
     see("contact.failed", c.failed);
     see("contact.bonded", c.bonded);
@@ -152,8 +166,9 @@ void State::visit(Visitor&& see) {
     see("rest.block", r.block.value);
     see("rest.kinetic", r.kinetic);
     see("rest.elastic", r.elastic);
+    visit_body(see, r.record);
+    see("rest.position", r.position);
     see("rest.velocity", r.velocity);
-    see("rest.stress", r.stress);
   }
   ledger.visit(see);
 }

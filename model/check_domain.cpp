@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/domain.h"
 #include "model/planar.h"
@@ -17,7 +18,7 @@ double extent_of(const Domain& domain) {
   return (box.hi - box.lo).maxCoeff();
 }
 
-std::string at(const Vec2& p) { return fmt::format("({:g}, {:g})", p.x(), p.y()); }
+std::string at(const Vec2& p) { return fmt::format("({:.10g}, {:.10g})", p.x(), p.y()); }
 
 constexpr const char* kSimpleRing = "a simple polygon: corners in order, the first not repeated, no crossing edges";
 
@@ -147,7 +148,11 @@ std::optional<DomainFault> line_fault(const JointNetwork& network, const Domain&
 }  // namespace
 
 double auto_snap(const Domain& domain) {
-  return std::pow(10.0, std::ceil(std::log10(1e-9 * extent_of(domain)) - 1e-9));
+  // Where lines cross is known to a few last places of the coordinates, which the grid must swallow.
+  constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
+  const Box box = bounds(domain.outline);
+  const double farthest = std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());
+  return std::pow(10.0, std::ceil(std::log10(std::max(1e-9 * extent_of(domain), kRoundOff * farthest)) - 1e-9));
 }
 
 double auto_least_width(const Domain& domain) {

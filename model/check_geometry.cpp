@@ -22,7 +22,7 @@ std::optional<GeometryFault> fault_of(const Model& model, BlockId id, double ext
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (!ring[i].allFinite()) return fault(fmt::format("corner {} is not finite", i + 1), "give finite coordinates");
       if ((ring[(i + 1) % ring.size()] - ring[i]).norm() <= 1e-9 * extent)
-        return fault(fmt::format("corner ({:g}, {:g}) is given twice", ring[i].x(), ring[i].y()),
+        return fault(fmt::format("corner ({:.10g}, {:.10g}) is given twice", ring[i].x(), ring[i].y()),
                      "remove the repeated corner; the first corner is not repeated at the end");
     }
   }

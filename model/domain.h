@@ -33,7 +33,8 @@ struct Domain {
   double least_area = 0.0;            // [m2]
 };
 
-/// Smallest power of ten that is at least 1e-9 of the extent: coordinates with few decimals lie on the grid [m].
+/// Smallest power of ten that is at least 1e-9 of the extent, and 64 last places of the farthest coordinate (survey
+/// coordinates): coordinates with few decimals lie on the grid [m].
 [[nodiscard]] double auto_snap(const Domain& domain);
 /// 1e-6 of the extent, and at least ten grid widths [m].
 [[nodiscard]] double auto_least_width(const Domain& domain);

@@ -96,12 +96,14 @@ class InSituStress {
 struct Release {
   ReferenceShape shape;  // reference of the affine body that goes on
   AffineMotion motion;
-  Mat2 initial = Mat2::Zero();        // mean in-situ stress of the body that is left, co-rotated [Pa]
-  double kinetic_rest = 0.0;          // 1/2 w^T M w, w = v - affine [J]
-  double elastic_rest = 0.0;          // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
-  double elastic_cross = 0.0;         // sum A_e s:(e_e - e): zero to first order, booked [J]
-  std::vector<double> velocity_rest;  // w in the co-rotated frame, two numbers a node
-  std::vector<double> stress_rest;    // s_e - s in the co-rotated frame, three numbers (xx, yy, xy) a cell
+  Mat2 initial = Mat2::Zero();  // mean in-situ stress of the body that is left, co-rotated [Pa]
+  double kinetic_rest = 0.0;    // 1/2 w^T M w, w = v - affine [J]
+  double elastic_rest = 0.0;    // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
+  double elastic_cross = 0.0;   // sum A_e s:(e_e - e): zero to first order, booked [J]
+  double spin_squared = 0.0;    // sum J_e w_e^2 / sum J_e over its cells [1/s2]
+  // Two numbers a node, empty where the affine part is all: F^-1 (x - c), of which the deformation beside the affine
+  // one follows, and w in the co-rotated frame.
+  std::vector<double> position, velocity_rest;
 };
 
 /// Momenta and energies of one body, from the operators that its method really uses.

@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "model/local_origin.h"
 #include "model/planar.h"
 
 namespace scree::nmm {
@@ -44,6 +45,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   auto body = std::make_unique<Body>();
   body->shape = record.shape;
   body->name = model.blocks[record.block.index()].name;
+  model_origin_ = model.origin;
   const Formulation& form = record.form;
   const AffineMotion to_origin = affine_fit(record.shape.outline, record.shape.origin);
   std::vector<CutLine> cracks;
@@ -155,7 +157,7 @@ Fault NmmPool::find_fault(std::span<const double> q) const {
 std::string NmmPool::place_of(int body, std::size_t element) const {
   const AffineMotion origin = affine_fit(of(body).shape.outline, of(body).shape.origin);
   const Vec2 x = origin.c + origin.F * of(body).mesh.centroid(element);
-  return fmt::format("element {} near ({:.4g}, {:.4g})", element, x.x(), x.y());
+  return fmt::format("element {} near {}", element, place_text(x, model_origin_));
 }
 
 std::string NmmPool::binding(int body) const {
@@ -319,20 +321,29 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     const Vec2 rest = node(v, k) - vc - G * node(r, k), turned = R.transpose() * rest;
     w[2 * static_cast<std::size_t>(k)] = rest.x();
     w[2 * static_cast<std::size_t>(k) + 1] = rest.y();
+    const Vec2 y = F_inverse * node(r, k);
     out.velocity_rest.insert(out.velocity_rest.end(), {turned.x(), turned.y()});
+    out.position.insert(out.position.end(), {y.x(), y.y()});
   }
   out.kinetic_rest = kinetic_of(body, w);
   const Mat2 mean = b.law.stress(strain) + initial;
+  double inertia = 0.0;
   for (std::size_t e = first; e < last; ++e) {
     const Mat2 F_e = elements_.gradient(e, q), U = polar_rotation(F_e).transpose() * F_e;
     const Mat2 own = 0.5 * (U + U.transpose()) - Mat2::Identity(), difference = own - strain;
     const Mat2 ds = b.law.stress(difference), extra = elements_.initial_stress(e) - initial;
     const double A = elements_.area(e);
+    const Mat2 G_e = elements_.gradient(e, v) * F_e.inverse();
+    const Moments own_moments = moments(b.mesh.material(e - first));
+    const std::int32_t cover = elements_.cover(e)[0];
+    const Vec2 arm = node(q, cover) + F_e * (own_moments.centroid - b.mesh.star[local(cover)]) - c;
+    const double J_e = (F_e * own_moments.second * F_e.transpose()).trace() + A * arm.squaredNorm();
+    out.spin_squared += J_e * std::pow(0.5 * (G_e(1, 0) - G_e(0, 1)), 2);
+    inertia += J_e;
     out.elastic_rest += 0.5 * A * ds.cwiseProduct(difference).sum();
     out.elastic_cross += A * (mean.cwiseProduct(difference).sum() + extra.cwiseProduct(own).sum());
-    out.stress_rest.insert(out.stress_rest.end(),
-                           {ds(0, 0) + extra(0, 0), ds(1, 1) + extra(1, 1), ds(0, 1) + extra(0, 1)});
   }
+  out.spin_squared /= inertia;
   return out;
 }
 

@@ -101,6 +101,7 @@ class NmmPool final : public Pool {
   LumpedMass mass_;
   ElementForces elements_;
   std::vector<double> ones_;
+  Vec2 model_origin_{0.0, 0.0};
 };
 
 }  // namespace scree::nmm

@@ -10,7 +10,7 @@ namespace {
 
 class Recorder final : public coupling::Sink {
  public:
-  Recorder(const Model& model, RunRecord& record) : record_(&record) {
+  Recorder(const Model& model, RunRecord& record) : record_(&record), origin_(model.origin) {
     for (const Monitor& m : model.monitors) record.monitors.push_back({m.name, {}, {}, {}, {}});
   }
   void history(const coupling::HistoryView& view) override {
@@ -20,7 +20,7 @@ class Recorder final : public coupling::Sink {
     for (std::size_t i = 0; i < record_->monitors.size(); ++i) {
       MonitorHistory& m = record_->monitors[i];
       const auto pair = [i](std::span<const double> all) { return Vec2(all[2 * i], all[2 * i + 1]); };
-      put(m.position, pair(view.position), again);
+      put(m.position, Vec2(origin_ + pair(view.position)), again);
       put(m.displacement, pair(view.displacement), again);
       put(m.velocity, pair(view.velocity), again);
       Eigen::Vector3d stress = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -38,6 +38,7 @@ class Recorder final : public coupling::Sink {
       values.push_back(value);
   }
   RunRecord* record_;
+  Vec2 origin_;  // expectations are written in the coordinates of the case
 };
 
 std::vector<double> distances(const Model& model, const coupling::Driver& run) {

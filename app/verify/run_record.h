@@ -15,8 +15,8 @@ namespace scree::app {
 /// One monitor through a run, a number a sample.
 struct MonitorHistory {
   std::string name;
-  std::vector<Vec2> position, displacement, velocity;
-  std::vector<Eigen::Vector3d> stress;  // xx, yy, xy [Pa]; not a number where the run has none
+  std::vector<Vec2> position, displacement, velocity;  // positions as the case counts them
+  std::vector<Eigen::Vector3d> stress;                 // xx, yy, xy [Pa]; not a number where the run has none
 
   /// @pre the component is one of components()
   [[nodiscard]] std::vector<double> component(std::string_view wanted) const;

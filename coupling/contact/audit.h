@@ -29,6 +29,13 @@ class Audit {
   /// What it is; empty: nothing was above 0.
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] bool passed() const { return worst_ <= 1.0; }
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see) {
+    see("audit.checks", checks_);
+    see("audit.worst", worst_);
+    see("audit.text", text_);
+  }
 
  private:
   std::int64_t checks_ = 0;

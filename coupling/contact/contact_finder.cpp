@@ -16,6 +16,7 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
+constexpr std::size_t kAhead = 12;    // pairs: edges on the other side are asked for so far ahead
 constexpr double kInLine = 0.5;       // of a corner's depth: more of it is that of the joint that goes on beside it
 constexpr double kBoundMargin = 0.1;  // of a point's largest share, so that the step bound outlives small changes
 
@@ -50,6 +51,7 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
   const Outlines& o = setup_->outlines();
   out.points.clear();
   out.memory.clear();
+  out.briefs.clear();
   for (const ContactMemory& m : memory) {
     const std::int32_t of = setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
     ContactPoint p;
@@ -61,6 +63,7 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
     p.vertex = own.first_segment + m.key.part;
     out.points.push_back(p);
     out.memory.push_back(m);
+    out.briefs.push_back({p.vertex, p.edge});
   }
 }
 
@@ -110,14 +113,13 @@ void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) co
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
   if (!p.facing || p.largest_share == 0.0) return -1;
   const Outlines& o = setup_->outlines();
-  const ContactList& known = known_.list();
   const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
     if (!known_.closed(i) && (next_only || p.from >= 0)) return;
     if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
-    if (known.memory[i].facing == 0) return;
+    if (!known_.facing(i)) return;
     const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(i))].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
     if (d > within || d >= nearest) return;
@@ -215,19 +217,22 @@ void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
   }
 }
 
-void ContactFinder::settle_vertex(std::size_t first, ContactList& out) {
+void ContactFinder::settle_vertex(std::size_t first, bool at_start, ContactList& out) {
   const auto points = std::span(out.points).subspan(first);
   if (points.size() > 1) {
     pass_corners(points);
     pair_edges(first, out);
   }
+  out.memory.resize(out.points.size());
   for (std::size_t i = first; i < out.points.size(); ++i) {
     const ContactPoint& p = out.points[i];
     const auto index = static_cast<std::int32_t>(i);
-    if (p.from >= 0)
+    if (p.from >= 0) {
       gone_[static_cast<std::size_t>(p.from)] = 0;
-    else
+      if (!known_.divided()) remember(i, at_start, out);
+    } else {
       fresh_.push_back(index);
+    }
     if (!p.facing && !was_closed(p)) corners_.push_back(index);
     if (std::max(p.partner[0], p.partner[1]) >= 0) paired_.push_back(index);
   }
@@ -305,6 +310,47 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
     }
 }
 
+bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
+  p.vertex = pair.vertex;
+  p.edge = pair.edge;
+  p.node = {v.node, s.a, s.b};
+  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], x_[static_cast<std::size_t>(s.a)],
+                          x_[static_cast<std::size_t>(s.b)]);
+  // What is more than half way through a body when it is first seen came in over another edge.
+  if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
+    return false;
+  p.facing = pair.share > 0.0;
+  p.behind = pair.behind;
+  p.ahead = pair.ahead;
+  set_range(p, closed);
+  if (p.beyond && closed) return false;
+  if (!closed && !p.facing && !admissible(p)) return false;
+  const JointId law = springs_.law_of(pair.own, pair.edge);
+  p.joint = law.value;
+  p.springs = springs_.springs(law, pair.own, pair.edge,
+                               p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
+  if (p.facing && springs_.per_area(law)) {
+    const auto length = [&](std::int32_t of) {
+      const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
+      return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
+    };
+    const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
+    p.largest_share = before + after;
+    p.full_share =
+        std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
+    p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
+  }
+  p.first_gap0 = std::min(p.at.gap, 0.0);
+  if (was == nullptr || (!closed && was->gap < 0.0)) {
+    p.beside = neighbour(p, false);
+    if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
+  }
+  return true;
+}
+
 void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
@@ -314,10 +360,14 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   corners_.clear();
   paired_.clear();
   out.points.clear();
+  out.memory.clear();
+  out.briefs.clear();
   std::size_t old = 0, first_of_vertex = 0;
-  for (const VertexEdge& pair : pairs_.update(x_, known_)) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
-    const Vec2& xP = x_[static_cast<std::size_t>(v.node)];
+  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const VertexEdge& pair = pairs[k];
+    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+    const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
     const std::int32_t segment = segment_under(xP, pair.edge);
     const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
     const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
@@ -326,74 +376,27 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
     const bool closed = has_memory && known_.closed(old);
     if (!closed && nearest > detection_) continue;
-    ContactPoint p;
-    p.vertex = pair.vertex;
-    p.edge = pair.edge;
-    p.segment = segment;
-    if (has_memory) p.from = static_cast<std::int32_t>(old);
-    const ContactMemory* was = has_memory ? &known.memory[old] : nullptr;
-    p.node = {v.node, s.a, s.b};
-    p.at = contact_geometry(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-    // What is more than half way through a body when it is first seen came in over another edge.
-    if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0)) continue;
-    p.facing = pair.share > 0.0;
-    p.behind = pair.behind;
-    p.ahead = pair.ahead;
-    set_range(p, closed);
-    if (p.beyond && closed) continue;
-    if (!closed && !p.facing && !admissible(p)) continue;
-    const JointId law = springs_.law_of(pair.own, pair.edge);
-    p.joint = law.value;
-    p.springs = springs_.springs(law, pair.own, pair.edge,
-                                 p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
-    if (p.facing && springs_.per_area(law)) {
-      const auto length = [&](std::int32_t of) {
-        const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
-        return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
-      };
-      const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
-      p.largest_share = before + after;
-      p.full_share =
-          std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
-      p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
-    }
-    p.first_gap0 = std::min(p.at.gap, 0.0);
-    if (!has_memory || (!closed && was->gap < 0.0)) {
-      p.beside = neighbour(p, false);
-      if (p.beside >= 0) p.first_gap0 = known.memory[static_cast<std::size_t>(p.beside)].gap0;
-    }
-    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != p.vertex) {
-      settle_vertex(first_of_vertex, out);
+    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
+      settle_vertex(first_of_vertex, at_start, out);
       first_of_vertex = out.points.size();
     }
-    out.points.push_back(p);
+    // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
+    ContactPoint& p = out.points.emplace_back();
+    p.segment = segment;
+    if (has_memory) p.from = static_cast<std::int32_t>(old);
+    if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
+      out.briefs.push_back({pair.vertex, pair.edge});
+    else
+      out.points.pop_back();
   }
-  settle_vertex(first_of_vertex, out);
+  settle_vertex(first_of_vertex, at_start, out);
   cover_corners(out);
-  inherit(known, out);
+  inherit(out);
   index_divided(out);
-  out.memory.resize(out.points.size());
-  for (std::size_t i = 0; i < out.points.size(); ++i) {
-    ContactPoint& p = out.points[i];
-    out.memory[i] = ContactMemory{};
-    const auto from = static_cast<std::size_t>(p.from);
-    const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[from];
-    const bool divided = was != nullptr && was->segment < 0 && is_divided(p);
-    fill(was, at_start, divided, p, out.memory[i]);
-    ContactMemory& m = out.memory[i];
-    if (p.from >= 0 || p.beside < 0) continue;
-    const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
-    if (beside.status == ContactStatus::open) continue;
-    // The joint is the same, and so is its friction. A bond is that of two blocks: it does not pass to the next one.
-    if (std::minmax(beside.key.block_p, beside.key.block_e) == std::minmax(p.key.block_p, p.key.block_e))
-      bond_like(beside, m);
-    if (m.gap >= 0.0 && m.bonded == 0) continue;
-    m.status = ContactStatus::stick;
-    m.failed = beside.failed;
-    m.slip = beside.slip;
-    m.stretch = beside.stretch;
-    m.anchor = p.at.xi - m.stretch / p.at.length;
-  }
+  if (known_.divided())
+    for (std::size_t i = 0; i < out.points.size(); ++i) remember(i, at_start, out);
+  else
+    for (const std::int32_t i : fresh_) remember(static_cast<std::size_t>(i), at_start, out);
   interpolate(out);
   suppress_second_edges(out);
   if (!setup_->model().waters.empty()) fill_with_water(out);

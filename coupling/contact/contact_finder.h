@@ -47,6 +47,8 @@ class ContactFinder {
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
   [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
+  /// Completes a point that has its segment and `from`.   @return false: it is none
+  [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
@@ -54,15 +56,19 @@ class ContactFinder {
   /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
   /// they left begin anew.
   void pass_corners(std::span<ContactPoint> points) const;
-  /// All that concerns the points of one vertex alone, while they are at hand; lists them for what comes after.
+  /// All that concerns the points of one vertex alone, while they are at hand (to go through a long list again takes as
+  /// long as to make it); lists them for what comes after.
   /// @param first  of the vertex, whose points are the last of the list
-  void settle_vertex(std::size_t first, ContactList& out);
+  void settle_vertex(std::size_t first, bool at_start, ContactList& out);
   [[nodiscard]] bool was_closed(const ContactPoint& p) const;
   /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
   void cover_corners(ContactList& out) const;
-  void inherit(const ContactList& known, ContactList& out);
+  void inherit(ContactList& out);
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
   void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
+  /// Gives a point, once it has its `from`, what it remembers, or what it begins with.
+  /// @pre its memory in the list is as new
+  void remember(std::size_t i, bool at_start, ContactList& out) const;
   /// True for a point that a mesh has added to a joint.
   [[nodiscard]] bool adds(const ContactPoint& p) const;
   /// A point's edge with the one that leaves its vertex, or comes to it.

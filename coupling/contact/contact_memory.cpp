@@ -8,7 +8,7 @@
 
 namespace scree::coupling {
 
-void ContactFinder::inherit(const ContactList& known, ContactList& out) {
+void ContactFinder::inherit(ContactList& out) {
   const Outlines& o = setup_->outlines();
   const auto in_line = [&](std::int32_t a, std::int32_t b) {
     const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
@@ -33,7 +33,7 @@ void ContactFinder::inherit(const ContactList& known, ContactList& out) {
       known_.for_vertices(
           p.edge, [&v](std::int32_t edge) { return edge == v.edge_in || edge == v.edge_out; },
           [&](std::size_t g) {
-            if (known.memory[g].facing != 0) look(g);
+            if (known_.facing(g)) look(g);
           });
     known_.for_vertex(
         p.vertex, [&](std::int32_t edge) { return in_line(edge, p.edge); }, look);
@@ -116,6 +116,27 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   }
   // Always from the anchor, so that finding twice at one place gives the same bits.
   m.stretch = (p.at.xi - m.anchor) * p.at.length;
+}
+
+void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) const {
+  ContactPoint& p = out.points[i];
+  ContactMemory& m = out.memory[i];
+  const ContactList& known = known_.list();
+  const ContactMemory* was = p.from < 0 ? nullptr : &known.memory[static_cast<std::size_t>(p.from)];
+  const bool divided = was != nullptr && was->segment < 0 && is_divided(p);
+  fill(was, at_start, divided, p, m);
+  if (was != nullptr || p.beside < 0) return;
+  const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
+  if (beside.status == ContactStatus::open) return;
+  // The joint is the same, and so is its friction. A bond is that of two blocks: it does not pass to the next one.
+  if (std::minmax(beside.key.block_p, beside.key.block_e) == std::minmax(p.key.block_p, p.key.block_e))
+    bond_like(beside, m);
+  if (m.gap >= 0.0 && m.bonded == 0) return;
+  m.status = ContactStatus::stick;
+  m.failed = beside.failed;
+  m.slip = beside.slip;
+  m.stretch = beside.stretch;
+  m.anchor = p.at.xi - m.stretch / p.at.length;
 }
 
 bool ContactFinder::adds(const ContactPoint& p) const {

@@ -1,6 +1,7 @@
 #include "coupling/contact/contact_pairs.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace scree::coupling {
 namespace {
@@ -26,8 +27,7 @@ bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& k
   const double against = -direction(a).dot(direction(b));
   if (against < kStillFaces || against > kFaces) return against > kFaces;
   bool closed = false;
-  known.for_pair(a, b,
-                 [&](std::size_t i) { closed = closed || (known.closed(i) && known.list().memory[i].facing != 0); });
+  known.for_pair(a, b, [&](std::size_t i) { closed = closed || (known.closed(i) && known.facing(i)); });
   return closed;
 }
 
@@ -60,6 +60,18 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const 
   return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
 }
 
+void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double share, double behind,
+                        double ahead) {
+  VertexEdge& p = unsorted_.emplace_back();  // made where it stays, as contact points are
+  p.vertex = vertex;
+  p.edge = edge;
+  p.own = own;
+  p.share = share;
+  p.behind = behind;
+  p.ahead = ahead;
+  ++first_[static_cast<std::size_t>(vertex) + 1];
+}
+
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
   if (!v.convex) return;
@@ -67,7 +79,7 @@ void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const Know
   if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
     return;
   if (facing(v.edge_in, edge, known)) return;
-  unsorted_.push_back({vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0});
+  list(vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0);
 }
 
 void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
@@ -81,9 +93,9 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
     const Vec2 along = (direction(a) - direction(b)).normalized();
     for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
       if (p.edge == a)
-        unsorted_.push_back({p.vertex, p.edge, b, p.share, p.behind, p.ahead});
+        list(p.vertex, p.edge, b, p.share, p.behind, p.ahead);
       else  // b runs against the direction
-        unsorted_.push_back({p.vertex, p.edge, a, p.share, p.ahead, p.behind});
+        list(p.vertex, p.edge, a, p.share, p.ahead, p.behind);
   } else {
     try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
     try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
@@ -91,16 +103,28 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
 }
 
 void ContactPairs::sort() {
-  std::fill(first_.begin(), first_.end(), 0);
-  for (const VertexEdge& p : unsorted_) ++first_[static_cast<std::size_t>(p.vertex) + 1];
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
   pairs_.resize(unsorted_.size());
   for (const VertexEdge& p : unsorted_)
     pairs_[static_cast<std::size_t>(first_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  auto kept = pairs_.begin();
   for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
     while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
     std::sort(begin, end);
+    for (const auto first = kept; begin != end; ++begin) {
+      // A vertex between two edges in line may face one edge with both.
+      if (kept != first && std::prev(kept)->edge == begin->edge) {
+        VertexEdge& same = *std::prev(kept);
+        same.share += begin->share;
+        same.behind += begin->behind;
+        same.ahead += begin->ahead;
+      } else {
+        if (kept != begin) *kept = *begin;
+        ++kept;
+      }
+    }
   }
+  pairs_.erase(kept, pairs_.end());
 }
 
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known) {
@@ -119,18 +143,18 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     }
   }
   unsorted_.clear();
+  std::fill(first_.begin(), first_.end(), 0);
   const std::span<const EdgePair> near = search_.update(x);
   for (const auto& [a, b] : near) try_edges(x, a, b, known);
   // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   deep_.clear();
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (!known.closed(i)) continue;
-    const ContactMemory& m = known.list().memory[i];
-    if (m.gap + m.gap0 > -0.25 * reach_) continue;
+    if (known.whole_gap(i) > -0.25 * reach_) continue;
     const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
     // Corners are tried with the edge that begins at them.
     const std::int32_t own =
-        m.facing != 0 ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+        known.facing(i) ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
     deep_.push_back({std::min(own, edge), std::max(own, edge)});
   }
   std::sort(deep_.begin(), deep_.end());
@@ -138,18 +162,6 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   for (const EdgePair& pair : deep_)
     if (!std::binary_search(near.begin(), near.end(), pair)) try_edges(x, pair.a, pair.b, known);
   sort();
-  // A vertex between two edges in line may face one edge with both.
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < pairs_.size(); ++i) {
-    if (pairs_[i].vertex == pairs_[kept].vertex && pairs_[i].edge == pairs_[kept].edge) {
-      pairs_[kept].share += pairs_[i].share;
-      pairs_[kept].behind += pairs_[i].behind;
-      pairs_[kept].ahead += pairs_[i].ahead;
-    } else {
-      pairs_[++kept] = pairs_[i];
-    }
-  }
-  if (!pairs_.empty()) pairs_.resize(kept + 1);
   return pairs_;
 }
 

@@ -52,7 +52,9 @@ class ContactPairs {
   [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
-  /// Brings the pairs into order: by vertex in one pass, then the few of each vertex.
+  /// Lists a pair, and counts it for its vertex.
+  void list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double share, double behind, double ahead);
+  /// Brings the pairs into order: by vertex in one pass, then the few of each vertex, with those of one edge made one.
   void sort();
 
   const Setup* setup_;
@@ -64,7 +66,7 @@ class ContactPairs {
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge
   std::vector<VertexEdge> pairs_, unsorted_;
-  std::vector<std::int32_t> first_;  // a vertex: its first pair
+  std::vector<std::int32_t> first_;  // a vertex: its pairs, counted one further on; then its first pair
   std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };
 

@@ -5,17 +5,6 @@
 
 namespace scree::coupling {
 
-ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2) {
-  ContactGeometry c;
-  const Vec2 d = x2 - x1;
-  c.length = d.norm();
-  c.t = d / c.length;
-  c.n = Vec2(c.t.y(), -c.t.x());
-  c.gap = c.n.dot(xP - x1);
-  c.xi = c.t.dot(xP - x1) / c.length;
-  return c;
-}
-
 ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n, -c.xi * c.n}; }
 
 ContactRow stretch_row(const ContactGeometry& c, double anchor) {

@@ -16,7 +16,16 @@ struct ContactGeometry {
   double length = 0.0, gap = 0.0, xi = 0.0;
 };
 /// @pre x1 != x2
-[[nodiscard]] ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2);
+[[nodiscard]] inline ContactGeometry contact_geometry(const Vec2& xP, const Vec2& x1, const Vec2& x2) {
+  ContactGeometry c;
+  const Vec2 d = x2 - x1;
+  c.length = d.norm();
+  c.t = d / c.length;
+  c.n = Vec2(c.t.y(), -c.t.x());
+  c.gap = c.n.dot(xP - x1);
+  c.xi = c.t.dot(xP - x1) / c.length;
+  return c;
+}
 
 /// A vector for each of P, 1, 2: the gradient of a scalar of the contact. Its change is sum c_i.u_i, and a force f
 /// that works on it puts f c_i on each point: forces add to zero and make no torque.
@@ -51,6 +60,10 @@ struct ContactPoint {
   double full_share = 0.0;             // that it has where the segments of both sides lie on each other [m]
   double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
+
+  /// Shows every field, in a fixed order, to see(name, value), as State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
 };
 
 /// Which of two edges that meet at a convex corner another corner inside leaves by: true for the edge that it is
@@ -66,5 +79,42 @@ struct ContactPoint {
                               std::span<const double> v);
 /// f += force times the row.
 void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f);
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Visitor>
+void ContactPoint::visit(Visitor&& see) {
+  static_assert(sizeof(ContactPoint) == 256, "a field that is new here belongs in the list below");
+  key.visit(see);
+  see("point.vertex", vertex);
+  see("point.edge", edge);
+  see("point.segment", segment);
+  see("point.joint", joint);
+  see("point.from", from);
+  see("point.beside", beside);
+  see("point.node", node);
+  see("point.n", at.n);
+  see("point.t", at.t);
+  see("point.length", at.length);
+  see("point.gap", at.gap);
+  see("point.xi", at.xi);
+  see("point.facing", facing);
+  see("point.behind", behind);
+  see("point.ahead", ahead);
+  see("point.first_gap0", first_gap0);
+  see("point.suppressed", suppressed);
+  see("point.beyond", beyond);
+  see("point.s_low", s_low);
+  see("point.s_high", s_high);
+  for (std::int32_t& p : partner) see("point.partner", p);
+  see("point.share", springs.share);
+  see("point.kn", springs.kn);
+  see("point.kt", springs.kt);
+  see("point.largest_share", largest_share);
+  see("point.full_share", full_share);
+  see("point.margin", margin);
+  see("point.cn", cn);
+  see("point.ct", ct);
+}
 
 }  // namespace scree::coupling

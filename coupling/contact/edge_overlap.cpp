@@ -9,7 +9,10 @@ void EdgeOverlap::add(const Outlines& o, std::span<const Vec2> x, std::int32_t e
   const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
   const auto put = [&](std::int32_t vertex) {
     const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node);
-    kinks_.push_back({along.dot(x[node]), {vertex, against, 0.0, 0.0, 0.0}});
+    Kink& k = kinks_.emplace_back();
+    k.s = along.dot(x[node]);
+    k.vertex = vertex;
+    k.edge = against;
   };
   put(e.first_segment);
   if (middle)
@@ -28,16 +31,21 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
   if (!(high > low)) return points_;
   std::erase_if(kinks_, [&](const Kink& k) { return k.s < low || k.s > high; });
   std::sort(kinks_.begin(), kinks_.end(),
-            [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.point.vertex < q.point.vertex; });
-  for (std::size_t i = 0; i + 1 < kinks_.size(); ++i) {
-    const double piece = kinks_[i + 1].s - kinks_[i].s, half = 0.5 * piece;
-    kinks_[i].point.share += half;
-    kinks_[i].point.ahead = piece;
-    kinks_[i + 1].point.share += half;
-    kinks_[i + 1].point.behind = piece;
+            [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.vertex < q.vertex; });
+  double behind = 0.0;
+  for (std::size_t i = 0; i < kinks_.size(); ++i) {
+    const double ahead = i + 1 < kinks_.size() ? kinks_[i + 1].s - kinks_[i].s : 0.0,
+                 share = 0.5 * behind + 0.5 * ahead;
+    if (share > 0.0) {
+      OverlapPoint& p = points_.emplace_back();
+      p.vertex = kinks_[i].vertex;
+      p.edge = kinks_[i].edge;
+      p.share = share;
+      p.behind = behind;
+      p.ahead = ahead;
+    }
+    behind = ahead;
   }
-  for (const Kink& k : kinks_)
-    if (k.point.share > 0.0) points_.push_back(k.point);
   return points_;
 }
 

@@ -31,7 +31,7 @@ class EdgeOverlap {
  private:
   struct Kink {
     double s = 0.0;
-    OverlapPoint point;
+    std::int32_t vertex = -1, edge = -1;
   };
   void add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against, const Vec2& along,
            bool middle);

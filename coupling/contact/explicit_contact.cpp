@@ -95,6 +95,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(
   for (ContactList* list : {&now_, &before_}) {
     list->points.reserve(expected);
     list->memory.reserve(expected);
+    list->briefs.reserve(expected);
   }
   left_.reserve(expected);
   kept_.reserve(expected);

@@ -19,6 +19,8 @@ class ExplicitContact {
   /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
   /// damping
   void enter(State& state, bool at_start, bool goes_on);
+  /// In place of enter(): the points that an instance of the same stage had at this state.
+  void resume(const State& state, const std::vector<ContactPoint>& points) { now_.restore(points, state.contacts); }
   /// f += forces of the memory.
   void add(std::span<double> f) const;
   /// First half of a step's books, v the velocity of the step at the instant left.

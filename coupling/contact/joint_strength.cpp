@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace scree::coupling {
 
@@ -14,10 +13,15 @@ double friction_coefficient(const JointLaw& law, const ContactMemory& memory) {
   return peak + lost * (std::tan(*law.residual_friction) - peak);
 }
 
+Strength strength(const JointLaw& law, const ContactMemory& memory) {
+  const double tension = tension_limit(law, memory);
+  const double cohesion =
+      std::isinf(tension) ? tension : (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.share;
+  return {cohesion, friction_coefficient(law, memory), tension};
+}
+
 double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {
-  if (std::isinf(tension_limit(law, memory))) return std::numeric_limits<double>::infinity();
-  const double cohesion = (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.share;
-  return std::max(0.0, cohesion + fn * friction_coefficient(law, memory));
+  return strength(law, memory).friction_limit(fn);
 }
 
 double tension_limit(const JointLaw& law, const ContactMemory& memory) {

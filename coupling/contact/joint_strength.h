@@ -6,6 +6,20 @@
 
 namespace scree::coupling {
 
+/// What the law leaves a point at an instant.
+struct Strength {
+  double cohesion = 0.0;     // times its share; infinite: it never slips [N]
+  double coefficient = 0.0;  // tan phi
+  double tension = 0.0;      // the largest pull that it bears [N]
+
+  /// Coulomb's limit of the tangential force [N].   @param fn  normal force [N], negative where a bond is pulled
+  [[nodiscard]] double friction_limit(double fn) const {
+    const double limit = cohesion + fn * coefficient;
+    return limit > 0.0 ? limit : 0.0;
+  }
+};
+[[nodiscard]] Strength strength(const JointLaw& law, const ContactMemory& memory);
+
 /// tan phi of a point: linear in its accumulated slip s from peak to residual over the weakening slip D,
 ///   tan phi = tan phi_p + (tan phi_r - tan phi_p) min(1, s/D);   D = 0: the residual after the first failure.
 [[nodiscard]] double friction_coefficient(const JointLaw& law, const ContactMemory& memory);

@@ -10,8 +10,21 @@ namespace scree::coupling {
 
 /// Points and memories in the order of their keys, one memory a point.
 struct ContactList {
+  /// What the next search asks of a point, apart from the rest: reading it there is a cache miss a point.
+  struct Brief {
+    std::int32_t vertex, edge;
+  };
   std::vector<ContactPoint> points;
   std::vector<ContactMemory> memory;
+  std::vector<Brief> briefs;
+
+  /// A list as it was, from what find() left in it.
+  void restore(const std::vector<ContactPoint>& all, const std::vector<ContactMemory>& of_all) {
+    points = all;
+    memory = of_all;
+    briefs.clear();
+    for (const ContactPoint& p : points) briefs.push_back({p.vertex, p.edge});
+  }
 };
 
 /// Finds points of a list by vertex and edge. Refers to the list.
@@ -25,15 +38,15 @@ class KnownContacts {
 
   void index(const ContactList& list) {
     list_ = &list;
-    points_.resize(list.points.size());
+    points_.resize(list.briefs.size());
     divided_ = closed_divided_ = false;
     first_.assign(first_.size(), 0);
     // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
     against_first_.assign(against_first_.size(), 0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const ContactPoint& p = list.points[i];
+      const ContactList::Brief& p = list.briefs[i];
       const ContactMemory& m = list.memory[i];
-      points_[i] = {p.vertex, p.edge, m.status != ContactStatus::open};
+      points_[i] = {p.vertex, p.edge, m.status != ContactStatus::open, m.facing != 0, m.gap + m.gap0};
       divided_ = divided_ || m.segment < 0;
       closed_divided_ = closed_divided_ || (m.segment < 0 && points_[i].closed);
       ++first_[static_cast<std::size_t>(p.vertex) + 1];
@@ -54,6 +67,9 @@ class KnownContacts {
   [[nodiscard]] std::int32_t vertex(std::size_t i) const { return points_[i].vertex; }
   [[nodiscard]] std::int32_t edge(std::size_t i) const { return points_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
+  [[nodiscard]] bool facing(std::size_t i) const { return points_[i].facing; }
+  /// Gap between the bodies, whatever counts as closed [m].
+  [[nodiscard]] double whole_gap(std::size_t i) const { return points_[i].whole_gap; }
   /// True if the vertex is closed against any edge.
   [[nodiscard]] bool closed_vertex(std::int32_t vertex) const {
     bool found = false;
@@ -103,7 +119,8 @@ class KnownContacts {
   /// What searches look at, close together.
   struct Brief {
     std::int32_t vertex, edge;
-    bool closed;
+    bool closed, facing;
+    double whole_gap;
   };
   const Outlines* outlines_;
   const ContactList* list_ = nullptr;

@@ -1,108 +1,168 @@
 #include "coupling/contact/search.h"
 
-// Bullet's headers use old-style casts and unused parameters freely.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wpedantic"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-#pragma GCC diagnostic pop
-
 #include <algorithm>
 #include <array>
 #include <limits>
+
+#include "coupling/contact/box_tree.h"
 
 namespace scree::coupling {
 namespace {
 
 constexpr double kManyMoved = 0.05;  // of all boxes
+constexpr std::size_t kAhead = 200;  // nodes
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// What decides whether two segments may touch, close together.
+struct Owner {
+  std::int32_t edge, body, opposite;
+  bool touches, driven;
+};
 
 /// Pairs worth keeping: segments of different bodies, not both driven, and of the two faces of a crack.
-class MayTouch final : public btOverlapFilterCallback {
- public:
-  explicit MayTouch(const Setup& setup) : setup_(&setup) {}
-  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-    const Outlines& o = setup_->outlines();
-    const std::int32_t ea = edge_of(a), eb = edge_of(b);
-    const Outlines::Edge &of_a = o.edges[static_cast<std::size_t>(ea)], &of_b = o.edges[static_cast<std::size_t>(eb)];
-    if (of_a.body == of_b.body) return of_a.opposite == eb;
-    const auto driven = [&](std::int32_t body) { return setup_->bodies()[static_cast<std::size_t>(body)].driven; };
-    return of_a.touches && of_b.touches && !(driven(of_a.body) && driven(of_b.body)) && of_a.opposite < 0 &&
-           of_b.opposite < 0;
-  }
-  static std::int32_t index_of(const btBroadphaseProxy* p) {
-    return static_cast<std::int32_t>(reinterpret_cast<std::intptr_t>(p->m_clientObject));
-  }
+bool may_touch(const Owner& a, const Owner& b) {
+  if (a.body == b.body) return a.opposite == b.edge;
+  return a.touches && b.touches && !(a.driven && b.driven) && a.opposite < 0 && b.opposite < 0;
+}
 
- private:
-  [[nodiscard]] std::int32_t edge_of(const btBroadphaseProxy* p) const {
-    return setup_->outlines().segments[static_cast<std::size_t>(index_of(p))].edge;
-  }
-  const Setup* setup_;
+/// Two segments whose boxes overlap.
+struct SegmentPair {
+  std::uint32_t a, b;
 };
 
 }  // namespace
 
 struct Search::Impl {
-  Impl(const Setup& s, double r) : setup(&s), reach(r), filter(s) {
-    tree.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
-  }
+  Impl(const Setup& s, double r);
+
+  /// Makes the box of a segment anew, with the slack around it.
+  void fatten(std::size_t segment, std::span<const Vec2> x);
+  /// Where a node may be without leaving the boxes of its segments.
+  void set_room(std::size_t node);
+  void list_all();
+  /// Lists the pairs of the boxes that moved anew.
+  void list_moved();
+  /// Makes pairs of edges: by the first edge in one pass, then the few of each.
+  void sort();
 
   const Setup* setup;
   double reach;
-  MayTouch filter;
-  btDbvtBroadphase tree;
-  std::vector<btBroadphaseProxy*> proxies;
-  std::vector<Box> fat;
+  std::vector<Owner> owners;       // of segments
+  std::vector<std::size_t> first;  // a node: its first in segments_at, and the end
+  std::vector<std::size_t> segments_at;
+  std::vector<Box> fat;   // of segments
+  std::vector<Box> room;  // of nodes: in all boxes of its segments, half the reach away from their sides
+  std::unique_ptr<BoxTree> tree;
   std::vector<std::size_t> moved;  // boxes anew
+  std::vector<char> has_moved;     // of segments
+  std::vector<SegmentPair> near;
   std::vector<EdgePair> pairs;
+  std::vector<std::size_t> first_pair;  // an edge: its first in pairs, while they are sorted
 };
+
+Search::Impl::Impl(const Setup& s, double r) : setup(&s), reach(r) {
+  const Outlines& o = s.outlines();
+  for (const Outlines::Segment& segment : o.segments) {
+    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(segment.edge)];
+    const bool driven = s.bodies()[static_cast<std::size_t>(e.body)].driven;
+    owners.push_back({segment.edge, e.body, e.opposite, e.touches, driven});
+  }
+  first.resize(o.nodes.size() + 2);  // counted one further on, so that filling leaves the first ones
+  for (const Outlines::Segment& segment : o.segments)
+    for (const std::int32_t node : {segment.a, segment.b}) ++first[static_cast<std::size_t>(node) + 2];
+  for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+  segments_at.resize(first.back());
+  for (std::size_t i = 0; i < o.segments.size(); ++i)
+    for (const std::int32_t node : {o.segments[i].a, o.segments[i].b})
+      segments_at[first[static_cast<std::size_t>(node) + 1]++] = i;
+  fat.resize(o.segments.size());
+  room.resize(o.nodes.size());
+  moved.reserve(o.segments.size());
+  has_moved.resize(o.segments.size());
+  first_pair.resize(o.edges.size() + 1);
+}
+
+void Search::Impl::fatten(std::size_t segment, std::span<const Vec2> x) {
+  const Outlines::Segment& s = setup->outlines().segments[segment];
+  const Vec2 &a = x[static_cast<std::size_t>(s.a)], &b = x[static_cast<std::size_t>(s.b)];
+  const double around = 1.5 * reach;  // half the reach on either side of a pair, and as much slack as the reach
+  fat[segment] = {a.cwiseMin(b).array() - around, a.cwiseMax(b).array() + around};
+}
+
+void Search::Impl::set_room(std::size_t node) {
+  Box& box = room[node] = {Vec2(-kFar, -kFar), Vec2(kFar, kFar)};
+  for (std::size_t k = first[node]; k < first[node + 1]; ++k) {
+    box.lo = box.lo.cwiseMax(fat[segments_at[k]].lo);
+    box.hi = box.hi.cwiseMin(fat[segments_at[k]].hi);
+  }
+  box.lo.array() += 0.5 * reach;
+  box.hi.array() -= 0.5 * reach;
+}
+
+void Search::Impl::list_all() {
+  near.clear();
+  tree->for_overlaps([&](std::size_t a, std::size_t b) {
+    if (may_touch(owners[a], owners[b])) near.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+  });
+}
+
+void Search::Impl::list_moved() {
+  std::erase_if(near, [&](const SegmentPair& p) { return has_moved[p.a] != 0 || has_moved[p.b] != 0; });
+  for (const std::size_t a : moved)
+    tree->for_overlaps_of(a, [&](std::size_t b) {
+      const bool listed = has_moved[b] != 0 && b < a;
+      if (!listed && may_touch(owners[a], owners[b]))
+        near.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    });
+}
+
+void Search::Impl::sort() {
+  std::fill(first_pair.begin(), first_pair.end(), 0);
+  const auto edges = [&](const SegmentPair& p) { return std::minmax(owners[p.a].edge, owners[p.b].edge); };
+  for (const SegmentPair& p : near) ++first_pair[static_cast<std::size_t>(edges(p).first) + 1];
+  for (std::size_t e = 1; e < first_pair.size(); ++e) first_pair[e] += first_pair[e - 1];
+  pairs.resize(near.size());
+  for (const SegmentPair& p : near) {
+    const auto [a, b] = edges(p);
+    pairs[first_pair[static_cast<std::size_t>(a)]++] = {a, b};
+  }
+  for (auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end) {
+    while (end != pairs.end() && end->a == begin->a) ++end;
+    std::sort(begin, end);
+  }
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
 
 Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(setup, reach)) {}
 
-Search::~Search() {
-  // Bullet looks through all pairs for every proxy that goes: none are left for it.
-  btOverlappingPairCache* cache = impl_->tree.getOverlappingPairCache();
-  for (int n = cache->getNumOverlappingPairs(); n > 0; n = cache->getNumOverlappingPairs()) {
-    const btBroadphasePair& last = cache->getOverlappingPairArrayPtr()[n - 1];
-    cache->removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, nullptr);
-  }
-  for (btBroadphaseProxy* p : impl_->proxies) impl_->tree.destroyProxy(p, nullptr);
-}
+Search::~Search() = default;
 
 bool Search::refit(std::span<const Vec2> x, bool all) {
   Impl& s = *impl_;
   const Outlines& o = s.setup->outlines();
-  const bool first = s.proxies.empty();
-  const double need = 0.5 * s.reach, slack = s.reach;  // half the reach on either side of a pair
-  if (first) {
-    s.fat.resize(o.segments.size());
-    s.moved.reserve(o.segments.size());
-  }
+  const auto note = [&](std::size_t segment) {
+    if (s.has_moved[segment] != 0) return;
+    s.has_moved[segment] = 1;
+    s.moved.push_back(segment);
+  };
+  for (const std::size_t i : s.moved) s.has_moved[i] = 0;
   s.moved.clear();
-  for (std::size_t i = 0; i < o.segments.size(); ++i) {
-    const Vec2 &a = x[static_cast<std::size_t>(o.segments[i].a)], &b = x[static_cast<std::size_t>(o.segments[i].b)];
-    const Vec2 lo = a.cwiseMin(b).array() - need, hi = a.cwiseMax(b).array() + need;
-    Box& fat = s.fat[i];
-    if (!first && !all && (lo.array() >= fat.lo.array()).all() && (hi.array() <= fat.hi.array()).all()) continue;
-    s.moved.push_back(i);
-    fat.lo = lo.array() - slack;
-    fat.hi = hi.array() + slack;
-  }
-  // A few boxes look for their pairs one by one; of many it is cheaper to hold the tree against itself once.
-  s.tree.m_deferedcollide = kManyMoved * static_cast<double>(o.segments.size()) < static_cast<double>(s.moved.size());
-  for (const std::size_t i : s.moved) {
-    const Box& fat = s.fat[i];
-    const btVector3 low(fat.lo.x(), fat.lo.y(), -1.0), high(fat.hi.x(), fat.hi.y(), 1.0);
-    if (first) {
-      s.proxies.push_back(s.tree.createProxy(low, high, 0,
-                                             reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
-                                             btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, nullptr));
-    } else {
-      s.tree.setAabb(s.proxies[i], low, high, nullptr);
+  if (all || s.tree == nullptr)
+    for (std::size_t i = 0; i < o.segments.size(); ++i) note(i);
+  else
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      // Processors do not look ahead from one page of memory to the next by themselves.
+      if (n + kAhead < x.size()) {
+        __builtin_prefetch(&s.room[n + kAhead]);
+        __builtin_prefetch(&x[n + kAhead]);
+      }
+      const Box& room = s.room[n];
+      if ((x[n].array() >= room.lo.array()).all() && (x[n].array() <= room.hi.array()).all()) continue;
+      for (std::size_t k = s.first[n]; k < s.first[n + 1]; ++k) note(s.segments_at[k]);
     }
-  }
+  for (const std::size_t i : s.moved) s.fatten(i, x);
+  for (const std::size_t i : s.moved)
+    for (const std::int32_t node : {o.segments[i].a, o.segments[i].b}) s.set_room(static_cast<std::size_t>(node));
   return !s.moved.empty();
 }
 
@@ -119,7 +179,6 @@ double Search::room_between_bodies(std::span<const Vec2> x) const {
   const bool cracked =
       std::any_of(o.edges.begin(), o.edges.end(), [](const Outlines::Edge& e) { return e.opposite >= 0; });
   if (count > kMany || cracked) return 0.0;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<Box, kMany> box;
   for (std::size_t b = 0; b < count; ++b) box[b] = {Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -147,20 +206,19 @@ double Search::clearance(std::span<const Vec2> x) {
 
 void Search::collect() {
   Impl& s = *impl_;
-  const Outlines& o = s.setup->outlines();
-  s.tree.calculateOverlappingPairs(nullptr);
-  btOverlappingPairCache* cache = s.tree.getOverlappingPairCache();
-  s.pairs.clear();
-  const btBroadphasePair* found = cache->getOverlappingPairArrayPtr();
-  for (int i = 0; i < cache->getNumOverlappingPairs(); ++i) {
-    const auto edge = [&](const btBroadphaseProxy* proxy) {
-      return o.segments[static_cast<std::size_t>(MayTouch::index_of(proxy))].edge;
-    };
-    const auto [a, b] = std::minmax({edge(found[i].m_pProxy0), edge(found[i].m_pProxy1)});
-    s.pairs.push_back({a, b});
-  }
-  std::sort(s.pairs.begin(), s.pairs.end());
-  s.pairs.erase(std::unique(s.pairs.begin(), s.pairs.end()), s.pairs.end());
+  // A few boxes look for their pairs one by one; of many it is cheaper to hold the tree against itself once.
+  const bool many = kManyMoved * static_cast<double>(s.fat.size()) < static_cast<double>(s.moved.size());
+  if (s.tree == nullptr)
+    s.tree = std::make_unique<BoxTree>(s.fat);
+  else if (many)
+    s.tree->move(s.moved, s.fat);
+  else
+    for (const std::size_t i : s.moved) s.tree->move(i, s.fat[i]);
+  if (many)
+    s.list_all();
+  else
+    s.list_moved();
+  s.sort();
 }
 
 }  // namespace scree::coupling

@@ -164,12 +164,31 @@ void CentralDifference::change_step(State& state, double h) {
   state.ledger.book(Column::step_change, -(h * h - last * last) / 8.0 * energy);
 }
 
-double CentralDifference::enter(State& state) {
+void CentralDifference::add_terms(const State& state) {
   if (auto springs = point_springs(*setup_, state); !springs.empty())
     add_term(std::make_unique<PointSupports>(std::move(springs)));
   if (auto forces = point_forces(*setup_, state); !forces.empty())
     add_term(std::make_unique<PointLoads>(setup_->model(), std::move(forces)));
   if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
+}
+
+void CentralDifference::resume(const State& state, const MoverMemory& memory) {
+  add_terms(state);
+  contact_.resume(state, memory.points);
+  sum_up(lagging(state));  // for the terms: they act on free bodies alone
+  stress_ = memory.stress;
+  total_ = memory.total;
+  stiffness_.force = memory.stiffness;
+  local_.force = memory.local;
+  bound_ = memory.bound;
+}
+
+MoverMemory CentralDifference::memory() const {
+  return {contact_.list().points, stress_, total_, stiffness_.force, local_.force, bound_};
+}
+
+double CentralDifference::enter(State& state) {
+  add_terms(state);
   const bool goes_on = !state.a.empty();
   contact_.enter(state, state.step == 0, goes_on);
   if (lags() && state.v_before.size() != state.v.size()) state.v_before = state.v;

@@ -28,6 +28,8 @@ class CentralDifference final : public Mover {
                     const ExplicitDamping& damping = {}, bool rest = false);
 
   double enter(State& state) override;
+  void resume(const State& state, const MoverMemory& memory) override;
+  [[nodiscard]] MoverMemory memory() const override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
@@ -57,6 +59,7 @@ class CentralDifference final : public Mover {
   void move_driven(const State& state, double h, double end, double& farthest);
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
+  void add_terms(const State& state);
   void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
   void sum_up(const Instant& at);
   void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
@@ -92,12 +95,8 @@ class CentralDifference final : public Mover {
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
     double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, largest = 0.0;
   };
-  std::vector<Left> left_;  // a chunk
-  struct Bound {
-    ContactKey key;
-    double stiffness = 0.0;  // [N/m]
-  };
-  std::vector<Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
+  std::vector<Left> left_;                 // a chunk
+  std::vector<MoverMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };
 
 }  // namespace scree::coupling

@@ -16,13 +16,14 @@ namespace {
 
 constexpr double kDenseBlocks = 8.0;  // how much quicker an operation is in dense blocks than in single columns
 
-/// CHOLMOD's own loops are too short for threads. Restores their number.
+/// CHOLMOD's own loops are too short for threads, and ask for a number of them whatever the program has set: no level
+/// of parallelism is allowed while one of these lives.
 class OneThread {
  public:
-  OneThread() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }
+  OneThread() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
   OneThread(const OneThread&) = delete;
   OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() { omp_set_num_threads(before_); }
+  ~OneThread() { omp_set_max_active_levels(before_); }
 
  private:
   int before_;
@@ -76,6 +77,8 @@ struct Cholesky::Impl {
 
   /// The updated factor, made from the factor when it is first needed.
   cholmod_factor* to_update();
+  /// Of an update that goes through so many numbers of the factor, over that of a factorisation.
+  [[nodiscard]] double work(double visited) const;
   void find_cliques(const DofRows& rows);
   [[nodiscard]] bool find_places(const DofRows& rows);
   [[nodiscard]] bool find_fixed_places();
@@ -238,12 +241,6 @@ const SymmetricMatrix& Cholesky::matrix() const { return impl_->matrix; }
 bool Cholesky::factored() const { return impl_->definite; }
 void Cholesky::drop_updates() { cholmod_free_factor(&impl_->updated, &impl_->common); }
 
-int Cholesky::solves_per_factorisation() const {
-  const cholmod_common& c = impl_->common;
-  // Operations of a factor in dense blocks are twice as quick as those of a solution, seen at 6,000 unknowns.
-  return static_cast<int>(std::clamp(c.fl / (2.0 * 4.0 * std::max(c.lnz, 1.0)), 4.0, 200.0));
-}
-
 cholmod_factor* Cholesky::Impl::to_update() {
   if (updated != nullptr) return updated;
   updated = cholmod_copy_factor(factor, &common);
@@ -254,6 +251,18 @@ cholmod_factor* Cholesky::Impl::to_update() {
   for (std::size_t k = 0; k < updated->n; ++k)
     inverse_permutation[static_cast<std::size_t>(permutation[k])] = static_cast<std::int32_t>(k);
   return updated;
+}
+
+double Cholesky::Impl::work(double visited) const {
+  // An operation of an update against one of a factorisation: dense blocks are quicker, single columns as slow.
+  const double slower = factor->is_super != 0 ? kDenseBlocks : 1.0;
+  return slower * 4.0 * visited / std::max(common.fl, 1.0);
+}
+
+bool Cholesky::update_pays(const DofRows& rows, std::span<const Change> changes) {
+  // Few changes pay even if each goes through all columns, and need not be followed.
+  const double most = impl_->work(static_cast<double>(changes.size()) * impl_->common.lnz);
+  return most <= 1.0 || relative_work(rows, changes) <= 1.0;
 }
 
 double Cholesky::relative_work(const DofRows& rows, std::span<const Change> changes) {
@@ -271,9 +280,7 @@ double Cholesky::relative_work(const DofRows& rows, std::span<const Change> chan
       k = size[k] > 1 ? row[start[k] + 1] : static_cast<std::int32_t>(L->n);
     }
   }
-  // An operation of an update against one of a factorisation: dense blocks are quicker, single columns as slow.
-  const double slower = s.factor->is_super != 0 ? kDenseBlocks : 1.0;
-  return slower * 4.0 * visited / std::max(s.common.fl, 1.0);
+  return s.work(visited);
 }
 
 bool Cholesky::update(const DofRows& rows, std::span<const Change> changes) {

@@ -39,6 +39,8 @@ class Cholesky {
   };
   /// Work that update() would take, over that of factorise(), roughly; both counted in operations, not measured.
   [[nodiscard]] double relative_work(const DofRows& rows, std::span<const Change> changes);
+  /// True if that is not above one.
+  [[nodiscard]] bool update_pays(const DofRows& rows, std::span<const Change> changes);
   /// Changes the factor itself by rank updates (first) and downdates, until the next factorise() or drop_updates().
   /// @return false: the matrix is not positive definite any more, or the numbers are lost
   [[nodiscard]] bool update(const DofRows& rows, std::span<const Change> changes);
@@ -47,8 +49,6 @@ class Cholesky {
   /// x = A^-1 b.
   void solve(std::span<const double> b, std::span<double> x);
 
-  /// Times that solve() may run for the work of factorise(), roughly.
-  [[nodiscard]] int solves_per_factorisation() const;
   [[nodiscard]] std::int64_t factorisations() const;
   [[nodiscard]] std::int64_t analyses() const;
   /// Numbers in the factor.

@@ -27,6 +27,8 @@ class ConjugateResiduals {
   int solve(Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit, double enough,
             int most, std::span<double> x) {
     unit_ = unit;
+    weight_.resize(unit.size());
+    for (std::size_t i = 0; i < unit.size(); ++i) weight_[i] = 1.0 / (unit[i] * unit[i]);
     residual(A, b, x);
     std::size_t depth = 0;
     for (int taken = 0;; ++taken) {
@@ -51,7 +53,7 @@ class ConjugateResiduals {
   };
   [[nodiscard]] double dot(const std::vector<double>& u, const std::vector<double>& v) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i] / (unit_[i] * unit_[i]);
+    for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i] * weight_[i];
     return sum;
   }
   static void subtract(double factor, const std::vector<double>& u, std::vector<double>& from) {
@@ -94,6 +96,7 @@ class ConjugateResiduals {
 
   std::vector<double> r_;
   std::span<const double> unit_;
+  std::vector<double> weight_;  // of a number of the residual in a product
   std::vector<Correction> corrections_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/local_origin.h"
+
 namespace scree::coupling {
 
 LostPlace lost_place(const Setup& setup, std::span<const double> q) {
@@ -26,8 +28,9 @@ LostPlace not_finite_at(const Setup& setup, std::span<const double> values, cons
     for (std::int32_t k = body.first_node; k < body.first_node + body.nodes; ++k) {
       const auto i = 2 * static_cast<std::size_t>(k);
       if (std::isfinite(values[i]) && std::isfinite(values[i + 1])) continue;
-      return {static_cast<std::int32_t>(b), fmt::format("{} of node {} near ({:.4g}, {:.4g}) is not finite", name,
-                                                        k - body.first_node, q[i], q[i + 1])};
+      return {static_cast<std::int32_t>(b),
+              fmt::format("{} of node {} near {} is not finite", name, k - body.first_node,
+                          place_text({q[i], q[i + 1]}, setup.model().origin))};
     }
   }
   return {};

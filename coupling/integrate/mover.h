@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "coupling/contact/audit.h"
 #include "coupling/plan.h"
@@ -9,6 +10,8 @@
 #include "coupling/state.h"
 
 namespace scree::coupling {
+
+class Control;
 
 /// What came of a step. Non-convergence is a status; the state is then what it was before.
 struct StepReport {
@@ -20,6 +23,7 @@ struct StepReport {
     no_balance,    // Newton's method left a residual force
     not_definite,  // the implicit matrix could not be factorised
     refused,       // the scheme cannot do it, whatever the step
+    given_up,      // stopped from outside (Control::give_up_step)
     non_finite     // a position or velocity is not a number
   };
   Status status = Status::ok;
@@ -36,6 +40,23 @@ struct StepReport {
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there
 };
 
+/// What a mover knows at an instant beside the state: results of the step that led here which cannot be had from the
+/// state alone to the last bit. Forces were summed, and contacts found, before driven bodies were put exactly in place.
+struct MoverMemory {
+  /// What a step bound allowed for.
+  struct Bound {
+    ContactKey key;
+    double stiffness = 0.0;  // [N/m]
+  };
+  std::vector<ContactPoint> points;                     // of State::contacts
+  std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
+  std::vector<Bound> bound;                             // explicit: of the last stable_step()
+
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
+};
+
 /// Advances a state by whole steps. On any status but ok the state keeps every bit.
 class Mover {
  public:
@@ -46,6 +67,10 @@ class Mover {
   /// Takes over a state: fills what the scheme needs (contacts, accelerations).
   /// @return energy of the contact springs as found on the present outlines [J]
   virtual double enter(State& state) = 0;
+  /// Goes on within a stage where another mover of its kind stopped after a step. In place of enter().
+  virtual void resume(const State& state, const MoverMemory& memory) = 0;
+  /// What resume() needs.
+  [[nodiscard]] virtual MoverMemory memory() const = 0;
   virtual StepReport step(State& state, Tick ticks_of_step) = 0;
   /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
   virtual void leave(State& state) = 0;
@@ -57,11 +82,30 @@ class Mover {
   virtual void contact_forces(const State& state, std::span<double> f) const = 0;
   /// From now on every step that is taken is checked; null: not any more. The audit must outlive the steps.
   void watch(Audit* audit) { audit_ = audit; }
+  /// Whom long steps ask whether to give up; null: nobody. It must outlive the steps.
+  virtual void heed(Control* control) { (void)control; }
   /// False once contacts have changed by more than the last stable_step() allowed for.
   [[nodiscard]] virtual bool step_still_stable() const { return true; }
 
  protected:
   Audit* audit_ = nullptr;
 };
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Visitor>
+void MoverMemory::visit(Visitor&& see) {
+  see.size("points", points);
+  for (ContactPoint& p : points) p.visit(see);
+  see("stress", stress);
+  see("total", total);
+  see("stiffness", stiffness);
+  see("local", local);
+  see.size("bound", bound);
+  for (Bound& b : bound) {
+    b.key.visit(see);
+    see("bound.stiffness", b.stiffness);
+  }
+}
 
 }  // namespace scree::coupling

@@ -40,16 +40,11 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
   A_ = K_;
 }
 
-double Newmark::enter(State& state) {
+void Newmark::enter_stage(const State& state) {
   supports_ = point_springs(*setup_, state);
   dashpots_ = dashpots(*setup_, state);
   loads_ = load_vectors(*setup_, state);
-  finder_.restore(state.contacts, before_);
-  finder_.find(state.q, before_, state.step == 0, list_);
-  (void)finder_.adopt_kinds(list_);  // the energy returned below has it
-  state.contacts = list_.memory;
   contacts_.enter(state.factored);
-  state.last_step = 0;
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
   for (const Body& b : setup_->bodies()) {
@@ -60,6 +55,20 @@ double Newmark::enter(State& state) {
                              setup_->part(std::span<double>(node_scratch_), p));
   }
   system_.find_units(reference_);
+}
+
+void Newmark::resume(const State& state, const MoverMemory& memory) {
+  enter_stage(state);
+  list_.restore(memory.points, state.contacts);
+}
+
+double Newmark::enter(State& state) {
+  enter_stage(state);
+  finder_.restore(state.contacts, before_);
+  finder_.find(state.q, before_, state.step == 0, list_);
+  (void)finder_.adopt_kinds(list_);  // the energy returned below has it
+  state.contacts = list_.memory;
+  state.last_step = 0;
   if (trapezoidal()) {
     if (state.a.empty()) {
       // M a = f - C v at the start: the residual of a step that has not moved yet.

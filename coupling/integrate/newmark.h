@@ -37,6 +37,9 @@ class Newmark final : public Mover {
   Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options = {});
 
   double enter(State& state) override;
+  void resume(const State& state, const MoverMemory& memory) override;
+  [[nodiscard]] MoverMemory memory() const override { return {list_.points, {}, {}, {}, {}, {}}; }
+  void heed(Control* control) override { contacts_.heed(control); }
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
@@ -50,6 +53,8 @@ class Newmark final : public Mover {
  private:
   [[nodiscard]] bool trapezoidal() const { return options_.scheme == NewmarkScheme::trapezoidal; }
   [[nodiscard]] double kinetic_energy(const State& state) const;
+
+  void enter_stage(const State& state);
 
   // newmark.cpp: the step's equations
   void prepare(const State& state, double h);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
+#include "coupling/contact/joint_strength.h"
 #include "coupling/integrate/cholesky.h"
 #include "coupling/integrate/conjugate_residuals.h"
 #include "coupling/integrate/implicit_system.h"
@@ -52,7 +53,7 @@ class OpenClose {
     int switched = 0;  // points that changed state before it
     int updates = 0;   // rank-1 changes of the factor
     bool factorised = false;
-    double seconds = 0.0;
+    double factor_seconds = 0.0, seconds = 0.0;  // processor time for the factor, and in all
   };
 
   /// How the factor follows the states.
@@ -64,6 +65,8 @@ class OpenClose {
   /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
   OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
 
+  /// Whom solve() asks, once a pass, whether to give up; null: nobody.
+  void heed(Control* control) { control_of_run_ = control; }
   /// Takes over the factor that a state tells of.
   void enter(const KeptFactor& kept);
   /// Begins a step with the points of a list and other springs, which must outlive it.
@@ -131,6 +134,15 @@ class OpenClose {
   [[nodiscard]] bool may_close(std::size_t i) const;
   /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
   [[nodiscard]] double tolerance(std::size_t i) const;
+  /// The state that a point's forces and motions ask for, and how far they violate the one it has, as a force [N].
+  struct Wish {
+    ContactStatus status = ContactStatus::open;
+    double direction = 0.0;
+    bool opens = false;
+    double violation = 0.0;
+  };
+  [[nodiscard]] Wish wish(std::size_t i) const;
+  /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool refuse(StepReport& report) const;
 
@@ -139,27 +151,41 @@ class OpenClose {
   const ImplicitSystem* system_;
   bool allowed_;
   Factor factor_;
+  Control* control_of_run_ = nullptr;
   const ContactList* list_ = nullptr;
   const StepSprings* springs_ = nullptr;
   DofRows rows_;                // springs, then gap and stretch of every point
   std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<Trial> trial_;
-  std::vector<double> mass_;    // of a body, as the model has it [kg]
-  std::vector<double> weight_;  // of the lighter free body at a point [N]
-  double largest_force_ = 0.0;  // of the points' normal forces in a pass [N]
-  double gap_round_off_ = 0.0;  // to which positions define a gap [m]
+  std::vector<Strength> strength_;  // of the points
+  std::vector<double> mass_;        // of a body, as the model has it [kg]
+  std::vector<double> weight_;      // of the lighter free body at a point [N]
+  double largest_force_ = 0.0;      // of the points' normal forces in a pass [N]
+  double gap_round_off_ = 0.0;      // to which positions define a gap [m]
   std::vector<ChartRow> charts_;
   std::vector<std::int32_t> chart_of_node_;  // -1: not yet this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_;
-  std::vector<std::size_t> slipping_;  // points
-  std::string states_;                 // of all points in a pass, a character each
-  std::vector<std::size_t> seen_;      // hashes of the states that the passes have had
+  std::vector<std::size_t> active_;  // rows whose stiffness is not zero
+  /// A point that slips in a pass.
+  struct Slipping {
+    std::size_t point = 0;
+    double friction_per_gap = 0.0;
+    bool dilates = false;
+    Dilation dilation;
+  };
+  std::vector<Slipping> slipping_;
+  std::vector<std::pair<std::size_t, Wish>> wishes_;  // of points that switch in a pass
+  std::vector<double> worst_;                         // violation of a body's points [N]
+  std::string states_;                                // of all points in a pass, a character each
+  std::vector<std::size_t> seen_;                     // hashes of the states that the passes have had
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
   bool current_ = false;  // the factor is that of the step's matrix, with updates
   bool updated_ = false;
+  bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
+  bool rough_ = false;            // the solution at hand is not so good
   bool friction_settled_ = true;  // in the last pass
   bool keep_ = false;             // this step may use the kept factor
   int corrections_left_ = 0;      // iterations that this step may still take with it

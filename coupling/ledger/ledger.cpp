@@ -1,5 +1,6 @@
 #include "coupling/ledger/ledger.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree::coupling {
@@ -77,6 +78,12 @@ double Ledger::closure() const {
     if (kInfo[i].side == Side::work || kInfo[i].side == Side::scheme) sum -= value_[i];
   }
   return sum;
+}
+
+double Ledger::largest() const {
+  double most = std::abs(initial_);
+  for (const double value : value_) most = std::max(most, std::abs(value));
+  return most;
 }
 
 double Ledger::relative_closure() const { return moved_ > 0.0 ? std::abs(closure()) / moved_ : 0.0; }

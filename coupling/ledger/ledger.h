@@ -75,6 +75,7 @@ class Ledger {
   [[nodiscard]] double energy() const;                   // sum of the energy columns [J]
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
+  [[nodiscard]] double largest() const;                  // |column|, of all [J]
   /// |closure| / moved, 0 while nothing has moved.
   [[nodiscard]] double relative_closure() const;
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
@@ -15,7 +16,9 @@ namespace {
 
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-constexpr double kClosure = 1e-9;  // of the energy moved: what an audit lets the ledger be open by
+constexpr double kLastPlaces = 1e-13;
+constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
+constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
 
 constexpr const char* kUnsupported =
     "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
@@ -176,7 +179,7 @@ void Driver::change_stage(std::size_t index) {
   if (index > 0) {
     mover_->leave(state_);
     mover_.reset();
-    HandOver handed = hand_over(*model_, *methods_, *setup_, wishes(*model_, stage), state_);
+    HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
     observer_.reset();
     setup_ = std::move(handed.setup);
     state_.stage = static_cast<std::int32_t>(index);
@@ -191,33 +194,98 @@ void Driver::change_stage(std::size_t index) {
     }
   }
   refuse_turned_blocks(stage);
-  step_control_ = stage.control;
-  if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
-  // A point may not pass through the detection distance in one step.
-  step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
-  if (stage.integrator == Integrator::explicit_) {
-    const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
-    mover_ = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
-  } else {
-    check_implicit(stage, *setup_);
-    const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
-                                  stage.damp_rigid_motion, stage.stiffness_damping};
-    mover_ = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
-  }
-  if (plan_->audit) mover_->watch(&audit_);
+  mover_ = make_mover(stage);
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
   const double now = mover_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
+  observe();
+}
+
+std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
+  step_control_ = stage.control;
+  if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
+  // A point may not pass through the detection distance in one step.
+  step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
+  std::unique_ptr<Mover> mover;
+  if (stage.integrator == Integrator::explicit_) {
+    const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
+    mover = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
+  } else {
+    check_implicit(stage, *setup_);
+    const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
+                                  stage.damp_rigid_motion, stage.stiffness_damping};
+    mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
+  }
+  if (plan_->audit) mover->watch(&audit_);
+  mover->heed(control_);
+  return mover;
+}
+
+void Driver::observe() {
+  const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   observer_ =
-      std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(index) + 1, plan_->output.contacts);
+      std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(state_.stage) + 1, plan_->output.contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
     if (!b.driven)
       stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
+}
+
+void Driver::go_on() {
+  Checkpoint& c = *from_;
+  state_ = std::move(c.state);
+  stage_end_ = c.stage_end;
+  first_step_ = c.first_step;
+  stage_begin_.clear();
+  for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
+    stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
+  rested_ = c.rested;
+  largest_ = c.largest_step;
+  audit_ = std::move(c.audit);
+  transfers_ = std::move(c.transfers);
+  travels_ = std::move(c.travels);
+  const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
+  mover_ = make_mover(stage);
+  mover_->resume(state_, c.mover);
+  stats_ = c.stats;
+  observe();
+  from_.reset();
+}
+
+Checkpoint Driver::checkpoint() const {
+  Checkpoint c;
+  c.state = state_;
+  c.mover = mover_->memory();
+  c.stage_end = stage_end_;
+  c.first_step = first_step_;
+  for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
+  c.rested = rested_;
+  c.largest_step = largest_;
+  c.stats = stats_;
+  c.audit = audit_;
+  c.transfers = transfers_;
+  c.travels = travels_;
+  return c;
+}
+
+void Driver::keep(bool in_any_case) {
+  if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
+  const double begin = wall();
+  keeper_->keep(checkpoint());
+  stats_.wall_output += wall() - begin;
+}
+
+void Driver::keep_checkpoint() {
+  // Whoever goes on from here makes all attempts at the present step again.
+  RunStats attempts = std::exchange(stats_, committed_);
+  keep(true);
+  attempts.wall_output = committed_.wall_output = stats_.wall_output;
+  stats_ = attempts;
 }
 
 void Driver::refuse_turned_blocks(const Stage& stage) const {
@@ -275,15 +343,36 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
   return std::max<Tick>(1, ticks(step));
 }
 
+Tick Driver::step_of_fastest() const {
+  double fastest = 0.0;
+  for (const Row& row : setup_->outlines().nodes) fastest = std::max(fastest, position(row, state_.v).squaredNorm());
+  const double step = kOfAllowed * step_control_.max_displacement / std::sqrt(fastest);
+  return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
+}
+
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   const bool implicit = stage.integrator == Integrator::implicit;
-  Tick most = largest_step(stage, state_.step == first_step_);
+  if (largest_ == 0) largest_ = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
+  // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
+  committed_ = stats_;
+  std::optional<Event> cut;  // told with the step that came of it
+  const auto stopped = [&] {
+    stats_ = committed_;
+    return RunEnd{RunEnd::Status::interrupted, "stopped on request"};
+  };
+  const auto tell_cut = [&] {
+    if (cut)
+      for (Sink* s : sinks_) s->event(*cut);
+    cut.reset();
+  };
   while (state_.time < target) {
-    if (control_ != nullptr && control_->stop_requested()) return {RunEnd::Status::interrupted, "stopped on request"};
-    if (!mover_->step_still_stable()) most = largest_step(stage);
-    const Tick remaining = target - state_.time, cap = std::min(most, attempt_cap);
+    if (control_ != nullptr && control_->stop_requested()) return stopped();
+    if (!mover_->step_still_stable()) largest_ = largest_step(stage);
+    Tick cap = std::min(largest_, attempt_cap);
+    if (implicit) cap = std::min(cap, step_of_fastest());
+    const Tick remaining = target - state_.time;
     const Tick h = remaining / ((remaining + cap - 1) / cap);  // equal parts of what remains
     const double begin = wall();
     const StepReport report = mover_->step(state_, h);
@@ -294,18 +383,22 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     stats_.factorisations += report.factorisations;
     stats_.updates += report.updates;
     stats_.corrections += report.corrections;
+    if (report.status == StepReport::Status::given_up) return stopped();
     if (report.status == StepReport::Status::ok) {
+      tell_cut();
       ++stats_.steps;
       if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
       RunEnd found = check_audit(stage);
+      committed_ = stats_;
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
       if (found.status != RunEnd::Status::done) return found;
       if (balance_) {
         RunEnd rest = check_rest(stage, stage_end_);
         if (rest.status != RunEnd::Status::done || rested_) return rest;
       }
+      if (state_.time < target) keep(false);  // at the target after what is looked at there
       continue;
     }
     ++stats_.cuts;
@@ -322,14 +415,29 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
           report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
       const std::string reason =
           fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
+      tell_cut();
       event(EventKind::not_converged, reason);
       return {status, reason};
     }
-    if (cuts == 1) event(EventKind::step_cut, text);
+    if (cuts == 1) cut = Event{EventKind::step_cut, seconds(state_.time), text, nullptr, nullptr};
     const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
     attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
   }
   return {};
+}
+
+RunEnd Driver::check_closure(const Stage& stage) {
+  if (!(plan_->max_closure > 0.0)) return {};
+  const Ledger& ledger = state_.ledger;
+  // Energies at rest may be large against what moves: their last places are no fault.
+  if (std::abs(ledger.closure()) <= plan_->max_closure * ledger.moved() + kLastPlaces * ledger.largest()) return {};
+  const std::string reason = fmt::format(
+      "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that moved; {:.2g} is "
+      "allowed (run.max_closure)",
+      seconds(state_.time), stage.name, ledger.closure(), ledger.relative_closure(), ledger.moved(),
+      plan_->max_closure);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
 }
 
 RunEnd Driver::check_audit(const Stage& stage) {
@@ -381,24 +489,33 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   return {RunEnd::Status::not_converged, reason};
 }
 
-RunEnd Driver::run_stage(std::size_t index, Tick end) {
-  const Stage& stage = plan_->stages[index];
-  const bool to_balance = stage.rest && stage.rest_force > 0.0;
-  balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
+void Driver::begin_stage(const Stage& stage) {
+  stage_end_ = state_.time + stage.duration;  // a stage that comes to rest ends before its time
   rested_ = false;
   first_step_ = state_.step;
+  largest_ = 0;
+  stage_begin_ = centres();
   event(EventKind::stage_start,
         fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                     stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
   look(true);
-  const std::vector<Vec2> begin = centres();
+  keep(state_.step == 0);
+}
+
+RunEnd Driver::run_stage(const Stage& stage, Tick end) {
+  const bool to_balance = stage.rest && stage.rest_force > 0.0;
+  balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
   while (state_.time < end && !rested_) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
     const Tick target = std::min({frame, history, end});
     RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
+    largest_ = 0;
     look(target == frame || target == end || rested_);
+    result = check_closure(stage);
+    if (result.status != RunEnd::Status::done) return result;
+    keep(target == end || rested_);
   }
   if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
     const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
@@ -406,7 +523,7 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
     event(EventKind::not_converged, reason);
     return {RunEnd::Status::not_converged, reason};
   }
-  travels_.push_back(travel_since(begin));
+  travels_.push_back(travel_since(stage_begin_));
   const StageTravel& travel = travels_.back();
   event(EventKind::stage_end,
         travel.block.valid() ? fmt::format("stage '{}' done: block '{}' moved farthest, {:.3g} m", stage.name,
@@ -419,20 +536,28 @@ RunEnd Driver::run_stage(std::size_t index, Tick end) {
 RunEnd Driver::run(std::optional<double> until) {
   const Tick stop = until ? std::min(end_, ticks(*until)) : end_;
   for (Sink* s : sinks_) s->begin(*model_, *plan_);
-  start();
+  const bool goes_on = from_.has_value();
+  if (goes_on)
+    go_on();
+  else
+    start();
+  const auto first = static_cast<std::size_t>(state_.stage);
   RunEnd result;
-  for (std::size_t i = 0; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
-    if (i > 0 && state_.time >= stop) break;
-    change_stage(i);
-    stage_end_ = state_.time + plan_->stages[i].duration;  // a stage that comes to rest ends before its time
+  for (std::size_t i = first; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
+    const Stage& stage = plan_->stages[i];
+    const bool within = goes_on && i == first;
+    if (!within && i > 0 && state_.time >= stop) break;
+    if (!within) change_stage(i);
     try {
-      result = run_stage(i, std::min(stage_end_, stop));
+      if (!within) begin_stage(stage);
+      result = run_stage(stage, std::min(stage_end_, stop));
     } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
       event(EventKind::not_converged, e.what());
       finish({RunEnd::Status::not_converged, e.what()});
       throw;
     }
   }
+  if (result.status == RunEnd::Status::interrupted) keep(true);
   finish(result);
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/checkpoint.h"
 #include "coupling/stages/force_balance.h"
 #include "coupling/stages/observer.h"
 #include "coupling/transfer/transfer.h"
@@ -27,6 +28,12 @@ class Driver {
 
   void add_sink(Sink& sink) { sinks_.push_back(&sink); }
   void set_control(Control& control) { control_ = &control; }
+  void set_keeper(Keeper& keeper) { keeper_ = &keeper; }
+  /// run() goes on from here, to the same end as if it had never stopped. Sinks see begin() and the mesh again, then
+  /// what comes after the checkpoint.   @pre it is of the same model, plan and methods
+  void continue_from(Checkpoint checkpoint) { from_ = std::move(checkpoint); }
+  /// Keeps a checkpoint now.   @pre called by the control while it is asked: between two steps
+  void keep_checkpoint();
 
   /// Runs to the end of the plan, or to `until` [s]. Not converging is an outcome; only a PlanError is thrown.
   RunEnd run(std::optional<double> until = std::nullopt);
@@ -43,14 +50,27 @@ class Driver {
  private:
   void start();
   void change_stage(std::size_t index);
+  /// The setup, mover and observer of a checkpoint's stage, as they were.
+  void go_on();
+  [[nodiscard]] std::unique_ptr<Mover> make_mover(const Stage& stage);
+  void observe();
+  [[nodiscard]] Checkpoint checkpoint() const;
+  /// Keeps a checkpoint, if it is due or in any case.
+  void keep(bool in_any_case);
   /// @throws PlanError where linear kinematics would take a block's rotation for strain
   void refuse_turned_blocks(const Stage& stage) const;
   /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
   [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
-  RunEnd run_stage(std::size_t index, Tick end);
+  void begin_stage(const Stage& stage);
+  RunEnd run_stage(const Stage& stage, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
   /// Ends the run where the last step was wrong (Plan::audit).
+  /// Ends a run whose ledger is open by more than the plan allows.
+  [[nodiscard]] RunEnd check_closure(const Stage& stage);
+  /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
+  /// afterwards has cost all its passes.
+  [[nodiscard]] Tick step_of_fastest() const;
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
   RunEnd advance_to(const Stage& stage, Tick target);
@@ -68,6 +88,8 @@ class Driver {
   const Methods* methods_;
   std::vector<Sink*> sinks_;
   Control* control_ = nullptr;
+  Keeper* keeper_ = nullptr;
+  std::optional<Checkpoint> from_;
   State state_;
   std::unique_ptr<Setup> setup_;
   std::unique_ptr<Observer> observer_;
@@ -77,8 +99,10 @@ class Driver {
   std::unique_ptr<ForceBalance> balance_;  // of stages with rest_force
   bool rested_ = false;                    // the stage has found its balance
   std::int64_t first_step_ = 0;            // of the stage
+  std::vector<Vec2> stage_begin_;          // centres of mass then
+  Tick largest_ = 0;                       // step until the next output; 0: to be found
   Tick end_ = 0, stage_end_ = 0;
-  RunStats stats_;
+  RunStats stats_, committed_;  // with and without the attempts at the present step
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;

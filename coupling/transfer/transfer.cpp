@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "coupling/transfer/contact_forces.h"
+#include "coupling/transfer/transfer_mode.h"
 #include "model/elasticity.h"
 
 namespace scree::coupling {
@@ -28,6 +32,24 @@ void measure(TransferRow& row, double inertia) {
   row.energy_error = relative(
       b.kinetic + b.elastic + row.reservoir_kinetic + row.reservoir_elastic + row.booked - a.kinetic - a.elastic,
       a.kinetic + a.elastic);
+}
+
+/// Brings a body back that has been affine since it was released: its own unknowns, moved along.
+void bring_back(const Remainder& rest, const AffineMotion& motion, std::span<double> q, std::span<double> v) {
+  const Mat2 R = polar_rotation(motion.F);
+  for (std::size_t i = 0; i < rest.position.size(); i += 2) {
+    const Vec2 y(rest.position[i], rest.position[i + 1]), w(rest.velocity[i], rest.velocity[i + 1]);
+    const Vec2 x = motion.c + motion.F * y, u = motion.vc + motion.Fdot * y + R * w;
+    for (std::size_t d = 0; d < 2; ++d) {
+      q[i + d] = x[static_cast<Eigen::Index>(d)];
+      v[i + d] = u[static_cast<Eigen::Index>(d)];
+    }
+  }
+}
+
+/// Elastic energy of the affine part of a release [J].
+double elastic_of(const Elasticity& law, const Release& release) {
+  return release.shape.area * elastic_response(law, release.motion.F, release.initial).energy;
 }
 
 }  // namespace
@@ -63,106 +85,208 @@ std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wi
   return records;
 }
 
-HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const std::vector<Wish>& wish,
-                   State& state) {
-  HandOver out;
-  const std::size_t count = state.bodies.size();
-  std::vector<char> changed(count, 0), reformed(count, 0);
-  std::vector<BodyTotals> before(count);  // of bodies that keep their unknowns and change their operators
-  std::vector<Release> released(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    BodyRecord& record = state.bodies[i];
-    if (record.method == wish[i].method && record.form.same_mesh(wish[i].form)) {
-      if (record.form == wish[i].form) continue;
-      reformed[i] = 1;
-      before[i] = totals_of(from, i, state);
-      record.form = wish[i].form;  // the same unknowns with other operators
+namespace {
+
+/// One hand-over at work: what each body leaves behind, and how it goes on.
+class Change {
+ public:
+  Change(const Model& model, const Setup& from, const Stage& stage, State& state)
+      : model_(model), from_(from), stage_(stage), state_(state), bodies_(state.bodies.size()) {}
+
+  /// Measures the bodies that change, and puts their new records into the state.
+  void release(const std::vector<Wish>& wish);
+  [[nodiscard]] std::vector<char> changed() const;
+  /// Unknowns of the new bodies.
+  void place(const Setup& to);
+  /// Each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
+  void book(const Setup& to);
+
+  std::vector<TransferRow> rows;
+
+ private:
+  enum class Kind { stays, reformed, affine, back };  // reformed: the same unknowns with other operators
+  struct One {
+    Kind kind = Kind::stays;
+    Release release;
+    BodyTotals before;
+    Remainder back;           // of Kind::back
+    std::ptrdiff_t row = -1;  // into rows
+  };
+  void release_one(std::size_t i, const Wish& wish);
+  /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
+  /// @param affine  the body is all affine now: else its own fields would be lost
+  [[nodiscard]] std::optional<Remainder> take_rest(BlockId block, const Wish& wish, bool affine);
+  void book_return(const Setup& to, std::size_t i, TransferRow& row);
+
+  const Model& model_;
+  const Setup& from_;
+  const Stage& stage_;
+  State& state_;
+  std::vector<One> bodies_;
+};
+
+void Change::release(const std::vector<Wish>& wish) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyRecord& record = state_.bodies[i];
+    if (record.method != wish[i].method || !record.form.same_mesh(wish[i].form)) {
+      release_one(i, wish[i]);
+    } else if (record.form != wish[i].form) {
+      bodies_[i].kind = Kind::reformed;
+      bodies_[i].before = totals_of(from_, i, state_);
+      record.form = wish[i].form;
+    }
+  }
+}
+
+void Change::release_one(std::size_t i, const Wish& wish) {
+  One& one = bodies_[i];
+  BodyRecord& record = state_.bodies[i];
+  const Body& b = from_.bodies()[i];
+  const auto p = static_cast<std::size_t>(b.pool);
+  one.kind = Kind::affine;
+  if (b.driven) {
+    record = {record.block, wish.method, reference_shape(model_, record.block), wish.form};  // it never deforms
+    one.release.shape = record.shape;
+    return;
+  }
+  one.release = from_.pool_of(b).release(b.index, from_.part(std::span<const double>(state_.q), p),
+                                         from_.part(std::span<const double>(state_.v), p));
+  one.before = totals_of(from_, i, state_);
+  TransferRow row;
+  row.time = seconds(state_.time);
+  row.block = record.block;
+  row.from = record.method;
+  row.to = wish.method;
+  row.before = one.before;
+  one.row = std::ssize(rows);
+  if (std::optional<Remainder> rest = take_rest(record.block, wish, one.release.position.empty())) {
+    one.kind = Kind::back;
+    one.back = std::move(*rest);
+    row.reservoir_kinetic = -one.back.kinetic;
+    row.reservoir_elastic = -one.back.elastic;
+    record = one.back.record;
+    record.form = wish.form;
+  } else {
+    row.booked = take_along(stage_.transfer, stage_.transfer_cap, one.release) + one.release.elastic_cross;
+    row.reservoir_kinetic = one.release.kinetic_rest;
+    row.reservoir_elastic = one.release.elastic_rest;
+    if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
+      state_.rest.push_back({record.block, row.reservoir_kinetic, row.reservoir_elastic, record,
+                             std::move(one.release.position), std::move(one.release.velocity_rest)});
+    record = {record.block, wish.method, one.release.shape, wish.form};
+    // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
+    // read there: what that changes does work on the strain.
+    const Mat2& F = one.release.motion.F;
+    const Mat2 U = polar_rotation(F).transpose() * F, strain = 0.5 * (U + U.transpose()) - Mat2::Identity(),
+               change = InSituStress(model_, record).mean() - one.release.initial;
+    row.booked -= one.release.shape.area * change.cwiseProduct(strain).sum();
+  }
+  rows.push_back(row);
+}
+
+std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool affine) {
+  std::optional<Remainder> found;
+  for (std::size_t k = state_.rest.size(); k-- > 0;) {
+    Remainder& rest = state_.rest[k];
+    if (rest.block != block || rest.position.empty()) continue;
+    if (affine && rest.record.method == wish.method && rest.record.form.same_mesh(wish.form)) {
+      found = std::move(rest);
+      state_.rest.erase(state_.rest.begin() + static_cast<std::ptrdiff_t>(k));
+    } else {
+      rest.record = BodyRecord{block, {}, {}, {}};
+      rest.position = rest.velocity = {};
+    }
+    break;  // only the latest can have fields
+  }
+  return found;
+}
+
+std::vector<char> Change::changed() const {
+  std::vector<char> flags;
+  for (const One& one : bodies_) flags.push_back(one.kind == Kind::affine || one.kind == Kind::back ? 1 : 0);
+  return flags;
+}
+
+void Change::place(const Setup& to) {
+  std::vector<double> q(2 * static_cast<std::size_t>(to.nodes()), 0.0), v = q;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body &a = from_.bodies()[i], &b = to.bodies()[i];
+    const auto p = static_cast<std::size_t>(b.pool);
+    const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node), size = 2 * static_cast<std::ptrdiff_t>(a.nodes);
+    const auto first = 2 * static_cast<std::ptrdiff_t>(b.first_node);
+    const One& one = bodies_[i];
+    if (one.kind == Kind::affine) {
+      to.pool_of(b).place(b.index, one.release.motion, to.part(std::span<double>(q), p),
+                          to.part(std::span<double>(v), p));
+    } else if (one.kind == Kind::back) {
+      const auto at = static_cast<std::size_t>(first);
+      bring_back(one.back, one.release.motion, std::span(q).subspan(at), std::span(v).subspan(at));
+    } else {
+      std::copy_n(state_.q.begin() + begin, size, q.begin() + first);
+      std::copy_n(state_.v.begin() + begin, size, v.begin() + first);
+    }
+  }
+  to.prescribe(seconds(state_.time), q, v);
+  state_.q = std::move(q);
+  state_.v = std::move(v);
+  state_.a.clear();
+  state_.v_before.clear();
+  state_.damping.clear();
+}
+
+/// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
+/// the same parts have now, is booked. Nothing where it returns at once.
+void Change::book_return(const Setup& to, std::size_t i, TransferRow& row) {
+  const Body& b = to.bodies()[i];
+  const auto p = static_cast<std::size_t>(b.pool);
+  const One& one = bodies_[i];
+  const Release now = to.pool_of(b).release(b.index, to.part(std::span<const double>(state_.q), p),
+                                            to.part(std::span<const double>(state_.v), p));
+  const Elasticity law = model_.elasticity_of(row.block);
+  const double kinetic = kinetic_of(one.release.shape, one.release.motion) + one.back.kinetic -
+                         kinetic_of(now.shape, now.motion) - now.kinetic_rest;
+  const double elastic =
+      elastic_of(law, one.release) + one.back.elastic - elastic_of(law, now) - now.elastic_rest - now.elastic_cross;
+  row.booked = kinetic + elastic;
+}
+
+void Change::book(const Setup& to) {
+  Ledger& ledger = state_.ledger;
+  double kinetic = ledger[Column::kinetic], elastic = ledger[Column::elastic], reservoir = ledger[Column::reservoir];
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const One& one = bodies_[i];
+    if (to.bodies()[i].driven || one.kind == Kind::stays) continue;
+    const BodyTotals after = totals_of(to, i, state_);
+    kinetic += after.kinetic - one.before.kinetic;
+    elastic += after.elastic - one.before.elastic;
+    if (one.kind == Kind::reformed) {  // another mass, another measure of strain: what the same motion now holds
+      ledger.book(Column::transfer, after.kinetic - one.before.kinetic);
+      ledger.book(Column::transfer, after.elastic - one.before.elastic);
       continue;
     }
-    changed[i] = 1;
-    const Body& b = from.bodies()[i];
-    const auto p = static_cast<std::size_t>(b.pool);
-    if (b.driven) {
-      released[i].shape = reference_shape(model, record.block);  // it never deforms
-    } else {
-      released[i] = from.pool_of(b).release(b.index, from.part(std::span<const double>(state.q), p),
-                                            from.part(std::span<const double>(state.v), p));
-      TransferRow row;
-      row.time = seconds(state.time);
-      row.block = record.block;
-      row.from = record.method;
-      row.to = wish[i].method;
-      row.before = totals_of(from, i, state);
-      row.reservoir_kinetic = released[i].kinetic_rest;
-      row.reservoir_elastic = released[i].elastic_rest;
-      row.booked = released[i].elastic_cross;
-      out.rows.push_back(row);
-    }
-    record = {record.block, wish[i].method, released[i].shape, wish[i].form};
-    if (!b.driven) {
-      // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
-      // read there: what that changes does work on the strain.
-      const Mat2& F = released[i].motion.F;
-      const Mat2 U = polar_rotation(F).transpose() * F, strain = 0.5 * (U + U.transpose()) - Mat2::Identity(),
-                 change = InSituStress(model, record).mean() - released[i].initial;
-      out.rows.back().booked -= released[i].shape.area * change.cwiseProduct(strain).sum();
-    }
-  }
-
-  hand_contacts_over(from, changed, state);
-  out.setup = std::make_unique<Setup>(model, methods, state.bodies);
-  const Setup& to = *out.setup;
-  std::vector<double> q(2 * static_cast<std::size_t>(to.nodes()), 0.0), v = q;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Body &a = from.bodies()[i], &b = to.bodies()[i];
-    const auto p = static_cast<std::size_t>(b.pool);
-    if (changed[i] != 0) {
-      to.pool_of(b).place(b.index, released[i].motion, to.part(std::span<double>(q), p),
-                          to.part(std::span<double>(v), p));
-    } else {
-      const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node),
-                 end = begin + 2 * static_cast<std::ptrdiff_t>(a.nodes);
-      std::copy(state.q.begin() + begin, state.q.begin() + end,
-                q.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
-      std::copy(state.v.begin() + begin, state.v.begin() + end,
-                v.begin() + 2 * static_cast<std::ptrdiff_t>(b.first_node));
-    }
-  }
-  to.prescribe(seconds(state.time), q, v);
-  state.q = std::move(q);
-  state.v = std::move(v);
-  state.a.clear();
-  state.v_before.clear();
-  state.damping.clear();
-
-  // Books: each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
-  Ledger& ledger = state.ledger;
-  std::size_t next = 0;
-  double kinetic = ledger[Column::kinetic], elastic = ledger[Column::elastic], reservoir = ledger[Column::reservoir];
-  for (std::size_t i = 0; i < count; ++i) {
-    if (to.bodies()[i].driven) continue;
-    if (reformed[i] != 0) {  // another mass, another measure of strain: what the same motion now holds
-      const BodyTotals after = totals_of(to, i, state);
-      kinetic += after.kinetic - before[i].kinetic;
-      elastic += after.elastic - before[i].elastic;
-      ledger.book(Column::transfer, after.kinetic - before[i].kinetic);
-      ledger.book(Column::transfer, after.elastic - before[i].elastic);
-    }
-    if (changed[i] == 0) continue;
-    TransferRow& row = out.rows[next++];
-    row.after = totals_of(to, i, state);
-    measure(row, released[i].shape.second.trace());
-    kinetic += row.after.kinetic - row.before.kinetic;
-    elastic += row.after.elastic - row.before.elastic;
+    TransferRow& row = rows[static_cast<std::size_t>(one.row)];
+    row.after = after;
+    if (one.kind == Kind::back) book_return(to, i, row);
+    measure(row, one.release.shape.second.trace());
     reservoir += row.reservoir_kinetic + row.reservoir_elastic;
     ledger.book(Column::transfer, -row.booked);
-    if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
-      state.rest.push_back({state.bodies[i].block, row.reservoir_kinetic, row.reservoir_elastic,
-                            released[i].velocity_rest, released[i].stress_rest});
   }
   ledger.set(Column::kinetic, kinetic);
   ledger.set(Column::elastic, elastic);
   ledger.set(Column::reservoir, reservoir);
+}
+
+}  // namespace
+
+HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
+  Change change(model, from, stage, state);
+  change.release(wishes(model, stage));
+  hand_contacts_over(from, change.changed(), state);
+  HandOver out;
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies);
+  change.place(*out.setup);
+  change.book(*out.setup);
+  out.rows = std::move(change.rows);
   return out;
 }
 

@@ -21,14 +21,15 @@ struct Wish {
 
 /// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
-/// through release() and place(). Contact memory travels by corner and edge; the stretch of a spring is kept on its new
-/// edge. Energies, reservoir and cross terms are booked; one row a body that changed.
+/// through release() and place(), with the stage's mode of transfer; a body that comes back to the method and mesh that
+/// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
+/// spring is kept on its new edge. Energies, reservoir and cross terms are booked; one row a body that changed.
 /// @source coupling.md 1
 struct HandOver {
   std::unique_ptr<Setup> setup;
   std::vector<TransferRow> rows;
 };
-[[nodiscard]] HandOver hand_over(const Model& model, const Methods& methods, const Setup& from,
-                                 const std::vector<Wish>& wishes, State& state);
+[[nodiscard]] HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage,
+                                 State& state);
 
 }  // namespace scree::coupling

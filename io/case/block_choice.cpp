@@ -32,8 +32,8 @@ void check_point(const Section& s, const Model& model, BlockId block, const Vec2
   const Box box = bounds(polygon);
   throw s.error("point", fmt::format("the point is not on block {}", in_quotes(model.blocks[block.index()].name)),
                 "a point inside the block or on its outline",
-                fmt::format("the block lies within [{:g}, {:g}] to [{:g}, {:g}]", box.lo.x(), box.lo.y(), box.hi.x(),
-                            box.hi.y()));
+                fmt::format("the block lies within [{:.10g}, {:.10g}] to [{:.10g}, {:.10g}]", box.lo.x(), box.lo.y(),
+                            box.hi.x(), box.hi.y()));
 }
 
 BlockId block_at(const Section& s, std::string_view key, const Model& model) {

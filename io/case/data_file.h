@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "io/case/section.h"
 
@@ -13,5 +14,9 @@ namespace scree::io {
 /// @throws CaseError: empty, another variable, variable not set
 [[nodiscard]] std::filesystem::path data_path(const Section& s, std::string_view key,
                                               const std::filesystem::path& folder, std::string_view what);
+
+/// All files that a checked document names, as data_path() finds them, in the order of the document; without those
+/// whose variable is not set.
+[[nodiscard]] std::vector<std::filesystem::path> data_files(const Value& document, const std::filesystem::path& folder);
 
 }  // namespace scree::io

@@ -23,11 +23,13 @@ std::vector<EdgeSpan> on_line(const Section& s, const Model& model, BlockId bloc
   if (!spans.empty()) return spans;
   const NearestEdge nearest = nearest_edge(of.polygon, line[0], line[1]);
   const auto [from, to] = ends_of(of.polygon, nearest.edge);
-  throw s.error("on", fmt::format("no edge of block {} lies on the line", in_quotes(of.name)),
-                fmt::format("a line within {:.3g} m of the outline", near),
-                fmt::format("the nearest edge runs from ({:g}, {:g}) to ({:g}, {:g}); the line is up to {:.4g} m away "
-                            "from it",
-                            from.x(), from.y(), to.x(), to.y(), nearest.distance));
+  throw s.error(
+      "on", fmt::format("no edge of block {} lies on the line", in_quotes(of.name)),
+      fmt::format("a line within {:.3g} m of the outline", near),
+      fmt::format(
+          "the nearest edge runs from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g}); the line is up to {:.4g} m away "
+          "from it",
+          from.x(), from.y(), to.x(), to.y(), nearest.distance));
 }
 
 /// The edge as the block keeps it, from its number in the case.

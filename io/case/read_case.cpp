@@ -1,10 +1,12 @@
 #include "io/case/read_case.h"
 
 #include "io/case/check_document.h"
+#include "io/case/data_file.h"
 #include "io/case/guard.h"
 #include "io/case/override.h"
 #include "io/case/read_parts.h"
 #include "io/case/text_file.h"
+#include "model/local_origin.h"
 
 namespace scree::io {
 
@@ -24,6 +26,8 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   apply_overrides(document, overrides);
   check_document(document, out.path);
 
+  out.files = data_files(document, file.parent_path());
+
   const Section root(out.path, document, "");
   read_laws(root, out.model);
   read_functions(root, file.parent_path(), out.model);
@@ -36,6 +40,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   read_monitors(root, out.model);
   out.plan = read_plan(root, out.model, methods);
   out.resolved = to_toml(document);
+  take_local_origin(out.model);  // last: errors above name the coordinates of the file
   return out;
 }
 

@@ -16,13 +16,14 @@ namespace scree::io {
 struct Case {
   Model model;
   coupling::Plan plan;
-  std::string text;                    // of the file, byte for byte
-  std::string path;                    // as it was given
-  std::vector<std::string> overrides;  // the --set options
+  std::string text;                          // of the file, byte for byte
+  std::string path;                          // as it was given
+  std::vector<std::string> overrides;        // the --set options
+  std::vector<std::filesystem::path> files;  // that the text names: records, tables, outlines, traces
   std::string resolved;  // a case file that says the same with SI numbers, defaults and overrides written out
 };
 
-/// Reads a case file.
+/// Reads a case file. A model that lies far from (0, 0) comes with a local origin (model/local_origin.h).
 /// @param overrides  `key=value` from --set, applied in order (override.h)
 /// @param methods    names of the methods that exist, for example "nmm", "dda"
 /// @throws CaseError for the first thing that is wrong: the file, its text, keys, values, names, geometry, records

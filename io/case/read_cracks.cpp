@@ -40,16 +40,17 @@ void read_crack(const Section& s, Model& model) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vec2 &a = points[i - 1], &b = points[i];
     const auto piece = [&] {
-      return fmt::format("the piece from ({:g}, {:g}) to ({:g}, {:g})", a.x(), a.y(), b.x(), b.y());
+      return fmt::format("the piece from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g})", a.x(), a.y(), b.x(), b.y());
     };
     if ((b - a).norm() <= near)
       throw s.error("points", i, piece() + " has no length", fmt::format("points more than {:.3g} m apart", near),
                     "remove the repeated point");
     if (!inside(of.polygon, a, b))
-      throw s.error("points", i, fmt::format("{} leaves block {}", piece(), in_quotes(of.name)),
-                    "a line inside the block, which may end on its outline",
-                    fmt::format("end the crack at the outline; the block lies within [{:g}, {:g}] to [{:g}, {:g}]",
-                                box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()));
+      throw s.error(
+          "points", i, fmt::format("{} leaves block {}", piece(), in_quotes(of.name)),
+          "a line inside the block, which may end on its outline",
+          fmt::format("end the crack at the outline; the block lies within [{:.10g}, {:.10g}] to [{:.10g}, {:.10g}]",
+                      box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()));
     if (!edges_on_line(block, of.polygon, a, b, near).empty())
       throw s.error("points", i, fmt::format("{} runs along the outline of block {}", piece(), in_quotes(of.name)),
                     "a line inside the block", "an edge has the joint of block.edge_joints; it needs no crack");

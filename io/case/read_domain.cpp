@@ -78,8 +78,9 @@ class DomainReader {
     const Vec2 first = ring.front(), last = ring.back();
     if (ring.size() < 4 || first != last)
       fail(lines[0].rows.back(),
-           fmt::format("the outline is open: it ends at ({:g}, {:g}), {:.4g} m from its first point ({:g}, {:g})",
-                       last.x(), last.y(), (last - first).norm(), first.x(), first.y()),
+           fmt::format(
+               "the outline is open: it ends at ({:.10g}, {:.10g}), {:.4g} m from its first point ({:.10g}, {:.10g})",
+               last.x(), last.y(), (last - first).norm(), first.x(), first.y()),
            "repeat the first point in a last row, exactly, or add the points that are missing");
     ring.pop_back();
     return ring;

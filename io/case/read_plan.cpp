@@ -76,7 +76,7 @@ void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const
 }
 
 coupling::Stage read_stage(const Section& s, const Section& m, const Model& model,
-                           const std::vector<std::string>& methods) {
+                           const std::vector<std::string>& methods, bool first) {
   coupling::Stage stage;
   stage.name = s.text("name");
   (void)find_name(s, "method", "method", methods);
@@ -90,7 +90,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
-  read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), stage);
+  read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), first, stage);
   if (stage.integrator == Integrator::implicit && !stage.dt)
     throw s.error("dt", "an implicit stage needs a time step", "number [s], > 0",
                   "implicit steps have no stability bound to take dt from: write dt = 1e-3, for example");
@@ -100,7 +100,8 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
 coupling::OutputPlan read_output(const Section& s, Tick total) {
   if (!s.has("every")) s.settle("every", seconds(std::max<Tick>(total / 100, 1)));
   if (!s.has("history_every")) s.settle("history_every", s.number("every"));
-  return {ticks(s.number("every")), ticks(s.number("history_every")), s.boolean("contacts")};
+  return {ticks(s.number("every")), ticks(s.number("history_every")), s.boolean("contacts"),
+          s.number("checkpoint_every"), s.integer("checkpoint_steps")};
 }
 
 coupling::LivePlan read_live(const Section& s) {
@@ -141,7 +142,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   for (const Section& s : root.list("stage")) {
     if (!names.insert(s.text("name")).second)
       throw s.error("name", "two stages have the same name", "a name for each stage", "number the stages");
-    plan.stages.push_back(read_stage(s, m, model, known));
+    plan.stages.push_back(read_stage(s, m, model, known, plan.stages.empty()));
     if (plan.stages.back().rest) check_rest(s, total, total + s.number("duration"), model);
     constexpr double kLongestRun = 8e6;  // [s]; a run counts 2^63 ticks of 1 ps
     if ((total += s.number("duration")) > kLongestRun)
@@ -153,6 +154,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   plan.output = read_output(root.table("output"), run);
   plan.live = read_live(root.table("live"));
   plan.threads = root.table("run").integer("threads");
+  plan.max_closure = root.table("run").number("max_closure");
   return plan;
 }
 

@@ -74,6 +74,20 @@ void read_step(const Section& s, coupling::Stage& stage) {
          "remove the key, or give dt");
 }
 
+void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
+  const double usual = stage.transfer_cap;
+  const std::string& mode = s.text("transfer");
+  stage.transfer = mode == "strain-rate"  ? coupling::TransferMode::strain_rate
+                   : mode == "rotational" ? coupling::TransferMode::rotational
+                                          : coupling::TransferMode::reservoir;
+  stage.transfer_cap = s.number("transfer_cap");
+  refuse(s, "transfer", stage.transfer != coupling::TransferMode::reservoir && first,
+         "no block changes method as the first stage begins", "the key in later stages", "remove it");
+  refuse(s, "transfer_cap", stage.transfer_cap != usual && stage.transfer != coupling::TransferMode::strain_rate,
+         "no strain rates are raised", "transfer_cap beside transfer = \"strain-rate\"",
+         "add transfer = \"strain-rate\", or remove transfer_cap");
+}
+
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
   refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
@@ -86,12 +100,13 @@ void read_rest(const Section& s, coupling::Stage& stage) {
 
 }  // namespace
 
-void read_stage_options(const Section& s, bool nmm, coupling::Stage& stage) {
+void read_stage_options(const Section& s, bool nmm, bool first, coupling::Stage& stage) {
   read_formulation(s, nmm, stage);
   read_step(s, stage);
   read_damping(s, stage);
   read_rest(s, stage);
   read_newmark(s, stage);
+  read_transfer(s, first, stage);
 }
 
 }  // namespace scree::io

@@ -10,8 +10,8 @@ std::vector<Vec2> piezometric_line(const Section& s) {
   Ring points = s.ring("line");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].x() <= points[i - 1].x())
-      throw s.error("line", i, fmt::format("x = {:g} m comes after x = {:g} m", points[i].x(), points[i - 1].x()),
-                    fmt::format("x > {:g} m", points[i - 1].x()),
+      throw s.error("line", i, fmt::format("x = {:.10g} m comes after x = {:.10g} m", points[i].x(), points[i - 1].x()),
+                    fmt::format("x > {:.10g} m", points[i - 1].x()),
                     "sort the points from left to right; a piezometric line has one height above each place");
   return points;
 }

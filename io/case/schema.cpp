@@ -16,6 +16,7 @@ constexpr Range kChords{.low = 1.0, .high = 10000.0};
 constexpr Range kSeed{.low = 0.0, .high = 2147483647.0};
 constexpr Range kSafety{.low = 0.0, .high = 1.0, .low_open = true};
 constexpr Range kBelowOne{.low = 0.0, .high = 1.0, .high_open = true};
+constexpr Range kCap{.low = 1.0, .high = 100.0};
 constexpr Range kCount{.low = 1.0, .high = 2147483647.0};
 constexpr Range kIndex{.low = 0.0, .high = 2147483647.0};
 constexpr Range kShift{.low = -1e6, .high = 1e6};
@@ -185,7 +186,8 @@ constexpr Key kKeys[] = {
      "Blocks are named PREFIX-1, PREFIX-2, ..., in a region NAME-1, NAME-2, ..., from the lowest corner up, then from "
      "left to right."},
     {"domain.snap", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
-     "Grid on which lines are noded. \"auto\" is the power of ten at or above 1e-9 of the extent."},
+     "Grid on which lines are noded. \"auto\" is the power of ten at or above 1e-9 of the extent and the round-off "
+     "of the coordinates."},
     {"domain.least_width", Type::number_or_auto, "m", kNotNegative, "\"auto\"", false, "",
      "Blocks with a smaller width (area over half the perimeter) join the neighbour with the longest shared edge, one "
      "of the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
@@ -198,7 +200,7 @@ constexpr Key kKeys[] = {
      "Corners in order; what lies outside the domain does not count."},
     {"domain.region[].material", Type::name, "", kAny, "(domain.material)", false, "", "Name of a material."},
     {"domain.region[].joint", Type::name, "", kAny, "(domain.joint)", false, "",
-     "Joint law of the region's outline, and of edges of its blocks that lie on no joint."},
+     "Joint law of the region's outline, where no joint lies on it, and of edges of its blocks that lie on no joint."},
     {"domain.region[].cut", Type::boolean, "", kAny, "true", false, "",
      "With false joints end at the region: it stays one block, a base for example."},
     {"domain.region[].cover_size", Type::number, "m", kPositive, "(as the stage says)", false, "",
@@ -370,6 +372,13 @@ constexpr Key kKeys[] = {
     {"stage[].newmark", Type::choice, "", kAny, "(\"damped\", in implicit stages)", false, "damped|trapezoidal",
      "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
      "without contacts."},
+    {"stage[].transfer", Type::choice, "", kAny, "\"reservoir\"", false, "reservoir|strain-rate|rotational",
+     "What becomes of the velocity beside the affine one of blocks that change method as the stage begins. reservoir: "
+     "kept aside with its energy, and given back when the block returns to its mesh; strain-rate: raises the strain "
+     "rates of the block, up to transfer_cap, the rest goes to the reservoir; rotational: turned into spin as in the "
+     "source, which keeps neither angular momentum nor energy. Not in the first stage."},
+    {"stage[].transfer_cap", Type::number, "", kCap, "1.1", false, "",
+     "Largest factor of the strain rates. Goes with transfer = \"strain-rate\"."},
     {"stage[].dynamics", Type::number, "", kFraction, "(1, in implicit stages without rest)", false, "",
      "Fraction of the velocity that an implicit step hands to the next: 1 dynamic, 0 static."},
     {"stage[].rest", Type::boolean, "", kAny, "false", false, "",
@@ -381,7 +390,8 @@ constexpr Key kKeys[] = {
     {"stage[].rest_steps", Type::integer, "", kCount, "(until the duration ends)", false, "",
      "Steps within which rest_force has to be reached. Goes with rest_force."},
     {"stage[].max_passes", Type::integer, "", kPasses, "12", false, "",
-     "Open-close passes of an implicit step before it is cut."},
+     "Open-close passes of an implicit step before it is cut; those that halve the number of points that switch do not "
+     "count."},
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
      "Largest displacement in a step. \"auto\" is a hundredth of the width of the smallest block."},
     {"stage[].method_of", Type::table_list, "", kAny, "", false, "", "Blocks that use another method in this stage."},
@@ -399,6 +409,12 @@ constexpr Key kKeys[] = {
      "Simulated time between samples of monitors and energies."},
     {"output.contacts", Type::boolean, "", kAny, "false", false, "",
      "Write the contact points of every frame: place, state, forces, gap and slip."},
+    {"output.checkpoint_every", Type::number, "s", kNotNegative, "60.0", false, "",
+     "Time on the clock between checkpoints, from which `scree resume` goes on; 0: none by the clock. One is written "
+     "in any case where the run begins, where a stage ends and where the run is stopped. Results do not depend on it."},
+    {"output.checkpoint_steps", Type::integer, "", kIndex, "0", false, "",
+     "Steps between checkpoints, beside checkpoint_every; 0: none by steps. For tests and for runs that must leave "
+     "the same files each time."},
 
     {"live", Type::table, "", kAny, "", false, "", "Streaming of the running model over LCM."},
     {"live.enabled", Type::boolean, "", kAny, "false", false, "", "Stream."},
@@ -409,6 +425,9 @@ constexpr Key kKeys[] = {
     {"run", Type::table, "", kAny, "", false, "", "How the program runs."},
     {"run.threads", Type::integer, "", kThreads, "0", false, "",
      "Threads; 0 takes as many as the machine has. Results do not depend on it."},
+    {"run.max_closure", Type::number, "", kNotNegative, "0.0", false, "",
+     "A run ends as not converged once its energy ledger is open by more than this part of the energy moved, looked at "
+     "every output.history_every; 0: never. 1e-9 is what Scree promises."},
 };
 
 }  // namespace

@@ -18,7 +18,8 @@ bool allowed(char c) {
 }  // namespace
 
 std::string_view name(LiveKind kind) {
-  constexpr std::array<std::string_view, kLiveKinds.size()> names{"INFO", "TOPO", "STATE", "HIST", "ENERGY", "EVENT"};
+  constexpr std::array<std::string_view, kLiveKinds.size() + kControlKinds.size()> names{
+      "INFO", "TOPO", "STATE", "HIST", "ENERGY", "EVENT", "CTRL", "ACK"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -45,8 +46,11 @@ std::string channel_pattern(std::string_view run) {
 
 std::optional<LiveKind> channel_kind(std::string_view channel) {
   if (channel.size() > kMaxChannel || !channel.starts_with(kPrefix)) return std::nullopt;
+  const std::string_view last = channel.substr(channel.rfind('_') + 1);
   for (const LiveKind kind : kLiveKinds)
-    if (channel.ends_with(fmt::format("_{}", name(kind)))) return kind;
+    if (last == name(kind)) return kind;
+  for (const LiveKind kind : kControlKinds)
+    if (last == name(kind)) return kind;
   return std::nullopt;
 }
 

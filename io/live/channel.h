@@ -8,9 +8,12 @@
 
 namespace scree::io {
 
-enum class LiveKind { info, topo, state, hist, energy, event };
+enum class LiveKind { info, topo, state, hist, energy, event, ctrl, ack };
+/// What a run streams.
 inline constexpr std::array kLiveKinds{LiveKind::info, LiveKind::topo,   LiveKind::state,
                                        LiveKind::hist, LiveKind::energy, LiveKind::event};
+/// What is asked of a run, and its answers.
+inline constexpr std::array kControlKinds{LiveKind::ctrl, LiveKind::ack};
 [[nodiscard]] std::string_view name(LiveKind kind);  // INFO, TOPO, ...
 
 inline constexpr std::size_t kMaxChannel = 63;  // characters; LCM refuses more
@@ -24,7 +27,7 @@ inline constexpr std::size_t kMaxRun = 50;      // what is left for the run besi
 /// Channel of a run and kind, at most kMaxChannel characters.
 [[nodiscard]] std::string channel_name(std::string_view run, LiveKind kind);
 
-/// Channels to subscribe to, as a regular expression.   @param run  empty: any run
+/// Channels that runs stream on, as a regular expression.   @param run  empty: any run
 [[nodiscard]] std::string channel_pattern(std::string_view run);
 
 /// What a channel carries; empty where it is not one of ours.

@@ -36,8 +36,8 @@ std::string multicast_route_error(const std::string& group, std::uint16_t port) 
   return reachable ? std::string{} : fmt::format("no multicast route to {} ({})", group, std::strerror(reason));
 }
 
-std::shared_ptr<LiveBus> LiveBus::open(std::string_view text, LiveSide side, std::string& why) {
-  LiveUrl url = parse_live_url(text, side);
+std::shared_ptr<LiveBus> LiveBus::open(std::string_view url_text, LiveSide side, std::string& why) {
+  LiveUrl url = parse_live_url(url_text, side);
   if (url.kind == LiveUrl::Kind::udpm) {
     why = multicast_route_error(url.group, url.port);
     if (!why.empty()) return nullptr;
@@ -62,6 +62,12 @@ bool LiveBus::publish(const std::string& channel, std::span<const std::uint8_t> 
 }
 
 bool LiveBus::subscribe(const std::string& pattern, Handler handler) {
+  if (url_.kind == LiveUrl::Kind::udpm) {
+    std::string why;
+    if (!receiver_) receiver_ = UdpReceiver::open(url_, why);
+    if (receiver_) receiver_->subscribe(pattern, std::move(handler));
+    return receiver_ != nullptr;
+  }
   constexpr int kQueue = 1000;  // messages; the library's 30 are less than one frame of a large mesh
   handlers_.push_back(std::make_unique<Handler>(std::move(handler)));
   const auto call = [](const lcm_recv_buf_t* message, const char* channel, void* user) {
@@ -81,9 +87,11 @@ void LiveBus::unsubscribe() {
     lcm_unsubscribe(connection_->lcm.get(), subscription);
   connection_->subscriptions.clear();
   handlers_.clear();
+  receiver_ = nullptr;
 }
 
 LiveBus::Got LiveBus::handle(int milliseconds) {
+  if (receiver_) return receiver_->handle(milliseconds) ? Got::message : Got::nothing;
   const int got = lcm_handle_timeout(connection_->lcm.get(), milliseconds);
   return got > 0 ? Got::message : got == 0 ? Got::nothing : Got::end;
 }

@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "io/live/live_url.h"
+#include "io/live/udp_receiver.h"
 #include "io/live/wire.h"
 
 namespace scree::io {
 
 /// One connection. Sending and receiving may go on in two threads at once.
 /// Facts of LCM 1.3.1 that it works around: without a route to the multicast group lcm_create prints a dozen lines and
-/// fails, so the route is tried first with a socket that sends nothing; only a subscription opens a socket that
-/// receives, with a thread of the library, and a test of up to 10 s; a message too long for one datagram is reported
-/// as sent when it was not. (A connection makes the kernel join the multicast group: where the route to it leads out of
-/// the machine, the kernel announces that with IGMP even at ttl=0; no message leaves.)
+/// fails, so the route is tried first with a socket that sends nothing; a message too long for one datagram is reported
+/// as sent when it was not; and what it receives over multicast can end the program, so that a UdpReceiver of our own
+/// does that, from the first subscription on. The library sends, writes and plays logs, and has the memory queue. (A
+/// connection makes the kernel join the multicast group: where the route to it leads out of the machine, the kernel
+/// announces that with IGMP even at ttl=0; no message leaves.)
 class LiveBus {
  public:
   using Handler = std::function<void(std::string_view channel, std::span<const std::uint8_t> bytes)>;
@@ -25,7 +27,7 @@ class LiveBus {
   /// @param why  set when the answer is null
   /// @return null when there is no network for it now (try again later)
   /// @throws std::invalid_argument for a URL that check_live_url refuses
-  [[nodiscard]] static std::shared_ptr<LiveBus> open(std::string_view url, LiveSide side, std::string& why);
+  [[nodiscard]] static std::shared_ptr<LiveBus> open(std::string_view url_text, LiveSide side, std::string& why);
   ~LiveBus();
   LiveBus(const LiveBus&) = delete;
   LiveBus& operator=(const LiveBus&) = delete;
@@ -39,12 +41,15 @@ class LiveBus {
   /// Calls `handler` from handle() for each message on channels that match a regular expression.
   /// Opens the receiving socket.   @return false when that fails
   bool subscribe(const std::string& pattern, Handler handler);
-  /// Ends all subscriptions.   @pre no thread is in handle()
+  /// Ends all subscriptions, and closes the receiving socket.   @pre no thread is in handle()
   void unsubscribe();
 
   enum class Got { message, nothing, end };
   /// Waits for a message and handles it.   @return end: the log is over, or the connection broke
   Got handle(int milliseconds);
+
+  /// What came over the network so far, before subscriptions saw it; zeros for memq and logs.
+  [[nodiscard]] UdpCounts udp_counts() const { return receiver_ ? receiver_->counts() : UdpCounts{}; }
 
  private:
   struct Connection;
@@ -53,6 +58,7 @@ class LiveBus {
   LiveUrl url_;
   std::unique_ptr<Connection> connection_;
   std::vector<std::unique_ptr<Handler>> handlers_;
+  std::unique_ptr<UdpReceiver> receiver_;
 };
 
 /// Whether the system would send to a group: empty if so, else why not. Sends nothing.

@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::size_t kLarge = 8192;  // bytes; smaller messages need no pacing
 
-std::int64_t microseconds_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 double seconds_between(LivePublisher::Clock::time_point from, LivePublisher::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
@@ -49,7 +44,7 @@ std::vector<float> cell_values(const RawFrame& frame, LiveField field) {
 }
 
 LivePublisher::LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus)
-    : session_(microseconds_now()), url_(std::move(url)), identity_(std::move(identity)), bus_(std::move(bus)) {
+    : session_(utime_now()), url_(std::move(url)), identity_(std::move(identity)), bus_(std::move(bus)) {
   now_.session = session_;
   now_.topology_id = -1;
 }
@@ -102,18 +97,27 @@ void LivePublisher::offer(LiveHistory history) {
 }
 
 void LivePublisher::offer(const header_v1_t& header, const coupling::Ledger& ledger) {
-  Bytes bytes = encode_energy(header, ledger);
+  offer_energy(encode_energy(header, ledger));
+}
+
+void LivePublisher::offer_energy(Bytes energy) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.energy = std::move(bytes);
+    waiting_.energy = std::move(energy);
     fresh_ = true;
   }
   wake_.notify_one();
 }
 
 void LivePublisher::offer(LiveProgress progress) {
-  const std::lock_guard lock(mutex_);
-  waiting_.progress = std::move(progress);
+  bool news = false;
+  {
+    const std::lock_guard lock(mutex_);
+    news = progress.status != waiting_.progress.status;
+    waiting_.progress = std::move(progress);
+    fresh_ = fresh_ || news;
+  }
+  if (news) wake_.notify_one();
 }
 
 void LivePublisher::offer(Bytes event, bool milestone) {
@@ -127,6 +131,11 @@ void LivePublisher::offer(Bytes event, bool milestone) {
     fresh_ = true;
   }
   wake_.notify_one();
+}
+
+bool LivePublisher::idle() {
+  const std::lock_guard lock(mutex_);
+  return !waiting_.has_frame && !waiting_.history && !waiting_.energy && waiting_.events.empty();
 }
 
 std::optional<std::string> LivePublisher::take_warning() {
@@ -177,8 +186,9 @@ void LivePublisher::send_all(Waiting& work) {
   now_.time = work.progress.time;
   now_.step = work.progress.stats.steps;
   if (work.has_frame) now_.stage = work.frame.header.stage;
-  const bool keyframe_due = now >= keyframe_at_, new_stage = work.progress.stage_name != info_stage_;
-  const bool info_due = now >= info_at_ || new_stage || work.last;
+  const bool keyframe_due = now >= keyframe_at_, new_stage = work.progress.stage_name != info_stage_,
+             new_status = work.progress.status != info_status_;
+  const bool info_due = now >= info_at_ || new_stage || new_status || work.last;
   if (keyframe_due) keyframe_at_ = now + kKeyframeEvery;
   if (info_due) info_at_ = now + kInfoEvery;
   if (!up) {
@@ -204,7 +214,7 @@ void LivePublisher::send_all(Waiting& work) {
   }
   if (work.has_frame) {
     LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame, identity_.field)};
-    frame.header.utime = microseconds_now();
+    frame.header.utime = utime_now();
     std::swap(frame.position, work.frame.position);
     send_frame(frame, [this](Bytes bytes) {
       send(LiveKind::state, bytes);
@@ -227,7 +237,7 @@ void LivePublisher::send_all(Waiting& work) {
 
 void LivePublisher::send_again() {
   const auto again = [this](LiveKind kind, Bytes& bytes) {
-    stamp(bytes, microseconds_now());
+    stamp(bytes, utime_now());
     send(kind, bytes);
   };
   for (Bytes& bytes : last_frame_) again(LiveKind::state, bytes);
@@ -246,6 +256,12 @@ void LivePublisher::send_topology() {
 void LivePublisher::send_info(const LiveProgress& progress) {
   const Clock::time_point now = Clock::now();
   const double wall = seconds_between(rate_from_, now);
+  // A pause says nothing about the speed of the run.
+  if (progress.status == "paused" || info_status_ == "paused") {
+    rate_from_ = now;
+    rate_time_ = progress.time;
+    rate_steps_ = progress.stats.steps;
+  }
   // The last INFO may follow the one before at once; and a step that takes longer than a second is measured whole.
   if (wall > 0.5 && progress.stats.steps > rate_steps_) {
     constexpr double kMemory = 5.0;  // s
@@ -277,6 +293,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
     info.bounds[2] = mesh_->base[0] + double{*x1};
     info.bounds[3] = mesh_->base[1] + double{*y1};
   }
+  std::copy(identity_.origin.begin(), identity_.origin.end(), info.origin);
   info.end_time = progress.end_time;
   info.simulated_per_wall = simulated_per_wall_;
   info.steps_per_second = steps_per_second_;
@@ -298,6 +315,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.contact_force_at = wire_text(progress.contact.force_at);
   send(LiveKind::info, seal(info));
   info_stage_ = progress.stage_name;
+  info_status_ = progress.status;
 }
 
 void LivePublisher::send(LiveKind kind, const Bytes& bytes) {
@@ -336,9 +354,21 @@ void LivePublisher::complain(const std::string& why) {
   has_warning_ = true;
 }
 
+header_v1_t LivePublisher::header(const LivePlace& at, std::int64_t& sequence) const {
+  header_v1_t header{};
+  header.utime = utime_now();
+  header.session = session_;
+  header.topology_id = at.mesh ? at.mesh->id : -1;
+  header.sequence = sequence++;
+  header.step = at.step;
+  header.stage = at.stage;
+  header.time = at.time;
+  return header;
+}
+
 header_v1_t LivePublisher::header_now(std::int64_t& sequence) const {
   header_v1_t header = now_;
-  header.utime = microseconds_now();
+  header.utime = utime_now();
   header.topology_id = mesh_ ? mesh_->id : -1;
   header.sequence = sequence++;
   return header;

@@ -3,6 +3,7 @@
 // meanwhile: during a step of a minute a viewer still hears that the run lives, and one that comes then sees it all.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -16,6 +17,7 @@
 #include "io/live/live_bus.h"
 #include "io/live/live_data.h"
 #include "io/live/wire.h"
+#include "io/results/worst_contact.h"
 
 namespace scree::io {
 
@@ -27,11 +29,12 @@ struct RawFrame {
   std::vector<double> source;    // what the field is made of: velocity (x, y a point) or stress (xx, yy, xy a cell)
 };
 
-/// The worst of the closed contacts at one instant.
-struct LiveContact {
-  double time = -1.0;               // [s]; negative: none looked at yet
-  double depth = 0.0, force = 0.0;  // deepest penetration [m], largest force [N]
-  std::string depth_at, force_at;   // whose; empty when nothing is closed
+/// Where a run is as something is sent of it.
+struct LivePlace {
+  double time = 0.0;  // simulated [s]
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  std::shared_ptr<const LiveMesh> mesh;
 };
 
 /// Where the run is, for INFO.
@@ -40,13 +43,14 @@ struct LiveProgress {
   std::string stage_name, integrator;
   std::string status = "running", reason;
   coupling::RunStats stats;
-  LiveContact contact;
+  WorstContact contact;
 };
 
 /// What one INFO repeats from the start of the run.
 struct LiveIdentity {
   std::string run, title, version, case_hash;
   LiveField field = LiveField::speed;
+  std::array<double, 2> origin{0.0, 0.0};  // of the model [m]
 };
 
 /// Mean value a cell of a raw frame.
@@ -79,6 +83,8 @@ class LivePublisher {
   void offer(RawFrame& frame);  // swapped: `frame` comes back with a buffer to use again
   void offer(LiveHistory history);
   void offer(const header_v1_t& header, const coupling::Ledger& ledger);
+  void offer_energy(Bytes energy);  // an energy_v1_t
+  /// Goes out with the next INFO; with one at once when the status is another one.
   void offer(LiveProgress progress);
   /// Events queue up.
   /// @param milestone  one of few, such as a stage: cuts and transfers by the hundred do not crowd it out of the
@@ -88,11 +94,15 @@ class LivePublisher {
   /// The one warning of this publisher, once, when there is one: why nothing can be sent.
   [[nodiscard]] std::optional<std::string> take_warning();
 
+  /// Header of the next message of its kind.   @param sequence  of the kind; counted on
+  [[nodiscard]] header_v1_t header(const LivePlace& at, std::int64_t& sequence) const;
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t frames_sent() const { return frames_sent_; }
   [[nodiscard]] std::int64_t frames_skipped() const { return frames_skipped_; }
   [[nodiscard]] std::int64_t events_lost() const { return events_lost_; }
   void skip_frame() { ++frames_skipped_; }
+  /// True while nothing but progress is waiting to be sent.
+  [[nodiscard]] bool idle();
 
  private:
   struct Event {
@@ -140,8 +150,8 @@ class LivePublisher {
   std::vector<Bytes> last_frame_, last_history_;  // messages, to be sent again
   Bytes last_energy_;
   std::deque<Bytes> last_events_, last_milestones_;
-  header_v1_t now_{};       // of the newest thing sent
-  std::string info_stage_;  // that the last INFO named
+  header_v1_t now_{};                     // of the newest thing sent
+  std::string info_stage_, info_status_;  // that the last INFO named
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};
   Clock::time_point rate_from_{};

@@ -97,8 +97,12 @@ std::vector<event_v1_t> LiveReader::take_events() {
 }
 
 LiveCounts LiveReader::counts() const {
+  const UdpCounts udp = impl_->bus->udp_counts();
   const std::lock_guard lock(impl_->mutex);
-  return impl_->assembly.counts();
+  LiveCounts counts = impl_->assembly.counts();
+  counts.messages += udp.garbage;
+  counts.malformed += udp.garbage;
+  return counts;
 }
 
 bool LiveReader::ended() const {

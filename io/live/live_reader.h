@@ -18,7 +18,7 @@ namespace scree::io {
 /// thread; what they return does not change any more.
 class LiveReader {
  public:
-  /// Opens a connection and listens. On a network the library first sends itself a message, up to 10 s.
+  /// Opens a connection and listens.
   /// @param run  as the sink was given it; empty: any
   /// @param why  set when the answer is null
   /// @return null when there is no network for it

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "io/live/live_publisher.h"
@@ -69,7 +68,7 @@ std::string_view name(coupling::RunEnd::Status status) {
 struct LiveSink::Impl {
   Impl(const coupling::LivePlan& plan, LiveRun run, Warn its_warn, std::shared_ptr<LiveBus> its_bus)
       : url(its_bus ? its_bus->url() : parse_live_url(plan.url, LiveSide::sender)),
-        who{std::move(run.name), {}, std::move(run.version), std::move(run.case_hash), run.field},
+        who{std::move(run.name), {}, std::move(run.version), std::move(run.case_hash), run.field, {}},
         until(run.until),
         warn(std::move(its_warn)),
         bus(std::move(its_bus)),
@@ -82,16 +81,7 @@ struct LiveSink::Impl {
     if (warning && warn) warn(*warning);
   }
   [[nodiscard]] header_v1_t header(double time, std::int64_t& sequence) const {
-    header_v1_t h{};
-    h.utime = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-                  .count();
-    h.session = publisher->session();
-    h.topology_id = mesh ? mesh->id : -1;
-    h.sequence = sequence++;
-    h.step = step;
-    h.stage = stage;
-    h.time = time;
-    return h;
+    return publisher->header({time, step, stage, mesh}, sequence);
   }
   /// Offers the mesh of a frame, if it is another one than before: maps and displacements count from there.
   void take_mesh(const coupling::FrameView& view) {
@@ -100,7 +90,6 @@ struct LiveSink::Impl {
     publisher->offer(mesh);
   }
   void set_end(double plan_end) { progress.end_time = until ? std::min(*until, plan_end) : plan_end; }
-  [[nodiscard]] LiveContact worst_contact(const coupling::State& state) const;
   void take_frame(const coupling::FrameView& view);
 
   LiveUrl url;
@@ -112,6 +101,7 @@ struct LiveSink::Impl {
   std::shared_ptr<const LiveMesh> mesh;
   std::vector<std::string> monitors, blocks;  // names
   LiveProgress progress;
+  std::pair<double, const coupling::RunStats*> now{0.0, nullptr};  // after the last step
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
@@ -119,33 +109,6 @@ struct LiveSink::Impl {
   RawFrame spare;                                                   // a buffer for the next frame
   std::unique_ptr<LivePublisher> publisher;                         // last: its thread ends first
 };
-
-LiveContact LiveSink::Impl::worst_contact(const coupling::State& state) const {
-  const coupling::ContactMemory *deepest = nullptr, *strongest = nullptr;
-  const auto force = [](const coupling::ContactMemory& c) { return std::hypot(c.fn, c.ft); };
-  for (const coupling::ContactMemory& c : state.contacts) {
-    if (c.status == coupling::ContactStatus::open) continue;
-    if (deepest == nullptr || c.gap < deepest->gap) deepest = &c;
-    if (strongest == nullptr || force(c) > force(*strongest)) strongest = &c;
-  }
-  const auto who_is = [this](std::int32_t block) {
-    const auto b = static_cast<std::size_t>(block);
-    return block >= 0 && b < blocks.size() && !blocks[b].empty() ? blocks[b] : fmt::format("block {}", block);
-  };
-  const auto where = [&](const coupling::ContactKey& k) {
-    const std::string vertex =
-        k.part == 0 ? fmt::format("corner {}", k.vertex) : fmt::format("edge {} node {}", k.vertex, k.part);
-    return fmt::format("{} {} on {} edge {}", who_is(k.block_p), vertex, who_is(k.block_e), k.edge);
-  };
-  LiveContact worst;
-  worst.time = seconds(state.time);
-  if (deepest == nullptr) return worst;
-  worst.depth = std::max(0.0, -deepest->gap);
-  worst.depth_at = where(deepest->key);
-  worst.force = force(*strongest);
-  worst.force_at = where(strongest->key);
-  return worst;
-}
 
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   take_mesh(view);
@@ -171,6 +134,7 @@ LiveSink::~LiveSink() = default;
 
 void LiveSink::begin(const Model& model, const coupling::Plan& plan) {
   impl_->who.title = model.title;
+  impl_->who.origin = {model.origin.x(), model.origin.y()};
   impl_->monitors.clear();
   impl_->blocks.clear();
   for (const Monitor& monitor : model.monitors) impl_->monitors.push_back(monitor.name);
@@ -198,7 +162,7 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   impl_->take_mesh(frame);  // also of a frame that is not sent
   if (impl_->frame_limit.due()) {
     const auto before = cpu_time();
-    if (frame.state != nullptr) progress.contact = impl_->worst_contact(*frame.state);
+    if (frame.state != nullptr) progress.contact = worst_contact(*frame.state, impl_->blocks);
     impl_->publisher->offer(progress);
     impl_->take_frame(frame);
     impl_->frame_limit.rest(kShare * (cpu_time() - before));
@@ -233,6 +197,7 @@ void LiveSink::event(const coupling::Event& event) {
 }
 
 void LiveSink::step(double time, const coupling::RunStats& stats, const coupling::Ledger&) {
+  impl_->now = {time, &stats};
   if (!impl_->progress_limit.due()) return;
   impl_->pass_warning();
   impl_->step = stats.steps;
@@ -246,17 +211,33 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->progress.reason = end.reason;
   impl_->progress.time = last.time;
   if (last.stats != nullptr) impl_->progress.stats = *last.stats;
-  if (last.state != nullptr) impl_->progress.contact = impl_->worst_contact(*last.state);
+  if (last.state != nullptr) impl_->progress.contact = worst_contact(*last.state, impl_->blocks);
   impl_->step = last.step;
   impl_->stage = last.stage;
-  impl_->publisher->offer(impl_->progress);
   impl_->take_frame(last);
   if (impl_->last_history) impl_->publisher->offer(std::move(*impl_->last_history));
   if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
+  impl_->publisher->offer(impl_->progress);  // last: viewers leave when they hear of the end
   impl_->publisher->finish();
   impl_->pass_warning();
 }
 
+void LiveSink::set_rate(double rate) {
+  impl_->frame_limit = Limiter::at_rate(rate);
+  impl_->history_limit = Limiter::at_rate(rate);
+}
+
+void LiveSink::set_paused(bool paused) {
+  LiveProgress& progress = impl_->progress;
+  progress.status = paused ? "paused" : "running";
+  if (impl_->now.second != nullptr) {
+    progress.time = impl_->now.first;
+    progress.stats = *impl_->now.second;
+  }
+  impl_->publisher->offer(progress);
+}
+
+std::int64_t LiveSink::session() const { return impl_->publisher->session(); }
 std::int64_t LiveSink::frames_sent() const { return impl_->publisher->frames_sent(); }
 std::int64_t LiveSink::frames_skipped() const { return impl_->publisher->frames_skipped(); }
 

@@ -47,6 +47,12 @@ class LiveSink final : public coupling::Sink {
   /// Sends the last frame and INFO, then ends the thread.
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
 
+  /// Between steps: frames a second from now on, as plan.rate; viewers hear at once that the run is held or goes on.
+  void set_rate(double rate);
+  void set_paused(bool paused);
+
+  /// Of the run that has begun: in the header of every message.
+  [[nodiscard]] std::int64_t session() const;
   [[nodiscard]] std::int64_t frames_sent() const;
   [[nodiscard]] std::int64_t frames_skipped() const;
 

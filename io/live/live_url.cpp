@@ -58,11 +58,13 @@ void parse_udpm(std::string_view target, std::string_view options, LiveUrl& url)
     if (key == "ttl" && value && (*value == 0 || *value == 1)) {
       ttl = *value;
     } else if (key == "recv_buf_size" && value && *value > 0 && *value < (1L << 30)) {
+      url.receive_buffer = *value;
       buffer = fmt::format("&recv_buf_size={}", *value);
     } else {
       throw Bad(fmt::format("option \"{}={}\" is not known (ttl=0 or 1, recv_buf_size=BYTES)", key, text));
     }
   }
+  url.ttl = static_cast<int>(ttl);
   url.lcm = fmt::format("udpm://{}:{}?ttl={}{}", url.group, url.port, ttl, buffer);
 }
 

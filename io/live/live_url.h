@@ -15,10 +15,12 @@ enum class LiveSide { sender, receiver };
 /// A URL taken apart.
 struct LiveUrl {
   enum class Kind { udpm, memq, file } kind = Kind::memq;
-  std::string group;       // udpm: IPv4 multicast address
-  std::uint16_t port = 0;  // udpm
-  std::string path;        // file
-  std::string lcm;         // what LCM is given: every default spelled out
+  std::string group;        // udpm: IPv4 multicast address
+  std::uint16_t port = 0;   // udpm
+  int ttl = 0;              // udpm: 0 stays on this machine, 1 in the local network
+  long receive_buffer = 0;  // udpm [bytes]; 0: as large as the system gives
+  std::string path;         // file
+  std::string lcm;          // what LCM is given: every default spelled out
 };
 
 /// Checks a URL. Accepted are

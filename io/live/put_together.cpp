@@ -69,41 +69,50 @@ void LiveAssembly::forget() {
 }
 
 template <class Message>
-bool LiveAssembly::take_as(std::span<const std::uint8_t> bytes) {
+bool LiveAssembly::take_as(std::span<const std::uint8_t> bytes, std::int64_t utime) {
   std::optional<Message> message = unseal<Message>(bytes);
-  if (!message || message->header.session < 0) {
+  // At most one of a kind in a microsecond.
+  const auto possible = [utime](const header_v1_t& h) {
+    return h.session >= 0 && h.session <= utime + kAhead && h.sequence <= utime - h.session + kAhead;
+  };
+  if (!message || !possible(message->header)) {
     ++counts_.malformed;
     return false;
   }
   const std::int64_t session = message->header.session;
-  if (session < session_) {
+  const bool going_on = !info_ || info_->status == "running" || info_->status == "paused";
+  if (session < session_ && !(going_on && utime - heard_ > kSilence)) {
     ++counts_.other;
     return false;
   }
-  if (session > session_) forget();
+  if (session != session_) forget();
   session_ = session;
+  heard_ = utime;
   const Verdict verdict = put(std::move(*message));
   if (verdict == Verdict::malformed) ++counts_.malformed;
   if (verdict == Verdict::early) ++counts_.early;
   return verdict == Verdict::taken;
 }
 
-bool LiveAssembly::take(std::string_view channel, std::span<const std::uint8_t> bytes) {
+bool LiveAssembly::take(std::string_view channel, std::span<const std::uint8_t> bytes, std::int64_t utime) {
   ++counts_.messages;
   switch (const auto kind = channel_kind(channel); kind.value_or(LiveKind::info)) {
     case LiveKind::info:
-      if (kind) return take_as<info_v1_t>(bytes);
+      if (kind) return take_as<info_v1_t>(bytes, utime);
       break;  // a channel of somebody else
     case LiveKind::topo:
-      return take_as<topo_v1_t>(bytes);
+      return take_as<topo_v1_t>(bytes, utime);
     case LiveKind::state:
-      return take_as<state_v1_t>(bytes);
+      return take_as<state_v1_t>(bytes, utime);
     case LiveKind::hist:
-      return take_as<hist_v1_t>(bytes);
+      return take_as<hist_v1_t>(bytes, utime);
     case LiveKind::energy:
-      return take_as<energy_v1_t>(bytes);
+      return take_as<energy_v1_t>(bytes, utime);
     case LiveKind::event:
-      return take_as<event_v1_t>(bytes);
+      return take_as<event_v1_t>(bytes, utime);
+    case LiveKind::ctrl:
+    case LiveKind::ack:
+      break;  // not for viewers
   }
   ++counts_.malformed;
   return false;

@@ -29,14 +29,22 @@ struct LiveCounts {
   std::int64_t events = 0;      // events, also those no longer kept
 };
 
-/// Follows one session, the latest seen: a message of a later session makes it forget everything but its counts.
+/// Follows one session, the latest of those that talk: a message of a later session makes it forget everything but its
+/// counts; so does one of an earlier session when nothing has come of the one it follows for kSilence and that has not
+/// ended: a forged message must not make a viewer deaf.
 class LiveAssembly {
  public:
   static constexpr std::size_t kMaxMesh = std::size_t{1} << 28U;  // bytes of an encoded mesh; more is malformed
   static constexpr std::size_t kMaxEvents = 1000;                 // kept until taken; the oldest go first
 
-  /// Takes one message; anything that is not right is counted and dropped.   @return true if it was taken
-  bool take(std::string_view channel, std::span<const std::uint8_t> bytes);
+  static constexpr std::int64_t kAhead = 60'000'000;  // microseconds that the clocks of two machines may differ by
+
+  static constexpr std::int64_t kSilence = 3'000'000;  // microseconds; INFO comes every second
+
+  /// Takes one message; anything that is not right is counted and dropped. So is a session that begins in the future,
+  /// and a number that no run can have come to since it began: either would shut out all that is right after it.
+  /// @param utime  now, microseconds since 1970   @return true if it was taken
+  bool take(std::string_view channel, std::span<const std::uint8_t> bytes, std::int64_t utime = utime_now());
 
   /// The newest of each; empty until there is one.
   [[nodiscard]] const std::optional<info_v1_t>& info() const { return info_; }
@@ -52,7 +60,7 @@ class LiveAssembly {
   enum class Verdict { taken, malformed, early };
 
   template <class Message>
-  bool take_as(std::span<const std::uint8_t> bytes);
+  bool take_as(std::span<const std::uint8_t> bytes, std::int64_t utime);
   Verdict put(info_v1_t&& message);
   Verdict put(topo_v1_t&& in);
   Verdict put(state_v1_t&& in);
@@ -80,7 +88,7 @@ class LiveAssembly {
     bool add(std::int64_t its_key, std::int32_t piece, std::int32_t pieces);
   };
 
-  std::int64_t session_ = -1;
+  std::int64_t session_ = -1, heard_ = 0;  // heard_: when the last message of it came
   std::optional<info_v1_t> info_;
   std::optional<energy_v1_t> energy_;
   std::deque<event_v1_t> events_;

@@ -1,6 +1,9 @@
 #include "io/live/wire.h"
 
 #include <algorithm>
+#include <chrono>
+#include <scree/ack_v1_t.hpp>
+#include <scree/ctrl_v1_t.hpp>
 #include <scree/energy_v1_t.hpp>
 #include <scree/event_v1_t.hpp>
 #include <scree/hist_v1_t.hpp>
@@ -55,13 +58,15 @@ class Walker {
 }  // namespace
 
 // clang-format off
-template <> std::string_view layout<info_v1_t>()   { return "H" "ssssssssss" "8888" "8888" "8888888" "888" "888ss" "4"; }
+template <> std::string_view layout<info_v1_t>()   { return "H" "ssssssssss" "8888" "88" "8888" "8888888" "888" "888ss" "4"; }
 template <> std::string_view layout<mesh_v1_t>()   { return "8" "88" "n4a4a8a8a" "n4b4b4b4b" "n4c" "nsd" "4"; }
 template <> std::string_view layout<topo_v1_t>()   { return "H" "444" "4" "n1a" "4"; }
 template <> std::string_view layout<state_v1_t>()  { return "H" "44444" "4n4a4a4a4a4a4a4a" "888" "4n2b2b" "4n4c" "4"; }
 template <> std::string_view layout<hist_v1_t>()   { return "H" "44" "nsa8a8a8a8a8a8a" "4"; }
 template <> std::string_view layout<energy_v1_t>() { return "H" "nsasa8a" "8888" "4"; }
 template <> std::string_view layout<event_v1_t>()  { return "H" "ss" "4ss8888" "4"; }
+template <> std::string_view layout<ctrl_v1_t>()   { return "H" "8s8" "4"; }
+template <> std::string_view layout<ack_v1_t>()    { return "H" "8ssss" "4"; }
 // clang-format on
 
 bool fits(std::string_view layout, std::span<const std::uint8_t> body) {
@@ -92,6 +97,11 @@ bool crc_holds(std::span<const std::uint8_t> bytes) {
 void write_crc(Bytes& bytes) {
   std::uint32_t crc = crc32(std::span(bytes).first(bytes.size() - 4));
   for (std::size_t i = 0; i < 4; ++i, crc >>= 8U) bytes[bytes.size() - 1 - i] = static_cast<std::uint8_t>(crc & 0xFFU);
+}
+
+std::int64_t utime_now() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
 }
 
 void stamp(Bytes& bytes, std::int64_t utime) {

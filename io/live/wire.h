@@ -32,6 +32,8 @@ template <class Message>
 /// Writes the CRC into the last four bytes.   @pre at least four
 void write_crc(Bytes& bytes);
 
+/// Now, in microseconds since 1970.
+[[nodiscard]] std::int64_t utime_now();
 /// Puts another utime into the header of a sealed message, for one that is sent again.   @pre the message has a header
 void stamp(Bytes& bytes, std::int64_t utime);
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/results/run_folder.h"
+#include "io/results/atomic_file.h"
+#include "io/results/file_error.h"
 
 namespace scree::io {
 

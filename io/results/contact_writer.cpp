@@ -57,20 +57,4 @@ void ContactWriter::frame(const coupling::FrameView& frame) {
   normal_.append(view.normal);
 }
 
-template <class Visitor>
-void ContactWriter::each(Visitor&& see) {
-  // The rows before what refers to them.
-  see(corner_), see(edge_), see(joint_), see(state_), see(facing_), see(bonded_), see(failed_);
-  see(position_), see(normal_), see(share_), see(gap_), see(gap0_), see(fn_), see(ft_), see(water_), see(slip_);
-  see(first_), see(count_);
-}
-
-void ContactWriter::flush() {
-  each([](auto& series) { series.flush(); });
-}
-
-void ContactWriter::close() {
-  each([](auto& series) { series.close(); });
-}
-
 }  // namespace scree::io

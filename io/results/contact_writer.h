@@ -2,23 +2,27 @@
 #pragma once
 
 #include "coupling/sink.h"
-#include "io/results/h5_series.h"
+#include "io/results/series_group.h"
 
 namespace scree::io {
 
 /// /contacts/{corner, edge, joint, state, ...}: a row a point, frame after frame, and /contacts/frames/{first, count},
 /// a row a frame in the order of /frames: the points of frame k are the rows first[k] to first[k] + count[k] - 1.
-class ContactWriter {
+class ContactWriter : public SeriesGroup<ContactWriter> {
  public:
   explicit ContactWriter(const h5::File& file);
   /// @pre frame.contacts
   void frame(const coupling::FrameView& frame);
-  void flush();
-  void close();
 
  private:
+  friend SeriesGroup<ContactWriter>;
   template <class Visitor>
-  void each(Visitor&& see);
+  void each(Visitor&& see) {
+    // The rows before what refers to them.
+    see(corner_), see(edge_), see(joint_), see(state_), see(facing_), see(bonded_), see(failed_);
+    see(position_), see(normal_), see(share_), see(gap_), see(gap0_), see(fn_), see(ft_), see(water_), see(slip_);
+    see(first_), see(count_);
+  }
 
   h5::Series<std::int32_t> corner_, edge_, joint_, state_, facing_, bonded_, failed_;
   h5::Series<double> position_, normal_, share_, gap_, gap0_, fn_, ft_, water_, slip_;

@@ -47,12 +47,29 @@ std::vector<CsvFile::Column> energy_columns() {
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns)
-    : path_(std::move(path)), out_(path_, std::ios::binary | std::ios::trunc) {
-  std::string header;
-  for (const Column& c : columns) header += (header.empty() ? "" : ",") + field(c.name + " [" + c.units + "]");
-  out_ << header << '\n';
+CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns, std::int64_t keep)
+    : path_(std::move(path)), bytes_(keep) {
+  if (keep > 0) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path_, error);
+    if (error) throw FileError(path_, "cannot go on with the table: " + error.message());
+    if (size < static_cast<std::uintmax_t>(keep))
+      throw FileError(path_, fmt::format("cannot go on with the table: {} bytes of {} are left", size, keep));
+    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(keep), error);
+    if (error) throw FileError(path_, "cannot go on with the table: " + error.message());
+  }
+  out_.open(path_, std::ios::binary | (keep > 0 ? std::ios::app : std::ios::trunc));
+  if (keep == 0) {
+    std::string header;
+    for (const Column& c : columns) header += (header.empty() ? "" : ",") + field(c.name + " [" + c.units + "]");
+    put(header + '\n');
+  }
   flush();
+}
+
+void CsvFile::put(std::string_view line) {
+  out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  bytes_ += static_cast<std::int64_t>(line.size());
 }
 
 void CsvFile::row(std::span<const double> values) {
@@ -60,7 +77,7 @@ void CsvFile::row(std::span<const double> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     fmt::format_to(std::back_inserter(line), "{}{:.17g}", i == 0 ? "" : ",", values[i]);
   line.push_back('\n');
-  out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  put({line.data(), line.size()});
   check();
 }
 
@@ -80,8 +97,8 @@ void CsvFile::check() const {
 }
 
 CsvHistories::CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy,
-                           const Model& model)
-    : history_(history, history_columns(model)), energy_(energy, energy_columns()) {}
+                           const Model& model, const std::array<std::int64_t, 2>& keep)
+    : history_(history, history_columns(model), keep[0]), energy_(energy, energy_columns(), keep[1]) {}
 
 void CsvHistories::append(const coupling::HistoryView& view) {
   row_.assign(1, view.time);

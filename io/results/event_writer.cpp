@@ -62,21 +62,4 @@ void EventWriter::append(const coupling::TransferRow& row) {
   energy_error_.append(row.energy_error);
 }
 
-template <class Visitor>
-void EventWriter::each(Visitor&& see) {
-  see(kind_), see(text_), see(time_);
-  for (Totals& t : totals_)
-    see(t.mass), see(t.centre), see(t.momentum), see(t.angular_momentum), see(t.kinetic), see(t.elastic);
-  see(block_), see(from_), see(to_), see(reservoir_kinetic_), see(reservoir_elastic_), see(booked_);
-  see(mass_error_), see(momentum_error_), see(angular_error_), see(energy_error_), see(row_time_);
-}
-
-void EventWriter::flush() {
-  each([](auto& series) { series.flush(); });
-}
-
-void EventWriter::close() {
-  each([](auto& series) { series.close(); });
-}
-
 }  // namespace scree::io

@@ -4,25 +4,30 @@
 #include <array>
 
 #include "coupling/sink.h"
-#include "io/results/h5_series.h"
+#include "io/results/series_group.h"
 
 namespace scree::io {
 
 /// /events/{time, kind, text} and /transfers/{time, block, from, to, before/..., after/..., errors}.
-class EventWriter {
+class EventWriter : public SeriesGroup<EventWriter> {
  public:
   explicit EventWriter(const h5::File& file);
   void append(const coupling::Event& event);
-  void flush();
-  void close();
 
  private:
+  friend SeriesGroup<EventWriter>;
   struct Totals {
     h5::Series<double> mass, centre, momentum, angular_momentum, kinetic, elastic;
     void append(const BodyTotals& totals);
   };
   template <class Visitor>
-  void each(Visitor&& see);
+  void each(Visitor&& see) {
+    see(kind_), see(text_), see(time_);
+    for (Totals& t : totals_)
+      see(t.mass), see(t.centre), see(t.momentum), see(t.angular_momentum), see(t.kinetic), see(t.elastic);
+    see(block_), see(from_), see(to_), see(reservoir_kinetic_), see(reservoir_elastic_), see(booked_);
+    see(mass_error_), see(momentum_error_), see(angular_error_), see(energy_error_), see(row_time_);
+  }
   void append(const coupling::TransferRow& row);
 
   h5::Series<double> time_;

@@ -18,4 +18,10 @@ struct FileError : std::runtime_error {
   std::string reason;  // what was tried and what the system said
 };
 
+/// A file that was there and whole once cannot be read any more.
+struct DamagedFile : FileError {
+  using FileError::FileError;
+  explicit DamagedFile(const FileError& e) : FileError(e.path, e.reason) {}
+};
+
 }  // namespace scree::io

@@ -1,6 +1,11 @@
 #include "io/results/h5.h"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
 #include <utility>
 
 namespace scree::io::h5 {
@@ -48,13 +53,25 @@ std::string cause() {
 /// Errors go into FileError, not to stderr. No clean-up by HDF5 at exit: every identifier here has an owner, and HDF5
 /// 1.10 crashes there over a file whose close failed on a full disk, which would hide our exit code.
 void quiet() {
-  (void)H5dont_atexit();  // fails when it was called before
+  (void)H5dont_atexit();           // fails when it was called before
+  constexpr int kKept = 8 * 1024;  // bytes a kind that are kept for use again; without a limit they pile up
+  H5set_free_list_limits(kKept, kKept, kKept, kKept, kKept, kKept);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 Handle access_list(const fs::path& path) {
   Handle list(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);
   check(H5Pset_file_locking(list.get(), false, true), path, "set up HDF5");
+  // Whole chunks are written, once: none is worth keeping. What HDF5 knows of frames long written need not stay either.
+  // It counts a frame's window as 400 bytes, and holds 20 times that of it.
+  constexpr std::size_t kSlots = 521, kMetadata = 48 * 1024;
+  check(H5Pset_cache(list.get(), 0, kSlots, 0, 0.75), path, "set up HDF5");
+  H5AC_cache_config_t metadata;
+  metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Pget_mdc_config(list.get(), &metadata), path, "set up HDF5");
+  metadata.set_initial_size = 1;
+  metadata.initial_size = metadata.min_size = metadata.max_size = kMetadata;
+  check(H5Pset_mdc_config(list.get(), &metadata), path, "set up HDF5");
   return list;
 }
 
@@ -103,6 +120,12 @@ File File::create(const fs::path& path) {
   const Handle access = access_list(path);
   file.handle_ =
       Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
+  return file;
+}
+
+File File::create_beside(const fs::path& path) {
+  File file = create(beside(path));
+  file.path_ = path;
   return file;
 }
 
@@ -160,6 +183,12 @@ void File::attribute(const std::string& name, const std::string& key, double val
   put(name, key, type_of<double>(), space.get(), &value);
 }
 
+void File::attribute(const std::string& name, const std::string& key, const std::array<double, 2>& pair) const {
+  const hsize_t two = 2;
+  const Handle space(check(H5Screate_simple(1, &two, nullptr), path_, "make an attribute"), H5Sclose);
+  put(name, key, type_of<double>(), space.get(), pair.data());
+}
+
 void File::attribute_ascii(const std::string& name, const std::string& key, const std::string& text) const {
   const Handle type(check(H5Tcopy(H5T_C_S1), path_, "make a text type"), H5Tclose);
   check(H5Tset_size(type.get(), text.size()), path_, "make a text type");
@@ -176,6 +205,20 @@ void File::attribute_pair(const std::string& name, const std::string& key, std::
 }
 
 void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
+
+void File::sync() const {
+  flush();
+  void* handle = nullptr;
+  check(H5Fget_vfd_handle(id(), H5P_DEFAULT, &handle), path_, "write to the disk");
+  if (::fdatasync(*static_cast<int*>(handle)) != 0)
+    throw FileError(path_, std::string("cannot write to the disk: ") + std::strerror(errno));
+}
+
+void File::put_in_place() {
+  std::error_code error;
+  fs::rename(beside(path_), path_, error);
+  if (error) throw FileError(path_, "cannot put the new file in place: " + error.message());
+}
 
 void File::close() {
   if (!handle_.close()) fail(path_, "close the file");

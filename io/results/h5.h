@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -71,6 +72,12 @@ class File {
   File() = default;
   /// A new file in place of an old one.   @throws FileError
   [[nodiscard]] static File create(const std::filesystem::path& path);
+  /// A new file that stands beside an old one until put_in_place(); it goes by the name of that one in errors.
+  [[nodiscard]] static File create_beside(const std::filesystem::path& path);
+  /// What create_beside() calls it until then.
+  [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& path) {
+    return path.string() + ".new";
+  }
   /// @throws FileError when missing or not HDF5
   [[nodiscard]] static File open(const std::filesystem::path& path);
 
@@ -86,12 +93,17 @@ class File {
   void attribute(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute(const std::string& name, const std::string& key, std::int64_t value) const;
   void attribute(const std::string& name, const std::string& key, double value) const;
+  void attribute(const std::string& name, const std::string& key, const std::array<double, 2>& pair) const;
   /// Text of fixed length in ASCII, and a pair of integers, as VTKHDF wants its Type and Version.
   void attribute_ascii(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute_pair(const std::string& name, const std::string& key, std::int64_t a, std::int64_t b) const;
 
   /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
   void flush() const;
+  /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
+  void sync() const;
+  /// Puts a file of create_beside() in place of the old one.   @throws FileError
+  void put_in_place();
   void close();
 
  private:

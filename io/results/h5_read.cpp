@@ -108,6 +108,23 @@ std::int64_t integer_attribute(const File& file, const std::string& name, const 
   return value;
 }
 
+bool has_attribute(const File& file, const std::string& name, const std::string& key) {
+  return check(H5Aexists_by_name(file.id(), name.c_str(), key.c_str(), H5P_DEFAULT), file.path(),
+               "look for attribute " + key + " of " + name) > 0;
+}
+
+std::array<double, 2> pair_attribute(const File& file, const std::string& name, const std::string& key) {
+  const std::string what = "read attribute " + key + " of " + name;
+  std::array<double, 2> pair{0.0, 0.0};
+  if (check(H5Aexists_by_name(file.id(), name.c_str(), key.c_str(), H5P_DEFAULT), file.path(), what) == 0) return pair;
+  const Handle attribute = open_attribute(file, name, key);
+  const Handle space(check(H5Aget_space(attribute.get()), file.path(), what), H5Sclose);
+  if (check(H5Sget_simple_extent_npoints(space.get()), file.path(), what) != 2)
+    throw FileError(file.path(), "cannot " + what + ": it is not a pair");
+  check(H5Aread(attribute.get(), type_of<double>(), pair.data()), file.path(), what);
+  return pair;
+}
+
 std::vector<std::string> datasets(const File& file) {
   std::vector<std::string> list;
   check(H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, list_dataset, &list, H5O_INFO_BASIC), file.path(),

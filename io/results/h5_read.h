@@ -1,6 +1,7 @@
 // Reading what h5_series.h writes: rows, texts, attributes, and the list of datasets.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,19 @@ template <class T>
 /// Text of an attribute; empty where there is none.
 [[nodiscard]] std::string text_attribute(const File& file, const std::string& name, const std::string& key);
 [[nodiscard]] std::int64_t integer_attribute(const File& file, const std::string& name, const std::string& key);
+[[nodiscard]] bool has_attribute(const File& file, const std::string& name, const std::string& key);
+/// Two numbers of an attribute; zeros where there is none.
+[[nodiscard]] std::array<double, 2> pair_attribute(const File& file, const std::string& name, const std::string& key);
+
+/// What read() gives, of a file that must be whole.   @throws DamagedFile where read() throws FileError
+template <class Read>
+[[nodiscard]] auto from_whole(Read&& read) {
+  try {
+    return read();
+  } catch (const FileError& e) {
+    throw DamagedFile(e);
+  }
+}
 
 /// Paths of all datasets, sorted.
 [[nodiscard]] std::vector<std::string> datasets(const File& file);

@@ -1,8 +1,11 @@
 #include "io/results/h5_series.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 
+#include "io/results/h5_read.h"
 #include "model/check.h"
 
 namespace scree::io::h5 {
@@ -34,6 +37,10 @@ Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize
   return made;
 }
 
+[[noreturn]] void changed(const File& file, const std::string& name) {
+  throw DamagedFile(file.path(), "cannot read " + name + ": it holds other values than were written");
+}
+
 /// Grows the dataset from `written` rows by `rows` and writes them.
 void extend(const std::filesystem::path& path, const std::string& name, hid_t dataset, hid_t type, hsize_t width,
             hsize_t written, hsize_t rows, const void* data) {
@@ -44,10 +51,26 @@ void extend(const std::filesystem::path& path, const std::string& name, hid_t da
   const Handle target(check(H5Dget_space(dataset), path, what), H5Sclose);
   check(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), path, what);
   const Handle memory(check(H5Screate_simple(rank, count.data(), nullptr), path, what), H5Sclose);
-  check(H5Dwrite(dataset, type, memory.get(), target.get(), H5P_DEFAULT, data), path, what);
+  // Texts are converted in a buffer, of 1 MiB if nothing is said.
+  const Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), path, what), H5Pclose);
+  check(H5Pset_buffer(transfer.get(), kChunkBytes, nullptr, nullptr), path, what);
+  check(H5Dwrite(dataset, type, memory.get(), target.get(), transfer.get(), data), path, what);
 }
 
 }  // namespace
+
+void RowHash::add(const void* data, std::size_t bytes) {
+  const auto* at = static_cast<const unsigned char*>(data);
+  while (bytes > 0) {
+    std::uint64_t word = 0;
+    const std::size_t n = std::min(bytes, sizeof word);
+    std::memcpy(&word, at, n);
+    value_ = (value_ ^ word) * 0x9E3779B97F4A7C15ULL;
+    value_ ^= value_ >> 29U;
+    at += n;
+    bytes -= n;
+  }
+}
 
 template <class T>
 Series<T>::Series(const File& file, std::string name, hsize_t width, const Label& label)
@@ -55,22 +78,52 @@ Series<T>::Series(const File& file, std::string name, hsize_t width, const Label
       name_(std::move(name)),
       width_(width),
       chunk_(std::bit_ceil((kChunkBytes + width * sizeof(T) - 1) / (width * sizeof(T)))),
-      dataset_(make_dataset(file, name_, type_of<T>(), width, chunk_, label)) {}
+      dataset_(make_dataset(file, name_, type_of<T>(), width, chunk_, label)) {
+  // Touched now: a long run needs the memory that it will need from its start.
+  rows_.resize(chunk_ * width_);
+  rows_.clear();
+}
 
 template <class T>
 void Series<T>::append(std::span<const T> rows) {
   SCREE_ASSERT(rows.size() % width_ == 0);
+  for (const T& value : rows) hash_.add(&value, sizeof value);
+  const std::size_t chunk = chunk_ * width_;
+  if (!rows_.empty()) {
+    const std::size_t fits = std::min(chunk - rows_.size(), rows.size());
+    rows_.insert(rows_.end(), rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(fits));
+    rows = rows.subspan(fits);
+    if (rows_.size() == chunk) {
+      write_rows(rows_);
+      rows_.clear();
+    }
+  }
+  if (const std::size_t whole = rows.size() / chunk * chunk; whole > 0) {
+    write_rows(rows.first(whole));
+    rows = rows.subspan(whole);
+  }
   rows_.insert(rows_.end(), rows.begin(), rows.end());
-  if (const hsize_t full = rows_.size() / width_ / chunk_ * chunk_; full > 0) write_rows(full);
 }
 
-/// Writes whole chunks, or at the end what there is, through the filters.
+/// Writes whole chunks through the filters.
 template <class T>
-void Series<T>::write_rows(hsize_t rows) {
-  extend(path_, name_, dataset_.get(), type_of<T>(), width_, first_, rows, rows_.data());
-  rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(rows * width_));
-  first_ += rows;
+void Series<T>::write_rows(std::span<const T> rows) {
+  const hsize_t count = rows.size() / width_;
+  extend(path_, name_, dataset_.get(), type_of<T>(), width_, first_, count, rows.data());
+  first_ += count;
   stored_ = first_;
+}
+
+template <class T>
+void Series<T>::take(const File& from, const SeriesMark& mark) {
+  const std::int64_t rows = mark.rows;
+  constexpr std::int64_t kAtOnce = 16;  // chunks
+  const std::int64_t most = kAtOnce * static_cast<std::int64_t>(chunk_);
+  for (std::int64_t at = 0; at < rows; at += most) {
+    const std::vector<T> part = from_whole([&] { return read<T>(from, name_, at, std::min(most, rows - at)); });
+    append(part);
+  }
+  if (this->mark() != mark) changed(from, name_);
 }
 
 template <class T>
@@ -78,11 +131,13 @@ void Series<T>::flush() {
   const hsize_t rows = first_ + rows_.size() / width_;
   if (rows == stored_) return;
   const std::array<hsize_t, 2> size{rows, width_}, at{first_, 0};
-  std::vector<T> chunk(rows_);
-  chunk.resize(chunk_ * width_);
   check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
-  check(H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, kSkipFilters, at.data(), chunk.size() * sizeof(T), chunk.data()),
-        path_, "write " + name_);
+  const std::size_t held = rows_.size();
+  rows_.resize(chunk_ * width_);  // zeros behind what there is
+  const herr_t written =
+      H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, kSkipFilters, at.data(), rows_.size() * sizeof(T), rows_.data());
+  rows_.resize(held);
+  check(written, path_, "write " + name_);
   stored_ = rows;
 }
 
@@ -94,7 +149,8 @@ void Series<T>::close() {
     // deflated.
     const std::array<hsize_t, 2> size{first_ + rows, width_};
     rows_.resize(chunk_ * width_);
-    write_rows(chunk_);
+    write_rows(rows_);
+    rows_.clear();
     check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
     first_ = stored_ = size[0];
   }
@@ -112,7 +168,21 @@ TextSeries::TextSeries(const File& file, std::string name, const Label& label)
       name_(std::move(name)),
       dataset_(make_dataset(file, name_, text_type(path_).get(), 1, kChunkBytes / sizeof(hvl_t), label)) {}
 
-void TextSeries::append(std::string text) { pending_.push_back(std::move(text)); }
+void TextSeries::append(std::string text) {
+  hash_.add(text.c_str(), text.size() + 1);
+  pending_.push_back(std::move(text));
+}
+
+void TextSeries::take(const File& from, const SeriesMark& mark) {
+  const std::int64_t rows = mark.rows;
+  if (rows == 0) return;
+  std::vector<std::string> texts = from_whole([&] { return read_texts(from, name_); });
+  if (static_cast<std::int64_t>(texts.size()) < rows)
+    throw DamagedFile(from.path(), "cannot read " + name_ + ": it has fewer rows than it had");
+  texts.resize(static_cast<std::size_t>(rows));
+  for (std::string& text : texts) append(std::move(text));
+  if (this->mark() != mark) changed(from, name_);
+}
 
 void TextSeries::flush() {
   if (pending_.empty()) return;

@@ -1,13 +1,25 @@
 // Datasets that grow row by row, buffered: chunks of 64 to 128 KiB, shuffled and deflated.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/results/h5.h"
+#include "io/results/results_mark.h"
 
 namespace scree::io::h5 {
+
+/// Hash of rows in their order, however many at once: to find damage, not deceit.
+class RowHash {
+ public:
+  void add(const void* data, std::size_t bytes);
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
 
 /// A growing table of numbers, `width` a row. A width of 1 makes a dataset of one dimension.
 /// flush() stores the last chunk, while it is not full, as it is, and at its full length: it stays where it is in the
@@ -24,6 +36,10 @@ class Series {
   /// Adds whole rows; written when a chunk is full or at flush().   @pre rows.size() is a multiple of the width
   void append(std::span<const T> rows);
   void append(T value) { append(std::span<const T>(&value, 1)); }
+  /// Appends the first rows of the dataset of the same name in another file.   @pre nothing was appended yet
+  /// @throws DamagedFile where they cannot be read, or are not those that were written
+  void take(const File& from, const SeriesMark& mark);
+  [[nodiscard]] SeriesMark mark() const { return {rows(), hash_.value()}; }
   /// Writes what is buffered.   @throws FileError
   void flush();
   /// Writes what is buffered and closes the dataset.   @throws FileError
@@ -35,11 +51,12 @@ class Series {
  private:
   std::filesystem::path path_;
   std::string name_;
-  void write_rows(hsize_t rows);
+  void write_rows(std::span<const T> rows);
 
   hsize_t width_ = 1, chunk_ = 0;   // rows
   hsize_t first_ = 0, stored_ = 0;  // first row of the last chunk; rows in the file
   std::vector<T> rows_;             // from first_ on, in the file or not yet
+  RowHash hash_;
   Handle dataset_;
 };
 
@@ -49,14 +66,20 @@ class TextSeries {
   TextSeries() = default;
   TextSeries(const File& file, std::string name, const Label& label);
   void append(std::string text);
+  /// As Series::take().
+  void take(const File& from, const SeriesMark& mark);
+  [[nodiscard]] SeriesMark mark() const { return {rows(), hash_.value()}; }
   void flush();
   void close();
+  [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(written_ + pending_.size()); }
+  [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   std::filesystem::path path_;
   std::string name_;
   hsize_t written_ = 0;
   std::vector<std::string> pending_;
+  RowHash hash_;
   Handle dataset_;
 };
 

@@ -44,6 +44,7 @@ HistoryWriter::HistoryWriter(const h5::File& file, const Model& model) {
                          {file, group + "/velocity", 2, {"m/s", "velocity x, y"}},
                          {file, group + "/stress", 3, {"Pa", "recovered Cauchy stress xx, yy, xy; tension positive"}}});
     file.attribute(group, "name", model.monitors[i].name);
+    file.attribute(group, "order", static_cast<std::int64_t>(i));
     file.attribute(group, "block", model.blocks[model.monitors[i].block.index()].name);
     file.attribute(group, "long_name", "monitor " + model.monitors[i].name);
   }
@@ -77,21 +78,6 @@ void HistoryWriter::append(const coupling::HistoryView& history) {
   closure_.append(history.ledger->closure());
   moved_.append(history.ledger->moved());
   time_.append(history.time);
-}
-
-template <class Visitor>
-void HistoryWriter::each(Visitor&& see) {
-  for (Monitor& m : monitors_) see(m.position), see(m.displacement), see(m.velocity), see(m.stress), see(m.time);
-  for (h5::Series<double>& column : columns_) see(column);
-  see(energy_), see(closure_), see(moved_), see(time_);
-}
-
-void HistoryWriter::flush() {
-  each([](auto& series) { series.flush(); });
-}
-
-void HistoryWriter::close() {
-  each([](auto& series) { series.close(); });
 }
 
 }  // namespace scree::io

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coupling/sink.h"
-#include "io/results/h5_series.h"
+#include "io/results/series_group.h"
 
 namespace scree::io {
 
@@ -17,20 +17,23 @@ namespace scree::io {
 
 /// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column,
 /// energy, closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
-class HistoryWriter {
+class HistoryWriter : public SeriesGroup<HistoryWriter> {
  public:
   HistoryWriter(const h5::File& file, const Model& model);
   /// Adds one row everywhere.   @pre spans hold every monitor of the model; ledger is set
   void append(const coupling::HistoryView& history);
-  void flush();
-  void close();
 
  private:
+  friend SeriesGroup<HistoryWriter>;
   struct Monitor {
     h5::Series<double> time, position, displacement, velocity, stress;
   };
   template <class Visitor>
-  void each(Visitor&& see);
+  void each(Visitor&& see) {
+    for (Monitor& m : monitors_) see(m.position), see(m.displacement), see(m.velocity), see(m.stress), see(m.time);
+    for (h5::Series<double>& column : columns_) see(column);
+    see(energy_), see(closure_), see(moved_), see(time_);
+  }
   std::vector<Monitor> monitors_;
   std::vector<h5::Series<double>> columns_;
   h5::Series<double> time_, energy_, closure_, moved_;

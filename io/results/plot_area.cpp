@@ -1,5 +1,7 @@
 #include "io/results/plot_area.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,11 @@ double widest(const Canvas& canvas, const Ticks& ticks) {
   double w = 0.0;
   for (const std::string& label : ticks.label) w = std::max(w, canvas.text_width(label, kTickText));
   return w;
+}
+
+std::string axis_label(char axis, double from) {
+  if (from == 0.0) return fmt::format("{} [m]", axis);
+  return fmt::format("{} {} {} [m]", axis, from > 0.0 ? "−" : "+", std::abs(from));
 }
 
 void draw_axes(const Canvas& canvas, const PlotArea& a, const Ticks& x, const Ticks& y, const std::string& x_label,

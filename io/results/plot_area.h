@@ -24,6 +24,9 @@ inline constexpr TextStyle kTickText{7.5}, kLabelText{8.5};
 /// Widest of the labels [pt].
 [[nodiscard]] double widest(const Canvas& canvas, const Ticks& ticks);
 
+/// Label of a coordinate that is counted from somewhere [m]: "x [m]", "x − 500000 [m]".
+[[nodiscard]] std::string axis_label(char axis, double from);
+
 /// Frame, ticks outside, labels; with grid lines where asked. An empty label of x leaves the numbers of x out, too.
 void draw_axes(const Canvas& canvas, const PlotArea& area, const Ticks& x, const Ticks& y, const std::string& x_label,
                const std::string& y_label, bool grid);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <array>
 
 #include "io/results/h5_series.h"
 #include "io/results/sha256.h"
@@ -67,6 +68,7 @@ void write_provenance(const h5::File& file, const Provenance& provenance) {
 
 void write_model(const h5::File& file, const Model& model) {
   file.attribute("/", "title", model.title);
+  file.attribute("/", "origin", std::array{model.origin.x(), model.origin.y()});
   std::vector<std::string> names;
   std::vector<std::int32_t> material, held, ring_block;
   std::vector<std::int64_t> ring_offset{0};

@@ -37,6 +37,7 @@ struct Provenance {
 /// case, library, library_version.
 void write_provenance(const h5::File& file, const Provenance& provenance);
 
+/// Attributes title and origin of the file: x, y that every position in it is counted from [m].
 /// /blocks/{name, material, held, ring_block, ring_offset, point}: rings of the polygons as the model first had them,
 /// ragged: ring r is point[ring_offset[r] : ring_offset[r + 1]] of block ring_block[r], outer ring first.
 /// /materials/{name, density, young, poisson}; /stages/{name, integrator, duration}.

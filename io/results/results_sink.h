@@ -2,24 +2,40 @@
 // summary.json.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "coupling/sink.h"
 #include "io/results/provenance.h"
+#include "io/results/results_mark.h"
 #include "io/results/run_folder.h"
 
 namespace scree::io {
 
 /// run.vtkhdf has the groups /VTKHDF (frames, vtkhdf_writer.h), /frames, /history, /energy (history_writer.h), /events,
-/// /transfers (event_writer.h), /contacts where asked for (contact_writer.h), /xdmf (xdmf_writer.h), /blocks,
-/// /materials, /joints (joints_writer.h), /stages and /provenance (provenance.h). Histories are buffered; a frame and
-/// the end of the run bring everything to the operating system, so a run that is killed reads back as of its last
-/// frame.
+/// /transfers (event_writer.h), /progress (progress_writer.h), /contacts where asked for (contact_writer.h), /xdmf
+/// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /stages and /provenance (provenance.h). Histories
+/// are buffered; a frame and the end of the run bring everything to the operating system, so a run that is killed reads
+/// back as of its last frame.
 /// @throws FileError{path, reason} from every call: losing results ends a run
 class ResultsSink : public coupling::Sink {
  public:
+  /// Where a run goes on.
+  struct GoOn {
+    ResultsMark mark;
+    std::vector<coupling::TransferRow> transfers;
+    std::vector<coupling::StageTravel> travels;
+    std::string place;                             // "t = 0.5 s, step 120", for /provenance
+    std::function<void(const std::string&)> warn;  // told of results that are lost
+  };
+
   /// Makes no file yet; begin() does.   @param folder  from RunFolder::create
-  ResultsSink(RunFolder folder, Provenance provenance);
+  /// @param go_on  begin() keeps what was there at the mark, and drops what came after: run.vtkhdf is written anew from
+  ///               the old one, which stays until that is done. Where the old one is damaged it is put aside as
+  ///               run.damaged.vtkhdf, and the new one begins at the mark.
+  ResultsSink(RunFolder folder, Provenance provenance, std::optional<GoOn> go_on = std::nullopt);
   ~ResultsSink() override;
 
   void begin(const Model& model, const coupling::Plan& plan) override;
@@ -30,14 +46,22 @@ class ResultsSink : public coupling::Sink {
   /// Stores the last instant too, unless it was a frame, closes the files and writes the summary.
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
 
+  /// Brings everything so far to the disk and says how much it is.   @pre between begin() and end()
+  [[nodiscard]] ResultsMark mark();
+
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
 
  private:
   struct Files;
   [[nodiscard]] Files& files();
+  /// Makes the files, with the heads that never change.
+  void make_files(h5::File file, const std::array<std::int64_t, 2>& tables, const Model& model,
+                  const coupling::Plan& plan);
+  void take_up(const Model& model, const coupling::Plan& plan);
 
   RunFolder folder_;
   Provenance provenance_;
+  std::optional<GoOn> go_on_;
   std::unique_ptr<Files> files_;  // from begin() to end()
 };
 

@@ -1,6 +1,5 @@
 #include "io/results/run_folder.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -8,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,12 +21,19 @@ namespace {
 constexpr std::array<std::string_view, 6> kNames{"run.vtkhdf", "run.xmf",      "history.csv",
                                                  "energy.csv", "summary.json", "run.log"};
 constexpr std::string_view kCheckpoint = "checkpoint";  // all checkpoints begin with it
+constexpr std::string_view kBeside = "run.vtkhdf.new";  // run.vtkhdf while it is written anew
+constexpr std::string_view kDamaged = ".damaged";       // in names of files that were put aside
 
 bool belongs_to_runs(const fs::path& file) {
   const std::string name = file.filename().string();
   for (const std::string_view known : kNames)
     if (name == known) return true;
+  if (name.find(kDamaged) != std::string::npos || name == kBeside) return true;
   return name.starts_with(kCheckpoint);
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+  throw FileError(path, what + ": " + std::strerror(errno));
 }
 
 /// Files that runs write, in a folder.
@@ -46,35 +53,6 @@ void clear_earlier_run(const fs::path& folder) {
     if (error) throw FileError(file, "cannot remove the file of an earlier run: " + error.message());
   }
 }
-
-[[noreturn]] void fail(const fs::path& path, const std::string& what) {
-  throw FileError(path, what + ": " + std::strerror(errno));
-}
-
-/// A file descriptor that is closed when left.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  [[nodiscard]] int get() const { return fd_; }
-  [[nodiscard]] bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
- private:
-  int fd_;
-};
-
-/// Removes a temporary file unless it was renamed.
-struct Temporary {
-  fs::path path;
-  bool keep = false;
-  ~Temporary() {
-    if (!keep) ::unlink(path.c_str());
-  }
-};
 
 }  // namespace
 
@@ -108,6 +86,28 @@ RunFolder RunFolder::open(const fs::path& path) {
   return folder;
 }
 
+RunFolder RunFolder::reopen(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw FileError(path, "there is no such run folder");
+  if (!fs::is_directory(path, error)) throw FileError(path, "is not a folder");
+  if (::access(path.c_str(), W_OK | X_OK) != 0) fail(path, "cannot write in the run folder");
+  return RunFolder(path);
+}
+
+fs::path RunFolder::set_aside(const fs::path& file) {
+  const auto name = [&](int n) {
+    return file.parent_path() / (file.stem().string() + std::string(kDamaged) + (n > 1 ? std::to_string(n) : "") +
+                                 file.extension().string());
+  };
+  int n = 1;
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  while (fs::exists(name(n), error)) ++n;
+  fs::rename(file, name(n), error);
+  if (error) throw FileError(file, "cannot put the damaged file aside: " + error.message());
+  return name(n);
+}
+
 bool RunFolder::is_run(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return false;
@@ -115,24 +115,6 @@ bool RunFolder::is_run(const fs::path& path) {
   const std::size_t entries =
       static_cast<std::size_t>(std::distance(fs::directory_iterator(path, error), fs::directory_iterator()));
   return entries > 0 && entries == run_files(path).size();
-}
-
-void write_atomically(const fs::path& path, std::string_view text) {
-  Temporary temporary{path.string() + ".tmp"};
-  Descriptor file(temporary.path, O_WRONLY | O_CREAT | O_TRUNC);
-  if (file.get() < 0) fail(path, "cannot make the file");
-  while (!text.empty()) {
-    const ssize_t n = ::write(file.get(), text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(path, "cannot write");
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  if (::fsync(file.get()) != 0) fail(path, "cannot write");
-  if (!file.close()) fail(path, "cannot write");
-  if (::rename(temporary.path.c_str(), path.c_str()) != 0) fail(path, "cannot put the new file in place");
-  temporary.keep = true;
-  const Descriptor folder(path.has_parent_path() ? path.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY);
-  if (folder.get() < 0 || ::fsync(folder.get()) != 0) fail(path, "cannot put the new file in place");
 }
 
 }  // namespace scree::io

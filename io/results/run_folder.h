@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 #include "io/results/file_error.h"
 
@@ -11,6 +10,7 @@ namespace scree::io {
 /// Names inside a run folder.
 ///   run.vtkhdf    frames, histories, ledger, events, provenance     run.xmf   its frames for ParaView
 ///   history.csv   monitors    energy.csv   ledger    summary.json   what the run ended with    run.log   messages
+///   checkpoint.<n>.scree   the last two checkpoints (io/checkpoint)
 class RunFolder {
  public:
   /// Makes the folder and its parents. An empty folder is used as it is; an earlier run is cleared of the files that
@@ -24,6 +24,12 @@ class RunFolder {
   /// results).
   [[nodiscard]] static bool is_run(const std::filesystem::path& path);
 
+  /// An earlier run, to go on with: a folder that can be written in.   @throws FileError
+  [[nodiscard]] static RunFolder reopen(const std::filesystem::path& path);
+  /// Gives a damaged file another name in its folder, "run.damaged.vtkhdf".
+  /// @return it; empty where there is no such file   @throws FileError
+  static std::filesystem::path set_aside(const std::filesystem::path& file);
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path results() const { return path_ / "run.vtkhdf"; }
   [[nodiscard]] std::filesystem::path xdmf() const { return path_ / "run.xmf"; }
@@ -36,9 +42,5 @@ class RunFolder {
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;
 };
-
-/// Writes a whole file so that a reader sees the old text or the new one, never half: temporary name in the same
-/// folder, fsync, rename, fsync of the folder.   @throws FileError; the old file is untouched then
-void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace scree::io

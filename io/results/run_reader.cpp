@@ -11,6 +11,7 @@ namespace scree::io {
 struct RunReader::Data {
   h5::File file;
   std::string title;
+  Vec2 origin{0.0, 0.0};
   std::vector<double> times;
   std::vector<std::string> methods, stages;
   std::vector<StoredBlock> blocks;
@@ -83,6 +84,8 @@ RunReader::RunReader(const std::filesystem::path& run_folder) : data_(std::make_
   data_->file = h5::File::open(RunFolder::open(run_folder).results());
   const h5::File& file = data_->file;
   data_->title = h5::text_attribute(file, "/", "title");
+  const std::array<double, 2> origin = h5::pair_attribute(file, "/", "origin");
+  data_->origin = {origin[0], origin[1]};
   data_->times = h5::read<double>(file, "/VTKHDF/Steps/Values");
   // A run that was killed may have times without the count, or the count of the flush before: the smaller one is whole.
   const auto whole =
@@ -98,6 +101,7 @@ RunReader::~RunReader() = default;
 RunReader::RunReader(RunReader&&) noexcept = default;
 
 const std::string& RunReader::title() const { return data_->title; }
+const Vec2& RunReader::origin() const { return data_->origin; }
 const std::vector<double>& RunReader::times() const { return data_->times; }
 const std::vector<std::string>& RunReader::methods() const { return data_->methods; }
 const std::vector<StoredBlock>& RunReader::blocks() const { return data_->blocks; }
@@ -202,17 +206,23 @@ StoredLedger RunReader::ledger() const {
 
 std::vector<StoredMonitor> RunReader::monitors() const {
   const h5::File& file = data_->file;
-  std::vector<StoredMonitor> monitors;
+  std::vector<std::pair<std::int64_t, StoredMonitor>> found;
   for (const std::string& name : h5::children(file, "/history")) {
     const std::string group = "/history/" + name + "/";
     const auto time = h5::read<double>(file, group + "time");
     const auto rows = static_cast<std::int64_t>(time.size());
     const auto pairs = [&](const char* what) { return h5::read<double>(file, group + what, 0, rows); };
-    StoredMonitor monitor{name, time, pairs("position"), pairs("displacement"), pairs("velocity"), {}};
+    const std::string given = h5::text_attribute(file, "/history/" + name, "name");
+    StoredMonitor monitor{name, given, time, pairs("position"), pairs("displacement"), pairs("velocity"), {}};
     const std::vector<std::string> there = h5::children(file, "/history/" + name);
     if (std::find(there.begin(), there.end(), "stress") != there.end()) monitor.stress = pairs("stress");
-    monitors.push_back(std::move(monitor));
+    const bool ordered = h5::has_attribute(file, "/history/" + name, "order");
+    found.emplace_back(ordered ? h5::integer_attribute(file, "/history/" + name, "order") : 0, std::move(monitor));
   }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<StoredMonitor> monitors;
+  monitors.reserve(found.size());
+  for (auto& [order, monitor] : found) monitors.push_back(std::move(monitor));
   return monitors;
 }
 
@@ -226,6 +236,30 @@ std::vector<StoredEvent> RunReader::events() const {
   std::vector<StoredEvent> events;
   for (std::size_t i = 0; i < time.size(); ++i) events.push_back({time[i], kind[i], text[i]});
   return events;
+}
+
+std::vector<StoredProgress> RunReader::progress() const {
+  const h5::File& file = data_->file;
+  const std::vector<std::string> there = h5::children(file, "/");
+  if (std::find(there.begin(), there.end(), "progress") == there.end()) return {};
+  const std::string g = "/progress/";
+  // The unknowns are written last.
+  const auto unknowns = h5::read<std::int64_t>(file, g + "unknowns");
+  const std::size_t rows = std::min(unknowns.size(), times().size());
+  const auto count = static_cast<std::int64_t>(rows);
+  const auto cuts = h5::read<std::int64_t>(file, g + "cuts", 0, count),
+             passes = h5::read<std::int64_t>(file, g + "passes", 0, count),
+             contacts = h5::read<std::int64_t>(file, g + "contacts", 0, count);
+  const auto depth = h5::read<double>(file, g + "contact_depth", 0, count),
+             force = h5::read<double>(file, g + "contact_force", 0, count);
+  const std::vector<std::string> depth_at = h5::read_texts(file, g + "contact_depth_at"),
+                                 force_at = h5::read_texts(file, g + "contact_force_at");
+  if (depth_at.size() < rows || force_at.size() < rows) throw FileError(file.path(), "/progress is damaged");
+  std::vector<StoredProgress> progress;
+  for (std::size_t i = 0; i < rows; ++i)
+    progress.push_back(
+        {cuts[i], passes[i], contacts[i], unknowns[i], {times()[i], depth[i], force[i], depth_at[i], force_at[i]}});
+  return progress;
 }
 
 double RunReader::end_time() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/results/worst_contact.h"
 #include "model/geometry.h"
 
 namespace scree::io {
@@ -39,7 +40,7 @@ struct StoredLedger {
 };
 
 struct StoredMonitor {
-  std::string name;
+  std::string name, given;                                     // in the file, where it is unique; in the case
   std::vector<double> time, position, displacement, velocity;  // x, y a time
   std::vector<double> stress;                                  // xx, yy, xy a time [Pa]; empty in older runs
 };
@@ -47,6 +48,12 @@ struct StoredMonitor {
 struct StoredEvent {
   double time = 0.0;  // [s]
   std::string kind, text;
+};
+
+/// How far the run was at a frame.
+struct StoredProgress {
+  std::int64_t cuts = 0, passes = 0, contacts = 0, unknowns = 0;
+  WorstContact contact;  // time: of the frame
 };
 
 struct StoredStage {
@@ -79,6 +86,8 @@ class RunReader {
   RunReader(RunReader&&) noexcept;
 
   [[nodiscard]] const std::string& title() const;
+  /// What positions in the run are counted from [m]; (0, 0) in runs before there was one.
+  [[nodiscard]] const Vec2& origin() const;
   [[nodiscard]] const std::vector<double>& times() const;  // of the frames [s]
   [[nodiscard]] const std::vector<std::string>& methods() const;
   [[nodiscard]] const std::vector<StoredBlock>& blocks() const;
@@ -90,8 +99,11 @@ class RunReader {
   /// @throws FileError when there is no such frame
   [[nodiscard]] StoredFrame frame(std::size_t index) const;
   [[nodiscard]] StoredLedger ledger() const;
+  /// In the order of the case (in older runs by name).
   [[nodiscard]] std::vector<StoredMonitor> monitors() const;
   [[nodiscard]] std::vector<StoredEvent> events() const;
+  /// One entry a frame; none in runs from before they were stored.
+  [[nodiscard]] std::vector<StoredProgress> progress() const;
   [[nodiscard]] double end_time() const;  // of the whole plan [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
   /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and

@@ -327,8 +327,8 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   const ArrowMarks arrows = arrow_marks(area, s);
   arrows.draw(canvas, area);
   cairo_restore(canvas.get());
-  draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h), "x [m]", "y [m]",
-            false);
+  draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h),
+            axis_label('x', run.origin().x()), axis_label('y', run.origin().y()), false);
   draw_key(canvas, area, s, arrows);
   draw_title(canvas, area, s);
   if (s.named())

@@ -21,9 +21,13 @@ namespace {
 
 double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
-void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall) {
+rusage usage() {
   rusage use{};
   ::getrusage(RUSAGE_SELF, &use);  // fails for a wrong argument only
+  return use;
+}
+
+void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall, double cpu) {
   json.field("steps", stats.steps).field("cuts", stats.cuts).field("open_close_passes", stats.passes);
   json.field("newton_iterations", stats.iterations).field("contact_switches", stats.switches);
   json.field("factorisations", stats.factorisations).field("factor_updates", stats.updates);
@@ -32,8 +36,8 @@ void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall) {
     json.open('{', "audit").field("checks", stats.audit_checks).field("worst", stats.audit_worst).close('}');
   json.open('{', "wall_seconds").field("explicit", stats.wall_explicit).field("implicit", stats.wall_implicit);
   json.field("output", stats.wall_output).field("total", wall).close('}');
-  json.field("cpu_seconds", seconds_of(use.ru_utime) + seconds_of(use.ru_stime));
-  json.field("peak_memory_bytes", std::int64_t{1024} * use.ru_maxrss);  // Linux counts in KiB
+  json.field("cpu_seconds", cpu);
+  json.field("peak_memory_bytes", std::int64_t{1024} * usage().ru_maxrss);  // Linux counts in KiB
   json.field("blocks_count", stats.blocks).field("elements", stats.elements).field("unknowns", stats.unknowns);
   json.field("element_steps_per_second", stats.wall_explicit > 0.0 ? stats.element_steps / stats.wall_explicit : 0.0);
   json.field("contacts", stats.contacts);
@@ -141,17 +145,34 @@ void Summary::event(const coupling::Event& event) {
   if (event.travel != nullptr) travels_.push_back(*event.travel);
 }
 
+double Summary::wall_seconds() const {
+  return earlier_wall_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+double Summary::cpu_seconds() const {
+  const rusage use = usage();
+  return earlier_cpu_ + seconds_of(use.ru_utime) + seconds_of(use.ru_stime);
+}
+
+void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
+                    double wall_seconds, double cpu_seconds) {
+  transfers_ = std::move(transfers);
+  travels_ = std::move(travels);
+  earlier_wall_ = wall_seconds;
+  earlier_cpu_ = cpu_seconds;
+}
+
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   JsonWriter json;
   json.open('{').field("version", provenance_.version).field("commit", provenance_.commit);
   json.field("case_sha256", case_hash(provenance_)).field("title", model_->title);
+  json.open('[', "origin").field({}, model_->origin.x()).field({}, model_->origin.y()).close(']');
   json.field("status", status_name(end.status)).field("reason", end.reason);
   json.field("final_time", last.time).field("end_time", last.end_time).field("stage", last.stage_name);
   json.field("state_hash", fmt::format("{:016x}", coupling::state_hash(*last.state)));
   json.field("threads", provenance_.threads);
-  write_run(json, *last.stats, wall);
+  write_run(json, *last.stats, wall_seconds(), cpu_seconds());
   write_ledger(json, last.state->ledger);
   write_stages(json, *model_, travels_);
   write_transfers(json, *model_, transfers_);

@@ -14,12 +14,12 @@ namespace scree::io {
 [[nodiscard]] std::string status_name(coupling::RunEnd::Status status);
 
 /// Collects during a run what the summary needs. The keys (units: s, m, J, bytes where a name has no other):
-///   version, commit, case_sha256, title, status, reason, final_time, end_time, state_hash (16 hexadecimal digits),
-///   stage, steps, cuts, open_close_passes, newton_iterations, contact_switches, factorisations, factor_updates (rank
-///   1 each), corrections (solutions with a factor of another matrix), audit {checks, worst} (of audited runs),
-///   wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes, blocks_count,
-///   elements, unknowns, element_steps_per_second, contacts,
-///   ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
+///   version, commit, case_sha256, title, origin [x, y] (what positions in the results are counted from), status,
+///   reason, final_time, end_time, state_hash (16 hexadecimal digits), stage, steps, cuts, open_close_passes,
+///   newton_iterations, contact_switches, factorisations, factor_updates (rank 1 each), corrections (solutions with a
+///   factor of another matrix), audit {checks, worst} (of audited runs), wall_seconds {explicit, implicit, output,
+///   total}, cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second,
+///   contacts, ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
 ///           relative_closure, scheme_share = max |scheme column| / moved},
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
 ///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
@@ -29,6 +29,12 @@ class Summary {
   /// The clock of wall_seconds.total starts here.   @param model  must outlive the summary
   Summary(const Model& model, const Provenance& provenance);
   void event(const coupling::Event& event);
+  /// Seconds that the run has taken so far, by the clock and of processors.
+  [[nodiscard]] double wall_seconds() const;
+  [[nodiscard]] double cpu_seconds() const;
+  /// Counts on from where a run stopped.
+  void go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
+             double wall_seconds, double cpu_seconds);
   /// The document.   @pre last.mesh, last.state and last.stats are set
   [[nodiscard]] std::string text(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
@@ -38,6 +44,7 @@ class Summary {
   std::vector<coupling::TransferRow> transfers_;
   std::vector<coupling::StageTravel> travels_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double earlier_wall_ = 0.0, earlier_cpu_ = 0.0;  // before a run went on [s]
 };
 
 }  // namespace scree::io

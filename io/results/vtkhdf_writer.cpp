@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/results/cell_mean.h"
+#include "io/results/h5_read.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -178,6 +179,38 @@ FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   frame_cells_.append(at_.cells);
   ++frames_;
   return {at_.part, at_.points, at_.cells, first_point, first_value, at_.first_cell, at_.first_integrator};
+}
+
+void VtkhdfWriter::mark(ResultsMark& mark) {
+  mark.frames.clear();
+  each([&](auto& series) { mark.frames.push_back(series.mark()); });
+  mark.frame_count = frames_;
+  mark.mesh = mesh_ ? static_cast<std::int64_t>(*mesh_) : -1;
+  mark.integrator = integrator_ ? static_cast<std::int64_t>(*integrator_) : -1;
+  mark.mesh_rows = {at_.part, at_.points, at_.cells, at_.first_cell, at_.first_id, at_.first_integrator};
+}
+
+void VtkhdfWriter::take(const h5::File& from, const ResultsMark& mark) {
+  SCREE_ASSERT(frames_ == 0);
+  std::size_t at = 0;
+  each([&](auto& series) { series.take(from, mark.frames.at(at++)); });
+  std::vector<std::string> names;
+  if (method_name_.rows() > 0) names = h5::from_whole([&] { return h5::read_texts(from, method_name_.name()); });
+  for (std::int32_t m = 0; m < method_name_.rows(); ++m) methods_[names[static_cast<std::size_t>(m)]] = m;
+  frames_ = mark.frame_count;
+  if (mark.mesh >= 0) mesh_ = static_cast<std::uint32_t>(mark.mesh);
+  if (mark.integrator >= 0) integrator_ = static_cast<coupling::Integrator>(mark.integrator);
+  const auto& r = mark.mesh_rows;
+  at_ = {r[0], r[1], r[2], r[3], r[4], r[5]};
+}
+
+FrameRows VtkhdfWriter::rows_of(const h5::File& file, std::int64_t frame) {
+  const auto at = [&](const std::string& name) {
+    return h5::from_whole([&] { return h5::read<std::int64_t>(file, name, frame, 1).front(); });
+  };
+  const std::string steps = "/VTKHDF/Steps/", of_cells = steps + "CellDataOffsets/";
+  return {at(steps + "PartOffsets"), at("/frames/points"),      at("/frames/cells"),        at(steps + "PointOffsets"),
+          at(of_cells + "stress"),   at(of_cells + "block_id"), at(of_cells + "integrator")};
 }
 
 void VtkhdfWriter::flush() {

@@ -6,6 +6,7 @@
 
 #include "coupling/sink.h"
 #include "io/results/h5_series.h"
+#include "io/results/results_mark.h"
 
 namespace scree::io {
 
@@ -32,6 +33,12 @@ class VtkhdfWriter {
   /// Adds a frame.   @pre frame.mesh is set and its spans have the sizes that sink.h gives them
   /// @return its rows, written or still buffered
   FrameRows frame(const coupling::FrameView& frame);
+  /// Notes how much there is now.
+  void mark(ResultsMark& mark);
+  /// Starts with the frames that another file had then.   @pre nothing has been added yet
+  void take(const h5::File& from, const ResultsMark& mark);
+  /// Rows of a frame, from the first on, that a file has.
+  [[nodiscard]] static FrameRows rows_of(const h5::File& file, std::int64_t frame);
   /// Writes what is buffered (the file itself is flushed by its owner).
   void flush();
   void close();

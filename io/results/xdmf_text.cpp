@@ -60,15 +60,14 @@ std::string grid(std::int64_t number, std::string_view parts, double time) {
   return fmt::format("<Grid Name=\"frame {}\">\n{}<Time Value=\"{:.17g}\"/>\n</Grid>\n", number, parts, time);
 }
 
-std::string document(std::string_view grids) {
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
-      "<!-- Frames of run.vtkhdf for ParaView. Made by Scree. -->\n"
-      "<Xdmf Version=\"3.0\">\n<Domain>\n"
-      "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
-      "{}</Grid>\n</Domain>\n</Xdmf>\n",
-      grids);
+std::string_view opening() {
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+         "<!-- Frames of run.vtkhdf for ParaView. Made by Scree. -->\n"
+         "<Xdmf Version=\"3.0\">\n<Domain>\n"
+         "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
 }
+
+std::string_view closing() { return "</Grid>\n</Domain>\n</Xdmf>\n"; }
 
 std::vector<double> told_apart(std::vector<double> times) {
   for (std::size_t i = times.size(); i-- > 1;) times[i - 1] = std::min(times[i - 1], just_before(times[i]));

@@ -11,7 +11,7 @@ namespace scree::io::xdmf {
 
 /// An array of doubles or of int32, `width` a row.
 struct Array {
-  std::string path;  // "run.vtkhdf:/xdmf/Points/0"
+  std::string path;  // "run.vtkhdf:/xdmf/Points/0/0"
   std::int64_t rows = 0;
   int width = 1;
   bool whole = false;  // numbers
@@ -29,7 +29,9 @@ struct Array {
                                     const Array& values);
 /// @param parts  topology, geometry, attributes   @param time [s]
 [[nodiscard]] std::string grid(std::int64_t number, std::string_view parts, double time);
-[[nodiscard]] std::string document(std::string_view grids);
+/// What stands before the grids, and after.
+[[nodiscard]] std::string_view opening();
+[[nodiscard]] std::string_view closing();
 
 /// Times that a reader can choose by: where several are equal, the last one stays and each before it is moved to just
 /// before the next, by 1 ps (a tick) or by what a double can still tell apart there.

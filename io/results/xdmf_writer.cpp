@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "io/results/h5_read.h"
 #include "io/results/h5_series.h"
 #include "io/results/h5_window.h"
-#include "io/results/run_folder.h"
 
 namespace scree::io {
 
@@ -19,11 +19,19 @@ constexpr const char* kNode = "Node";
 constexpr const char* kCell = "Cell";
 constexpr std::string_view kFile = "run.vtkhdf:";
 constexpr std::chrono::seconds kBetween{1};
-constexpr int kShare = 50;  // a text may take 1/50 of the time
+constexpr int kShare = 50;        // a text may take 1/50 of the time
+constexpr int kMost = 64 * 1024;  // bytes that may wait to be written
+
+/// HDF5 keeps the names of a group in one piece, read and written whole with each new one: groups must stay small.
+std::string window_name(std::string_view field, std::int64_t n) {
+  constexpr std::int64_t kOfGroup = 500;
+  return fmt::format("/xdmf/{}/{}/{}", field, n / kOfGroup, n);
+}
 
 }  // namespace
 
-XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf) : file_(&file), xmf_(std::move(xmf)) {
+XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
+    : file_(&file), xmf_(std::move(xmf)), settled_(xdmf::opening()) {
   fields_ = {
       {"Points", "", "XYZ", "Points", 3, false, &FrameRows::first_point, {}},
       {"displacement", kNode, "Vector", "PointData/displacement", 3, false, &FrameRows::first_point, {}},
@@ -41,14 +49,16 @@ XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf) : file_(
   for (Field& field : fields_)
     field.label = {h5::text_attribute(file, "/VTKHDF/" + field.path, "units"),
                    h5::text_attribute(file, "/VTKHDF/" + field.path, "long_name")};
+  settled_.reserve(2 * kMost);
   file.group("/xdmf");
 }
 
-std::string XdmfWriter::topology(const coupling::MeshView& mesh, std::int64_t number) {
-  const std::vector<std::int32_t> mixed = xdmf::mixed_polygons(mesh.offsets, mesh.connectivity);
+std::string XdmfWriter::topology(std::span<const std::int32_t> offsets, std::span<const std::int32_t> connectivity,
+                                 std::int64_t number) {
+  const std::vector<std::int32_t> mixed = xdmf::mixed_polygons(offsets, connectivity);
   const std::string name = fmt::format("/xdmf/topology/{}", number);
   h5::write<std::int32_t>(*file_, name, 1, mixed, {"1", "a cell: 3 for polygon, number of points, points"});
-  return xdmf::topology(static_cast<std::int64_t>(mesh.cell_block.size()),
+  return xdmf::topology(static_cast<std::int64_t>(offsets.size()) - 1,
                         {std::string(kFile) + name, static_cast<std::int64_t>(mixed.size()), 1, true});
 }
 
@@ -56,30 +66,54 @@ xdmf::Array XdmfWriter::window(Field& field, const FrameRows& rows) {
   const bool of_cells = std::string_view(field.center) == kCell;
   const std::int64_t first = rows.*field.first, count = of_cells ? rows.cells : rows.points;
   if (field.shown != first) {
-    h5::window(*file_, fmt::format("/xdmf/{}/{}", field.path, field.made), {"/VTKHDF/" + field.path, first, count},
-               field.label);
+    h5::window(*file_, window_name(field.path, field.made), {"/VTKHDF/" + field.path, first, count}, field.label);
     field.shown = first;
     ++field.made;
   }
-  return {fmt::format("{}/xdmf/{}/{}", kFile, field.path, field.made - 1), count, field.width, field.whole};
+  return {std::string(kFile) + window_name(field.path, field.made - 1), count, field.width, field.whole};
 }
 
 void XdmfWriter::frame(const coupling::FrameView& frame, const FrameRows& rows) {
   if (mesh_ != rows.mesh) {
-    topology_ = topology(*frame.mesh, rows.mesh);
+    topology_ = topology(frame.mesh->offsets, frame.mesh->connectivity, rows.mesh);
     mesh_ = rows.mesh;
   }
+  add(frame.time, rows);
+}
+
+void XdmfWriter::take(const h5::File& from, std::int64_t frames) {
+  const std::string vtk = "/VTKHDF/";
+  for (std::int64_t k = 0; k < frames; ++k) {
+    const FrameRows rows = VtkhdfWriter::rows_of(from, k);
+    if (mesh_ != rows.mesh) {
+      // The offsets of mesh m begin m rows after its cells: each mesh has one more of them (VTKHDF 2.0).
+      const auto numbers = [&](const std::string& name, std::int64_t first, std::int64_t count) {
+        const std::vector<std::int64_t> wide =
+            h5::from_whole([&] { return h5::read<std::int64_t>(from, vtk + name, first, count); });
+        return std::vector<std::int32_t>(wide.begin(), wide.end());
+      };
+      topology_ = topology(numbers("Offsets", rows.first_cell + rows.mesh, rows.cells + 1),
+                           numbers("Connectivity", numbers("Steps/ConnectivityIdOffsets", k, 1).front(),
+                                   numbers("NumberOfConnectivityIds", rows.mesh, 1).front()),
+                           rows.mesh);
+      mesh_ = rows.mesh;
+    }
+    add(h5::from_whole([&] { return h5::read<double>(from, vtk + "Steps/Values", k, 1).front(); }), rows);
+  }
+}
+
+void XdmfWriter::add(double time, const FrameRows& rows) {
   std::string parts = topology_;
   for (Field& field : fields_) {
     const xdmf::Array array = window(field, rows);
     parts += *field.center == '\0' ? xdmf::geometry(field.type, array)
                                    : xdmf::attribute(field.name, field.center, field.type, array);
   }
-  if (!waiting_.empty() && waiting_.back().time < frame.time) {
+  if (!waiting_.empty() && waiting_.back().time < time) {
     settled_ += waiting();
     waiting_.clear();
   }
-  waiting_.push_back({frames_++, frame.time, std::move(parts)});
+  waiting_.push_back({frames_++, time, std::move(parts)});
 }
 
 std::string XdmfWriter::waiting() const {
@@ -93,13 +127,21 @@ std::string XdmfWriter::waiting() const {
 
 void XdmfWriter::write() {
   const Clock::time_point start = Clock::now();
-  write_atomically(xmf_, xdmf::document(settled_ + waiting()));
+  auto file = std::make_unique<AtomicFile>(xmf_);
+  if (written_) file->copy(*written_, kept_);
+  file->write(settled_);
+  file->write(waiting());
+  file->write(xdmf::closing());
+  file->commit();
+  kept_ += std::ssize(settled_);
+  settled_.clear();
+  written_ = std::move(file);
   const Clock::time_point end = Clock::now();
   next_ = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
 }
 
 void XdmfWriter::flush() {
-  if (Clock::now() >= next_) write();
+  if (Clock::now() >= next_ || std::ssize(settled_) > kMost) write();
 }
 
 void XdmfWriter::close() { write(); }

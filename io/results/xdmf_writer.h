@@ -2,19 +2,22 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "io/results/atomic_file.h"
 #include "io/results/vtkhdf_writer.h"
 #include "io/results/xdmf_text.h"
 
 namespace scree::io {
 
 /// Makes, in the results file, the datasets that the text refers to, and writes the text beside it.
-///   /xdmf/Points/<n>, /xdmf/PointData/<field>/<n>, /xdmf/CellData/<field>/<n>
+///   /xdmf/Points/<g>/<n>, /xdmf/PointData/<field>/<g>/<n>, /xdmf/CellData/<field>/<g>/<n>
 ///                          rows of the dataset of that name in /VTKHDF, as virtual datasets: nothing is stored twice.
-///                          Counted anew by each field: one a frame, or one a mesh
+///                          Counted anew by each field: one a frame, or one a mesh; 500 of them in a group
 ///   /xdmf/topology/<mesh>  cells as XDMF's "Mixed" topology: 3 (polygon), number of points, points
 /// The readers of ParaView 5.11 agree on one plain or virtual dataset a frame only; of selections in the text two of
 /// them show nothing.
@@ -28,8 +31,10 @@ class XdmfWriter {
 
   /// Adds the frame that a VtkhdfWriter stored last, in the given rows.   @throws FileError
   void frame(const coupling::FrameView& frame, const FrameRows& rows);
+  /// Adds the frames that the file has already, in the rows that another file tells of.   @throws FileError
+  void take(const h5::File& from, std::int64_t frames);
   /// Puts the text in place of the old one, whole, when a second has passed since and the last writing took less than
-  /// 2 % of the time: the text holds all frames, so its length grows with the run.
+  /// 2 % of the time: all that stands already is copied, and that grows with the run.
   /// @pre the frames so far are in the file as other programs see it   @throws FileError
   void flush();
   /// Puts the text in place in any case.   @pre as for flush()   @throws FileError
@@ -51,7 +56,9 @@ class XdmfWriter {
     double time = 0.0;
     std::string parts;  // of its grid
   };
-  std::string topology(const coupling::MeshView& mesh, std::int64_t number);
+  std::string topology(std::span<const std::int32_t> offsets, std::span<const std::int32_t> connectivity,
+                       std::int64_t number);
+  void add(double time, const FrameRows& rows);
   /// The virtual dataset of these rows, made unless it is the last one.
   xdmf::Array window(Field& field, const FrameRows& rows);
   [[nodiscard]] std::string waiting() const;
@@ -62,9 +69,11 @@ class XdmfWriter {
   std::vector<Field> fields_;
   std::string topology_;  // of the present mesh
   std::int64_t mesh_ = -1, frames_ = 0;
-  std::string settled_;           // grids whose time is certain
-  std::vector<Waiting> waiting_;  // frames of the latest time: one more of that time would move theirs
-  Clock::time_point next_;        // no text is written before
+  std::string settled_;                  // opening and grids whose time is certain, as far as they are not in the file
+  std::vector<Waiting> waiting_;         // frames of the latest time: one more of that time would move theirs
+  std::unique_ptr<AtomicFile> written_;  // what is in place, and
+  std::int64_t kept_ = 0;                // bytes of it that stay
+  Clock::time_point next_;               // no text is written before
 };
 
 }  // namespace scree::io

@@ -95,7 +95,7 @@ std::string join(std::initializer_list<std::string> parts, std::string_view betw
 
 std::string status(const Dashboard& run) {
   constexpr double kSilence = 3.0;  // INFO comes once a second
-  if (run.status == "running" && run.received && run.received->silent > kSilence)
+  if (!has_ended(run) && run.received && run.received->silent > kSilence)
     return fmt::format("silent for {}", duration(run.received->silent));
   return run.status;
 }
@@ -277,6 +277,8 @@ std::string shown(std::string_view text, std::size_t most) {
   }
   return out;
 }
+
+bool has_ended(const Dashboard& run) { return run.status != "running" && run.status != "paused"; }
 
 std::vector<std::string> render(const Dashboard& run, int width, int height) {
   SCREE_ASSERT(width >= 40 && height >= 10);

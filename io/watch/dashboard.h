@@ -73,6 +73,9 @@ struct Dashboard {
   std::optional<Received> received;  // empty: a stored run
 };
 
+/// False while a run goes on, also one that is paused.
+[[nodiscard]] bool has_ended(const Dashboard& run);
+
 /// The whole screen: at most `height` lines of at most `width` columns, without line ends or control characters.
 /// Sections that do not fit are shortened and say so; the last line is the foot.
 /// @pre width >= 40, height >= 10

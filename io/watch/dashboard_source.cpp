@@ -91,8 +91,9 @@ const Dashboard& LiveDashboard::refresh() {
   if (const auto history = reader_->history(); history && is_of_it(history->header)) {
     now_.monitors_time = history->header.time;
     for (std::size_t i = 0; i < history->names.size(); ++i)
-      now_.monitors.push_back({history->names[i], history->position[2 * i], history->position[2 * i + 1],
-                               history->displacement[2 * i], history->displacement[2 * i + 1], history->velocity[2 * i],
+      now_.monitors.push_back({history->names[i], info->origin[0] + history->position[2 * i],
+                               info->origin[1] + history->position[2 * i + 1], history->displacement[2 * i],
+                               history->displacement[2 * i + 1], history->velocity[2 * i],
                                history->velocity[2 * i + 1]});
   }
   now_.frame_time.reset();
@@ -126,6 +127,14 @@ Dashboard stored_dashboard(const std::filesystem::path& run_folder) {
     run.stage = last.stage;
     run.integrator = last.integrator;
     run.cells = static_cast<std::int64_t>(last.cells());
+    if (const auto progress = reader.progress(); progress.size() == reader.times().size()) {
+      const StoredProgress& p = progress.back();
+      run.cuts = p.cuts;
+      run.passes = p.passes;
+      run.contacts = p.contacts;
+      run.unknowns = p.unknowns;
+      run.contact = {p.contact.depth, p.contact.force, p.contact.depth_at, p.contact.force_at};
+    }
   }
   const StoredLedger ledger = reader.ledger();
   if (!ledger.time.empty()) {
@@ -140,8 +149,8 @@ Dashboard stored_dashboard(const std::filesystem::path& run_folder) {
     if (m.time.empty()) continue;
     const std::size_t i = 2 * (m.time.size() - 1);
     run.monitors_time = m.time.back();
-    run.monitors.push_back({m.name, m.position[i], m.position[i + 1], m.displacement[i], m.displacement[i + 1],
-                            m.velocity[i], m.velocity[i + 1]});
+    run.monitors.push_back({m.name, reader.origin().x() + m.position[i], reader.origin().y() + m.position[i + 1],
+                            m.displacement[i], m.displacement[i + 1], m.velocity[i], m.velocity[i + 1]});
   }
   for (const StoredEvent& e : reader.events()) run.events.push_back({e.time, e.kind, e.text});
   return run;

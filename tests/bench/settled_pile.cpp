@@ -1,10 +1,13 @@
 // A pile of DDA blocks of unequal sizes, settled under gravity: time a step, and how it grows with the number of
 // blocks.
 //
-//   usage: bench_settled_pile [steps]
+//   usage: bench_settled_pile [steps] [courses[xlength] ...]
+// A pile is twice as long as it has courses unless its length is given [m]. The time that a high pile takes to settle
+// grows with the square of its height; long ones of one height show what the number of blocks costs.
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <random>
@@ -19,12 +22,17 @@ namespace {
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Courses of blocks of unequal widths on a base that is held, each a little narrower than the one below.
-test::Scene pile(int rows) {
+struct Size {
+  int courses = 0, length = 0;
+};
+
+test::Scene pile(const Size& size) {
+  const int rows = size.courses;
   test::Scene scene{1e9, 0.2, 2500.0};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> width(0.8, 1.2), height(0.9, 1.1);
   scene.model.joints[0].friction = 0.6;
-  const double below = 2.0 * rows;
+  const double below = size.length;
   scene.add("base", test::rectangle(-2.0, -1.0, below + 2.0, 0.0), true);
   double y = 0.0, end = below;  // of the course below, on the right
   for (int j = 0; j < rows; ++j) {
@@ -47,8 +55,8 @@ struct Timing {
   double ms = 0.0;  // median of a step
 };
 
-Timing settled(int rows, int steps) {
-  const test::Scene scene = pile(rows);
+Timing settled(const Size& size, int steps) {
+  const test::Scene scene = pile(size);
   test::ByHand hand(scene.model, scene.plan.stages[0]);
   coupling::StepControl control;
   control.max_displacement = 0.05;
@@ -79,6 +87,7 @@ Timing settled(int rows, int steps) {
                hand.setup->bodies().size() - 1, dynamics, count, all.passes, all.switches, all.updates,
                all.factorisations, all.corrections, cuts, times[times.size() / 2], times.back(),
                hand.state.ledger[coupling::Column::kinetic]);
+    std::fflush(stdout);
     return times[times.size() / 2];
   };
   for (int k = 0; k < 3; ++k) (void)run(0.0, 0.02, 40);
@@ -96,9 +105,16 @@ int main(int argc, char** argv) {
              "steps", "passes", "switches", "updates", "factors", "solves", "cuts", "ms a step", "longest",
              "kinetic, J");
   std::vector<scree::bench::Timing> all;
-  for (const int rows : {9, 29, 92})
-    if (argc <= 2 || rows <= std::atoi(argv[2]))
-      all.push_back(scree::bench::settled(rows, rows > 50 ? std::max(steps / 3, 10) : steps));
+  std::vector<scree::bench::Size> sizes;
+  sizes.reserve(static_cast<std::size_t>(argc));
+  for (int i = 2; i < argc; ++i) {
+    char* end = nullptr;
+    const int courses = static_cast<int>(std::strtol(argv[i], &end, 10));
+    sizes.push_back({courses, *end == 'x' ? std::atoi(end + 1) : 2 * courses});
+  }
+  if (sizes.empty()) sizes = {{9, 18}, {29, 58}, {29, 380}};
+  all.reserve(sizes.size());
+  for (const scree::bench::Size& size : sizes) all.push_back(scree::bench::settled(size, steps));
   for (std::size_t i = 1; i < all.size(); ++i)
     fmt::print("{} to {} blocks: {:.2f} to {:.2f} ms a step, exponent {:.2f}\n", all[i - 1].blocks, all[i].blocks,
                all[i - 1].ms, all[i].ms,

@@ -73,7 +73,7 @@ def check_windows(file):
         group.visititems(lambda name, item: fields.append((name, item)) if isinstance(item, h5py.Dataset) else None)
         expect(len(fields) > 0, f"no windows in /xdmf/{kind}")
         for name, window in fields:
-            source = file["VTKHDF"][f"{kind}/{name}".rpartition("/")[0]]
+            source = file["VTKHDF"][f"{kind}/{name}".rsplit("/", 2)[0]]
             mapped = window.virtual_sources()
             expect(len(mapped) == 1 and mapped[0].file_name == "." and mapped[0].dset_name == source.name,
                    f"{window.name} does not show {source.name}")

@@ -11,7 +11,7 @@
 namespace scree::test {
 
 /// Nodes (c, R e1, R e2): x = c + X1 (R e1) + X2 (R e2). R stays a rotation.
-class RigidPool final : public Pool {
+class RigidPool : public Pool {
  public:
   [[nodiscard]] std::string_view method() const override { return "rigid"; }
   void add(const Model&, const BodyRecord& record) override {

@@ -84,6 +84,34 @@ TEST(ThirdMethod, staged_run_goes_from_explicit_to_implicit_and_is_written_to_re
   std::filesystem::remove_all(out);
 }
 
+/// Pushes its first block by a force that no ledger hears of.
+class HidesAForce final : public RigidPool {
+ public:
+  void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override {
+    RigidPool::mass_solve(q, f, a);
+    a[1] -= 0.1;  // m/s2
+  }
+};
+
+TEST(ThirdMethod, run_ends_where_a_force_is_hidden_from_the_ledger) {
+  const auto end_of = [](bool hidden, double allowed) {
+    Scene scene = bridge();
+    coupling::Stage& stage = scene.stage("rigid", Integrator::explicit_, 0.1, std::nullopt);
+    stage.rules = {{{BlockId{0}, BlockId{2}}, "dda"}, {{BlockId{1}}, "nmm"}};
+    scene.plan.max_closure = allowed;
+    coupling::Methods methods = with_rigid();
+    if (hidden) methods["rigid"] = [] { return std::make_unique<HidesAForce>(); };
+    coupling::Driver run(scene.model, scene.plan, methods);
+    return run.run();
+  };
+  EXPECT_EQ(end_of(false, 1e-9).status, coupling::RunEnd::Status::done);
+  const coupling::RunEnd open = end_of(true, 1e-9);
+  EXPECT_EQ(open.status, coupling::RunEnd::Status::not_converged);
+  EXPECT_NE(open.reason.find("the energy ledger is open by"), std::string::npos) << open.reason;
+  EXPECT_NE(open.reason.find("run.max_closure"), std::string::npos) << open.reason;
+  EXPECT_EQ(end_of(true, 0.0).status, coupling::RunEnd::Status::done);  // nobody looks
+}
+
 TEST(ThirdMethod, rigid_spin_keeps_edges_and_rate) {
   Scene scene;
   scene.model.gravity = {0.0, 0.0};

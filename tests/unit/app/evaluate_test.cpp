@@ -76,6 +76,20 @@ TEST_F(Evaluate, rows_hold_what_was_found) {
   EXPECT_EQ(report.title, "Free fall");
 }
 
+TEST_F(Evaluate, position_in_survey_coordinates_is_as_the_case_counts) {
+  std::string text = kCase;
+  for (const auto& [near, far] :
+       {std::pair("[[0, 0], [1, 0], [1, 1], [0, 1]]", "[[5e5, 4e6], [500001, 4e6], [500001, 4000001], [5e5, 4000001]]"),
+        {"[0.5, 0.5]", "[500000.5, 4000000.5]"}})
+    text.replace(text.find(near), std::string(near).size(), far);
+  folder_.put("case.toml", text);
+  const CaseReport report = evaluate(
+      "[[quantity]]\nname = \"y\"\nmeasure = \"monitor\"\nof = \"middle\"\ncomponent = \"y\"\nvariant = \"fall\"\n"
+      "reference = 4000000.45\nabsolute = 1e-9\nreason = \"g t^2/2\"\n" +
+      end_of("fall", -0.05));
+  for (const auto& row : report.rows) EXPECT_TRUE(row.pass) << row.found;
+}
+
 TEST_F(Evaluate, only_what_the_tier_needs_is_run) {
   EXPECT_EQ(evaluate(end_of("fall", -0.05) + end_of("long", -0.2)).notes.size(), 1U);
   const CaseReport full = evaluate(end_of("fall", -0.05) + end_of("long", -0.2), true);

@@ -18,6 +18,7 @@ class Dump {
 
 void dump_model(Dump& d, const Model& m) {
   d.line("title {}", m.title);
+  d.line("origin {}", Dump::of(m.origin));
   d.line("plane {} gravity {} default joint {}", m.plane == Plane::strain ? "strain" : "stress", Dump::of(m.gravity),
          m.default_joint.value);
   for (const Material& x : m.materials) {
@@ -91,12 +92,13 @@ void dump_water(Dump& d, const Model& m) {
 }
 
 void dump_plan(Dump& d, const coupling::Plan& p) {
-  d.line("detection {} threads {}", p.detection, p.threads);
+  d.line("detection {} threads {} closure {}", p.detection, p.threads, p.max_closure);
   for (const coupling::Stage& s : p.stages) {
     d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {} rest {}", s.name,
            s.method, s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", Dump::of(s.dt), s.safety,
            s.duration, s.cover_size, s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
     if (s.force_dt) d.line("  forced");
+    d.line("  transfer {} {}", static_cast<int>(s.transfer), s.transfer_cap);
     d.line("  kinematics {} mass {} cracks {} rigid {} stiffness {} local {} newmark {} dynamics {} rest {} {}",
            static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
            s.stiffness_damping, s.local_damping, static_cast<int>(s.newmark), s.dynamics, s.rest_force, s.rest_steps);
@@ -104,7 +106,8 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
       for (const BlockId b : r.blocks)
         d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
   }
-  d.line("output {} {} {}", p.output.every, p.output.history_every, p.output.contacts);
+  d.line("output {} {} {} {} {}", p.output.every, p.output.history_every, p.output.contacts, p.output.checkpoint_every,
+         p.output.checkpoint_steps);
   d.line("live {} {} {}", p.live.enabled, p.live.url, p.live.rate);
 }
 

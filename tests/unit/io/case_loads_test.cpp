@@ -162,6 +162,10 @@ TEST(StageOptions, are_read) {
   EXPECT_EQ(s[0].local_damping, 0.1);
   EXPECT_EQ(s[1].newmark, coupling::NewmarkScheme::trapezoidal);
   EXPECT_EQ(s[1].dynamics, 0.9);
+  EXPECT_EQ(s[0].transfer, coupling::TransferMode::reservoir);
+  EXPECT_EQ(s[1].transfer, coupling::TransferMode::strain_rate);
+  EXPECT_EQ(s[1].transfer_cap, 1.5);
+  EXPECT_EQ(s[2].transfer, coupling::TransferMode::rotational);
   EXPECT_EQ(s[2].newmark, coupling::NewmarkScheme::damped);
   EXPECT_EQ(s[2].rest_force, 1e-4);
   EXPECT_EQ(s[2].rest_steps, 50);
@@ -177,6 +181,8 @@ TEST(StageOptions, absent_ones_take_the_defaults_of_a_stage) {
   EXPECT_EQ(s.stiffness_damping, fresh.stiffness_damping);
   EXPECT_EQ(s.local_damping, fresh.local_damping);
   EXPECT_EQ(s.newmark, fresh.newmark);
+  EXPECT_EQ(s.transfer, fresh.transfer);
+  EXPECT_EQ(s.transfer_cap, fresh.transfer_cap);
   EXPECT_EQ(s.dynamics, fresh.dynamics);
   EXPECT_EQ(s.rest_force, fresh.rest_force);
   EXPECT_EQ(s.rest_steps, fresh.rest_steps);

@@ -188,6 +188,8 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].local_damping", "stage.0.local_damping=0.8"},
       {"stage[].newmark", "stage.1.newmark=\"damped\""},
       {"stage[].dynamics", "stage.1.dynamics=0.5"},
+      {"stage[].transfer", "stage.2.transfer=\"reservoir\""},
+      {"stage[].transfer_cap", "stage.1.transfer_cap=2"},
       {"stage[].rest_force", "stage.2.rest_force=1e-3"},
       {"stage[].rest_steps", "stage.2.rest_steps=60"},
       {"stage[].max_passes", "stage.1.max_passes=7"},
@@ -196,12 +198,15 @@ TEST(Schema, every_key_changes_the_case) {
       {"water[].unit_weight", "water.0.unit_weight=\"10 kN/m3\""},
       {"water[].joints", "water.0.joints=[\"plane\"]"},
       {"output.contacts", "output.contacts=true"},
+      {"output.checkpoint_every", "output.checkpoint_every=6.0"},
+      {"output.checkpoint_steps", "output.checkpoint_steps=101"},
       {"output.every", "output.every=0.5"},
       {"output.history_every", "output.history_every=0.5"},
       {"live.enabled", "live.enabled=false"},
       {"live.url", "live.url=\"file:///tmp/log\""},
       {"live.rate", "live.rate=1"},
-      {"run.threads", "run.threads=1"}};
+      {"run.threads", "run.threads=1"},
+      {"run.max_closure", "run.max_closure=1e-5"}};
   // What a change needs beside it to make sense.
   const std::map<std::string, std::vector<std::string>> beside = {
       {"block[].name", {"support.1.blocks=[\"wall\"]"}},

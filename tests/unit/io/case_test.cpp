@@ -238,6 +238,60 @@ TEST(Case, resolved_case_says_the_same) {
   }
 }
 
+constexpr const char* kSurvey = R"(
+[material.rock]
+density = 2600.0
+young = 1.0e9
+poisson = 0.2
+[material.rock.initial_stress]
+xx = 0
+yy = 0
+gradient_yy = -2.5e4
+level = 4000002.5
+[[block]]
+name = "base"
+polygon = [[500000, 4000000], [500004, 4000000], [500004, 4000001.25], [500000, 4000001.25]]
+material = "rock"
+[[block]]
+name = "slider"
+polygon = [[500001.1, 4000001.25], [500002, 4000001.25], [500002, 4000002.5]]
+material = "rock"
+[[support]]
+block = "base"
+[[water]]
+line = [[499900, 4000000.5], [500100, 4000000.75]]
+[[monitor]]
+point = [500002, 4000002.5]
+[[stage]]
+name = "only"
+method = "dda"
+integrator = "implicit"
+dt = 1.0e-3
+duration = 0.1
+)";
+
+TEST(Case, model_in_survey_coordinates_counts_from_a_point_nearby) {
+  const Case c = read_text(kSurvey);
+  const Model& m = c.model;
+  const Vec2 origin = m.origin;
+  EXPECT_LT((origin - Vec2(500002.0, 4000001.0)).norm(), 4.0);
+  EXPECT_EQ(m.blocks[1].polygon.outer[0] + origin, Vec2(500001.1, 4000001.25));
+  EXPECT_EQ(m.monitors[0].point + origin, Vec2(500002.0, 4000002.5));
+  EXPECT_EQ(m.waters[0].line[0] + origin, Vec2(499900.0, 4000000.5));
+  EXPECT_EQ(m.materials[0].initial_stress->level + origin.y(), 4000002.5);
+  EXPECT_EQ(dump(read_text(c.resolved)), dump(c)) << "the resolved case is in the coordinates of the file";
+  EXPECT_EQ(read("full_case.toml").model.origin, Vec2(0.0, 0.0));
+}
+
+TEST(CaseErrors, coordinates_of_a_survey_are_those_of_the_file_in_full) {
+  const std::string twice = replaced(kSurvey, "[500002, 4000002.5]]", "[500002, 4000002.5], [500002, 4000002.5]]");
+  EXPECT_TRUE(holds(error_of_text(twice).problem, "corner (500002, 4000002.5) is given twice"))
+      << error_of_text(twice).what();
+  const std::string off = replaced(kSurvey, "point = [500002, 4000002.5]", "block = \"slider\"\npoint = [2, 2.5]");
+  EXPECT_TRUE(holds(error_of_text(off).hint, "[500001.1, 4000001.25] to [500002, 4000002.5]"))
+      << error_of_text(off).what();
+}
+
 TEST(Case, run_longer_than_its_clock_is_refused_at_the_stage_that_exceeds_it) {
   std::string text = bytes_of(kFolder + "good_case.toml");
   for (int i = 1; i <= 8; ++i)  // with the 0.1 s that are there, the eighth passes 8e6 s

@@ -242,6 +242,7 @@ TEST(DashboardSource, stream_is_followed_and_malformed_messages_are_counted) {
   bus->publish("SCREE_x_INFO", Bytes(100, 7));
 
   Model model;
+  model.origin = {5.0e5, 4.0e6};
   model.monitors.push_back({"crest", BlockId(0), {0.0, 0.0}});
   coupling::Plan plan;
   plan.live.rate = 1000.0;
@@ -275,6 +276,8 @@ TEST(DashboardSource, stream_is_followed_and_malformed_messages_are_counted) {
   EXPECT_EQ(run.ledger->terms.at(0).name, "kinetic");
   EXPECT_EQ(run.ledger->terms.at(0).value, 5.0);
   ASSERT_EQ(run.monitors.size(), 1U);
+  EXPECT_EQ(run.monitors[0].x, 5.0e5 + 1.0) << "where the case has it";
+  EXPECT_EQ(run.monitors[0].y, 4.0e6 + 2.0);
   EXPECT_EQ(run.monitors[0].uy, 4.0);
   ASSERT_EQ(run.events.size(), 1U);
   EXPECT_EQ(run.events[0].text, "too long");

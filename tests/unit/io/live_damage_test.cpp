@@ -189,5 +189,37 @@ TEST(LiveDamage, later_session_replaces_an_earlier_one) {
   EXPECT_EQ(assembly.counts().other, static_cast<std::int64_t>(first.size()));
 }
 
+TEST(LiveDamage, forged_later_session_that_falls_silent_gives_way_to_the_run) {
+  Strip strip(3);
+  const auto messages = short_run(strip, 0.5);
+  const std::int64_t now = utime_now();
+  LiveAssembly assembly;
+  event_v1_t forged{};
+  forged.header.session = now + 1000;
+  ASSERT_TRUE(assembly.take("SCREE_short_EVENT", seal(forged), now));
+  const auto& [channel, bytes] = messages.front();
+  EXPECT_FALSE(assembly.take(channel, bytes, now + LiveAssembly::kSilence / 2));
+  EXPECT_TRUE(assembly.take(channel, bytes, now + 2 * LiveAssembly::kSilence));
+  EXPECT_EQ(assembly.counts().other, 1);
+}
+
+TEST(LiveDamage, session_or_number_from_the_future_does_not_shut_out_the_run) {
+  Strip strip(3);
+  const auto messages = short_run(strip, 0.5);
+  LiveAssembly assembly;
+  for (const auto& [channel, bytes] : messages) {
+    if (channel_kind(channel) != LiveKind::state) continue;
+    for (const bool session : {true, false}) {
+      state_v1_t forged = unseal<state_v1_t>(bytes).value();
+      (session ? forged.header.session : forged.header.sequence) = std::numeric_limits<std::int64_t>::max();
+      EXPECT_FALSE(assembly.take(channel, seal(forged)));
+    }
+  }
+  EXPECT_EQ(assembly.counts().malformed, 2);
+  for (const auto& [channel, bytes] : messages) EXPECT_TRUE(assembly.take(channel, bytes)) << channel;
+  EXPECT_TRUE(assembly.frame());
+  EXPECT_EQ(assembly.counts().other, 0);
+}
+
 }  // namespace
 }  // namespace scree::io

@@ -131,7 +131,9 @@ TEST(LiveRoundTrip, frame_on_memory_queue_equals_the_runs_to_quantisation) {
   Strip strip(300);
   coupling::Plan plan = plan_at(1000.0);
   LiveSink sink(plan.live, {"trip", "0.1.0", "abc"}, {}, bus);
-  sink.begin(model_with_monitors(600), plan);
+  Model model = model_with_monitors(600);
+  model.origin = {5.0e5, 4.0e6};
+  sink.begin(model, plan);
   sink.frame(strip.frame);  // the mesh begins
   strip.move(0.25);
   sink.event({coupling::EventKind::stage_start, 0.0, "only", nullptr});
@@ -191,6 +193,8 @@ TEST(LiveRoundTrip, frame_on_memory_queue_equals_the_runs_to_quantisation) {
   EXPECT_EQ(info->reason, "by hand");
   EXPECT_EQ(info->title, "a strip");
   EXPECT_EQ(info->case_hash, "abc");
+  EXPECT_EQ(info->origin[0], 5.0e5);
+  EXPECT_EQ(info->origin[1], 4.0e6);
   EXPECT_NEAR(info->bounds[0], 5.0e5, 1e-4);  // float32 of half the width
   EXPECT_EQ(reader.counts().malformed, 0);
 }

@@ -76,6 +76,12 @@ TEST(RoundBelow, is_one_two_or_five_times_a_power_of_ten_not_above) {
     EXPECT_DOUBLE_EQ(round_below(x), round) << x;
 }
 
+TEST(AxisLabel, says_what_the_axis_counts_from) {
+  EXPECT_EQ(axis_label('x', 0.0), "x [m]");
+  EXPECT_EQ(axis_label('x', 500000.0), "x − 500000 [m]");
+  EXPECT_EQ(axis_label('y', -4123456.5), "y + 4123456.5 [m]");
+}
+
 TEST(Range, leaves_out_what_is_not_finite_and_is_never_without_length_once_widened) {
   Range range;
   EXPECT_TRUE(range.empty());

@@ -21,6 +21,7 @@
 #include "io/results/sha256.h"
 #include "io/results/snapshot.h"
 #include "io/results/ticks.h"
+#include "io/watch/dashboard_source.h"
 #include "tests/unit/io/results_run.h"
 
 namespace scree::io {
@@ -182,6 +183,36 @@ TEST_F(Results, provenance_names_the_case) {
   EXPECT_FALSE(reader.provenance("compiler").empty());
 }
 
+TEST_F(Results, positions_have_their_origin_beside_them) {
+  const Scratch other;
+  const fs::path folder = other.path() / "survey";
+  SmallRun small;
+  small.model.origin = {500000.0, -4.0e6};
+  ResultsSink sink(RunFolder::create(folder, false), provenance());
+  small.play(sink);
+  const RunReader far(folder), near(run);
+  EXPECT_EQ(far.origin(), Vec2(500000.0, -4.0e6));
+  EXPECT_EQ(near.origin(), Vec2(0.0, 0.0));
+  EXPECT_EQ(far.frame(0).position, near.frame(0).position) << "positions stay local";
+  EXPECT_EQ(far.blocks()[1].polygon.outer, near.blocks()[1].polygon.outer);
+  std::string summary = text_of(folder / "summary.json");
+  std::erase_if(summary, [](char c) { return c == ' ' || c == '\n'; });
+  EXPECT_NE(summary.find("\"origin\":[500000,-4000000]"), std::string::npos) << summary;
+  EXPECT_EQ(stored_dashboard(folder).monitors.at(0).x, 500004.0) << "people see where the case has it";
+
+  snapshot(folder, {}, other.path() / "far.svg");
+  snapshot(run, {}, other.path() / "near.svg");
+  EXPECT_NE(text_of(other.path() / "far.svg"), text_of(other.path() / "near.svg")) << "its axes say what they count";
+}
+
+TEST_F(Results, origin_of_a_file_without_one_is_zero_and_one_that_is_no_pair_is_refused) {
+  const Scratch other;
+  const h5::File file = h5::File::create(other.path() / "old.h5");
+  EXPECT_EQ(h5::pair_attribute(file, "/", "origin"), (std::array{0.0, 0.0}));
+  file.attribute("/", "origin", 3.0);
+  EXPECT_THROW((void)h5::pair_attribute(file, "/", "origin"), FileError);
+}
+
 TEST_F(Results, last_instant_not_yet_a_frame_is_stored_at_the_end) {
   const Scratch other;
   SmallRun small;
@@ -262,9 +293,9 @@ TEST_F(Results, xmf_refers_to_datasets_of_the_sizes_that_it_says) {
 TEST_F(Results, windows_are_made_once_a_mesh_for_what_does_not_change) {
   std::map<std::string, int> made;
   for (const DatasetNote& d : RunReader(run).datasets()) ++made[d.name.substr(0, d.name.rfind('/'))];
-  EXPECT_EQ(made["/xdmf/Points"], 5);
-  EXPECT_EQ(made["/xdmf/CellData/stress"], 5);
-  EXPECT_EQ(made["/xdmf/CellData/block_id"], 2);
+  EXPECT_EQ(made["/xdmf/Points/0"], 5);
+  EXPECT_EQ(made["/xdmf/CellData/stress/0"], 5);
+  EXPECT_EQ(made["/xdmf/CellData/block_id/0"], 2);
   EXPECT_EQ(made["/xdmf/topology"], 2);
 }
 

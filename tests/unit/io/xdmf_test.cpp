@@ -44,8 +44,8 @@ TEST(XdmfText, time_of_a_grid_reads_back_to_the_same_bits) {
   EXPECT_NE(text.find("frame 3"), std::string::npos);
 }
 
-TEST(XdmfText, document_closes_what_it_opens_around_the_grids) {
-  const std::string text = xdmf::document("<Grid/>\n");
+TEST(XdmfText, closing_closes_what_the_opening_opens_around_the_grids) {
+  const std::string text = std::string(xdmf::opening()) + "<Grid/>\n" + std::string(xdmf::closing());
   for (const char* tag : {"Xdmf", "Domain", "Grid"}) EXPECT_NE(text.find(std::string("</") + tag + ">"), text.npos);
   EXPECT_LT(text.find("CollectionType=\"Temporal\""), text.find("<Grid/>"));
   EXPECT_TRUE(text.ends_with("</Xdmf>\n"));

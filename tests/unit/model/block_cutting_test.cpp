@@ -353,6 +353,25 @@ TEST(CutBlocks, line_that_misses_by_less_than_the_snap_cuts_all_the_same) {
   EXPECT_NEAR(total_area(c), 100.0, 1e-12);
 }
 
+TEST(CutBlocks, domain_in_survey_coordinates_is_cut_as_near_zero) {
+  const auto cut_at = [](const Vec2& at, double size) {
+    Domain d = square();
+    for (Vec2& p : d.outline.outer) p = at + 0.1 * size * p;
+    for (const auto& [dip, spacing] : {std::pair(33.0, 0.17), {117.0, 0.23}, {75.0, 0.31}})
+      add_set(d, dip, spacing * size, kRough, at + size * Vec2(0.21, 0.37));
+    return cut_blocks(d);
+  };
+  for (const double size : {0.1, 1.0, 100.0}) {
+    const Cutting near = cut_at({0.0, 0.0}, size);
+    for (const Vec2& at : {Vec2(5e5, 9e6), Vec2(-123456.7, 4123456.3), Vec2(1e7, -1e7)}) {
+      const Cutting far = cut_at(at, size);
+      EXPECT_EQ(far.blocks.size(), near.blocks.size()) << size << " m at " << at.transpose();
+      EXPECT_NEAR(far.report.area, near.report.area, 1e-5 * size * size);
+      EXPECT_NEAR(far.report.least_edge, near.report.least_edge, 10.0 * far.report.snap) << "no edges of a last place";
+    }
+  }
+}
+
 TEST(CutBlocks, three_lines_through_a_point_meet_in_one_corner) {
   Domain d = square();
   for (const double angle : {10.0, 70.0, 130.0}) {

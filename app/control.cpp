@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "app/commands.h"
+#include "coupling/plan.h"
+#include "io/live/channel.h"
+#include "io/live/control_client.h"
+#include "io/live/control_server.h"
+#include "io/watch/dashboard.h"
+
+namespace scree::app {
+namespace {
+
+/// The run to talk to where none is named: the only one that streams.
+std::optional<std::string> only_run(io::ControlClient& client, const std::string& url) {
+  constexpr auto kListen = std::chrono::milliseconds(1500);  // INFO comes once a second
+  const std::vector<std::string> runs = client.heard(kListen);
+  if (runs.size() == 1) return runs.front();
+  if (runs.empty()) {
+    fmt::print(stderr, "error: nothing heard of any run on {}\n  does it stream? scree run CASE --live --control\n",
+               url);
+    return std::nullopt;
+  }
+  fmt::print(stderr, "error: several runs stream on {}: {}\n  name one with --run\n", url, fmt::join(runs, ", "));
+  return std::nullopt;
+}
+
+}  // namespace
+
+int control(const ControlOptions& options) {
+  const io::ControlVerb verb = *io::control_verb(options.command);
+  const bool takes_value = verb == io::ControlVerb::step || verb == io::ControlVerb::rate;
+  if (verb == io::ControlVerb::rate && !options.value) {
+    fmt::print(stderr, "error: rate needs frames a second: scree control RUN rate HZ\n");
+    return kUsage;
+  }
+  const double value = options.value.value_or(verb == io::ControlVerb::step ? 1.0 : 0.0);
+  const std::string wrong_value = options.value && !takes_value ? fmt::format("{} takes no value", options.command)
+                                                                : io::control_value_error(verb, value);
+  if (!wrong_value.empty()) {
+    fmt::print(stderr, "error: {}\n", wrong_value);
+    return kUsage;
+  }
+  const bool is_url = options.target.find("://") != std::string::npos;
+  const std::string url = is_url ? options.target : coupling::LivePlan{}.url;
+  if (const std::string wrong = io::control_url_error(url); !wrong.empty()) {
+    fmt::print(stderr, "error: {}: {}\n", url, wrong);
+    return kUsage;
+  }
+
+  std::string why;
+  const auto client = io::ControlClient::open(url, why);
+  if (!client) {
+    fmt::print(stderr, "error: {}\n", why);
+    return kFiles;
+  }
+  std::string run = options.run;
+  if (run.empty() && !is_url) {
+    const std::filesystem::path folder = std::filesystem::path(options.target).lexically_normal();
+    run = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  }
+  if (run.empty()) {
+    const auto only = only_run(*client, url);
+    if (!only) return kFiles;
+    run = *only;
+  }
+  const auto most = std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * options.timeout));
+  const io::ControlReply reply = client->ask(run, verb, value, most);
+  const std::string where =
+      fmt::format("step {}, {:.6g} s", reply.ack.header.step, reply.ack.header.time);  // of an answer
+  switch (reply.kind) {
+    case io::ControlReply::Kind::silence:
+      fmt::print(stderr, "error: {} does not answer on {}\n", run, url);
+      if (const std::vector<std::string> runs = client->heard(std::chrono::milliseconds(1500));
+          std::find(runs.begin(), runs.end(), io::channel_run(run)) != runs.end())
+        fmt::print(stderr, "  it streams, but takes no commands: scree run CASE --live --control\n");
+      else if (!runs.empty())
+        fmt::print(stderr, "  what streams there: {}\n", fmt::join(runs, ", "));
+      return kFiles;
+    case io::ControlReply::Kind::no_end:
+      fmt::print(stderr, "error: {} has heard \"{}\", but has not carried it out within {:g} s\n", run, options.command,
+                 options.timeout);
+      return kFailed;
+    case io::ControlReply::Kind::answered:
+      break;
+  }
+  // What came over the network cannot steer the terminal.
+  constexpr std::size_t kMost = 1000;
+  const bool done = reply.ack.result == "done";
+  const std::string reason = reply.ack.reason.empty() ? "" : ": " + io::shown(reply.ack.reason, kMost);
+  fmt::print(done ? stdout : stderr, "{}{}: {} {}, {} at {}{}\n", done ? "" : "error: ", run, options.command,
+             io::shown(reply.ack.result, kMost), io::shown(reply.ack.state, kMost), where, reason);
+  return done ? kDone : kFailed;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,99 @@
+// `scree resume`: goes on with a run that was stopped, killed or ended early.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "app/session.h"
+#include "io/results/provenance.h"
+#include "io/results/sha256.h"
+
+namespace scree::app {
+namespace {
+
+std::string digest(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read the file that the case names");
+  return io::sha256(bytes);
+}
+
+/// The case of a run as it was, with the files that it names.
+io::Case stored_case(const io::RunRecord& run, const std::filesystem::path& folder) {
+  const std::vector<std::string> methods = method_names();
+  try {
+    io::Case c = io::read_case_text(run.case_text, run.case_path, run.overrides, methods);
+    for (std::size_t i = 0; i < run.files.size(); ++i)
+      if (i >= c.files.size() || digest(c.files[i]) != run.file_digests[i])
+        throw io::FileError(i < c.files.size() ? c.files[i] : std::filesystem::path(run.files[i]),
+                            "has changed since the run in " + folder.string() + " began, which needs it as it was");
+    return c;
+  } catch (const io::CaseError& e) {
+    throw io::FileError(folder, std::string("cannot resume: its case can no longer be read as it was (a file that it "
+                                            "names may be missing)\n") +
+                                    e.what());
+  }
+}
+
+void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
+}  // namespace
+
+io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name) {
+  io::RunRecord run;
+  run.version = SCREE_VERSION;
+  run.commit = SCREE_COMMIT;
+  run.instruction_set = io::instruction_set();
+  run.name = name;
+  run.command_line = options.command_line;
+  run.case_path = std::filesystem::absolute(c.path).string();
+  run.case_text = c.text;
+  run.overrides = c.overrides;
+  for (const std::filesystem::path& file : c.files) {
+    run.files.push_back(std::filesystem::absolute(file).string());
+    run.file_digests.push_back(digest(file));
+  }
+  run.audit = options.audit;
+  if (options.until) run.until = *options.until;
+  return run;
+}
+
+std::string place_of(const coupling::State& state) {
+  return fmt::format("t = {:.6g} s, step {}", seconds(state.time), state.step);
+}
+
+int resume(const ResumeOptions& options) {
+  OpenFolder open{io::RunFolder::reopen(options.run), nullptr};
+  open.lock = std::make_unique<io::FolderLock>(options.run);
+  const io::FoundCheckpoint from = io::newest_checkpoint(open.folder, SCREE_VERSION, warn);
+  const io::RunRecord& run = from.stored.run;
+  const coupling::State& state = from.stored.checkpoint.state;
+  if (run.commit != SCREE_COMMIT || run.instruction_set != io::instruction_set())
+    warn(fmt::format(
+        "the run was made by another build of Scree {} (commit {}, {}): its last bits may differ from those "
+        "of a run that was never stopped",
+        run.version, run.commit.empty() ? "unknown" : run.commit, run.instruction_set));
+  if (options.until && *options.until < seconds(state.time)) {
+    fmt::print(stderr, "error: --until {:g}: the last checkpoint is at {} already\n", *options.until, place_of(state));
+    return kUsage;
+  }
+  io::Case c = stored_case(run, options.run);
+  RunOptions as;  // the run was asked for
+  as.case_file = run.case_path;
+  as.quiet = options.quiet;
+  as.audit = run.audit;
+  as.live = options.live;
+  as.threads = options.threads;
+  as.until = options.until;
+  if (!as.until && std::isfinite(run.until)) as.until = run.until;
+  as.set = run.overrides;
+  as.command_line = run.command_line;
+  if (!options.quiet)
+    fmt::print("going on with {} from {}: {}\n", options.run.string(), from.path.filename().string(), place_of(state));
+  return carry_out(
+      c, as, run.name, [&] { return std::move(open); }, &from);
+}
+
+}  // namespace scree::app

@@ -1,0 +1,35 @@
+// A run that is set up: what `scree run` and `scree resume` have in common.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "io/case/read_case.h"
+#include "io/checkpoint/checkpoints.h"
+#include "io/results/run_folder.h"
+
+namespace scree::app {
+
+/// A run folder that is ours alone.
+struct OpenFolder {
+  io::RunFolder folder;
+  std::unique_ptr<io::FolderLock> lock;
+};
+
+/// Carries a case out, from the start or from a checkpoint, and says what came of it.
+/// @param open_folder  called once everything else is known to be in order   @param from  null: from the start
+/// @return exit code
+int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
+              const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from);
+
+/// Names of the methods that cases may use.
+[[nodiscard]] std::vector<std::string> method_names();
+/// What checkpoints say of a run.   @throws FileError where a file that the case names cannot be read
+[[nodiscard]] io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name);
+/// "t = 0.5 s, step 120".
+[[nodiscard]] std::string place_of(const coupling::State& state);
+
+}  // namespace scree::app

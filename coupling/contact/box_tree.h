@@ -1,0 +1,77 @@
+// Boxes that move, and which of them overlap: Bullet's dynamic bounding-volume tree.
+#pragma once
+
+// Bullet's headers use old-style casts and unused parameters freely.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#pragma GCC diagnostic pop
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/geometry.h"
+
+namespace scree::coupling {
+
+/// Keeps boxes in btDbvtBroadphase (double precision). Its cache of pairs is left out: hashing every pair costs more
+/// than to list them anew.
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Box> boxes);
+  BoxTree(const BoxTree&) = delete;
+  BoxTree& operator=(const BoxTree&) = delete;
+  ~BoxTree();
+
+  /// Takes one box out of the tree and puts it in again: its cost grows with the logarithm of their number.
+  void move(std::size_t i, const Box& box);
+  /// Gives many boxes their places without another tree, and fits the nodes above them in one pass: in proportion to
+  /// the number of all boxes. A tree that has grown too wide for that is built anew.
+  /// @param moved  which    @param boxes  all
+  void move(std::span<const std::size_t> moved, std::span<const Box> boxes);
+  /// Calls see(i, j), i != j, once for every two boxes that overlap, in no promised order.
+  template <class See>
+  void for_overlaps(See&& see) {
+    Caller<See> caller(see);
+    tree().collideTTpersistentStack(tree().m_root, tree().m_root, caller);
+  }
+  /// Calls see(j) for every other box that overlaps one.
+  template <class See>
+  void for_overlaps_of(std::size_t i, See&& see) {
+    const auto other = [&](std::size_t a, std::size_t b) { see(a == i ? b : a); };
+    Caller<decltype(other)> caller(other);
+    tree().collideTTpersistentStack(tree().m_root, proxies_[i]->leaf, caller);
+  }
+
+ private:
+  template <class See>
+  struct Caller final : btDbvt::ICollide {
+    explicit Caller(See& s) : see(s) {}
+    void Process(const btDbvtNode* a, const btDbvtNode* b) override {
+      if (a != b) see(index_of(a), index_of(b));
+    }
+    See& see;
+  };
+  static std::size_t index_of(const btDbvtNode* leaf) {
+    return reinterpret_cast<std::uintptr_t>(static_cast<const btDbvtProxy*>(leaf->data)->m_clientObject);
+  }
+  /// Boxes never rest long enough for Bullet's other tree, of what stands still: they all move, or none.
+  btDbvt& tree() { return broadphase_.m_sets[btDbvtBroadphase::DYNAMIC_SET]; }
+  void list_nodes();
+  /// Fits the nodes to their leaves.   @return the extents of all nodes, summed [m]
+  double fit();
+  void build();
+
+  btNullPairCache no_pairs_;
+  btDbvtBroadphase broadphase_{&no_pairs_};
+  std::vector<btDbvtProxy*> proxies_;
+  std::vector<btDbvtNode*> nodes_;    // that are not leaves, each before those below it; empty: to be listed
+  std::vector<btDbvtNode*> waiting_;  // while they are listed
+  double narrowest_ = 0.0;            // least of what fit() gave since the tree was built [m]
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,119 @@
+// A run at an instant, whole: the driver goes on from it as if it had never stopped.
+#pragma once
+
+#include <vector>
+
+#include "coupling/integrate/mover.h"
+#include "coupling/sink.h"
+
+namespace scree::coupling {
+
+/// What the future of a run depends on, and what its results count from the start. Taken within a stage, between two
+/// steps; at the end of a stage before that end is told.
+struct Checkpoint {
+  State state;
+  MoverMemory mover;
+  // How far the stage is.
+  Tick stage_end = 0;
+  std::int64_t first_step = 0;      // of the stage
+  std::vector<double> stage_begin;  // x, y a body: where its centre of mass was then [m]
+  bool rested = false;              // it has found its balance
+  Tick largest_step = 0;            // until the next output; 0: to be found
+  // What was counted.
+  RunStats stats;
+  Audit audit;
+  std::vector<TransferRow> transfers;
+  std::vector<StageTravel> travels;
+
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
+};
+
+/// Keeps checkpoints. As a Sink it may not change the run, but a checkpoint that cannot be written ends it.
+class Keeper {
+ public:
+  Keeper() = default;
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+  virtual ~Keeper() = default;
+  /// Asked after every step; also kept without asking: where the run begins, ends or stops, and where a stage ends.
+  virtual bool due(std::int64_t step) = 0;
+  /// @throws what the keeper throws
+  virtual void keep(Checkpoint checkpoint) = 0;
+};
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Visitor>
+void visit(BodyTotals& t, Visitor&& see) {
+  see("totals.mass", t.mass);
+  see("totals.centre", t.centre);
+  see("totals.momentum", t.momentum);
+  see("totals.angular_momentum", t.angular_momentum);
+  see("totals.kinetic", t.kinetic);
+  see("totals.elastic", t.elastic);
+}
+
+template <class Visitor>
+void visit(TransferRow& row, Visitor&& see) {
+  see("row.time", row.time);
+  see("row.block", row.block.value);
+  see("row.from", row.from);
+  see("row.to", row.to);
+  visit(row.before, see);
+  visit(row.after, see);
+  see("row.reservoir_kinetic", row.reservoir_kinetic);
+  see("row.reservoir_elastic", row.reservoir_elastic);
+  see("row.booked", row.booked);
+  see("row.mass_error", row.mass_error);
+  see("row.momentum_error", row.momentum_error);
+  see("row.angular_error", row.angular_error);
+  see("row.energy_error", row.energy_error);
+}
+
+template <class Visitor>
+void visit(RunStats& s, Visitor&& see) {
+  static_assert(sizeof(RunStats) == 18 * 8, "a field that is new here belongs in the list below");
+  see("stats.steps", s.steps);
+  see("stats.cuts", s.cuts);
+  see("stats.iterations", s.iterations);
+  see("stats.passes", s.passes);
+  see("stats.switches", s.switches);
+  see("stats.factorisations", s.factorisations);
+  see("stats.updates", s.updates);
+  see("stats.corrections", s.corrections);
+  see("stats.contacts", s.contacts);
+  see("stats.elements", s.elements);
+  see("stats.unknowns", s.unknowns);
+  see("stats.blocks", s.blocks);
+  see("stats.wall_explicit", s.wall_explicit);
+  see("stats.wall_implicit", s.wall_implicit);
+  see("stats.wall_output", s.wall_output);
+  see("stats.audit_checks", s.audit_checks);
+  see("stats.audit_worst", s.audit_worst);
+  see("stats.element_steps", s.element_steps);
+}
+
+template <class Visitor>
+void Checkpoint::visit(Visitor&& see) {
+  state.visit(see);
+  mover.visit(see);
+  see("stage_end", stage_end);
+  see("first_step", first_step);
+  see("stage_begin", stage_begin);
+  see("rested", rested);
+  see("largest_step", largest_step);
+  coupling::visit(stats, see);
+  audit.visit(see);
+  see.size("transfers", transfers);
+  for (TransferRow& row : transfers) coupling::visit(row, see);
+  see.size("travels", travels);
+  for (StageTravel& t : travels) {
+    see("travel.stage", t.stage);
+    see("travel.block", t.block.value);
+    see("travel.farthest", t.farthest);
+  }
+}
+
+}  // namespace scree::coupling

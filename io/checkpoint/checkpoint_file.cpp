@@ -1,0 +1,103 @@
+#include "io/checkpoint/checkpoint_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "io/checkpoint/archive.h"
+#include "io/results/atomic_file.h"
+#include "io/results/file_error.h"
+#include "io/results/sha256.h"
+
+namespace scree::io {
+
+namespace {
+
+constexpr std::string_view kMagic = "SCREE-CP";
+constexpr std::uint32_t kFormat = 1, kByteOrder = 0x01020304;
+constexpr std::size_t kDigest = 64, kHead = kMagic.size() + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
+
+struct Head {
+  std::uint32_t format = kFormat, byte_order = kByteOrder;
+  std::uint64_t length = 0;
+  template <class Visitor>
+  void visit(Visitor&& see) {
+    see("format", format);
+    see("byte order", byte_order);
+    see("length", length);
+  }
+};
+
+template <class Visitor>
+void visit(StoredCheckpoint& c, Visitor&& see) {
+  c.run.visit(see);
+  c.results.visit(see);
+  c.checkpoint.visit(see);
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw FileError(path, std::string("cannot open the checkpoint: ") + std::strerror(errno));
+  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) throw FileError(path, std::string("cannot read the checkpoint: ") + std::strerror(errno));
+  return bytes;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint) {
+  std::string body;
+  Packer pack(body);
+  // visit() serves readers and writers alike; packing only reads.
+  visit(const_cast<StoredCheckpoint&>(checkpoint), pack);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  pack("state hash", coupling::state_hash(checkpoint.checkpoint.state));
+
+  std::string bytes(kMagic);
+  Head head;
+  head.length = body.size() + kDigest;
+  head.visit(Packer(bytes));
+  bytes += body;
+  bytes += sha256(bytes);
+  write_atomically(path, bytes);
+}
+
+StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::string& version) {
+  const std::string bytes = read_bytes(path);
+  const auto refuse = [&](const std::string& why) {
+    throw FileError(path, "cannot go on from this checkpoint: " + why);
+  };
+  if (bytes.size() < kHead) refuse(fmt::format("it is cut short, {} bytes are left", bytes.size()));
+  if (!bytes.starts_with(kMagic)) refuse("it does not begin as a checkpoint does");
+  Head head;
+  head.visit(Unpacker(std::string_view(bytes).substr(kMagic.size(), kHead - kMagic.size())));
+  if (head.byte_order != kByteOrder) refuse("it is damaged, or of a machine with another byte order");
+  if (head.format != kFormat)
+    refuse(fmt::format("it is damaged, or of format {}; this program reads format {}", head.format, kFormat));
+  if (bytes.size() - kHead != head.length || head.length < kDigest)
+    refuse(fmt::format("it has {} bytes in place of {}", bytes.size(), head.length + kHead));
+  const std::string_view whole(bytes), said = whole.substr(bytes.size() - kDigest);
+  if (sha256(whole.substr(0, bytes.size() - kDigest)) != said) refuse("it is damaged: its checksum is wrong");
+
+  StoredCheckpoint out;
+  std::uint64_t hash = 0;
+  try {
+    Unpacker unpack(whole.substr(kHead, bytes.size() - kHead - kDigest));
+    // First alone: another version may have other fields after it.
+    unpack("run.version", out.run.version);
+    if (out.run.version != version)
+      refuse(fmt::format("it is of Scree {}, and this is Scree {}", out.run.version, version));
+    unpack = Unpacker(whole.substr(kHead, bytes.size() - kHead - kDigest));
+    visit(out, unpack);
+    unpack("state hash", hash);
+    unpack.finish();
+  } catch (const ArchiveError& e) {
+    refuse(std::string("it has other fields than this program writes: it ") + e.what());
+  }
+  if (hash != coupling::state_hash(out.checkpoint.state)) refuse("it has other fields than this program writes");
+  return out;
+}
+
+}  // namespace scree::io

@@ -1,0 +1,66 @@
+// One checkpoint in one file, which is either whole and that of its run, or refused.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "coupling/stages/checkpoint.h"
+#include "io/results/results_mark.h"
+
+namespace scree::io {
+
+/// What a run was asked for: enough to ask for it again.
+struct RunRecord {
+  std::string version, commit, instruction_set;  // of the program
+  std::string name, command_line;                // of the run
+  std::string case_path;                         // absolute: files that the case names are found from its folder
+  std::string case_text;
+  std::vector<std::string> overrides;            // --set
+  std::vector<std::string> files, file_digests;  // that the case names, with their SHA-256
+  bool audit = false;
+  double until = std::numeric_limits<double>::infinity();  // --until [s]
+
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
+};
+
+struct StoredCheckpoint {
+  RunRecord run;
+  ResultsMark results;
+  coupling::Checkpoint checkpoint;
+};
+
+/// A file is: "SCREE-CP", format version and a word that shows the byte order (32 bits each), bytes that follow (64
+/// bits); the record, the mark and the checkpoint (archive.h), hash of the state; SHA-256 of everything before in 64
+/// hexadecimal digits. It is written whole under another name and then put in place (atomic_file.h).
+/// @throws FileError; a file of that name is untouched then
+void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint);
+
+/// @param version  of the program: a state means something to the version that wrote it
+/// @throws FileError with the reason: unreadable, no checkpoint, of another format, byte order or version, cut short,
+///         damaged
+[[nodiscard]] StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::string& version);
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Visitor>
+void RunRecord::visit(Visitor&& see) {
+  see("run.version", version);
+  see("run.commit", commit);
+  see("run.instruction_set", instruction_set);
+  see("run.name", name);
+  see("run.command_line", command_line);
+  see("run.case_path", case_path);
+  see("run.case_text", case_text);
+  for (auto* list : {&overrides, &files, &file_digests}) {
+    see.size("run.texts", *list);
+    for (std::string& text : *list) see("run.text", text);
+  }
+  see("run.audit", audit);
+  see("run.until", until);
+}
+
+}  // namespace scree::io

@@ -1,0 +1,34 @@
+// A file put in place whole: a reader sees the old one or the new one, never half.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace scree::io {
+
+/// A file under a temporary name in the same folder until commit(). @throws FileError from every member that writes;
+/// the old file is untouched then.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path path);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();  // removes the temporary file unless it was put in place
+
+  void write(std::string_view text);
+  /// Adds the first bytes of another one, which may be in place already, whatever has become of its name since.
+  void copy(const AtomicFile& from, std::int64_t bytes);
+  /// fsync, rename, fsync of the folder. The content can still be read by copy().
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  int descriptor_ = -1;
+  bool in_place_ = false;
+};
+
+/// The whole of a file at once.   @throws FileError; the old file is untouched then
+void write_atomically(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace scree::io

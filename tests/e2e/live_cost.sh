@@ -1,0 +1,89 @@
+#!/bin/bash
+# What streaming costs: 2,000 blocks, explicit, every step (one in 40 ms or so) stored and offered as a frame, streamed at 30 Hz with a
+# viewer beside it. Runs with and without streaming take turns. Prints ratios of the medians: wall time; processor time of
+# the thread that computes; and that of the whole program, with the thread that encodes and sends. Ends with 1 when
+# streaming costs more than a hundredth of the wall time: by the wall itself, and by what the computing thread used more,
+# as a share of the wall (on a busy machine the first is noise).
+# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS]
+set -u
+[ $# -ge 1 ] || { echo "usage: SCREE_FULL=1 $0 SCREE [TURNS]"; exit 2; }
+[ "${SCREE_FULL:-}" = 1 ] || { echo "SKIPPED: set SCREE_FULL=1; it takes minutes"; exit 77; }
+# shellcheck disable=SC2034
+arguments=("$@")  # for the second start, inside the namespace
+# shellcheck source=/dev/null
+. "$(dirname "$0")/live_namespace.sh" python3
+ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback interface"
+
+scree=$1 turns=${2:-5}
+work=$(mktemp -d)
+viewer=
+trap '[ -z "$viewer" ] || kill -9 "$viewer" 2> /dev/null; rm -rf "$work"' EXIT
+python3 - > "$work/case.toml" << 'END'
+print('''title = "Wall of 2,000 blocks"
+[material.rock]
+density = 2500.0
+young = "5 GPa"
+poisson = 0.25
+[[block]]
+name = "floor"
+polygon = [[-1, -1], [51, -1], [51, 0], [-1, 0]]
+material = "rock"
+[[support]]
+block = "floor"
+[[stage]]
+name = "stand"
+method = "nmm"
+integrator = "explicit"
+cover_size = 3.0
+dt = "auto"
+duration = "20 ms"
+[output]
+every = "50 us"
+history_every = "50 us"''')
+for row in range(40):
+    for column in range(50):
+        x, y = column + 0.0, row + 0.0
+        print(f'[[block]]\nname = "b{row}-{column}"\nmaterial = "rock"\n'
+              f'polygon = [[{x}, {y}], [{x + 1}, {y}], [{x + 1}, {y + 1}], [{x}, {y + 1}]]')
+END
+python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
+viewer=$!
+# timed NAME OPTIONS...: a run; what its first thread used of a processor [ns] goes to NAME.ns
+timed() {
+  local name=$1
+  shift
+  "$scree" run "$work/case.toml" --quiet --threads 1 --out "$work/$name" "$@" &
+  local run=$!
+  while used=$(cut -d ' ' -f 1 "/proc/$run/task/$run/schedstat" 2> /dev/null) && [ -n "$used" ]; do
+    echo "$used" > "$work/$name.ns"
+    sleep 0.02
+  done
+  wait $run
+}
+for i in $(seq "$turns"); do
+  timed "off$i" || fail "turn $i without streaming"
+  timed "on$i" --live || fail "turn $i with streaming"
+  kill -0 "$viewer" 2> /dev/null || {
+    python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
+    viewer=$!
+  }
+done
+python3 - "$work" "$turns" << 'END'
+import json, statistics, sys
+work, turns = sys.argv[1], int(sys.argv[2])
+kinds = {k: [json.load(open(f"{work}/{k}{i}/summary.json")) for i in range(1, turns + 1)] for k in ("off", "on")}
+hashes = {s["state_hash"] for list_ in kinds.values() for s in list_}
+def median(kind, key):
+    return statistics.median(key(s) for s in kinds[kind])
+wall = [median(k, lambda s: s["wall_seconds"]["total"]) for k in ("off", "on")]
+cpu = [median(k, lambda s: s["cpu_seconds"]) for k in ("off", "on")]
+thread = [statistics.median(int(open(f"{work}/{k}{i}.ns").read()) * 1e-9 for i in range(1, turns + 1))
+          for k in ("off", "on")]
+print(f"{len(hashes)} state, {kinds['on'][0]['steps']} steps, {kinds['on'][0]['blocks_count']} blocks, {turns} turns")
+print(f"wall {wall[0]:.2f} s without, {wall[1]:.2f} s with streaming: ratio {wall[1] / wall[0]:.4f}")
+print(f"computing thread {thread[0]:.2f} s without, {thread[1]:.2f} s with streaming: ratio {thread[1] / thread[0]:.4f}")
+print(f"processor {cpu[0]:.2f} s without, {cpu[1]:.2f} s with streaming: ratio {cpu[1] / cpu[0]:.4f}")
+share = (thread[1] - thread[0]) / wall[1]
+print(f"the computing thread gives up {100 * share:.2f} % of the wall time")
+sys.exit(len(hashes) != 1 or min(wall[1] / wall[0] - 1, share) > 0.01)
+END

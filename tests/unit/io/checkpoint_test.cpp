@@ -1,0 +1,345 @@
+// A run that goes on from a checkpoint is the run that never stopped; a checkpoint that is not whole is refused.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "coupling/stages/driver.h"
+#include "io/case/read_case.h"
+#include "io/checkpoint/archive.h"
+#include "io/checkpoint/checkpoints.h"
+#include "tests/unit/io/results_run.h"
+
+namespace scree::io::test {
+namespace {
+
+bool full() { return std::getenv("SCREE_FULL") != nullptr; }
+
+Case resume_case(const std::string& name) {
+  const std::vector<std::string> methods{"dda", "nmm"};
+  return read_case(fs::path(SCREE_SOURCE_DIR) / "tests/e2e/resume" / (name + ".toml"), {}, methods);
+}
+
+RunRecord of_version(const std::string& version) {
+  RunRecord run;
+  run.version = version;
+  return run;
+}
+
+/// Through a file and back.
+coupling::Checkpoint stored(coupling::Checkpoint checkpoint, const Scratch& scratch) {
+  const fs::path file = scratch.path() / "checkpoint.0.scree";
+  write_checkpoint(file, {of_version("1"), {}, std::move(checkpoint)});
+  return read_checkpoint(file, "1").checkpoint;
+}
+
+/// All checkpoints of a run, every so many steps.
+class Every final : public coupling::Keeper {
+ public:
+  explicit Every(std::int64_t steps) : steps_(steps) {}
+  bool due(std::int64_t step) override { return steps_ > 0 && step % steps_ == 0; }
+  void keep(coupling::Checkpoint checkpoint) override { kept.push_back(std::move(checkpoint)); }
+  std::vector<coupling::Checkpoint> kept;
+
+ private:
+  std::int64_t steps_;
+};
+
+/// The histories that a run shows, and all it tells, as text.
+class Witness final : public coupling::Sink {
+ public:
+  void history(const coupling::HistoryView& h) override {
+    Packer pack(text);
+    pack("", h.tick);
+    for (const auto& span : {h.position, h.velocity, h.stress})
+      for (const double x : span) pack("", x);
+    pack("", h.ledger->moved());
+  }
+  void event(const coupling::Event& e) override { text += std::string(coupling::name(e.kind)) + e.text; }
+  std::string text;
+};
+
+struct Outcome {
+  std::uint64_t hash = 0;
+  std::int64_t steps = 0, cuts = 0, factorisations = 0;
+  std::size_t transfers = 0, travels = 0;
+  std::string shown;
+  auto operator<=>(const Outcome&) const = default;
+};
+
+Outcome outcome(const coupling::Driver& driver, const Witness& witness) {
+  const coupling::RunStats& s = driver.stats();
+  return {coupling::state_hash(driver.state()),
+          s.steps,
+          s.cuts,
+          s.factorisations,
+          driver.transfers().size(),
+          driver.travels().size(),
+          witness.text};
+}
+
+Outcome run(const Case& c, coupling::Keeper* keeper) {
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver driver(c.model, c.plan, methods);
+  Witness witness;
+  driver.add_sink(witness);
+  if (keeper != nullptr) driver.set_keeper(*keeper);
+  EXPECT_EQ(driver.run().status, coupling::RunEnd::Status::done);
+  return outcome(driver, witness);
+}
+
+Outcome go_on(const Case& c, coupling::Checkpoint from, coupling::Keeper* keeper = nullptr) {
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver driver(c.model, c.plan, methods);
+  Witness witness;
+  driver.add_sink(witness);
+  if (keeper != nullptr) driver.set_keeper(*keeper);
+  driver.continue_from(std::move(from));
+  EXPECT_EQ(driver.run().status, coupling::RunEnd::Status::done);
+  return outcome(driver, witness);
+}
+
+/// Ends as the whole run did, and shows what that showed after it.
+void expect_same_end(const Outcome& part, const Outcome& whole, std::int64_t from_step) {
+  EXPECT_TRUE(whole.shown.ends_with(part.shown)) << "from step " << from_step;
+  Outcome other = part;
+  other.shown = whole.shown;
+  EXPECT_EQ(other.hash, whole.hash) << "from step " << from_step;
+  EXPECT_TRUE(other == whole) << "from step " << from_step << ": statistics";
+}
+
+class Resume : public testing::TestWithParam<const char*> {};
+
+TEST_P(Resume, from_every_checkpoint_ends_as_the_unbroken_run) {
+  const Case c = resume_case(GetParam());
+  const Scratch scratch;
+  const Outcome whole = run(c, nullptr);
+  EXPECT_GT(whole.steps, 100);
+  Every often(full() ? 7 : 61);
+  EXPECT_TRUE(run(c, &often) == whole) << "keeping checkpoints changes the run";
+  Every seldom(1000003);
+  EXPECT_TRUE(run(c, &seldom) == whole) << "keeping checkpoints changes the run";
+  EXPECT_GE(often.kept.size(), c.plan.stages.size() + 1);
+  for (const coupling::Checkpoint& checkpoint : often.kept)
+    expect_same_end(go_on(c, stored(checkpoint, scratch)), whole, checkpoint.state.step);
+}
+
+TEST_P(Resume, twice_over_ends_as_the_unbroken_run) {
+  const Case c = resume_case(GetParam());
+  const Scratch scratch;
+  const Outcome whole = run(c, nullptr);
+  Every first(151);
+  (void)run(c, &first);
+  ASSERT_GE(first.kept.size(), 2U);
+  const coupling::Checkpoint& early = first.kept[first.kept.size() / 3];
+  Every second(89);
+  expect_same_end(go_on(c, stored(early, scratch), &second), whole, early.state.step);
+  for (const coupling::Checkpoint& late : second.kept)
+    expect_same_end(go_on(c, stored(late, scratch)), whole, late.state.step);
+}
+
+/// Stops a run when asked for the n-th time, in the middle of a step too.
+class StopAt final : public coupling::Control {
+ public:
+  explicit StopAt(std::int64_t n) : left_(n) {}
+  bool stop_requested() override { return count(); }
+  bool give_up_step() override { return count(); }
+
+ private:
+  bool count() { return --left_ <= 0; }
+  std::int64_t left_;
+};
+
+TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
+  const Case c = resume_case(GetParam());
+  const Scratch scratch;
+  const Outcome whole = run(c, nullptr);
+  const coupling::Methods methods = coupling::standard_methods();
+  std::mt19937 random(7);
+  int stops = 0;
+  for (int i = 0; i < (full() ? 60 : 8); ++i) {
+    coupling::Driver driver(c.model, c.plan, methods);
+    StopAt control(1 + static_cast<std::int64_t>(random() % 1200));
+    Every keeper(0);
+    driver.set_control(control);
+    driver.set_keeper(keeper);
+    if (driver.run().status == coupling::RunEnd::Status::done) continue;
+    ++stops;
+    const coupling::Checkpoint last = keeper.kept.back();
+    expect_same_end(go_on(c, stored(last, scratch)), whole, last.state.step);
+  }
+  EXPECT_GE(stops, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion"),
+                         [](const auto& of) { return std::string(of.param); });
+
+TEST(ResumeCases, pass_through_all_that_is_remembered) {
+  // What the tests above rest on: without it a field that is forgotten would not show.
+  Every keeper(20);
+  const Outcome whole = run(resume_case("staged"), &keeper);
+  EXPECT_GT(whole.cuts, 10);
+  EXPECT_GT(whole.transfers, 0U);
+  Every often(3);
+  (void)run(resume_case("kept"), &often);
+  keeper.kept.insert(keeper.kept.end(), often.kept.begin(), often.kept.end());
+  std::set<std::string> seen;
+  for (const coupling::Checkpoint& at : keeper.kept) {
+    const coupling::State& s = at.state;
+    for (const coupling::ContactMemory& m : s.contacts) {
+      if (m.status == coupling::ContactStatus::slip) seen.insert("slip");
+      if (m.status == coupling::ContactStatus::stick) seen.insert("stick");
+      if (m.bonded != 0) seen.insert("bond");
+      if (m.failed != 0) seen.insert("failed");
+      if (m.gap0 != 0.0 && m.slip > 0.0) seen.insert("dilated");
+      if (m.water != 0.0) seen.insert("water");
+      if (m.fd != 0.0 || m.fdt != 0.0) seen.insert("contact damping");
+      if (m.key.block_p == m.key.block_e) seen.insert("crack");
+    }
+    if (!s.a.empty()) seen.insert("acceleration");
+    if (!s.v_before.empty()) seen.insert("lagging velocity");
+    if (!s.damping.empty()) seen.insert("damping");
+    if (!s.factored.value.empty()) seen.insert("factor");
+    if (s.factored.patience.wait > 0) seen.insert("patience");
+    if (s.relaxing > 0.0) seen.insert("relaxing");
+    if (!s.rest.empty()) seen.insert("reservoir");
+    if (at.largest_step > 0 && !at.mover.bound.empty()) seen.insert("step within an interval");
+  }
+  const std::set<std::string> all{"slip",
+                                  "stick",
+                                  "bond",
+                                  "failed",
+                                  "dilated",
+                                  "water",
+                                  "contact damping",
+                                  "crack",
+                                  "acceleration",
+                                  "lagging velocity",
+                                  "damping",
+                                  "factor",
+                                  "patience",
+                                  "relaxing",
+                                  "reservoir",
+                                  "step within an interval"};
+  for (const std::string& wanted : all) EXPECT_TRUE(seen.contains(wanted)) << wanted;
+}
+
+TEST(ResumeCases, name_their_files) {
+  EXPECT_EQ(resume_case("staged").files,
+            std::vector<fs::path>{fs::path(SCREE_SOURCE_DIR) / "tests/e2e/resume" / "pulse.csv"});
+  EXPECT_TRUE(resume_case("kept").files.empty());
+  const std::vector<std::string> methods{"dda", "nmm"};
+  const Case all = read_case(fs::path(SCREE_SOURCE_DIR) / "tests/unit/io/full_case.toml", {}, methods);
+  EXPECT_EQ(all.files.size(), 4U);
+}
+
+// --- files ---
+
+coupling::Checkpoint small_checkpoint() {
+  const Case c = resume_case("kept");
+  Every keeper(50);
+  (void)run(c, &keeper);
+  return keeper.kept[keeper.kept.size() / 2];
+}
+
+std::string refusal(const fs::path& file, const std::string& version = "1") {
+  try {
+    (void)read_checkpoint(file, version);
+  } catch (const FileError& e) {
+    EXPECT_EQ(e.path, file);
+    return e.what();
+  }
+  return {};
+}
+
+void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+TEST(CheckpointFile, keeps_every_bit) {
+  const Scratch scratch;
+  const fs::path file = scratch.path() / "c";
+  StoredCheckpoint written{of_version("1"), {}, small_checkpoint()};
+  written.run.overrides = {"a=1", ""};
+  written.run.audit = true;
+  written.run.until = 0.25;
+  written.results.frames = {{3, 1}, {4, 15}};
+  written.results.tables = {15, 92};
+  write_checkpoint(file, written);
+  const StoredCheckpoint read = read_checkpoint(file, "1");
+  EXPECT_EQ(read.run.overrides, written.run.overrides);
+  EXPECT_TRUE(read.run.audit);
+  EXPECT_EQ(read.run.until, 0.25);
+  EXPECT_EQ(read.results.frames, written.results.frames);
+  EXPECT_EQ(read.results.tables, written.results.tables);
+  const fs::path again = scratch.path() / "again";
+  write_checkpoint(again, read);
+  EXPECT_EQ(text_of(again), text_of(file));
+}
+
+TEST(CheckpointFile, cut_or_flipped_anywhere_is_refused) {
+  const Scratch scratch;
+  const fs::path file = scratch.path() / "checkpoint.3.scree";
+  write_checkpoint(file, {of_version("1"), {}, small_checkpoint()});
+  const std::string whole = text_of(file);
+  std::mt19937 random(11);
+  const auto expect_refused = [&](const std::string& bytes, const std::string& what) {
+    put(file, bytes);
+    const std::string why = refusal(file);
+    EXPECT_NE(why.find("cannot go on from this checkpoint: it "), std::string::npos) << what << ": " << why;
+  };
+  for (int i = 0; i < (full() ? 100 : 40); ++i) {
+    const std::size_t at = i < 32 ? static_cast<std::size_t>(i) : random() % whole.size();
+    expect_refused(whole.substr(0, at), "cut at " + std::to_string(at));
+  }
+  expect_refused(whole + '\0', "a byte more");
+  for (int i = 0; i < (full() ? 1000 : 200); ++i) {
+    const std::size_t at = i < 32 ? static_cast<std::size_t>(i) : random() % whole.size();
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << (random() % 8)));
+    expect_refused(flipped, "flipped at " + std::to_string(at));
+  }
+  put(file, whole);
+  EXPECT_EQ(refusal(file), "");
+}
+
+TEST(CheckpointFile, of_another_version_or_missing_is_refused) {
+  const Scratch scratch;
+  const fs::path file = scratch.path() / "c";
+  write_checkpoint(file, {of_version("1"), {}, {}});
+  EXPECT_NE(refusal(file, "2").find("it is of Scree 1, and this is Scree 2"), std::string::npos);
+  EXPECT_NE(refusal(scratch.path() / "none").find("cannot open"), std::string::npos);
+}
+
+TEST(CheckpointFile, damaged_newest_gives_way_to_the_one_before) {
+  const Scratch scratch;
+  const RunFolder folder = RunFolder::create(scratch.path() / "run", false);
+  coupling::Checkpoint checkpoint;
+  for (const int n : {9, 10}) {
+    checkpoint.state.step = n;
+    write_checkpoint(folder.path() / ("checkpoint." + std::to_string(n) + ".scree"), {of_version("1"), {}, checkpoint});
+  }
+  put(folder.path() / "checkpoint.11.scree.tmp", "what a killed run left");
+  std::vector<std::string> refused;
+  const auto find = [&] {
+    refused.clear();
+    return newest_checkpoint(folder, "1", [&](const std::string& why) { refused.push_back(why); });
+  };
+  EXPECT_EQ(find().stored.checkpoint.state.step, 10);
+  EXPECT_TRUE(refused.empty());
+  put(folder.path() / "checkpoint.10.scree", "SCREE-CP");
+  EXPECT_EQ(find().stored.checkpoint.state.step, 9);
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_NE(refused[0].find("checkpoint.10.scree: cannot go on from this checkpoint: it is cut short"),
+            std::string::npos);
+  put(folder.path() / "checkpoint.9.scree", "");
+  EXPECT_THROW((void)find(), FileError);
+  EXPECT_EQ(refused.size(), 2U);
+}
+
+TEST(FolderLock, keeps_a_second_run_out) {
+  const Scratch scratch;
+  const FolderLock first(scratch.path());
+  EXPECT_THROW(FolderLock second(scratch.path()), FileError);
+}
+
+}  // namespace
+}  // namespace scree::io::test
