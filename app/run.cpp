@@ -261,7 +261,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
     }
     for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
     fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method,
-               s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", seconds(s.duration), cells,
+               name(s.integrator), seconds(s.duration), cells,
                unknowns);
   }
   fmt::print("  fine\n");

@@ -1,6 +1,7 @@
 // What a run does with a model: its stages, output and streaming.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace scree::coupling {
 
-enum class Integrator { explicit_, implicit };
+enum class Integrator { explicit_, implicit, partitioned };
 /// beta = 1/2, gamma = 1 (thesis 3.3.2), or beta = 1/4, gamma = 1/2 for convergence studies without contacts.
 enum class NewmarkScheme { damped, trapezoidal };
 
@@ -31,6 +32,22 @@ struct MethodRule {
   std::string method;
   double cover_size = 0.0;  // NMM mesh; 0: as the block or the stage says [m]
   bool onefold = false;     // NMM: one cover around the whole block
+};
+
+/// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the area;
+/// what moves may change sides from step to step: it becomes explicit above `up` and implicit again below `down`.
+/// @source coupling.md 4; thesis ch. 7
+struct Partition {
+  struct Band {
+    double up = 0.0, down = 0.0;  // 0, 0: no such rule
+    [[nodiscard]] bool used() const { return up > 0.0; }
+  };
+  std::vector<BlockId> explicit_blocks, implicit_blocks;
+  double explicit_area = 0.0;  // smaller blocks are explicit [m2]; 0: no such rule
+  Band speed;                  // of the fastest corner [m/s]
+  Band strain_rate;            // largest principal one of the affine part [1/s]
+  std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
+  [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
 };
 
 struct Stage {
@@ -57,6 +74,7 @@ struct Stage {
   bool rest = false;        // motion is taken out: explicit at peaks of kinetic energy, implicit after every step
   double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
   std::int64_t rest_steps = 0;  // and fails if it has not after so many steps; 0: at its duration
+  Partition partition;
   StepControl control;
 };
 

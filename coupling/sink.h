@@ -88,7 +88,7 @@ struct StageTravel {
   double farthest = 0.0;  // [m]
 };
 
-enum class EventKind { stage_start, stage_step, stage_end, transfer, step_cut, not_converged, warning };
+enum class EventKind { stage_start, stage_step, stage_end, transfer, partition, step_cut, not_converged, warning };
 struct Event {
   EventKind kind = EventKind::warning;
   double time = 0.0;
@@ -97,6 +97,7 @@ struct Event {
   const StageTravel* travel = nullptr;  // of a stage that ends
 };
 [[nodiscard]] std::string_view name(EventKind kind);
+[[nodiscard]] std::string_view name(Integrator integrator);
 
 /// What a run ended with.
 struct RunEnd {

@@ -69,6 +69,7 @@ struct State {
   Tick last_step = 0;              // length of the step before, for the shadow term
   double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
+  std::vector<char> explicit_side;  // a body: 1 where it takes explicit steps; partitioned stages, else empty
   std::vector<double> q, v;        // x, y a node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;           // acceleration at `time`, same layout (explicit stages; else empty)
   std::vector<double> v_before;    // velocity of the half step before, where damping lags on it (else empty)
@@ -128,6 +129,7 @@ void State::visit(Visitor&& see) {
   see("relaxing", relaxing);
   see.size("bodies", bodies);
   for (BodyRecord& b : bodies) visit_body(see, b);
+  see("explicit_side", explicit_side);
   see("q", q);
   see("v", v);
   see("a", a);

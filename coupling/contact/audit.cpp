@@ -87,7 +87,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   for (const Polygon& p : outline) box.push_back(bounds(p));
   for (std::size_t a = 0; a < outline.size(); ++a)
     for (std::size_t b = 0; b < outline.size(); ++b) {
-      if (a == b || (setup.bodies()[a].driven && setup.bodies()[b].driven)) continue;
+      if (a == b || !setup.can_touch(a, b)) continue;
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
       if (held.contains(std::minmax(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)))) continue;
       for (const Vec2& x : outline[a].outer)

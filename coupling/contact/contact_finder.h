@@ -92,7 +92,7 @@ class ContactFinder {
   ContactPairs pairs_;
   KnownContacts known_;
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
-  std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on driven bodies
+  std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
   std::vector<Vec2> x_;                     // outline nodes
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners

@@ -21,6 +21,12 @@ class ExplicitContact {
   void enter(State& state, bool at_start, bool goes_on);
   /// In place of enter(): the points that an instance of the same stage had at this state.
   void resume(const State& state, const std::vector<ContactPoint>& points) { now_.restore(points, state.contacts); }
+  /// The points of an instant, and back to them.
+  void mark(ContactList& out) const { out = now_; }
+  void go_back(const ContactList& points) {
+    now_ = points;
+    clear_ = 0.0;
+  }
   /// f += forces of the memory.
   void add(std::span<double> f) const;
   /// First half of a step's books, v the velocity of the step at the instant left.

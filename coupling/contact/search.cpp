@@ -189,7 +189,7 @@ double Search::room_between_bodies(std::span<const Vec2> x) const {
   double least = kFar;
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = a + 1; b < count; ++b) {
-      if (setup.bodies()[a].driven && setup.bodies()[b].driven) continue;
+      if (!setup.can_touch(a, b)) continue;
       least = std::min(least, (box[a].lo - box[b].hi).cwiseMax(box[b].lo - box[a].hi).maxCoeff());
     }
   // update() lists boxes nearer than its fattening, half the reach and the slack on either side; both bodies may move.

@@ -72,7 +72,7 @@ Instant CentralDifference::lagging(const State& state) const {
 
 double CentralDifference::add_stress(std::span<const double> q) {
   double energy = 0.0;
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     energy += setup_->pool(p).internal_force(setup_->part(q, p), setup_->part(std::span<double>(stress_), p));
   return energy;
 }
@@ -112,14 +112,15 @@ void CentralDifference::sum_up(const Instant& at) {
     stress_right_ += partial_[index * sums];
     for (std::size_t w = 0; w + 1 < sums; ++w) weight_power_[w] += partial_[index * sums + w + 1];
   }
-  for (const Chunk& c : chunks_.driven())
-    std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
-              total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
+  for (const auto* held : {&chunks_.driven(), &chunks_.guests()})
+    for (const Chunk& c : *held)
+      std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
+                total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
   contact_.add(total_);
   for (const auto& term : terms_) term->add(at, total_);
   if (!stiffness_.force.empty()) {
     std::fill(stiffness_.force.begin(), stiffness_.force.end(), 0.0);
-    for (std::size_t p = 0; p < setup_->pools(); ++p)
+    for (const std::size_t p : setup_->own_pools())
       setup_->pool(p).stiffness_damping(setup_->part(at.q, p), setup_->part(at.v, p), damping_.stiffness,
                                         setup_->part(std::span<double>(stiffness_.force), p));
     chunks_.for_free([&](const Chunk& c, std::size_t) {
@@ -127,7 +128,7 @@ void CentralDifference::sum_up(const Instant& at) {
     });
   }
   if (!local_.force.empty()) {
-    for (std::size_t p = 0; p < setup_->pools(); ++p)
+    for (const std::size_t p : setup_->own_pools())
       setup_->pool(p).fold_forces(setup_->part(std::span<double>(total_), p));
     chunks_.for_free([&](const Chunk& c, std::size_t) {
       for (std::size_t i = c.begin; i < c.end; ++i) {
@@ -140,7 +141,7 @@ void CentralDifference::sum_up(const Instant& at) {
 }
 
 void CentralDifference::accelerate(std::span<const double> q, std::span<double> a) const {
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     setup_->pool(p).mass_solve(setup_->part(q, p), setup_->part(std::span<const double>(total_), p),
                                setup_->part(a, p));
   for (const Chunk& c : chunks_.driven())
@@ -184,7 +185,14 @@ void CentralDifference::resume(const State& state, const MoverMemory& memory) {
 }
 
 MoverMemory CentralDifference::memory() const {
-  return {contact_.list().points, stress_, total_, stiffness_.force, local_.force, bound_};
+  MoverMemory out;
+  out.points = contact_.list().points;
+  out.stress = stress_;
+  out.total = total_;
+  out.stiffness = stiffness_.force;
+  out.local = local_.force;
+  out.bound = bound_;
+  return out;
 }
 
 double CentralDifference::enter(State& state) {
@@ -265,7 +273,7 @@ StepReport CentralDifference::lost(const State& state, std::span<const double> f
 
 void CentralDifference::move_driven(const State& state, double h, double end, double& farthest) {
   for (const Body& b : setup_->bodies()) {
-    if (!b.driven) continue;
+    if (!b.driven || b.guest) continue;
     const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
     if (h * u.norm() > farthest) farthest = h * u.norm();
     const auto t = setup_->pool_of(b).translation(b.index);
@@ -276,6 +284,43 @@ void CentralDifference::move_driven(const State& state, double h, double end, do
       for (std::size_t j = i; j < i + 2; ++j) q_new_[j] = state.q[j] + h * v_half_[j];
     }
   }
+}
+
+void CentralDifference::lead_guests(const State& state, std::span<const double> end, Tick time) {
+  lead_.begin = state.time;
+  lead_.end = time;
+  lead_.from.assign(state.q.begin(), state.q.end());
+  lead_.to.assign(end.begin(), end.end());
+}
+
+void CentralDifference::move_guests(const State& state, Tick arrival, double& farthest) {
+  const double h = seconds(arrival - state.time),
+               s = seconds(arrival - lead_.begin) / seconds(lead_.end - lead_.begin);
+  double most = 0.0;
+  for (const Chunk& c : chunks_.guests())
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      // At the end to the last bit: the guest's own mover goes on from there.
+      q_new_[i] = arrival == lead_.end ? lead_.to[i] : lead_.from[i] + s * (lead_.to[i] - lead_.from[i]);
+      v_half_[i] = (q_new_[i] - state.q[i]) / h;
+      most = std::max(most, std::abs(v_half_[i]));
+    }
+  farthest = std::max(farthest, h * std::sqrt(2.0) * most);
+}
+
+void CentralDifference::mark(Mark& out) const {
+  contact_.mark(out.contacts);
+  out.stress = stress_;
+  out.total = total_;
+  out.stiffness = stiffness_.force;
+  out.local = local_.force;
+}
+
+void CentralDifference::go_back(const Mark& mark) {
+  contact_.go_back(mark.contacts);
+  stress_ = mark.stress;
+  total_ = mark.total;
+  stiffness_.force = mark.stiffness;
+  local_.force = mark.local;
 }
 
 void CentralDifference::leave_instant(const State& state, double h) {
@@ -315,14 +360,15 @@ void CentralDifference::book_step(double h, double stress_energy, double driven_
 bool CentralDifference::arrive(double h) {
   const double check =
       chunks_.sum_free([&](const Chunk& c) { return kick(c, v_half_.data(), 0.5 * h, a_new_.data(), v_new_.data()); });
-  for (const Chunk& c : chunks_.driven())
-    for (std::size_t i = c.begin; i < c.end; ++i) v_new_[i] = v_half_[i];
+  for (const auto* held : {&chunks_.driven(), &chunks_.guests()})
+    for (const Chunk& c : *held)
+      for (std::size_t i = c.begin; i < c.end; ++i) v_new_[i] = v_half_[i];
   return std::isfinite(check);
 }
 
 double CentralDifference::damp_rest(double factor, State& state) {
   double power = 0.0;
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     power += setup_->pool(p).damp(factor, damping_.mass, setup_->part(std::span<const double>(v_half_), p),
                                   setup_->part(std::span<double>(v_new_), p),
                                   setup_->part(std::span<double>(state.damping), p),
@@ -360,6 +406,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // would go too far is refused here.
   double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
+  if (!chunks_.guests().empty()) move_guests(state, state.time + ticks_of_step, farthest);
   if (!(outline_weights_ * farthest <= control_.max_displacement)) {
     StepReport report = refuse(h);
     if (report.status != StepReport::Status::ok) {
@@ -372,7 +419,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
 
   leave_instant(state, h);
   const double driven_left = dot(chunks_.driven(), v_half_.data(), total_.data());
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     setup_->pool(p).turn(h, setup_->part(std::span<const double>(state.q), p),
                          setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
 
@@ -420,7 +467,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
 
 double CentralDifference::kinetic_energy(std::span<const double> q, std::span<const double> v) const {
   double kinetic = 0.0;
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     kinetic += setup_->pool(p).kinetic_energy(setup_->part(q, p), setup_->part(v, p), setup_->counted(p));
   return kinetic;
 }

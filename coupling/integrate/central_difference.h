@@ -37,6 +37,21 @@ class CentralDifference final : public Mover {
   void contact_forces(const State&, std::span<double> f) const override { contact_.add(f); }
   [[nodiscard]] bool step_still_stable() const override;
 
+  /// From now to `time` guests go along straight lines from where they are.   @param end  x, y a node at that time
+  void lead_guests(const State& state, std::span<const double> end, Tick time);
+  /// Forces at the present instant; those of contacts alone on nodes of guests [N].
+  [[nodiscard]] std::span<const double> forces() const { return total_; }
+  [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
+  /// What steps change beside the state.
+  struct Mark {
+    ContactList contacts;
+    std::vector<double> stress, total, stiffness, local;
+  };
+  void mark(Mark& out) const;
+  void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
+  /// Goes back to an earlier instant of the stage; the state goes back by its owner.
+  void go_back(const Mark& mark);
+
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);
 
@@ -57,6 +72,7 @@ class CentralDifference final : public Mover {
   [[nodiscard]] StepReport refuse(double h) const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
+  void move_guests(const State& state, Tick arrival, double& farthest);
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
   void add_terms(const State& state);
@@ -96,6 +112,11 @@ class CentralDifference final : public Mover {
     double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, largest = 0.0;
   };
   std::vector<Left> left_;                 // a chunk
+  struct Lead {             // the way of the guests
+    Tick begin = 0, end = 0;
+    std::vector<double> from, to;
+  };
+  Lead lead_;
   std::vector<MoverMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };
 

@@ -51,6 +51,10 @@ struct MoverMemory {
   std::vector<ContactPoint> points;                     // of State::contacts
   std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
+  // Partitioned: of the explicit and the implicit side, their ledgers, and that of the run before.
+  std::vector<MoverMemory> sides;
+  std::vector<Ledger> ledgers;
+  double step_bound = 0.0;  // partitioned: that the substeps keep to [s]
 
   /// As State::visit().
   template <class Visitor>
@@ -106,6 +110,11 @@ void MoverMemory::visit(Visitor&& see) {
     b.key.visit(see);
     see("bound.stiffness", b.stiffness);
   }
+  see.size("sides", sides);
+  for (MoverMemory& side : sides) side.visit(see);
+  see.size("ledgers", ledgers);
+  for (Ledger& ledger : ledgers) ledger.visit(see);
+  see("step_bound", step_bound);
 }
 
 }  // namespace scree::coupling

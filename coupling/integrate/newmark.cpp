@@ -34,7 +34,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
   for (auto* v : {&gravity_, &load_, &load_before_, &inertia_, &damped_before_.mass, &damped_before_.stiffness,
                   &damped_after_.mass, &damped_after_.stiffness, &force_before_, &force_, &force_after_, &acceleration_,
-                  &d_, &rate_, &rhs_, &out_})
+                  &d_, &rate_, &rhs_, &out_, &pull_, &asked_, &answer_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -60,6 +60,12 @@ void Newmark::enter_stage(const State& state) {
 void Newmark::resume(const State& state, const MoverMemory& memory) {
   enter_stage(state);
   list_.restore(memory.points, state.contacts);
+}
+
+MoverMemory Newmark::memory() const {
+  MoverMemory out;
+  out.points = list_.points;
+  return out;
 }
 
 double Newmark::enter(State& state) {
@@ -105,7 +111,7 @@ double Newmark::stable_step(const State&, std::string*) { return std::numeric_li
 
 double Newmark::kinetic_energy(const State& state) const {
   double kinetic = 0.0;
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     kinetic += setup_->pool(p).kinetic_energy(setup_->part(std::span<const double>(state.q), p),
                                               setup_->part(std::span<const double>(state.v), p), setup_->counted(p));
   return kinetic;
@@ -185,7 +191,7 @@ void Newmark::add_affine_damping(const State& state, std::span<const double> rat
   system_.retract(still, rate, true, node_scratch_, node_scratch2_);
   node_scratch_.assign(state.q.size(), 0.0);
   node_scratch3_.assign(state.q.size(), 0.0);
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     setup_->pool(p).damp(1.0, options_.damping, setup_->part(std::span<const double>(state.v), p),
                          setup_->part(std::span<double>(node_scratch2_), p),
                          setup_->part(std::span<double>(node_scratch_), p),
@@ -228,6 +234,37 @@ void Newmark::find_step_springs(const State& state, double h) {
       }
     }
   }
+  guides_ = springs_.size();
+  if (path_ == nullptr) return;
+  for (const PathForce::Spring& s : path_->springs()) {
+    begin(s.k, 0.0);
+    for (std::size_t i = 0; i < s.count; ++i) {
+      const auto node = static_cast<std::size_t>(s.node[i]);
+      add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
+    }
+  }
+}
+
+bool Newmark::pull_along(const State& state, StepReport& report) {
+  // Along straight lines to where the iterate ends.
+  q_new_ = state.q;
+  v_new_ = state.v;
+  system_.retract(d_, rate_, true, q_new_, v_new_);
+  pull_nodes_.assign(state.q.size(), 0.0);
+  const StepReport found = path_->mean(q_new_, pull_nodes_);
+  if (found.status != StepReport::Status::ok) {
+    report.status = found.status;
+    report.suggested = found.suggested;
+    report.body = found.body;
+    report.cause = found.cause;
+    return false;
+  }
+  std::fill(pull_.begin(), pull_.end(), 0.0);
+  system_.add_forces(pull_nodes_, state.q, pull_);
+  answer_ = pull_;
+  for (std::size_t i = guides_; i < springs_.size(); ++i)
+    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+  return true;
 }
 
 void Newmark::linear_system(double h) {
@@ -253,6 +290,12 @@ double Newmark::residual(const State& state, double h, double& largest) {
   for (std::size_t i = 0; i < out_.size(); ++i)
     out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
   largest = std::max(largest, contacts_.add_forces(d_, out_));
+  if (path_ != nullptr) {
+    largest = std::max(largest, largest_of(pull_));
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += pull_[i];
+    for (std::size_t i = guides_; i < springs_.size(); ++i)
+      springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), out_);
+  }
   return largest_of(out_);
 }
 
@@ -262,19 +305,29 @@ double Newmark::round_off(const State& state) const {
   const SymmetricPattern& p = system_.pattern();
   for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c)
     stiffest = std::max(stiffest, A_[static_cast<std::size_t>(p.column_start[c])]);
+  for (std::size_t i = guides_; i < springs_.size(); ++i) stiffest = std::max(stiffest, springs_.k[i]);
   return 8.0 * std::numeric_limits<double>::epsilon() * stiffest * largest_of(state.q);
 }
 
 bool Newmark::balance(const State& state, double h, StepReport& report) {
   const auto mask = system_.nonlinear_dofs();
   const bool spares = options_.damping > 0.0 && !options_.damp_rigid_motion;
-  const bool iterative = system_.nonlinear() || spares;
+  const bool iterative = system_.nonlinear() || spares || path_ != nullptr;
   Stiffness kind = Stiffness::exact;
   find_step_springs(state, h);
   contacts_.begin(list_, state.q, driven_move_, springs_);
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
+  if (path_ != nullptr) {
+    // To begin with: what pulls now stays while both sides go on as they are.
+    std::fill(asked_.begin(), asked_.end(), 0.0);
+    system_.add_forces(path_->present(), state.q, asked_);
+    for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = h * system_.rate()[i];
+    for (std::size_t i = guides_; i < springs_.size(); ++i)
+      springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(rate_), asked_);
+    pull_iteration_.begin(system_.unit());
+  }
   std::vector<double> affine(d_.size(), 0.0);
   if (spares) add_affine_damping(state, system_.rate(), affine);
   bool fresh = true;
@@ -288,6 +341,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
     }
     system_.pattern().multiply_add(1.0, K_, moved, rhs_);
+    if (path_ != nullptr)
+      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_[i];
     if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
     if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
     if (spares)
@@ -312,6 +367,9 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     q_new_ = state.q;
     v_new_ = state.v;
     for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
+    if (path_ != nullptr && !pull_along(state, report)) return false;
+    q_new_ = state.q;
+    v_new_ = state.v;
     system_.retract(d_, rate_, false, q_new_, v_new_);
     force_after_ = force_before_;
     energy_after_ = system_.linearise(q_new_, kind, false, {}, force_after_);
@@ -347,8 +405,13 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           report.residual, report.iterations);
       return false;
     }
+    double of_pull = 0.0;  // part of what is left that the force from outside makes
+    if (path_ != nullptr) {
+      for (std::size_t i = 0; i < d_.size(); ++i) of_pull = std::max(of_pull, std::abs(answer_[i] - asked_[i]));
+      pull_iteration_.next(answer_, asked_);
+    }
     // A kept stiffness that is too far from this iterate's is made anew.
-    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
+    if (system_.nonlinear() && left > 0.05 * last && !at_round_off && of_pull < 0.5 * left) {
       (void)system_.linearise(q_new_, kind, false, K_, force_);
       linear_system(h);
       fresh = true;

@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "coupling/contact/contact_finder.h"
+#include "coupling/integrate/fixed_point.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/mover.h"
 #include "coupling/integrate/open_close.h"
+#include "coupling/integrate/path_force.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/viscous_edges.h"
 
@@ -38,13 +40,17 @@ class Newmark final : public Mover {
 
   double enter(State& state) override;
   void resume(const State& state, const MoverMemory& memory) override;
-  [[nodiscard]] MoverMemory memory() const override { return {list_.points, {}, {}, {}, {}, {}}; }
+  [[nodiscard]] MoverMemory memory() const override;
   void heed(Control* control) override { contacts_.heed(control); }
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
   void contact_forces(const State& state, std::span<double> f) const override;
+
+  /// A force from outside in every step from now on; null: none. It must outlive the steps.
+  void pull(PathForce* force) { path_ = force; }
+  [[nodiscard]] const ContactList& list() const { return list_; }
 
   [[nodiscard]] const Cholesky& cholesky() const { return contacts_.cholesky(); }
   [[nodiscard]] const ImplicitSystem& system() const { return system_; }
@@ -64,6 +70,9 @@ class Newmark final : public Mover {
   void prepare_damping(const State& state);
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
   void find_step_springs(const State& state, double h);
+  // The force from outside: its mean at an iterate, and what the linear system has of it.
+  [[nodiscard]] bool pull_along(const State& state, StepReport& report);
+  void book_pull(State& state) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
@@ -93,13 +102,18 @@ class Newmark final : public Mover {
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;
+  std::size_t guides_ = 0;  // the first of them that only stands for the stiffness of path_
+  PathForce* path_ = nullptr;
+  FixedPoint pull_iteration_;
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
   std::vector<LoadVector> loads_;
   std::vector<double> weight_;     // gravity on the nodes
   std::vector<Vec2> driven_move_;  // a body
   std::vector<double> reference_;  // the nodes of bodies in their reference shape
-  // A number an unknown.
+  std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
+  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
+  std::vector<double> pull_, asked_, answer_;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
       rate_, rhs_, out_;
   Damping damped_before_, damped_after_;

@@ -57,7 +57,7 @@ void Newmark::book_damping(Ledger& ledger) const {
 }
 
 void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
+  for (std::size_t i = 0; i < guides_; ++i) {
     const double u = springs_.rows[i].change(d_), k = springs_.k[i], at = springs_.at[i];
     if (i < 2 * supports_.size()) {
       if (!trapezoidal()) ledger.book(Column::newmark_damping, 0.5 * k * u * u);
@@ -153,11 +153,18 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
   ledger.set(Column::contact_springs, contact_energy(list_));
 }
 
+void Newmark::book_pull(State& state) const {
+  // Its bodies were pulled along straight lines; the step's equations have the work in their unknowns.
+  double along = 0.0;
+  for (std::size_t i = 0; i < pull_nodes_.size(); ++i) along += pull_nodes_[i] * (q_new_[i] - state.q[i]);
+  state.ledger.book(Column::update_contact, dot(pull_, d_) - along);
+}
+
 void Newmark::book_update(State& state, const Energies& after) {
   Ledger& ledger = state.ledger;
   double elastic = 0.0, kinetic = 0.0, supports = 0.0;
   q_new_.assign(state.q.size(), 0.0);  // scratch for forces that only their energy is wanted of
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
+  for (const std::size_t p : setup_->own_pools())
     elastic += setup_->pool(p).internal_force(setup_->part(std::span<const double>(state.q), p),
                                               setup_->part(std::span<double>(q_new_), p));
   kinetic = kinetic_energy(state);
@@ -190,6 +197,8 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
       acceleration_[i] = 4.0 / (h * h) * (d_[i] - h * system_.rate()[i]) - acceleration_[i];
     system_.node_accelerations(acceleration_, state.a);
   }
+
+  if (path_ != nullptr) book_pull(state);
 
   state.q.swap(q_new_);
   state.v.swap(v_new_);

@@ -5,12 +5,15 @@
 namespace scree::coupling {
 
 NodeChunks::NodeChunks(const Setup& setup) {
-  const std::vector<double>& free = setup.free();
-  for (std::size_t k = 0; k < free.size();) {
+  std::vector<std::vector<Chunk>*> kind(static_cast<std::size_t>(setup.nodes()), &free_);
+  for (const Body& b : setup.bodies())
+    if (b.driven)
+      std::fill_n(kind.begin() + b.first_node, b.nodes, b.guest ? &guests_ : &driven_);
+  for (std::size_t k = 0; k < kind.size();) {
     std::size_t end = k + 1;
-    while (end < free.size() && free[end] == free[k] && end - k < static_cast<std::size_t>(kChunk)) ++end;
-    (free[k] != 0.0 ? free_ : driven_).push_back({2 * k, 2 * end});
-    if (free[k] != 0.0) numbers_ += 2 * (end - k);
+    while (end < kind.size() && kind[end] == kind[k] && end - k < static_cast<std::size_t>(kChunk)) ++end;
+    kind[k]->push_back({2 * k, 2 * end});
+    if (kind[k] == &free_) numbers_ += 2 * (end - k);
     k = end;
   }
   partial_.resize(free_.size());

@@ -64,6 +64,16 @@ void Ledger::book(Column column, double increment) {
   moved_ += std::abs(increment);
 }
 
+Ledger Ledger::joined(const Ledger& base, const Ledger& a, const Ledger& b) {
+  Ledger out = base;
+  for (std::size_t i = 0; i < kInfo.size(); ++i) {
+    if (static_cast<Column>(i) == Column::reservoir) continue;
+    out.value_[i] = (kInfo[i].side == Side::energy ? 0.0 : base.value_[i]) + a.value_[i] + b.value_[i];
+  }
+  out.moved_ = base.moved_ + a.moved_ + b.moved_;
+  return out;
+}
+
 double Ledger::energy() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < kInfo.size(); ++i)

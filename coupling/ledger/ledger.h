@@ -71,6 +71,10 @@ class Ledger {
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);
 
+  /// Of a system in two parts: the energies are those of the parts (the reservoir's is the base's), what was done to
+  /// them since they were opened comes on top of the base.
+  [[nodiscard]] static Ledger joined(const Ledger& base, const Ledger& a, const Ledger& b);
+
   [[nodiscard]] double operator[](Column column) const { return value_[static_cast<std::size_t>(column)]; }
   [[nodiscard]] double energy() const;                   // sum of the energy columns [J]
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]

@@ -10,6 +10,8 @@
 
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
+#include "coupling/integrate/partitioned.h"
+#include "coupling/stages/partition.h"
 
 namespace scree::coupling {
 namespace {
@@ -29,6 +31,10 @@ Tick next_multiple(Tick now, Tick every) {
   return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
 }
 
+ExplicitDamping explicit_damping(const Stage& stage) {
+  return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
+}
+
 double smallest_width(const Model& model) {
   double least = std::numeric_limits<double>::infinity();
   for (const Block& b : model.blocks) {
@@ -39,11 +45,14 @@ double smallest_width(const Model& model) {
 }
 
 /// Throws where a body, or the scheme, cannot take the stage's implicit steps.
-void check_implicit(const Stage& stage, const Setup& setup) {
+void check_implicit(const Stage& stage, const Setup& setup, std::span<const char> explicit_side) {
+  const bool partitioned = stage.integrator == Integrator::partitioned;
   const auto refuse = [&](const std::string& why) {
-    throw PlanError(fmt::format("stage '{}' is implicit: {}", stage.name, why));
+    throw PlanError(fmt::format("stage '{}' is {}: {}", stage.name, partitioned ? "partitioned" : "implicit", why));
   };
   const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
+  if (partitioned && (trapezoidal || stage.rest))
+    refuse("its implicit blocks take newmark = \"damped\", and it cannot run to rest");
   if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
     refuse("the trapezoidal scheme carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
   if (trapezoidal && stage.kinematics == Kinematics::corotational &&
@@ -52,7 +61,7 @@ void check_implicit(const Stage& stage, const Setup& setup) {
   if (trapezoidal && !setup.model().waters.empty())
     refuse("the trapezoidal scheme has no contacts, and so no water in joints; use newmark = \"damped\"");
   for (const Body& b : setup.bodies()) {
-    if (b.driven) continue;
+    if (b.driven || (partitioned && explicit_side[b.block.index()] != 0)) continue;
     const Pool& pool = setup.pool_of(b);
     const std::string block = setup.model().blocks[b.block.index()].name;
     if (const std::string obstacle = pool.implicit_obstacle(b.index); !obstacle.empty())
@@ -81,10 +90,24 @@ std::string_view name(EventKind kind) {
       return "transfer";
     case EventKind::step_cut:
       return "step_cut";
+    case EventKind::partition:
+      return "partition";
     case EventKind::not_converged:
       return "not_converged";
     case EventKind::warning:
       return "warning";
+  }
+  return "unknown";
+}
+
+std::string_view name(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::explicit_:
+      return "explicit";
+    case Integrator::implicit:
+      return "implicit";
+    case Integrator::partitioned:
+      return "partitioned";
   }
   return "unknown";
 }
@@ -146,7 +169,8 @@ void Driver::look(bool frame) {
 
 void Driver::start() {
   state_ = State{};
-  state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front()));
+  take_sides(plan_->stages.front());
+  state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
   state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
   state_.v = state_.q;
@@ -174,33 +198,67 @@ void Driver::start() {
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
 
+void Driver::take_sides(const Stage& stage) {
+  state_.explicit_side.clear();
+  if (stage.integrator == Integrator::partitioned) state_.explicit_side = first_sides(*model_, stage.partition);
+}
+
 void Driver::change_stage(std::size_t index) {
   const Stage& stage = plan_->stages[index];
   if (index > 0) {
     mover_->leave(state_);
     mover_.reset();
-    HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
-    observer_.reset();
-    setup_ = std::move(handed.setup);
+    take_sides(stage);
+    change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
-    for (const TransferRow& row : handed.rows) {
-      transfers_.push_back(row);
-      event(EventKind::transfer,
-            fmt::format(
-                "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
-                model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
-                row.energy_error),
-            &row);
-    }
   }
   refuse_turned_blocks(stage);
+  begin_moving(stage, true);
+}
+
+void Driver::change_bodies(const Stage& stage) {
+  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
+  observer_.reset();
+  setup_ = std::move(handed.setup);
+  for (const TransferRow& row : handed.rows) {
+    transfers_.push_back(row);
+    event(EventKind::transfer,
+          fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
+                      model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic,
+                      row.reservoir_elastic, row.energy_error),
+          &row);
+  }
+}
+
+void Driver::begin_moving(const Stage& stage, bool new_mesh) {
   mover_ = make_mover(stage);
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
   const double now = mover_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
-  observe();
+  observe(new_mesh);
+}
+
+void Driver::change_partition(const Stage& stage) {
+  std::vector<char> sides = state_.explicit_side;
+  if (!change_sides(*setup_, state_, stage.partition, sides)) return;
+  std::string names;
+  int changed = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i] == state_.explicit_side[i]) continue;
+    if (++changed <= 5)
+      names += fmt::format("{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
+                           sides[i] != 0 ? "explicit" : "implicit");
+  }
+  mover_->leave(state_);
+  mover_.reset();
+  state_.explicit_side = std::move(sides);
+  change_bodies(stage);
+  begin_moving(stage, false);
+  largest_ = 0;
+  event(EventKind::partition, fmt::format("stage '{}': {}{}", stage.name, names,
+                                          changed > 5 ? fmt::format(" and {} more", changed - 5) : std::string()));
 }
 
 std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
@@ -210,20 +268,24 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   std::unique_ptr<Mover> mover;
   if (stage.integrator == Integrator::explicit_) {
-    const ExplicitDamping damping{stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
-    mover = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, damping, stage.rest);
+    mover = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
   } else {
-    check_implicit(stage, *setup_);
+    check_implicit(stage, *setup_, state_.explicit_side);
     const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
                                   stage.damp_rigid_motion, stage.stiffness_damping};
-    mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
+    if (stage.integrator == Integrator::implicit)
+      mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
+    else
+      mover = std::make_unique<Partitioned>(
+          *setup_, *methods_, state_, step_control_, detection_,
+          Partitioned::Choice{explicit_damping(stage), options, stage.safety, stage.partition.substeps});
   }
   if (plan_->audit) mover->watch(&audit_);
   mover->heed(control_);
   return mover;
 }
 
-void Driver::observe() {
+void Driver::observe(bool new_mesh) {
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   observer_ =
       std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(state_.stage) + 1, plan_->output.contacts);
@@ -231,8 +293,14 @@ void Driver::observe() {
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
     if (!b.driven)
-      stats_.unknowns += stage.integrator == Integrator::implicit ? setup_->pool_of(b).dofs(b.index) : 2 * b.nodes;
+      stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);
+  if (!new_mesh) return;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
+}
+
+bool Driver::takes_explicit_steps(const Stage& stage, const Body& b) const {
+  if (stage.integrator == Integrator::partitioned) return state_.explicit_side[b.block.index()] != 0;
+  return stage.integrator == Integrator::explicit_;
 }
 
 void Driver::go_on() {
@@ -253,7 +321,7 @@ void Driver::go_on() {
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
-  observe();
+  observe(true);
   from_.reset();
 }
 
@@ -323,6 +391,19 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
   const double bound = mover_->stable_step(state_, &binding);
+  if (stage.integrator == Integrator::partitioned) {
+    const std::int32_t m = stage.partition.substeps;
+    if (m > 0 && *stage.dt > m * bound && !stage.force_dt)
+      throw PlanError(fmt::format(
+          "t = {:.6g} s, stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are above the certified stable "
+          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the same",
+          seconds(state_.time), stage.name, *stage.dt / m, m, bound, binding, std::ceil(*stage.dt / bound)));
+    if (first)
+      event(EventKind::stage_step,
+            fmt::format("stage '{}': steps of {:.4g} s; the certified bound of the explicit blocks is {:.4g} s, set by {}",
+                        stage.name, *stage.dt, bound, binding));
+    return ticks(*stage.dt);
+  }
   if (stage.dt) {
     if (*stage.dt > bound && !stage.force_dt)
       throw PlanError(fmt::format(
@@ -345,13 +426,17 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
 
 Tick Driver::step_of_fastest() const {
   double fastest = 0.0;
-  for (const Row& row : setup_->outlines().nodes) fastest = std::max(fastest, position(row, state_.v).squaredNorm());
+  const Outlines& o = setup_->outlines();
+  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
+    if (!state_.explicit_side.empty() && state_.explicit_side[static_cast<std::size_t>(o.node_body[k])] != 0) continue;
+    fastest = std::max(fastest, position(o.nodes[k], state_.v).squaredNorm());
+  }
   const double step = kOfAllowed * step_control_.max_displacement / std::sqrt(fastest);
   return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
 }
 
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
-  const bool implicit = stage.integrator == Integrator::implicit;
+  const bool implicit = stage.integrator != Integrator::explicit_;
   if (largest_ == 0) largest_ = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
@@ -369,7 +454,8 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   };
   while (state_.time < target) {
     if (control_ != nullptr && control_->stop_requested()) return stopped();
-    if (!mover_->step_still_stable()) largest_ = largest_step(stage);
+    if (stage.integrator == Integrator::partitioned && state_.step > first_step_ && cuts == 0) change_partition(stage);
+    if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage);
     Tick cap = std::min(largest_, attempt_cap);
     if (implicit) cap = std::min(cap, step_of_fastest());
     const Tick remaining = target - state_.time;
@@ -497,7 +583,7 @@ void Driver::begin_stage(const Stage& stage) {
   stage_begin_ = centres();
   event(EventKind::stage_start,
         fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
-                    stage.integrator == Integrator::implicit ? "implicit" : "explicit", seconds(stage.duration)));
+                    name(stage.integrator), seconds(stage.duration)));
   look(true);
   keep(state_.step == 0);
 }

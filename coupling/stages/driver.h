@@ -50,10 +50,19 @@ class Driver {
  private:
   void start();
   void change_stage(std::size_t index);
+  void take_sides(const Stage& stage);
+  /// Bodies as the stage, and the sides of a partitioned one, want them.
+  void change_bodies(const Stage& stage);
+  /// A mover for them, and who looks on.
+  void begin_moving(const Stage& stage, bool new_mesh);
+  /// Blocks that have become fast or slow change sides.
+  void change_partition(const Stage& stage);
+  [[nodiscard]] bool takes_explicit_steps(const Stage& stage, const Body& b) const;
   /// The setup, mover and observer of a checkpoint's stage, as they were.
   void go_on();
   [[nodiscard]] std::unique_ptr<Mover> make_mover(const Stage& stage);
-  void observe();
+  /// @param new_mesh  sinks are shown it
+  void observe(bool new_mesh);
   [[nodiscard]] Checkpoint checkpoint() const;
   /// Keeps a checkpoint, if it is due or in any case.
   void keep(bool in_any_case);

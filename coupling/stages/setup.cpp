@@ -30,20 +30,27 @@ ReferenceShape reference_shape(const Model& model, BlockId block) {
   return shape;
 }
 
-Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records) : model_(&model) {
-  std::map<std::string, std::int32_t> pool_of_method;
-  for (const BodyRecord& r : records) pool_of_method.emplace(r.method, 0);
-  for (auto& [name, index] : pool_of_method) {
+Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests)
+    : model_(&model), guests_touch_(guests.touch) {
+  const auto is_guest = [&](std::size_t i) { return !guests.guest.empty() && guests.guest[i] != 0; };
+  const auto foreign = [&](std::size_t i) {
+    return is_guest(i) || (!guests.touch && model.support_of(records[i].block) != nullptr);
+  };
+  std::map<std::pair<std::string, bool>, std::int32_t> pool_of_method;
+  for (std::size_t i = 0; i < records.size(); ++i) pool_of_method.emplace(std::pair(records[i].method, foreign(i)), 0);
+  for (auto& [key, index] : pool_of_method) {
     index = static_cast<std::int32_t>(pools_.size());
-    const auto factory = methods.find(name);
-    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + name + "'");
+    const auto factory = methods.find(key.first);
+    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + key.first + "'");
+    if (!key.second) own_pools_.push_back(pools_.size());
     pools_.push_back(factory->second());
     counted_.emplace_back();
   }
-  for (const BodyRecord& r : records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const BodyRecord& r = records[i];
     Body b;
     b.block = r.block;
-    b.pool = pool_of_method[r.method];
+    b.pool = pool_of_method[{r.method, foreign(i)}];
     Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
     b.index = pool.bodies();
     pool.add(model, r);
@@ -51,6 +58,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
       b.driven = true;
       b.motion = s->motion;
     }
+    b.guest = !b.driven && is_guest(i);
+    b.driven = b.driven || b.guest;
     b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
     counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
     bodies_.push_back(b);
@@ -70,6 +79,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
       for (std::int32_t k = b.first_node; k < b.first_node + b.nodes; ++k) free_[static_cast<std::size_t>(k)] = 0.0;
     add_outline(static_cast<std::int32_t>(i));
   }
+  for (Outlines::Edge& e : outlines_.edges)
+    if (!guests.touch && bodies_[static_cast<std::size_t>(e.body)].guest) e.touches = false;
 }
 
 Row Setup::global(const Body& b, Row row) const {
@@ -199,7 +210,7 @@ Vec2 Setup::driven_displacement(const Body& b, double time) const {
 
 void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
   for (const Body& b : bodies_) {
-    if (!b.driven) continue;
+    if (!b.driven || b.guest) continue;
     AffineMotion m;
     m.c = b.centre + driven_displacement(b, time);
     if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(time);

@@ -23,7 +23,8 @@ struct Body {
   BlockId block;
   std::int32_t pool = 0, index = 0;        // pool, and body within it
   std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
-  bool driven = false;                     // held or moved as a whole; has no unknowns
+  bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
+  bool guest = false;                      // another mover moves it (see Guests)
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
@@ -62,15 +63,24 @@ struct Outlines {
   std::vector<Vertex> vertices;  // by block, ring, edge, part
 };
 
+/// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
+/// driven, but along paths that their mover knows, and live in pools of their own.
+struct Guests {
+  std::vector<char> guest;  // a body: 1 for a guest; empty: none
+  bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
+};
+
 /// Constant during a stage.
 class Setup {
  public:
   /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
-  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records);
+  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
+  /// Pools whose forces and energies are this setup's: all but those of guests.
+  [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
   [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
@@ -83,6 +93,11 @@ class Setup {
     const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
     return all.subspan(2 * first, 2 * (last - first));
   }
+  /// False for two bodies without unknowns, and for guests whom nobody touches.
+  [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
+    const Body &x = bodies_[a], &y = bodies_[b];
+    return !(x.driven && y.driven) && (guests_touch_ || (!x.guest && !y.guest));
+  }
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;
   [[nodiscard]] Row local(const Body& b, Row row) const;
@@ -91,7 +106,7 @@ class Setup {
   /// One flag a body of a pool: 1 if it is free.
   [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
 
-  /// Puts driven bodies where they are at a time, with their velocity.
+  /// Puts driven bodies where they are at a time, with their velocity; guests stay.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
@@ -104,10 +119,12 @@ class Setup {
 
   const Model* model_;
   std::vector<std::unique_ptr<Pool>> pools_;
+  std::vector<std::size_t> own_pools_;
   std::vector<std::int32_t> pool_first_;
   std::vector<Body> bodies_;
   std::vector<double> free_;
   std::vector<std::vector<char>> counted_;
+  bool guests_touch_;
   Outlines outlines_;
 };
 

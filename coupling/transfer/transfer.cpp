@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/stages/partition.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/transfer_mode.h"
 #include "model/elasticity.h"
@@ -54,16 +55,21 @@ double elastic_of(const Elasticity& law, const Release& release) {
 
 }  // namespace
 
-std::vector<Wish> wishes(const Model& model, const Stage& stage) {
+std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side) {
   Formulation form;
   form.kinematics = stage.kinematics;
-  form.mass =
-      stage.mass.value_or(stage.integrator == Integrator::implicit ? MassKind::consistent : MassKind::affine_exact);
+  std::vector<char> first;
+  if (stage.integrator == Integrator::partitioned && explicit_side.empty())
+    explicit_side = first = first_sides(model, stage.partition);
   form.cover_size = stage.cover_size;
   form.cracks = stage.cracks;
   std::vector<Wish> out(model.blocks.size(), Wish{stage.method, form});
-  for (std::size_t i = 0; i < out.size(); ++i)
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const bool is_explicit = stage.integrator == Integrator::partitioned ? explicit_side[i] != 0
+                                                                         : stage.integrator == Integrator::explicit_;
+    out[i].form.mass = stage.mass.value_or(is_explicit ? MassKind::affine_exact : MassKind::consistent);
     if (model.blocks[i].cover_size > 0.0) out[i].form.cover_size = model.blocks[i].cover_size;
+  }
   for (const MethodRule& rule : stage.rules)
     for (BlockId b : rule.blocks) {
       Wish& w = out[b.index()];
@@ -280,7 +286,7 @@ void Change::book(const Setup& to) {
 
 HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
   Change change(model, from, stage, state);
-  change.release(wishes(model, stage));
+  change.release(wishes(model, stage, state.explicit_side));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies);

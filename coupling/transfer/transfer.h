@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "coupling/sink.h"
@@ -14,7 +15,8 @@ struct Wish {
   std::string method;
   Formulation form{};
 };
-[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage);
+/// @param explicit_side  State::explicit_side; empty: as a stage begins
+[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side = {});
 
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);

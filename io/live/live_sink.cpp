@@ -156,7 +156,7 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   progress.time = frame.time;
   if (frame.end_time > 0.0) impl_->set_end(frame.end_time);
   progress.stage_name = frame.stage_name;
-  progress.integrator = frame.integrator == coupling::Integrator::explicit_ ? "explicit" : "implicit";
+  progress.integrator = name(frame.integrator);
   if (frame.stats != nullptr) progress.stats = *frame.stats;
   if (new_stage) impl_->publisher->offer(progress);
   impl_->take_mesh(frame);  // also of a frame that is not sent

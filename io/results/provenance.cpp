@@ -104,7 +104,7 @@ void write_model(const h5::File& file, const Model& model) {
 }
 
 std::string integrator_name(coupling::Integrator integrator) {
-  return integrator == coupling::Integrator::explicit_ ? "explicit" : "implicit";
+  return std::string(coupling::name(integrator));
 }
 
 void write_stages(const h5::File& file, const coupling::Plan& plan) {

@@ -1,0 +1,99 @@
+// Explicit and implicit bodies in one step.
+#pragma once
+
+#include <memory>
+
+#include "coupling/integrate/central_difference.h"
+#include "coupling/integrate/newmark.h"
+#include "coupling/integrate/path_force.h"
+
+namespace scree::coupling {
+
+/// Moves some bodies by central difference in m steps of h, the others by Newmark's method in one of H = m h, with all
+/// contacts between them:
+///   1. Substep j of the explicit side sees the implicit bodies at x_n + (j/m) u, contact evaluated at every substep.
+///   2. The implicit side sees the mean force (1/m)[f_0/2 + f_1 + ... + f_m/2] of those contacts, at its whole step.
+///   3. u is found so that both hold: the substeps are repeated within Newton's method (PathForce, FixedPoint).
+/// Impulses on both sides are equal and opposite, and so is the work, whatever u: momentum is exact and the ledger has
+/// no term of its own. Stable under the explicit bound with the implicit bodies fixed, whatever H and their mass.
+/// Contacts among implicit bodies are those of Newmark's open-close iteration.
+/// @source coupling.md 4; thesis 6.3, ch. 7
+class Partitioned final : public Mover, private PathForce {
+ public:
+  struct Choice {
+    ExplicitDamping explicit_damping;
+    ImplicitOptions implicit;
+    double safety = 0.8;        // fraction of the certified bound that automatic substeps take
+    std::int32_t substeps = 0;  // 0: automatic
+  };
+  /// @param whole  the setup whose states are moved; its bodies are discretised once more for each side
+  /// @param state  what enter() or resume() will be called with
+  Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,
+              double detection, const Choice& choice);
+
+  double enter(State& state) override;
+  void resume(const State& state, const MoverMemory& memory) override;
+  [[nodiscard]] MoverMemory memory() const override;
+  StepReport step(State& state, Tick ticks_of_step) override;
+  void leave(State& state) override;
+  void update_ledger(State& state) override;
+  /// Of the substeps.
+  double stable_step(const State& state, std::string* binding) override;
+  void contact_forces(const State& state, std::span<double> f) const override;
+  void heed(Control* control) override { implicit_->heed(control); }
+  [[nodiscard]] bool step_still_stable() const override { return explicit_->step_still_stable(); }
+
+  [[nodiscard]] const Newmark& implicit_side() const { return *implicit_; }
+  /// Substeps of the last step, and how often they were gone through.
+  [[nodiscard]] std::int32_t substeps() const { return substeps_; }
+  [[nodiscard]] int repeats() const { return repeats_; }
+
+ private:
+  /// A side: bodies of its own, the others as guests, with numbers in its own order.
+  struct Side {
+    Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit);
+    Setup setup;
+    State state;
+    std::vector<char> own;  // a body: 1 where the side moves it
+  };
+  [[nodiscard]] static Guests guests(const Setup& whole, const State& state, bool is_explicit);
+  /// Numbers of all bodies, or of one side's own, from one order to the other.
+  void take(const Setup& from, std::span<const double> all, const Setup& to, std::vector<double>& out) const;
+  void take_bodies(const Side& from, std::span<const double> all, const Setup& to, std::span<double> out) const;
+  void split(const State& state);
+  void open_ledgers();
+  /// Brings what the sides have into the state.
+  void join(State& state);
+  void find_springs();
+  void rewind();
+
+  [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
+  [[nodiscard]] std::span<const double> present() const override { return present_; }
+  StepReport mean(std::span<const double> end, std::span<double> force) override;
+
+  const Setup* whole_;
+  Choice choice_;
+  Side explicit_side_, implicit_side_;
+  std::unique_ptr<CentralDifference> explicit_;
+  std::unique_ptr<Newmark> implicit_;
+  Ledger base_;           // of the run until the first step
+  bool has_base_ = false;
+  double bound_ = 0.0;    // certified step of the explicit side [s]; 0: to be found
+  std::vector<Spring> springs_;
+  std::vector<double> present_;    // numbers of the implicit side
+  std::vector<double> end_, sum_;  // numbers of the explicit side
+  Tick step_ = 0;
+  std::int32_t substeps_ = 0;
+  int repeats_ = 0;
+  CentralDifference::Mark mark_;
+  struct Saved {  // what substeps change in the explicit side's state
+    Tick time = 0, last_step = 0;
+    std::int64_t step = 0;
+    std::vector<double> q, v, a, v_before, damping;
+    std::vector<ContactMemory> contacts;
+    Ledger ledger;
+  };
+  Saved saved_;
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,36 @@
+// Forces on the bodies of an implicit step that depend on the way they take.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "coupling/integrate/mover.h"
+
+namespace scree::coupling {
+
+/// What bodies that are moved by somebody else, in steps of their own, do to those of an implicit step meanwhile.
+class PathForce {
+ public:
+  PathForce() = default;
+  PathForce(const PathForce&) = delete;
+  PathForce& operator=(const PathForce&) = delete;
+  virtual ~PathForce() = default;
+
+  /// A spring k along sum c_i.u_i of outline nodes.
+  struct Spring {
+    std::size_t count = 0;
+    std::array<std::int32_t, 2> node{};  // into Outlines::nodes
+    std::array<Vec2, 2> direction;
+    double k = 0.0;  // [N/m]
+  };
+  /// About how the mean force follows the end of the way: what Newton's method begins with.
+  [[nodiscard]] virtual std::span<const Spring> springs() const = 0;
+  /// Force on the nodes where the step begins [N].
+  [[nodiscard]] virtual std::span<const double> present() const = 0;
+  /// Mean force over the step while nodes go to `end` along straight lines, each part weighted by its time.
+  /// @param force  x, y a node, zero at first
+  /// @return not ok: the bodies that pull cannot go along
+  virtual StepReport mean(std::span<const double> end, std::span<double> force) = 0;
+};
+
+}  // namespace scree::coupling

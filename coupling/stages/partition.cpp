@@ -1,0 +1,73 @@
+#include "coupling/stages/partition.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/stages/setup.h"
+
+namespace scree::coupling {
+namespace {
+
+/// Blocks that lists or areas settle: 1 explicit, 0 implicit, -1 neither.
+std::vector<char> settled(const Model& model, const Partition& partition) {
+  std::vector<char> side(model.blocks.size(), -1);
+  if (partition.explicit_area > 0.0)
+    for (std::size_t i = 0; i < side.size(); ++i)
+      if (moments(model.blocks[i].polygon).area < partition.explicit_area) side[i] = 1;
+  for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
+  for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
+  return side;
+}
+
+/// The largest principal strain rate of a body's affine motion [1/s].
+double strain_rate(const Setup& setup, const Body& b, const State& state) {
+  const auto p = static_cast<std::size_t>(b.pool);
+  const AffineMotion m = setup.pool_of(b)
+                             .release(b.index, setup.part(std::span<const double>(state.q), p),
+                                      setup.part(std::span<const double>(state.v), p))
+                             .motion;
+  const Mat2 rate = m.Fdot * m.F.inverse(), d = 0.5 * (rate + rate.transpose());
+  return 0.5 * std::abs(d.trace()) + std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
+}
+
+char next(char side, double measure, const Partition::Band& band) {
+  if (side == 0) return measure > band.up ? 1 : 0;
+  return measure < band.down ? 0 : 1;
+}
+
+}  // namespace
+
+std::vector<char> first_sides(const Model& model, const Partition& partition) {
+  std::vector<char> side = settled(model, partition);
+  std::replace(side.begin(), side.end(), static_cast<char>(-1), static_cast<char>(0));
+  return side;
+}
+
+bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::vector<char>& sides) {
+  if (!partition.changes()) return false;
+  const std::vector<char> fixed = settled(setup.model(), partition);
+  std::vector<double> fastest(sides.size(), 0.0);
+  if (partition.speed.used()) {
+    const Outlines& o = setup.outlines();
+    for (std::size_t k = 0; k < o.nodes.size(); ++k) {
+      double& speed = fastest[static_cast<std::size_t>(o.node_body[k])];
+      speed = std::max(speed, position(o.nodes[k], state.v).norm());
+    }
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Body& b = setup.bodies()[i];
+    if (fixed[i] >= 0 || b.driven) continue;
+    // Either measure makes a block explicit; both must have calmed down before it is implicit again.
+    char wanted = 0;
+    if (partition.speed.used()) wanted = next(sides[i], fastest[i], partition.speed);
+    if (wanted == 0 && partition.strain_rate.used())
+      wanted = next(sides[i], strain_rate(setup, b, state), partition.strain_rate);
+    changed = changed || wanted != sides[i];
+    sides[i] = wanted;
+  }
+  return changed;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,22 @@
+// Which blocks of a partitioned stage take explicit steps.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/plan.h"
+#include "coupling/state.h"
+
+namespace scree::coupling {
+
+class Setup;
+
+/// Sides where a stage begins, a flag a block: 1 for explicit. Blocks that only rules of motion could move start
+/// implicit.
+[[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition);
+
+/// Sides by the motion at an instant; those that lists or areas have settled stay.
+/// @param sides  present ones, changed in place   @return true if any changed
+bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::vector<char>& sides);
+
+}  // namespace scree::coupling
