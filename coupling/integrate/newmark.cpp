@@ -17,6 +17,7 @@ double largest_of(std::span<const double> values) {
 }
 
 constexpr double kBalanced = 1e-11;  // of the largest force
+constexpr double kPulled = 1e-13;     // the same where a force comes from outside: what is left is lost to momentum
 constexpr int kIterations = 50;
 
 }  // namespace
@@ -387,7 +388,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
-    if (!iterative || left <= kBalanced * largest) return true;
+    if (!iterative || left <= (path_ == nullptr ? kBalanced : kPulled) * largest) return true;
     const bool at_round_off = left <= round_off(state);
     if (at_round_off && report.iterations > 2 && left > 0.5 * last) {
       report.at_round_off = true;
