@@ -315,8 +315,9 @@ void CentralDifference::mark(Mark& out) const {
   out.local = local_.force;
 }
 
-void CentralDifference::go_back(const Mark& mark) {
+void CentralDifference::go_back(const State& state, const Mark& mark) {
   contact_.go_back(mark.contacts);
+  for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;
   total_ = mark.total;
   stiffness_.force = mark.stiffness;

@@ -49,8 +49,8 @@ class CentralDifference final : public Mover {
   };
   void mark(Mark& out) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
-  /// Goes back to an earlier instant of the stage; the state goes back by its owner.
-  void go_back(const Mark& mark);
+  /// Goes back to an earlier instant of the stage, whose state its owner has brought back.
+  void go_back(const State& state, const Mark& mark);
 
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);

@@ -21,6 +21,7 @@ ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value
             column.push_back(dofs_ + elements.dof[j]);
           }
       nonlinear_ = nonlinear_ || nonlinear_body_.back() != 0;
+      constant_charts_ = constant_charts_ && pool.constant_chart(b.index);
       dofs_ += pool.dofs(b.index);
       nonlinear_dof_.resize(static_cast<std::size_t>(dofs_), nonlinear_body_.back() != 0 ? 1.0 : 0.0);
     }

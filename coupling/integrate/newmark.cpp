@@ -17,7 +17,6 @@ double largest_of(std::span<const double> values) {
 }
 
 constexpr double kBalanced = 1e-11;  // of the largest force
-constexpr double kPulled = 1e-13;     // the same where a force comes from outside: what is left is lost to momentum
 constexpr int kIterations = 50;
 
 }  // namespace
@@ -35,7 +34,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
   for (auto* v : {&gravity_, &load_, &load_before_, &inertia_, &damped_before_.mass, &damped_before_.stiffness,
                   &damped_after_.mass, &damped_after_.stiffness, &force_before_, &force_, &force_after_, &acceleration_,
-                  &d_, &rate_, &rhs_, &out_, &pull_, &asked_, &answer_})
+                  &d_, &rate_, &rhs_, &out_, &pull_, &asked_, &answer_, &mismatch_, &kick_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -290,12 +289,13 @@ double Newmark::residual(const State& state, double h, double& largest) {
                       largest_of(damped_after_.stiffness), largest_of(out_)});
   for (std::size_t i = 0; i < out_.size(); ++i)
     out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
-  largest = std::max(largest, contacts_.add_forces(d_, out_));
   if (path_ != nullptr) {
     largest = std::max(largest, largest_of(pull_));
-    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += pull_[i];
-    for (std::size_t i = guides_; i < springs_.size(); ++i)
-      springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), out_);
+    largest_pulled_ = largest;  // guides have forces that may be larger by far
+  }
+  largest = std::max(largest, contacts_.add_forces(d_, out_));
+  if (path_ != nullptr) {
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_[i];  // less the guides', which are in already
   }
   return largest_of(out_);
 }
@@ -388,13 +388,23 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
-    if (!iterative || left <= (path_ == nullptr ? kBalanced : kPulled) * largest) return true;
-    const bool at_round_off = left <= round_off(state);
-    if (at_round_off && report.iterations > 2 && left > 0.5 * last) {
+    // What the other side pulls by now, less what the balance above was made with; and what that left.
+    double apart = 0.0;
+    if (path_ != nullptr) {
+      for (std::size_t i = 0; i < d_.size(); ++i) {
+        apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
+        mismatch_[i] = answer_[i] - asked_[i] + out_[i];
+      }
+    }
+    const double rounded = iterative ? round_off(state) : 0.0;
+    const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
+    if (!iterative || (left <= kBalanced * largest && together)) return true;
+    const bool at_round_off = left <= rounded;
+    if (at_round_off && together && report.iterations > 2 && left > 0.5 * last) {
       report.at_round_off = true;
       return true;
     }
-    if (report.iterations >= kIterations || (report.iterations > 8 && left > 1e3 * last)) {
+    if (report.iterations >= kIterations || (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {
       report.status = StepReport::Status::no_balance;
       const auto worst = static_cast<std::int32_t>(
           std::max_element(out_.begin(), out_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
@@ -403,16 +413,12 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       report.cause = fmt::format(
           "Newton's method left {:.2g} of the largest force after {} iterations (a step that "
           "turns or strains a block too far?)",
-          report.residual, report.iterations);
+          std::max(report.residual, apart / largest), report.iterations);
       return false;
     }
-    double of_pull = 0.0;  // part of what is left that the force from outside makes
-    if (path_ != nullptr) {
-      for (std::size_t i = 0; i < d_.size(); ++i) of_pull = std::max(of_pull, std::abs(answer_[i] - asked_[i]));
-      pull_iteration_.next(answer_, asked_);
-    }
+    if (path_ != nullptr) pull_iteration_.next(answer_, asked_);
     // A kept stiffness that is too far from this iterate's is made anew.
-    if (system_.nonlinear() && left > 0.05 * last && !at_round_off && of_pull < 0.5 * left) {
+    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
       (void)system_.linearise(q_new_, kind, false, K_, force_);
       linear_system(h);
       fresh = true;
@@ -435,12 +441,23 @@ StepReport Newmark::lost(const StepReport& report, const LostPlace& place, const
   return out;
 }
 
+void Newmark::kick(double h) {
+  if (!system_.constant_charts() || !mass_made_) {
+    if (!mass_made_) mass_factor_.set_pattern(system_.pattern());
+    mass_made_ = mass_factor_.factorise(system_.mass(), DofRows(), {});
+  }
+  for (std::size_t i = 0; i < d_.size(); ++i) out_[i] = h * mismatch_[i];
+  mass_factor_.solve(out_, kick_);
+  for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] += kick_[i];
+}
+
 bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) {
   // Every body retracted, then a look at how far its outline went.
   const double h = seconds(ticks_of_step);
   q_new_ = state.q;
   v_new_ = state.v;
   for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
+  if (path_ != nullptr) kick(h);
   system_.retract(d_, rate_, true, q_new_, v_new_);
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
   double farthest = 0.0;

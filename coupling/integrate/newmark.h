@@ -22,6 +22,7 @@ struct ImplicitOptions {
   double damping = 0.0;            // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // [s]
+  double together = 1e-9;  // of the largest force: how far a PathForce may be from what the balance was made with
   OpenClose::Factor factor = OpenClose::Factor::kept;
 };
 
@@ -72,7 +73,8 @@ class Newmark final : public Mover {
   void find_step_springs(const State& state, double h);
   // The force from outside: its mean at an iterate, and what the linear system has of it.
   [[nodiscard]] bool pull_along(const State& state, StepReport& report);
-  void book_pull(State& state) const;
+  void kick(double h);
+  void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
@@ -113,7 +115,11 @@ class Newmark final : public Mover {
   std::vector<double> reference_;  // the nodes of bodies in their reference shape
   std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
   // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
-  std::vector<double> pull_, asked_, answer_;
+  // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies at the end.
+  std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
+  double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
+  Cholesky mass_factor_;
+  bool mass_made_ = false;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
       rate_, rhs_, out_;
   Damping damped_before_, damped_after_;

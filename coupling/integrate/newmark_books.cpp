@@ -153,11 +153,13 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
   ledger.set(Column::contact_springs, contact_energy(list_));
 }
 
-void Newmark::book_pull(State& state) const {
+void Newmark::book_pull(State& state, double h) const {
   // Its bodies were pulled along straight lines; the step's equations have the work in their unknowns.
   double along = 0.0;
   for (std::size_t i = 0; i < pull_nodes_.size(); ++i) along += pull_nodes_[i] * (q_new_[i] - state.q[i]);
   state.ledger.book(Column::update_contact, dot(pull_, d_) - along);
+  // The kick gives J.v less half its own, v the velocity after it; the mismatch did no work on the way.
+  state.ledger.book(Column::waveform, h * (dot(mismatch_, rate_) - 0.5 * dot(mismatch_, kick_)) - dot(mismatch_, d_));
 }
 
 void Newmark::book_update(State& state, const Energies& after) {
@@ -198,7 +200,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     system_.node_accelerations(acceleration_, state.a);
   }
 
-  if (path_ != nullptr) book_pull(state);
+  if (path_ != nullptr) book_pull(state, h);
 
   state.q.swap(q_new_);
   state.v.swap(v_new_);

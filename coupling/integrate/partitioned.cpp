@@ -190,7 +190,7 @@ void Partitioned::rewind() {
   s.damping = saved_.damping;
   s.contacts = saved_.contacts;
   s.ledger = saved_.ledger;
-  explicit_->go_back(mark_);
+  explicit_->go_back(s, mark_);
 }
 
 StepReport Partitioned::mean(std::span<const double> end, std::span<double> force) {

@@ -46,6 +46,7 @@ enum class Column : int {
   update_kinetic,
   update_elastic,
   update_contact,
+  waveform,
   step_change,
   transfer,
   count_
