@@ -48,4 +48,14 @@ inline void expect_order(OrderRow row) {
   OrderTable::rows().push_back(std::move(row));
 }
 
+/// Keeps a row for the table and checks that its two finest orders are the theory's, within a tenth: a higher one would
+/// say that the errors are not those of the scheme.
+inline void expect_order_of(OrderRow row, double order) {
+  constexpr double kWithin = 0.1;
+  for (std::size_t i = row.error.size() - 2; i < row.error.size(); ++i)
+    EXPECT_NEAR(row.order(i), order, kWithin) << row.what << ", size " << row.size[i];
+  row.least = order - kWithin;
+  OrderTable::rows().push_back(std::move(row));
+}
+
 }  // namespace scree::test
