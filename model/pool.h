@@ -187,7 +187,9 @@ class Pool {
   [[nodiscard]] virtual std::span<const double> translation(int body) const = 0;
 
   // --- state ---
-  /// Sets the body's nodes to an affine motion.
+  /// True if place() takes any affine motion; false for a method whose bodies cannot strain.
+  [[nodiscard]] virtual bool strains() const { return true; }
+  /// Sets the body's nodes to an affine motion, or to the rigid one nearest to it.
   virtual void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const = 0;
   /// Affine part, and what is left over.
   [[nodiscard]] virtual Release release(int body, std::span<const double> q, std::span<const double> v) const = 0;

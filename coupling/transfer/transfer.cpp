@@ -273,6 +273,12 @@ void Change::book(const Setup& to) {
     TransferRow& row = rows[static_cast<std::size_t>(one.row)];
     row.after = after;
     if (one.kind == Kind::back) book_return(to, i, row);
+    if (!to.pool_of(to.bodies()[i]).strains()) {  // strain and strain rates stay behind
+      const double held = kinetic_of(one.release.shape, one.release.motion);
+      row.reservoir_kinetic += held - after.kinetic;
+      row.reservoir_elastic += elastic_of(model_.elasticity_of(row.block), one.release);
+      state_.rest.push_back({row.block, held - after.kinetic, row.reservoir_elastic, {row.block, {}, {}, {}}, {}, {}});
+    }
     measure(row, one.release.shape.second.trace());
     reservoir += row.reservoir_kinetic + row.reservoir_elastic;
     ledger.book(Column::transfer, -row.booked);

@@ -30,6 +30,7 @@ class RigidPool : public Pool {
     return kOnce;
   }
 
+  [[nodiscard]] bool strains() const override { return false; }
   void place(int body, const AffineMotion& m, std::span<double> q, std::span<double> v) const override {
     const Mat2 R = polar_rotation(m.F), B = m.Fdot * m.F.inverse();
     store(body, m.c, R, q);

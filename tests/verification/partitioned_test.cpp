@@ -1,6 +1,10 @@
 // Explicit and implicit bodies in one step: momentum, energy, and the motion of either scheme alone.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -54,6 +58,76 @@ INSTANTIATE_TEST_SUITE_P(All, Partitioned2,
                                          Sides{"nmm_nmm_1", "nmm", "nmm", 1}, Sides{"nmm_nmm_5", "nmm", "nmm", 5},
                                          Sides{"nmm_dda_5", "nmm", "dda", 5}, Sides{"dda_nmm_5", "dda", "nmm", 5}),
                          [](const auto& p) { return std::string(p.param.name); });
+
+/// Shows the ledger at every instant of the history to a function.
+struct EveryHistory final : Sink {
+  std::function<void(const Ledger&)> see;
+  void history(const HistoryView& view) override { see(*view.ledger); }
+};
+
+/// Ten blocks on a base, sides, methods, widths and velocities drawn at random, joints without damping.
+struct RandomColumn {
+  Scene scene;
+  double energy = 0.0;  // kinetic at the start [J]
+};
+RandomColumn random_column(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  RandomColumn out{Scene(std::pow(10.0, uniform(8.0, 10.0)), 0.2, 2600.0, uniform(0.0, 45.0)), 0.0};
+  Scene& scene = out.scene;
+  scene.model.joints[0].damping = 0.0;
+  scene.add("base", rectangle(-5.0, -1.0, 5.0, 0.0), true);
+  Stage& stage = scene.stage("dda", Integrator::partitioned, 0.2, std::pow(10.0, uniform(-3.7, -2.7)), 0.6);
+  stage.safety = 0.999;
+  scene.plan.output.history_every = ticks(2e-3);
+  double y = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    const double width = uniform(0.5, 2.0), height = uniform(0.4, 1.0), x = uniform(-0.1, 0.1);
+    const BlockId b = scene.add("b" + std::to_string(i), rectangle(x - 0.5 * width, y, x + 0.5 * width, y + height));
+    y += height;
+    const Vec2 v(uniform(-0.2, 0.2), uniform(-0.2, 0.2));
+    scene.model.initial_velocities.push_back({b, v, 0.0});
+    out.energy += 0.5 * 2600.0 * width * height * v.squaredNorm();
+    if (i == 0 || (i < 9 && uniform(0.0, 1.0) < 0.5)) stage.partition.explicit_blocks.push_back(b);
+    if (uniform(0.0, 1.0) < 0.3) stage.rules.push_back({{b}, "nmm", 0.0, false});
+  }
+  return out;
+}
+
+TEST(PartitionedColumn, no_instability_in_random_columns_with_friction) {
+  double closure = 0.0, growth = 0.0;
+  int cuts = 0, steps = 0;
+  const std::uint64_t columns = std::getenv("SCREE_FULL") != nullptr ? 200 : 15;
+  for (std::uint64_t seed = 1; seed <= columns; ++seed) {
+    const RandomColumn column = random_column(seed);
+    Driver run(column.scene.model, column.scene.plan, methods());
+    EveryHistory every;
+    double most = 0.0;
+    every.see = [&](const Ledger& l) {
+      // What is held and moves never passes what there was and gravity gave.
+      const double held = l.energy() - l[coupling::Column::shadow];
+      most = std::max(most, held / (column.energy + std::max(0.0, l[coupling::Column::gravity])));
+    };
+    run.add_sink(every);
+    const RunEnd end = run.run();
+    ASSERT_EQ(end.status, RunEnd::Status::done) << "seed " << seed << ": " << end.reason;
+    if (most > 1.02) {
+      std::printf("seed %ld: %.3f\n", static_cast<long>(seed), most);
+      for (int c = 0; c < kColumns; ++c)
+        if (const double x = run.state().ledger[static_cast<coupling::Column>(c)]; x != 0.0)
+          std::printf("  %s %g\n", info(static_cast<coupling::Column>(c)).name.data(), x);
+    }
+    growth = std::max(growth, most);
+    closure = std::max(closure, run.state().ledger.relative_closure());
+    cuts += static_cast<int>(run.stats().cuts);
+    steps += static_cast<int>(run.stats().steps);
+  }
+  std::printf("%d columns, %d steps, %d cuts: ledger %.1e, energy at most %.3f of what there was\n",
+              static_cast<int>(columns), steps, cuts, closure,
+              growth);
+  EXPECT_LT(closure, 1e-9);
+  EXPECT_LT(growth, 1.02);
+}
 
 }  // namespace
 }  // namespace scree::test
