@@ -14,6 +14,7 @@
 #include "app/session.h"
 #include "app/signals.h"
 #include "coupling/stages/driver.h"
+#include "coupling/stages/partition.h"
 #include "io/case/read_case.h"
 #include "io/live/control_server.h"
 #include "io/live/live_sink.h"
@@ -53,6 +54,29 @@ class Log final : public coupling::Sink {
  private:
   std::shared_ptr<spdlog::logger> log_;
 };
+
+/// Which blocks of a partitioned stage take explicit steps.
+std::string told_sides(const Model& model, const coupling::Partition& partition) {
+  const std::vector<char> sides = coupling::first_sides(model, partition);
+  std::string names;
+  std::size_t free = 0, explicit_ones = 0;
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    if (model.support_of(BlockId{static_cast<std::int32_t>(b)})) continue;
+    ++free;
+    if (sides[b] != 0 && ++explicit_ones <= 5)
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", model.blocks[b].name);
+  }
+  if (explicit_ones > 5) names += fmt::format(" and {} more", explicit_ones - 5);
+  std::string text = fmt::format("{} of {} free blocks explicit as it begins{}{}", explicit_ones, free,
+                                 names.empty() ? "" : ": ", names);
+  std::string limits;
+  if (partition.speed.used())
+    limits = fmt::format("{:g} m/s until they are below {:g} m/s", partition.speed.up, partition.speed.down);
+  if (partition.strain_rate.used())
+    limits += fmt::format("{}{:g} 1/s until they are below {:g} 1/s", limits.empty() ? "" : ", or above ",
+                          partition.strain_rate.up, partition.strain_rate.down);
+  return limits.empty() ? text : text + "; others above " + limits;
+}
 
 std::string run_name(const std::filesystem::path& case_file) {
   const std::filesystem::path full = std::filesystem::absolute(case_file);
@@ -260,9 +284,9 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
       cells += static_cast<std::int64_t>(part.body.size());
     }
     for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
-    fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method,
-               name(s.integrator), seconds(s.duration), cells,
-               unknowns);
+    fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
+               seconds(s.duration), cells, unknowns);
+    if (s.integrator == coupling::Integrator::partitioned) fmt::print("    {}\n", told_sides(c.model, s.partition));
   }
   fmt::print("  fine\n");
   return kDone;

@@ -97,6 +97,8 @@ struct Event {
   const StageTravel* travel = nullptr;  // of a stage that ends
 };
 [[nodiscard]] std::string_view name(EventKind kind);
+/// Of a kind that may come by the hundred: cuts, hand-overs of blocks, changes of a partition.   @param kind  its name
+[[nodiscard]] bool comes_often(std::string_view kind);
 [[nodiscard]] std::string_view name(Integrator integrator);
 
 /// What a run ended with.

@@ -181,6 +181,7 @@ void Cholesky::Impl::assemble(std::span<const double> values, const DofRows& row
 bool Cholesky::Impl::factorise(bool analysed) {
   const OneThread alone;
   SymmetricPattern& pattern = matrix.pattern;
+  if (pattern.n == 0) return definite = true;  // CHOLMOD refuses it: every block is held, or explicit
   cholmod_sparse A{};
   A.nrow = A.ncol = static_cast<std::size_t>(pattern.n);
   A.nzmax = matrix.value.size();
@@ -324,6 +325,7 @@ bool Cholesky::update(const DofRows& rows, std::span<const Change> changes) {
 }
 
 void Cholesky::solve(std::span<const double> b, std::span<double> x) {
+  if (b.empty()) return;
   Impl& s = *impl_;
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = rhs.nzmax = b.size();

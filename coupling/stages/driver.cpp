@@ -100,6 +100,10 @@ std::string_view name(EventKind kind) {
   return "unknown";
 }
 
+bool comes_often(std::string_view kind) {
+  return kind == name(EventKind::step_cut) || kind == name(EventKind::transfer) || kind == name(EventKind::partition);
+}
+
 std::string_view name(Integrator integrator) {
   switch (integrator) {
     case Integrator::explicit_:
@@ -222,11 +226,12 @@ void Driver::change_bodies(const Stage& stage) {
   setup_ = std::move(handed.setup);
   for (const TransferRow& row : handed.rows) {
     transfers_.push_back(row);
-    event(EventKind::transfer,
-          fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
-                      model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic,
-                      row.reservoir_elastic, row.energy_error),
-          &row);
+    event(
+        EventKind::transfer,
+        fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
+                    model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic,
+                    row.reservoir_elastic, row.energy_error),
+        &row);
   }
 }
 
@@ -268,7 +273,8 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   std::unique_ptr<Mover> mover;
   if (stage.integrator == Integrator::explicit_) {
-    mover = std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
+    mover =
+        std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
   } else {
     check_implicit(stage, *setup_, state_.explicit_side);
     const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
@@ -292,8 +298,7 @@ void Driver::observe(bool new_mesh) {
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
-    if (!b.driven)
-      stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);
+    if (!b.driven) stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);
   if (!new_mesh) return;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
 }
@@ -396,12 +401,14 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
     if (m > 0 && *stage.dt > m * bound && !stage.force_dt)
       throw PlanError(fmt::format(
           "t = {:.6g} s, stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are above the certified stable "
-          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the same",
+          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the "
+          "same",
           seconds(state_.time), stage.name, *stage.dt / m, m, bound, binding, std::ceil(*stage.dt / bound)));
     if (first)
       event(EventKind::stage_step,
-            fmt::format("stage '{}': steps of {:.4g} s; the certified bound of the explicit blocks is {:.4g} s, set by {}",
-                        stage.name, *stage.dt, bound, binding));
+            fmt::format(
+                "stage '{}': steps of {:.4g} s; the certified bound of the explicit blocks is {:.4g} s, set by {}",
+                stage.name, *stage.dt, bound, binding));
     return ticks(*stage.dt);
   }
   if (stage.dt) {
@@ -581,9 +588,8 @@ void Driver::begin_stage(const Stage& stage) {
   first_step_ = state_.step;
   largest_ = 0;
   stage_begin_ = centres();
-  event(EventKind::stage_start,
-        fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
-                    name(stage.integrator), seconds(stage.duration)));
+  event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
+                                            name(stage.integrator), seconds(stage.duration)));
   look(true);
   keep(state_.step == 0);
 }

@@ -36,7 +36,9 @@ void read_water(const Section& root, Model& model);
 /// @param nmm  a block of the stage uses the NMM   @param first  it is the first stage   @pre its method and integrator
 /// are set
 void read_stage_options(const Section& s, bool nmm, bool first, coupling::Stage& stage);
-/// Stages, output, streaming, threads.   @pre read_blocks
+/// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
+void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
+/// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 
 /// Names of materials, blocks and so on, in the order of their ids.

@@ -82,17 +82,22 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   (void)find_name(s, "method", "method", methods);
   stage.method = s.text("method");
   stage.rules = read_rules(s, model, methods);
-  stage.integrator = s.text("integrator") == "implicit" ? Integrator::implicit : Integrator::explicit_;
+  const std::string& integrator = s.text("integrator");
+  stage.integrator = integrator == "implicit"      ? Integrator::implicit
+                     : integrator == "partitioned" ? Integrator::partitioned
+                                                   : Integrator::explicit_;
   stage.dt = s.number_or_auto("dt");
   stage.safety = s.number("safety");
   stage.duration = ticks(s.number("duration"));
   stage.control.max_passes = s.integer("max_passes");
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);
+  read_partition(s, model, stage);
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
   read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), first, stage);
-  if (stage.integrator == Integrator::implicit && !stage.dt)
-    throw s.error("dt", "an implicit stage needs a time step", "number [s], > 0",
+  if (stage.integrator != Integrator::explicit_ && !stage.dt)
+    throw s.error("dt", fmt::format("{} {} stage needs a time step", integrator == "implicit" ? "an" : "a", integrator),
+                  "number [s], > 0",
                   "implicit steps have no stability bound to take dt from: write dt = 1e-3, for example");
   return stage;
 }

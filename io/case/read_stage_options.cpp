@@ -14,16 +14,24 @@ void refuse(const Section& s, std::string_view key, bool wrong, std::string prob
 }
 
 void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
-  const bool implicit = stage.integrator == Integrator::implicit;
+  const bool implicit = stage.integrator == Integrator::implicit,
+             partitioned = stage.integrator == Integrator::partitioned;
   const std::string &kinematics = s.text("kinematics"), &mass = s.text("mass");
   stage.kinematics = kinematics == "linear" ? Kinematics::linear : Kinematics::corotational;
   const bool wants_none = s.has("cracks") && !s.boolean("cracks");
   stage.cracks = !wants_none;
+  refuse(
+      s, "mass", partitioned && (mass == "consistent" || mass == "affine-exact"),
+      fmt::format("the {} mass is one of {} steps only, and this stage has both kinds", mass,
+                  mass == "consistent" ? "implicit" : "explicit"),
+      "\"auto\" or \"lumped\"",
+      "leave mass out: explicit blocks then take affine-exact, implicit ones consistent, which agree in mass, momenta "
+      "and inertia");
   refuse(s, "mass", implicit && mass == "affine-exact",
          "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
          "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
-  refuse(s, "mass", !implicit && mass == "consistent", "explicit steps do not solve with the consistent mass",
-         "\"auto\", \"affine-exact\" or \"lumped\"",
+  refuse(s, "mass", !implicit && !partitioned && mass == "consistent",
+         "explicit steps do not solve with the consistent mass", "\"auto\", \"affine-exact\" or \"lumped\"",
          "affine-exact has the same mass, momenta and inertia: leave mass out, or set integrator = \"implicit\"");
   if (mass != "auto")
     stage.mass = mass == "consistent" ? MassKind::consistent
@@ -65,10 +73,19 @@ void read_newmark(const Section& s, coupling::Stage& stage) {
     s.settle("dynamics", 1.0);
   }
   if (s.has("dynamics")) stage.dynamics = s.number("dynamics");
+  if (stage.integrator != Integrator::partitioned) return;
+  refuse(s, "newmark", stage.newmark != coupling::NewmarkScheme::damped,
+         "the trapezoidal scheme has no contacts, through which the two kinds of blocks meet", "\"damped\"",
+         "remove the key, or set integrator = \"implicit\"");
+  refuse(s, "dynamics", stage.dynamics < 1.0, "explicit blocks keep all of their velocity", "1, or no dynamics",
+         "remove the key, or set integrator = \"implicit\"");
 }
 
 void read_step(const Section& s, coupling::Stage& stage) {
   stage.force_dt = s.boolean("force_dt");
+  refuse(s, "force_dt", stage.force_dt && stage.integrator == Integrator::partitioned && stage.partition.substeps == 0,
+         "substeps are as many as the certified bound asks for, and there is nothing to force", "true beside substeps",
+         "remove the key, or give substeps");
   refuse(s, "force_dt", stage.force_dt && (stage.integrator == Integrator::implicit || !stage.dt),
          "there is no explicit dt to force", "true beside a number for dt in explicit stages",
          "remove the key, or give dt");
@@ -90,6 +107,9 @@ void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
 
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
+  refuse(s, "rest", stage.rest && stage.integrator == Integrator::partitioned,
+         "explicit and implicit steps come to rest in ways of their own", "false in partitioned stages",
+         "bring the model to rest in a stage before, with integrator = \"implicit\" or \"explicit\"");
   refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
          "rest_force beside rest = true", "add rest = true, or remove rest_force");
   refuse(s, "rest_steps", s.has("rest_steps") && !s.has("rest_force"), "nothing says when the model is at rest",

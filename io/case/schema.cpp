@@ -335,14 +335,18 @@ constexpr Key kKeys[] = {
     {"stage", Type::table_list, "", kAny, "", true, "", "A part of the run; stages follow one another."},
     {"stage[].name", Type::name, "", kAny, "", true, "", "Name, given once only."},
     {"stage[].method", Type::name, "", kAny, "", true, "", "Discretisation of the blocks: \"nmm\" or \"dda\"."},
-    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit", "Time integration."},
+    {"stage[].integrator", Type::choice, "", kAny, "", true, "explicit|implicit|partitioned",
+     "Time integration. partitioned: some blocks take explicit steps, the others implicit ones; the keys from "
+     "explicit_blocks on say which."},
     {"stage[].dt", Type::number_or_auto, "s", kTime, "\"auto\"", false, "",
-     "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound."},
+     "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound. In partitioned "
+     "stages the step of the implicit blocks, of which substeps are a part."},
     {"stage[].force_dt", Type::boolean, "", kAny, "false", false, "",
-     "Take an explicit dt above the certified bound all the same, for studies of stability; it is reported."},
+     "Take an explicit dt, or substeps, above the certified bound all the same, for studies of stability; it is "
+     "reported."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
     {"stage[].safety", Type::number, "", kSafety, "0.8", false, "",
-     "Fraction of the stability bound that dt = \"auto\" takes."},
+     "Fraction of the stability bound that dt = \"auto\" takes, and automatic substeps."},
     {"stage[].cover_size", Type::number, "m", kPositive, "(model.cover_size)", false, "",
      "Size of the mathematical covers, for blocks without a cover_size of their own. Needed, here or in model, where "
      "such a block uses the NMM."},
@@ -394,6 +398,26 @@ constexpr Key kKeys[] = {
      "count."},
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
      "Largest displacement in a step. \"auto\" is a hundredth of the width of the smallest block."},
+    {"stage[].explicit_blocks", Type::names, "", kAny, "", false, "",
+     "Partitioned stages: names of the blocks that take explicit steps; * stands for any characters. Patterns pass "
+     "over "
+     "blocks that are held whole. One of the four keys explicit_... is needed."},
+    {"stage[].implicit_blocks", Type::names, "", kAny, "", false, "",
+     "Partitioned stages: names of blocks that take implicit steps whatever their area and motion; as "
+     "explicit_blocks."},
+    {"stage[].explicit_area", Type::number, "m2", kPositive, "", false, "",
+     "Partitioned stages: blocks that are smaller take explicit steps, unless they are named."},
+    {"stage[].explicit_speed", Type::number, "m/s", kPositive, "", false, "",
+     "Partitioned stages: other blocks become explicit once a corner moves faster."},
+    {"stage[].implicit_speed", Type::number, "m/s", kPositive, "(half of explicit_speed)", false, "",
+     "They become implicit again once all corners move more slowly. Below explicit_speed, with which it goes."},
+    {"stage[].explicit_strain_rate", Type::number, "1/s", kPositive, "", false, "",
+     "Partitioned stages: other blocks become explicit once their largest principal strain rate, of the affine part of "
+     "the motion, is above this. Beside explicit_speed either is enough."},
+    {"stage[].implicit_strain_rate", Type::number, "1/s", kPositive, "(half of explicit_strain_rate)", false, "",
+     "They become implicit again once it is below this. Below explicit_strain_rate, with which it goes."},
+    {"stage[].substeps", Type::integer, "", kCount, "(as many as the certified bound asks for)", false, "",
+     "Partitioned stages: explicit steps in a dt of the implicit blocks."},
     {"stage[].method_of", Type::table_list, "", kAny, "", false, "", "Blocks that use another method in this stage."},
     {"stage[].method_of[].blocks", Type::names, "", kAny, "", true, "",
      "Names of the blocks; * stands for any characters."},

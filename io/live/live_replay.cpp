@@ -135,7 +135,7 @@ void LiveReplay::Impl::offer_events(double until, std::size_t most) {
     out.kind = wire_text(e.kind);
     out.text = wire_text(e.text, 2000);
     out.block = -1;
-    publisher->offer(seal(out), e.kind != "step_cut" && e.kind != "transfer");
+    publisher->offer(seal(out), !coupling::comes_often(e.kind));
   }
 }
 

@@ -192,7 +192,7 @@ void LiveSink::history(const coupling::HistoryView& history) {
 }
 
 void LiveSink::event(const coupling::Event& event) {
-  const bool milestone = event.kind != coupling::EventKind::step_cut && event.kind != coupling::EventKind::transfer;
+  const bool milestone = !coupling::comes_often(coupling::name(event.kind));
   impl_->publisher->offer(encode_event(impl_->header(event.time, impl_->events), event), milestone);
 }
 

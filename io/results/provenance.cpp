@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "coupling/sink.h"
 #include "io/results/h5_series.h"
 #include "io/results/sha256.h"
 
@@ -103,16 +104,12 @@ void write_model(const h5::File& file, const Model& model) {
   h5::write<double>(file, "/materials/poisson", 1, poisson, {"1", "Poisson's ratio"});
 }
 
-std::string integrator_name(coupling::Integrator integrator) {
-  return std::string(coupling::name(integrator));
-}
-
 void write_stages(const h5::File& file, const coupling::Plan& plan) {
   std::vector<std::string> names, integrators;
   std::vector<double> duration;
   for (const coupling::Stage& stage : plan.stages) {
     names.push_back(stage.name);
-    integrators.push_back(integrator_name(stage.integrator));
+    integrators.emplace_back(coupling::name(stage.integrator));
     duration.push_back(seconds(stage.duration));
   }
   h5::write(file, "/stages/name", names, {"none", "names of the stages"});

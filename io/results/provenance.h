@@ -44,7 +44,4 @@ void write_provenance(const h5::File& file, const Provenance& provenance);
 void write_model(const h5::File& file, const Model& model);
 void write_stages(const h5::File& file, const coupling::Plan& plan);
 
-/// "explicit" or "implicit".
-[[nodiscard]] std::string integrator_name(coupling::Integrator integrator);
-
 }  // namespace scree::io

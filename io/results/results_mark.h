@@ -20,9 +20,9 @@ struct ResultsMark {
   std::vector<SeriesMark> frames, histories, events, contacts,
       progress;                          // in the order in which their writers have them
   std::array<std::int64_t, 2> tables{};  // bytes of history.csv and energy.csv
-  // Of the frames: their number; id of the mesh (-1: none yet) and time scheme (-1) stored last, and where that mesh
-  // is.
-  std::int64_t frame_count = 0, mesh = -1, integrator = -1;
+  // Of the frames: their number; id of the mesh stored last (-1: none yet); 1 once time schemes of its cells have been
+  // stored, else 0; and where that mesh is.
+  std::int64_t frame_count = 0, mesh = -1, schemes = 0;
   std::array<std::int64_t, 6> mesh_rows{};
   std::int64_t stored_tick = -1, stored_stage = -1;  // of the last frame
   double wall_seconds = 0.0, cpu_seconds = 0.0;      // that the run has taken so far
@@ -40,7 +40,7 @@ struct ResultsMark {
     see("results.tables", tables);
     see("results.frame_count", frame_count);
     see("results.mesh", mesh);
-    see("results.integrator", integrator);
+    see("results.schemes", schemes);
     see("results.mesh_rows", mesh_rows);
     see("results.stored_tick", stored_tick);
     see("results.stored_stage", stored_stage);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "coupling/sink.h"
 #include "io/results/h5_read.h"
 #include "io/results/run_folder.h"
 
@@ -144,7 +145,8 @@ StoredFrame RunReader::frame(std::size_t index) const {
   const std::int64_t k = f.index;
   f.step = entry(file, "/frames/step", k);
   f.state_hash = h5::read<std::uint64_t>(file, "/frames/state_hash", k, 1).front();
-  f.integrator = h5::read<std::int32_t>(file, "/frames/integrator", k, 1).front() == 0 ? "explicit" : "implicit";
+  f.integrator = coupling::name(
+      static_cast<coupling::Integrator>(h5::read<std::int32_t>(file, "/frames/integrator", k, 1).front()));
   const auto stage = static_cast<std::size_t>(h5::read<std::int32_t>(file, "/frames/stage", k, 1).front());
   if (stage < data_->stages.size()) f.stage = data_->stages[stage];
 

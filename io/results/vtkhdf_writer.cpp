@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "io/results/cell_mean.h"
 #include "io/results/h5_read.h"
@@ -31,6 +32,20 @@ std::vector<double> principal(std::span<const double> stress) {
     s.insert(s.end(), {m + r, m - r});
   }
   return s;
+}
+
+/// Time scheme a cell, 0 explicit or 1 implicit: in a partitioned stage that of its block.
+std::vector<std::int32_t> schemes_of_cells(const coupling::FrameView& frame) {
+  using coupling::Integrator;
+  const std::span<const std::int32_t> block = frame.mesh->cell_block;
+  if (frame.integrator != Integrator::partitioned)
+    return std::vector<std::int32_t>(block.size(), frame.integrator == Integrator::explicit_ ? 0 : 1);
+  SCREE_ASSERT(frame.state != nullptr);
+  std::vector<std::int32_t> schemes;
+  schemes.reserve(block.size());
+  for (const std::int32_t b : block)
+    schemes.push_back(frame.state->explicit_side[static_cast<std::size_t>(b)] != 0 ? 0 : 1);
+  return schemes;
 }
 
 std::vector<std::int64_t> widened(std::span<const std::int32_t> numbers) { return {numbers.begin(), numbers.end()}; }
@@ -81,7 +96,8 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
   frame_step_ = {file, frames + "step", 1, {"1", "steps made since the start"}};
   frame_tick_ = {file, frames + "tick", 1, {"ps", "time as a whole number of picoseconds"}};
   frame_stage_ = {file, frames + "stage", 1, {"1", "stage, counted from 0 in /stages"}};
-  frame_integrator_ = {file, frames + "integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit"}};
+  frame_integrator_ = {
+      file, frames + "integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit, 2 partitioned: that of each block"}};
   frame_hash_ = {file, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
   frame_points_ = {file, frames + "points", 1, {"1", "points of the frame"}};
   frame_cells_ = {file, frames + "cells", 1, {"1", "cells of the frame"}};
@@ -111,7 +127,7 @@ std::int32_t VtkhdfWriter::method_number(const std::string& name) {
 void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
   if (mesh_ == mesh.id) return;
   mesh_ = mesh.id;
-  integrator_.reset();
+  schemes_.clear();
   at_.part = count_points_.rows();
   at_.first_cell = types_.rows();
   at_.first_id = connectivity_.rows();
@@ -138,11 +154,10 @@ void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
 FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   SCREE_ASSERT(frame.mesh != nullptr && frame.position.size() == frame.mesh->origin.size());
   topology(*frame.mesh);
-  const auto scheme = static_cast<std::int32_t>(frame.integrator);
-  if (integrator_ != frame.integrator) {
-    integrator_ = frame.integrator;
+  if (std::vector<std::int32_t> schemes = schemes_of_cells(frame); schemes != schemes_) {
+    schemes_ = std::move(schemes);
     at_.first_integrator = integrator_cell_.rows();
-    integrator_cell_.append(std::vector<std::int32_t>(static_cast<std::size_t>(at_.cells), scheme));
+    integrator_cell_.append(schemes_);
   }
   const std::int64_t first_point = points_.rows(), first_value = stress_.rows();
 
@@ -173,7 +188,7 @@ FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   frame_step_.append(frame.step);
   frame_tick_.append(frame.tick);
   frame_stage_.append(frame.stage);
-  frame_integrator_.append(scheme);
+  frame_integrator_.append(static_cast<std::int32_t>(frame.integrator));
   frame_hash_.append(frame.state ? coupling::state_hash(*frame.state) : 0);
   frame_points_.append(at_.points);
   frame_cells_.append(at_.cells);
@@ -186,7 +201,7 @@ void VtkhdfWriter::mark(ResultsMark& mark) {
   each([&](auto& series) { mark.frames.push_back(series.mark()); });
   mark.frame_count = frames_;
   mark.mesh = mesh_ ? static_cast<std::int64_t>(*mesh_) : -1;
-  mark.integrator = integrator_ ? static_cast<std::int64_t>(*integrator_) : -1;
+  mark.schemes = schemes_.empty() ? 0 : 1;
   mark.mesh_rows = {at_.part, at_.points, at_.cells, at_.first_cell, at_.first_id, at_.first_integrator};
 }
 
@@ -199,9 +214,11 @@ void VtkhdfWriter::take(const h5::File& from, const ResultsMark& mark) {
   for (std::int32_t m = 0; m < method_name_.rows(); ++m) methods_[names[static_cast<std::size_t>(m)]] = m;
   frames_ = mark.frame_count;
   if (mark.mesh >= 0) mesh_ = static_cast<std::uint32_t>(mark.mesh);
-  if (mark.integrator >= 0) integrator_ = static_cast<coupling::Integrator>(mark.integrator);
   const auto& r = mark.mesh_rows;
   at_ = {r[0], r[1], r[2], r[3], r[4], r[5]};
+  if (mark.schemes != 0)
+    schemes_ = h5::from_whole(
+        [&] { return h5::read<std::int32_t>(from, integrator_cell_.name(), at_.first_integrator, at_.cells); });
 }
 
 FrameRows VtkhdfWriter::rows_of(const h5::File& file, std::int64_t frame) {

@@ -14,7 +14,7 @@ namespace scree::io {
 struct FrameRows {
   std::int64_t mesh = 0, points = 0, cells = 0;       // number of its part; sizes
   std::int64_t first_point = 0, first_value = 0;      // of what is stored a frame, at points and at cells
-  std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time scheme
+  std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time schemes
 };
 
 /// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)
@@ -30,7 +30,8 @@ class VtkhdfWriter {
 
   /// Stores a mesh unless it is the one stored last.
   void topology(const coupling::MeshView& mesh);
-  /// Adds a frame.   @pre frame.mesh is set and its spans have the sizes that sink.h gives them
+  /// Adds a frame.   @pre frame.mesh is set, in partitioned stages frame.state too, and spans have the sizes that
+  /// sink.h gives them
   /// @return its rows, written or still buffered
   FrameRows frame(const coupling::FrameView& frame);
   /// Notes how much there is now.
@@ -53,8 +54,9 @@ class VtkhdfWriter {
   std::int32_t method_number(const std::string& name);
 
   const h5::File* file_;
-  std::optional<std::uint32_t> mesh_;               // id of the mesh stored last
-  std::optional<coupling::Integrator> integrator_;  // that the present mesh was last written with
+  std::optional<std::uint32_t> mesh_;  // id of the mesh stored last
+  std::vector<std::int32_t>
+      schemes_;  // time scheme a cell that the present mesh was last written with; empty: none yet
   std::map<std::string, std::int32_t> methods_;
   Mesh at_;
   std::int64_t frames_ = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "coupling/sink.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -217,7 +218,7 @@ Lines monitors(const Dashboard& run, std::size_t width, std::size_t height) {
   return lines;
 }
 
-/// Events as they are shown: step cuts, and transfers, that follow one another are one.
+/// Events as they are shown: step cuts, transfers and changes of a partition that follow one another are one.
 struct Happening {
   const Dashboard::Event* last = nullptr;
   int times = 0;
@@ -225,8 +226,7 @@ struct Happening {
 std::vector<Happening> happenings(const std::vector<Dashboard::Event>& events) {
   std::vector<Happening> result;
   for (const Dashboard::Event& e : events) {
-    const bool of_many = e.kind == "step_cut" || e.kind == "transfer";
-    if (of_many && !result.empty() && result.back().last->kind == e.kind)
+    if (coupling::comes_often(e.kind) && !result.empty() && result.back().last->kind == e.kind)
       result.back() = {&e, result.back().times + 1};
     else
       result.push_back({&e, 1});

@@ -128,7 +128,14 @@ def check_frames(file):
         expect(position.shape == (points, 3) and np.all(position[:, 2] == 0.0), f"frame {k}: points are not in the plane")
         expect(fields["block_id"].min() >= 0 and fields["block_id"].max() < blocks, f"frame {k}: a block is not in /blocks")
         expect(fields["method"].min() >= 0 and fields["method"].max() < methods, f"frame {k}: a method is not in /methods")
-        expect(np.all(fields["integrator"] == file["frames/integrator"][k]), f"frame {k}: integrator differs from /frames")
+        scheme = int(file["frames/integrator"][k])  # 2: each block has its own, with all its cells
+        schemes = fields["integrator"]
+        if scheme == 2:
+            pairs = set(zip(fields["block_id"].tolist(), schemes.tolist()))
+            expect(set(schemes.tolist()) <= {0, 1} and len(pairs) == len(set(fields["block_id"].tolist())),
+                   f"frame {k}: integrator is not one a block, 0 or 1")
+        else:
+            expect(np.all(schemes == scheme), f"frame {k}: integrator differs from /frames")
         s, p = fields["stress"], fields["principal_stress"]
         scale = max(1.0, float(np.abs(s).max()))
         expect(np.all(p[:, 0] >= p[:, 1]), f"frame {k}: the larger principal stress is not first")

@@ -34,4 +34,4 @@ for file in "$work"/*.toml; do
   fi
 done
 echo "$count wrong cases tried"
-[ $count -ge 81 ] && [ $failed = 0 ]
+[ $count -ge 101 ] && [ $failed = 0 ]

@@ -166,5 +166,15 @@ TEST_P(CholeskyOfGrid, work_of_an_update_grows_with_its_rank) {
 
 INSTANTIATE_TEST_SUITE_P(Sides, CholeskyOfGrid, testing::Values(3, 24));
 
+TEST(Cholesky, system_without_unknowns_is_solved) {
+  SymmetricPattern none;
+  (void)none.make(0, std::vector<std::int32_t>{}, std::vector<std::int32_t>{});
+  Cholesky c;
+  c.set_pattern(none);
+  EXPECT_TRUE(c.factorise(std::span<const double>{}, DofRows(), {}));
+  c.solve({}, {});
+  EXPECT_TRUE(c.factored());
+}
+
 }  // namespace
 }  // namespace scree::coupling

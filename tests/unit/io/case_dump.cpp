@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "coupling/sink.h"
 #include "tests/unit/io/case_read.h"
 
 namespace scree::io::test {
@@ -95,13 +96,18 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
   d.line("detection {} threads {} closure {}", p.detection, p.threads, p.max_closure);
   for (const coupling::Stage& s : p.stages) {
     d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {} rest {}", s.name,
-           s.method, s.integrator == coupling::Integrator::implicit ? "implicit" : "explicit", Dump::of(s.dt), s.safety,
-           s.duration, s.cover_size, s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
+           s.method, coupling::name(s.integrator), Dump::of(s.dt), s.safety, s.duration, s.cover_size,
+           s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
     if (s.force_dt) d.line("  forced");
     d.line("  transfer {} {}", static_cast<int>(s.transfer), s.transfer_cap);
     d.line("  kinematics {} mass {} cracks {} rigid {} stiffness {} local {} newmark {} dynamics {} rest {} {}",
            static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
            s.stiffness_damping, s.local_damping, static_cast<int>(s.newmark), s.dynamics, s.rest_force, s.rest_steps);
+    const coupling::Partition& sides = s.partition;
+    d.line("  area {} speed {} {} strain rate {} {} substeps {}", sides.explicit_area, sides.speed.up, sides.speed.down,
+           sides.strain_rate.up, sides.strain_rate.down, sides.substeps);
+    for (const BlockId b : sides.explicit_blocks) d.line("  {} explicit", b.value);
+    for (const BlockId b : sides.implicit_blocks) d.line("  {} implicit", b.value);
     for (const coupling::MethodRule& r : s.rules)
       for (const BlockId b : r.blocks)
         d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);

@@ -1,6 +1,8 @@
 // Loads, time functions, cracks, in-situ stress and stage options as a case gives them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/io/case_read.h"
 
 namespace scree::io::test {
@@ -204,6 +206,44 @@ TEST(StageOptions, of_implicit_steps_are_settled_in_the_resolved_case) {
   EXPECT_FALSE(holds(c.resolved, "function"));
   const Case again = read_text(c.resolved);
   EXPECT_EQ(dump(again), dump(c));
+}
+
+TEST(Partitions, are_read) {
+  const Case c = read("full_case.toml");
+  const coupling::Stage& s = c.plan.stages[3];
+  const coupling::Partition& p = s.partition;
+  EXPECT_EQ(s.integrator, coupling::Integrator::partitioned);
+  EXPECT_EQ(p.explicit_blocks, (std::vector<BlockId>{BlockId{4}}));
+  EXPECT_EQ(p.implicit_blocks, (std::vector<BlockId>{BlockId{1}}));
+  EXPECT_DOUBLE_EQ(p.explicit_area, 0.2);
+  EXPECT_EQ(p.speed.up, 0.5);
+  EXPECT_EQ(p.speed.down, 0.1);
+  EXPECT_EQ(p.strain_rate.up, 0.5);
+  EXPECT_EQ(p.strain_rate.down, 0.25);
+  EXPECT_EQ(p.substeps, 20);
+}
+
+TEST(Partitions, lower_limits_are_half_of_the_upper_ones_unless_given) {
+  const Case c = read("good_case.toml", {"stage.0.integrator=\"partitioned\"", "stage.0.explicit_speed=0.5",
+                                         "stage.0.explicit_strain_rate=3"});
+  const coupling::Partition& p = c.plan.stages[0].partition;
+  EXPECT_EQ(p.speed.down, 0.25);
+  EXPECT_EQ(p.strain_rate.down, 1.5);
+  EXPECT_EQ(p.explicit_area, 0.0);
+  EXPECT_EQ(p.substeps, 0);
+  EXPECT_TRUE(p.explicit_blocks.empty());
+  EXPECT_TRUE(holds(c.resolved, "implicit_speed = 0.25")) << c.resolved;
+  EXPECT_EQ(dump(read_text(c.resolved)), dump(c));
+}
+
+TEST(Partitions, patterns_pass_over_held_blocks) {
+  const Case c = read("full_case.toml", {"stage.3.implicit_blocks=[\"*wall\", \"slid*\", \"cut-*\", \"*1\"]"});
+  const std::vector<BlockId>& blocks = c.plan.stages[3].partition.implicit_blocks;
+  EXPECT_TRUE(std::is_sorted(blocks.begin(), blocks.end()));
+  EXPECT_EQ(std::adjacent_find(blocks.begin(), blocks.end()), blocks.end()) << "a block that two patterns mean";
+  ASSERT_GE(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0], BlockId{1});
+  for (const BlockId b : blocks) EXPECT_FALSE(c.model.support_of(b)) << c.model.blocks[b.index()].name;
 }
 
 TEST(StageOptions, dynamics_of_zero_goes_with_rest) {

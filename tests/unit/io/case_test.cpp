@@ -211,7 +211,7 @@ TEST(Case, motion_file_is_found_through_the_variable) {
 
 TEST(Case, plan_holds_rules_and_controls) {
   const coupling::Plan p = read("full_case.toml").plan;
-  ASSERT_EQ(p.stages.size(), 3u);
+  ASSERT_EQ(p.stages.size(), 4u);
   EXPECT_FALSE(p.stages[0].dt);
   EXPECT_EQ(p.stages[0].cover_size, 0.2);
   ASSERT_EQ(p.stages[0].rules.size(), 3u);

@@ -171,7 +171,7 @@ TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
   EXPECT_GE(stops, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion"),
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion", "sides"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(ResumeCases, pass_through_all_that_is_remembered) {
@@ -222,6 +222,22 @@ TEST(ResumeCases, pass_through_all_that_is_remembered) {
                                   "reservoir",
                                   "step within an interval"};
   for (const std::string& wanted : all) EXPECT_TRUE(seen.contains(wanted)) << wanted;
+}
+
+TEST(ResumeCases, have_blocks_that_change_sides_both_ways) {
+  Every keeper(1);
+  (void)run(resume_case("sides"), &keeper);
+  int to_explicit = 0, to_implicit = 0;
+  for (std::size_t k = 1; k < keeper.kept.size(); ++k) {
+    const coupling::State &before = keeper.kept[k - 1].state, &after = keeper.kept[k].state;
+    if (before.stage != after.stage) continue;
+    for (std::size_t b = 0; b < after.explicit_side.size(); ++b) {
+      to_explicit += before.explicit_side[b] < after.explicit_side[b];
+      to_implicit += before.explicit_side[b] > after.explicit_side[b];
+    }
+  }
+  EXPECT_GE(to_explicit, 3);
+  EXPECT_GE(to_implicit, 2);
 }
 
 TEST(ResumeCases, name_their_files) {

@@ -91,7 +91,30 @@ const WrongLoad kWrong[] = {
     {"stage_onefold_dda", ".toml", 31, 11, "stage.0.method_of.0.onefold", "true", "\"dda\" has no covers", "\"nmm\"",
      "method = \"nmm\""},
     {"stage_onefold_sized", ".toml", 32, 14, "stage.0.method_of.0.cover_size", "0.25", "no size to choose",
-     "onefold = true or cover_size", "remove one"}};
+     "onefold = true or cover_size", "remove one"},
+    {"stage_partition_elsewhere", ".toml", 27, 18, "stage.0.explicit_speed", "0.5", "steps of one kind",
+     "in partitioned stages", "integrator = \"partitioned\""},
+    {"stage_partition_no_dt", ".toml", 21, 1, "stage.0.dt", "", "a partitioned stage needs a time step",
+     "number [s], > 0", "write dt = 1e-3"},
+    {"stage_partition_no_rule", ".toml", 21, 1, "stage.0.explicit_blocks", "", "nothing says which blocks",
+     "explicit_strain_rate", "add explicit_blocks"},
+    {"stage_partition_both_lists", ".toml", 28, 20, "stage.0.implicit_blocks.0", "sli*", "\"slider\" is among explicit",
+     "one of the two lists", "remove it"},
+    {"stage_partition_held", ".toml", 27, 30, "stage.0.explicit_blocks.1", "base", "\"base\" is held whole", "free",
+     "remove the name"},
+    {"stage_partition_rest", ".toml", 28, 8, "stage.0.rest", "true", "ways of their own", "false", "in a stage before"},
+    {"stage_partition_trapezoidal", ".toml", 28, 11, "stage.0.newmark", "trapezoidal", "has no contacts", "\"damped\"",
+     "remove the key"},
+    {"stage_partition_dynamics", ".toml", 28, 12, "stage.0.dynamics", "0.5", "keep all of their velocity",
+     "1, or no dynamics", "remove the key"},
+    {"stage_partition_consistent", ".toml", 29, 8, "stage.0.mass", "consistent", "implicit steps only", "\"lumped\"",
+     "leave mass out"},
+    {"stage_partition_forced", ".toml", 28, 12, "stage.0.force_dt", "true", "nothing to force", "beside substeps",
+     "give substeps"},
+    {"stage_partition_speeds", ".toml", 28, 18, "stage.0.implicit_speed", "0.6", "change sides again",
+     "below explicit_speed = 0.5", "leave the key out"},
+    {"stage_partition_speed_alone", ".toml", 28, 18, "stage.0.implicit_speed", "0.25", "above which",
+     "beside explicit_speed", "add explicit_speed"}};
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongLoadFile, testing::ValuesIn(kWrong),
                          [](const auto& test) { return std::string(test.param.name); });
@@ -162,6 +185,16 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.1.mass=\"lumped\""}, "stage.1.mass", "no block uses the NMM"},
         WrongSet{{"stage.2.rest_steps=0"}, "stage.2.rest_steps", "out of range"},
         WrongSet{{"stage.2.rest_force=0"}, "stage.2.rest_force", "out of range"},
+        WrongSet{{"stage.3.mass=\"affine-exact\"", "stage.3.method=\"nmm\""}, "stage.3.mass", "explicit steps only"},
+        WrongSet{{"stage.3.explicit_blocks=[]"}, "stage.3.explicit_blocks", "empty"},
+        WrongSet{{"stage.3.implicit_blocks=[\"*wall\"]"}, "stage.3.implicit_blocks", "all of these blocks"},
+        WrongSet{{"stage.3.implicit_blocks=[\"base\"]"}, "stage.3.implicit_blocks.0", "takes no steps"},
+        WrongSet{{"stage.3.explicit_blocks=[\"ledgy\"]"}, "stage.3.explicit_blocks.0", "no block of that name"},
+        WrongSet{{"stage.3.explicit_area=0"}, "stage.3.explicit_area", "out of range"},
+        WrongSet{{"stage.3.implicit_speed=0.5"}, "stage.3.implicit_speed", "change sides again"},
+        WrongSet{{"stage.3.explicit_strain_rate=0.25"}, "stage.3.implicit_strain_rate", "change sides again"},
+        WrongSet{{"stage.3.substeps=0"}, "stage.3.substeps", "out of range"},
+        WrongSet{{"stage.1.substeps=2"}, "stage.1.substeps", "steps of one kind"},
         WrongSet{{"stage.0.method_of.0.cover_size=0.5"}, "stage.0.method_of.0.cover_size", "has no covers"}));
 
 }  // namespace

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/case/read_parts.h"
+#include "io/case/suggest.h"
+
+namespace scree::io {
+namespace {
+
+using coupling::Integrator;
+using coupling::Partition;
+
+/// Any of these says that some block may be explicit.
+constexpr const char* kRules[] = {"explicit_blocks", "explicit_area", "explicit_speed", "explicit_strain_rate"};
+constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps"};
+
+void refuse_elsewhere(const Section& s) {
+  const auto refuse = [&](const char* key) {
+    if (s.has(key))
+      throw s.error(key, "all blocks of this stage take steps of one kind", "the key in partitioned stages",
+                    "remove it, or set integrator = \"partitioned\"");
+  };
+  for (const char* key : kRules) refuse(key);
+  for (const char* key : kBeside) refuse(key);
+}
+
+/// Blocks of a list, each once. Patterns pass over blocks that are held whole: those take no steps.
+std::vector<BlockId> read_side(const Section& s, const char* key, const Model& model) {
+  std::vector<BlockId> blocks;
+  if (!s.has(key)) return blocks;
+  const std::vector<std::string> patterns = s.texts(key), known = names_of(model.blocks);
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+    for (const std::int32_t b : find_names(s, key, i, "block", known)) {
+      const BlockId block{b};
+      if (!model.support_of(block))
+        blocks.push_back(block);
+      else if (known[block.index()] == patterns[i])
+        throw s.error(key, i, fmt::format("block {} is held whole and takes no steps", in_quotes(known[block.index()])),
+                      "blocks that are free", "remove the name");
+    }
+  if (blocks.empty())
+    throw s.error(key, patterns.empty() ? "the list of blocks is empty" : "all of these blocks are held whole",
+                  "names of blocks that are free", "name the blocks, or remove the key");
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
+}
+
+/// The first item of the list under a key that means the block.
+std::size_t item_of(const Section& s, const char* key, BlockId block, const Model& model) {
+  const std::vector<std::string> patterns = s.texts(key), known = names_of(model.blocks);
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const std::vector<std::int32_t> found = find_names(s, key, i, "block", known);
+    if (std::find(found.begin(), found.end(), block.value) != found.end()) return i;
+  }
+  return 0;
+}
+
+Partition::Band read_band(const Section& s, const std::string& up, const std::string& down, const char* unit) {
+  Partition::Band band;
+  if (!s.has(up)) {
+    if (s.has(down))
+      throw s.error(down, fmt::format("nothing says above which one a block is explicit"),
+                    fmt::format("the key beside {}", up), fmt::format("add {}, or remove the key", up));
+    return band;
+  }
+  band.up = s.number(up);
+  if (!s.has(down)) s.settle(down, 0.5 * band.up);
+  band.down = s.number(down);
+  if (band.down >= band.up)
+    throw s.error(down, "a block would change sides again as soon as it has done so",
+                  fmt::format("number [{}], below {} = {:g}", unit, up, band.up),
+                  fmt::format("half of {} is a start: leave the key out", up));
+  return band;
+}
+
+}  // namespace
+
+void read_partition(const Section& s, const Model& model, coupling::Stage& stage) {
+  if (stage.integrator != Integrator::partitioned) {
+    refuse_elsewhere(s);
+    return;
+  }
+  if (std::none_of(std::begin(kRules), std::end(kRules), [&](const char* key) { return s.has(key); }))
+    throw s.error("explicit_blocks", "nothing says which blocks take explicit steps",
+                  "one or more of explicit_blocks, explicit_area, explicit_speed, explicit_strain_rate",
+                  "add explicit_blocks = [\"NAME\"], for example, or set integrator = \"implicit\"");
+  Partition& p = stage.partition;
+  p.explicit_blocks = read_side(s, "explicit_blocks", model);
+  p.implicit_blocks = read_side(s, "implicit_blocks", model);
+  for (const BlockId b : p.implicit_blocks)
+    if (std::binary_search(p.explicit_blocks.begin(), p.explicit_blocks.end(), b))
+      throw s.error("implicit_blocks", item_of(s, "implicit_blocks", b, model),
+                    fmt::format("block {} is among explicit_blocks too", in_quotes(model.blocks[b.index()].name)),
+                    "each block in one of the two lists", "remove it from one of them");
+  if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
+  p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
+  p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");
+  if (s.has("substeps")) p.substeps = s.integer("substeps");
+}
+
+}  // namespace scree::io
