@@ -84,10 +84,11 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   const std::vector<Polygon> outline = present_outlines(setup, q);
   std::vector<Box> box;
   box.reserve(outline.size());
-  for (const Polygon& p : outline) box.push_back(bounds(p));
+  // Bodies of the other side of a partitioned stage, which this one does not touch, have no outline.
+  for (const Polygon& p : outline) box.push_back(p.outer.empty() ? Box{} : bounds(p));
   for (std::size_t a = 0; a < outline.size(); ++a)
     for (std::size_t b = 0; b < outline.size(); ++b) {
-      if (a == b || !setup.can_touch(a, b)) continue;
+      if (a == b || !setup.can_touch(a, b) || outline[a].outer.empty() || outline[b].outer.empty()) continue;
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
       if (held.contains(std::minmax(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)))) continue;
       for (const Vec2& x : outline[a].outer)

@@ -537,6 +537,7 @@ void OpenClose::check(std::span<const double> d, Audit& audit) const {
     audit.check(t.ft * slip > 0.0 && t.status == ContactStatus::slip ? m.kt * slip : 0.0, allowed,
                 [&] { return fmt::format("{}: friction drives it, {:.3g} m", name(), slip); });
   }
+  if (d.empty()) return;  // every body is held, or explicit
   std::vector<double> residual(d.size());
   multiply(d, residual);
   double left = 0.0;

@@ -404,11 +404,20 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
           "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the "
           "same",
           seconds(state_.time), stage.name, *stage.dt / m, m, bound, binding, std::ceil(*stage.dt / bound)));
-    if (first)
-      event(EventKind::stage_step,
-            fmt::format(
-                "stage '{}': steps of {:.4g} s; the certified bound of the explicit blocks is {:.4g} s, set by {}",
-                stage.name, *stage.dt, bound, binding));
+    if (m > 0 && *stage.dt > m * bound && first)
+      event(EventKind::warning,
+            fmt::format("stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are forced above the certified "
+                        "stable one, {:.4g} s, bound by {}",
+                        stage.name, *stage.dt / m, m, bound, binding));
+    else if (first)
+      event(
+          EventKind::stage_step,
+          std::isfinite(bound)
+              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s; certified are {:.4g} s, "
+                            "bound by {}",
+                            stage.name, *stage.dt, m > 0 ? *stage.dt / m : std::min(*stage.dt, stage.safety * bound),
+                            bound, binding)
+              : fmt::format("stage '{}': steps of {:.4g} s; no block is explicit yet", stage.name, *stage.dt));
     return ticks(*stage.dt);
   }
   if (stage.dt) {

@@ -65,7 +65,10 @@ class AuditedRun : public testing::TestWithParam<Setting> {};
 TEST_P(AuditedRun, every_step_passes) {
   const Setting& r = GetParam();
   Scene scene = r.heap ? heap(10) : shaken();
-  scene.stage(r.method, r.integrator, r.duration, r.dt > 0.0 ? std::optional<double>(r.dt) : std::nullopt, 0.6);
+  coupling::Partition& sides =
+      scene.stage(r.method, r.integrator, r.duration, r.dt > 0.0 ? std::optional<double>(r.dt) : std::nullopt, 0.6)
+          .partition;
+  sides.speed = {1.0, 0.5};  // of partitioned ones
   scene.plan.audit = true;
   const coupling::Methods methods = coupling::standard_methods();
   coupling::Driver run(scene.model, scene.plan, methods);
@@ -79,14 +82,17 @@ TEST_P(AuditedRun, every_step_passes) {
   EXPECT_TRUE(run.audit().passed());
 }
 
-INSTANTIATE_TEST_SUITE_P(Runs, AuditedRun,
-                         testing::Values(Setting{"dda_implicit_heap", "dda", Integrator::implicit, true, 1.2, 2e-3},
-                                         Setting{"dda_explicit_heap", "dda", Integrator::explicit_, true, 0.6, 0.0},
-                                         Setting{"nmm_explicit_heap", "nmm", Integrator::explicit_, true, 0.4, 0.0},
-                                         Setting{"dda_implicit_shaken", "dda", Integrator::implicit, false, 1.5, 2e-3},
-                                         Setting{"dda_explicit_shaken", "dda", Integrator::explicit_, false, 1.0, 0.0},
-                                         Setting{"nmm_implicit_shaken", "nmm", Integrator::implicit, false, 1.0, 2e-3}),
-                         [](const auto& p) { return p.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Runs, AuditedRun,
+    testing::Values(Setting{"dda_implicit_heap", "dda", Integrator::implicit, true, 1.2, 2e-3},
+                    Setting{"dda_explicit_heap", "dda", Integrator::explicit_, true, 0.6, 0.0},
+                    Setting{"nmm_explicit_heap", "nmm", Integrator::explicit_, true, 0.4, 0.0},
+                    Setting{"dda_implicit_shaken", "dda", Integrator::implicit, false, 1.5, 2e-3},
+                    Setting{"dda_explicit_shaken", "dda", Integrator::explicit_, false, 1.0, 0.0},
+                    Setting{"nmm_implicit_shaken", "nmm", Integrator::implicit, false, 1.0, 2e-3},
+                    Setting{"dda_partitioned_heap", "dda", Integrator::partitioned, true, 0.6, 1e-3},
+                    Setting{"nmm_partitioned_shaken", "nmm", Integrator::partitioned, false, 0.5, 1e-3}),
+    [](const auto& p) { return p.param.name; });
 
 /// A block that rests on a floor, and a way to spoil what its contacts say.
 struct Resting {
