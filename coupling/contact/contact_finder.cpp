@@ -35,7 +35,8 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
     largest_weights_ =
         std::max(largest_weights_, std::abs(o.nodes[i].w[0]) + std::abs(o.nodes[i].w[1]) + std::abs(o.nodes[i].w[2]));
-    compliance_.push_back(b.driven && !b.guest ? 0.0 : setup.pool_of(b).compliance(b.index, setup.local(b, o.nodes[i])));
+    compliance_.push_back(b.driven && !b.guest ? 0.0
+                                               : setup.pool_of(b).compliance(b.index, setup.local(b, o.nodes[i])));
   }
 }
 

@@ -79,8 +79,8 @@ class ContactFinder {
   [[nodiscard]] bool is_divided(const ContactPoint& p) const;
   /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
   void bond_like(const ContactMemory& beside, ContactMemory& m) const;
-  /// Where a body was meshed anew its new vertices on a closed joint take gap0 and stretch, and with them the traction,
-  /// from the remembered points on either side, and the bond of the nearest.
+  /// Where a body was meshed anew its new vertices on a closed joint take gap and stretch, and with them the traction,
+  /// from the remembered points on either side (gap0 where there is but one), and the bond of the nearest.
   void interpolate(ContactList& out) const;
   void pair_edges(std::size_t first, ContactList& list) const;
   void fill_with_water(ContactList& list) const;

@@ -198,6 +198,7 @@ void ContactFinder::interpolate(ContactList& out) const {
       Neighbour& found = side[s < 0.0 ? 0 : 1];
       if (found.memory == nullptr || std::abs(s) < found.distance) found = {std::abs(s), &out.memory[i]};
     }
+    const bool within = side[0].memory != nullptr && side[1].memory != nullptr;
     if (side[0].memory == nullptr) side[0] = side[1];
     if (side[0].memory == nullptr) continue;
     if (side[1].memory == nullptr) side[1] = side[0];
@@ -210,6 +211,10 @@ void ContactFinder::interpolate(ContactList& out) const {
     m.slip = (1.0 - w) * a.slip + w * b.slip;
     m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
     m.gap = p.at.gap - m.gap0;
+    if (within) {  // the traction is linear between them, however the edge is bent
+      m.gap = (1.0 - w) * a.gap + w * b.gap;
+      m.gap0 = p.at.gap - m.gap;
+    }
     m.anchor = p.at.xi - m.stretch / p.at.length;
     bond_like(*nearest.memory, m);
   }

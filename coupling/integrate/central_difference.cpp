@@ -294,8 +294,7 @@ void CentralDifference::lead_guests(const State& state, std::span<const double> 
 }
 
 void CentralDifference::move_guests(const State& state, Tick arrival, double& farthest) {
-  const double h = seconds(arrival - state.time),
-               s = seconds(arrival - lead_.begin) / seconds(lead_.end - lead_.begin);
+  const double h = seconds(arrival - state.time), s = seconds(arrival - lead_.begin) / seconds(lead_.end - lead_.begin);
   double most = 0.0;
   for (const Chunk& c : chunks_.guests())
     for (std::size_t i = c.begin; i < c.end; ++i) {

@@ -111,7 +111,7 @@ class CentralDifference final : public Mover {
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
     double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, largest = 0.0;
   };
-  std::vector<Left> left_;                 // a chunk
+  std::vector<Left> left_;  // a chunk
   struct Lead {             // the way of the guests
     Tick begin = 0, end = 0;
     std::vector<double> from, to;

@@ -32,9 +32,27 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
-  for (auto* v : {&gravity_, &load_, &load_before_, &inertia_, &damped_before_.mass, &damped_before_.stiffness,
-                  &damped_after_.mass, &damped_after_.stiffness, &force_before_, &force_, &force_after_, &acceleration_,
-                  &d_, &rate_, &rhs_, &out_, &pull_, &asked_, &answer_, &mismatch_, &kick_})
+  for (auto* v : {&gravity_,
+                  &load_,
+                  &load_before_,
+                  &inertia_,
+                  &damped_before_.mass,
+                  &damped_before_.stiffness,
+                  &damped_after_.mass,
+                  &damped_after_.stiffness,
+                  &force_before_,
+                  &force_,
+                  &force_after_,
+                  &acceleration_,
+                  &d_,
+                  &rate_,
+                  &rhs_,
+                  &out_,
+                  &pull_,
+                  &asked_,
+                  &answer_,
+                  &mismatch_,
+                  &kick_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -404,7 +422,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       report.at_round_off = true;
       return true;
     }
-    if (report.iterations >= kIterations || (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {
+    if (report.iterations >= kIterations ||
+        (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {
       report.status = StepReport::Status::no_balance;
       const auto worst = static_cast<std::int32_t>(
           std::max_element(out_.begin(), out_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -

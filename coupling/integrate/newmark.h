@@ -110,12 +110,13 @@ class Newmark final : public Mover {
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
   std::vector<LoadVector> loads_;
-  std::vector<double> weight_;     // gravity on the nodes
-  std::vector<Vec2> driven_move_;  // a body
-  std::vector<double> reference_;  // the nodes of bodies in their reference shape
+  std::vector<double> weight_;      // gravity on the nodes
+  std::vector<Vec2> driven_move_;   // a body
+  std::vector<double> reference_;   // the nodes of bodies in their reference shape
   std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
   // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
-  // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies at the end.
+  // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
+  // at the end.
   std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
   double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;

@@ -233,9 +233,8 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   State &e = explicit_side_.state, &i = implicit_side_.state;
   if (bound_ == 0.0 || !explicit_->step_still_stable()) bound_ = explicit_->stable_step(e, nullptr);
   const double H = seconds(ticks_of_step);
-  substeps_ = choice_.substeps > 0
-                  ? choice_.substeps
-                  : static_cast<std::int32_t>(std::max(1.0, std::ceil(H / (choice_.safety * bound_))));
+  substeps_ = choice_.substeps > 0 ? choice_.substeps
+                                   : static_cast<std::int32_t>(std::max(1.0, std::ceil(H / (choice_.safety * bound_))));
   substeps_ = static_cast<std::int32_t>(std::min<Tick>(substeps_, ticks_of_step));
   step_ = ticks_of_step;
   repeats_ = 0;

@@ -76,9 +76,9 @@ class Partitioned final : public Mover, private PathForce {
   Side explicit_side_, implicit_side_;
   std::unique_ptr<CentralDifference> explicit_;
   std::unique_ptr<Newmark> implicit_;
-  Ledger base_;           // of the run until the first step
+  Ledger base_;  // of the run until the first step
   bool has_base_ = false;
-  double bound_ = 0.0;    // certified step of the explicit side [s]; 0: to be found
+  double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
   std::vector<double> present_;    // numbers of the implicit side
   std::vector<double> end_, sum_;  // numbers of the explicit side

@@ -65,8 +65,8 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
   form.cracks = stage.cracks;
   std::vector<Wish> out(model.blocks.size(), Wish{stage.method, form});
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const bool is_explicit = stage.integrator == Integrator::partitioned ? explicit_side[i] != 0
-                                                                         : stage.integrator == Integrator::explicit_;
+    const bool is_explicit =
+        stage.integrator == Integrator::partitioned ? explicit_side[i] != 0 : stage.integrator == Integrator::explicit_;
     out[i].form.mass = stage.mass.value_or(is_explicit ? MassKind::affine_exact : MassKind::consistent);
     if (model.blocks[i].cover_size > 0.0) out[i].form.cover_size = model.blocks[i].cover_size;
   }

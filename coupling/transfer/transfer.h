@@ -16,7 +16,8 @@ struct Wish {
   Formulation form{};
 };
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
-[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side = {});
+[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage,
+                                       std::span<const char> explicit_side = {});
 
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);

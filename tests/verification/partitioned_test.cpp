@@ -48,8 +48,9 @@ TEST_P(Partitioned2, impact_keeps_momentum_and_closes_the_ledger) {
   EXPECT_LT(a.momentum.x(), 0.0) << "they have not hit each other";
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-11);
   std::printf("steps %ld cuts %ld iterations %ld closure %.1e momentum %.1e angular %.3e restitution %.4f\n",
-              static_cast<long>(run.stats().steps), static_cast<long>(run.stats().cuts), static_cast<long>(run.stats().iterations),
-              run.state().ledger.relative_closure(), (a.momentum + b.momentum - Vec2(0.0, 0.2 * scale)).norm() / scale,
+              static_cast<long>(run.stats().steps), static_cast<long>(run.stats().cuts),
+              static_cast<long>(run.stats().iterations), run.state().ledger.relative_closure(),
+              (a.momentum + b.momentum - Vec2(0.0, 0.2 * scale)).norm() / scale,
               a.angular_momentum + b.angular_momentum, (b.momentum - a.momentum).x() / (2.0 * scale));
 }
 
@@ -123,8 +124,7 @@ TEST(PartitionedColumn, no_instability_in_random_columns_with_friction) {
     steps += static_cast<int>(run.stats().steps);
   }
   std::printf("%d columns, %d steps, %d cuts: ledger %.1e, energy at most %.3f of what there was\n",
-              static_cast<int>(columns), steps, cuts, closure,
-              growth);
+              static_cast<int>(columns), steps, cuts, closure, growth);
   EXPECT_LT(closure, 1e-9);
   EXPECT_LT(growth, 1.02);
 }

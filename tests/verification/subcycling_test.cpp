@@ -54,7 +54,8 @@ class Pair {
     scene_.add("implicit", rectangle(0.0, 0.0, 1.0, 1.0));
     scene_.model.materials.push_back({"heavy", springs.m_i, 1e9, 0.2});
     scene_.model.blocks[1].material = MaterialId{1};
-    if (springs.k_e > 0.0) scene_.model.point_supports.push_back({BlockId{0}, Vec2(-0.5, 0.5), true, false, springs.k_e});
+    if (springs.k_e > 0.0)
+      scene_.model.point_supports.push_back({BlockId{0}, Vec2(-0.5, 0.5), true, false, springs.k_e});
     if (springs.k_i > 0.0)
       scene_.model.point_supports.push_back({BlockId{1}, Vec2(0.5, 0.5), true, false, springs.k_i});
     Stage& stage = scene_.stage("rigid", Integrator::partitioned, 1.0, 1.0);
@@ -189,12 +190,10 @@ TEST(Subcycling, is_stable_below_the_bound_of_the_explicit_side_alone_and_not_ab
     }
     return bad;
   };
-  const auto predicted = row("explicit against a prediction", [](const Springs& s, int m) {
-    return naive(Naive::predicted, s, 0.5 * s.bound(), m);
-  });
-  const auto first = row("implicit first", [](const Springs& s, int m) {
-    return naive(Naive::implicit_first, s, 0.5 * s.bound(), m);
-  });
+  const auto predicted = row("explicit against a prediction",
+                             [](const Springs& s, int m) { return naive(Naive::predicted, s, 0.5 * s.bound(), m); });
+  const auto first = row("implicit first",
+                         [](const Springs& s, int m) { return naive(Naive::implicit_first, s, 0.5 * s.bound(), m); });
   const auto ours = [](double fraction) {
     return [fraction](const Springs& s, int m) { return Pair(s).amplification(fraction * s.bound(), m); };
   };
@@ -229,10 +228,11 @@ TEST(Subcycling, momentum_and_energy_are_exact_wherever_the_iteration_stops) {
           const Pair::Outcome end = Pair(s, together).go(begin, 0.9 * s.bound(), m, 20);
           const double before = begin[1] + m_i * begin[3], after = end.x[1] + m_i * end.x[3];
           // A substep passes on an impulse of about the momentum of the explicit block.
-          momentum = std::max(momentum, std::abs(after - before) / (20 * m * std::max(end.largest, std::abs(begin[1]))));
+          momentum =
+              std::max(momentum, std::abs(after - before) / (20 * m * std::max(end.largest, std::abs(begin[1]))));
         }
-    std::printf("iterated to %.0e: momentum %.1e of the impulses, ledger %.1e, kicks %.1e of the energy moved\n", together, momentum,
-                energy, kicks);
+    std::printf("iterated to %.0e: momentum %.1e of the impulses, ledger %.1e, kicks %.1e of the energy moved\n",
+                together, momentum, energy, kicks);
     EXPECT_LT(energy, 1e-13);
     EXPECT_LT(momentum, 1e-13);
     EXPECT_LT(kicks, std::max(10.0 * together, 1e-10));
