@@ -48,6 +48,10 @@ std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& mode
     if (rule.onefold && r.has("cover_size"))
       throw r.error("cover_size", "one cover around the whole block has no size to choose",
                     "onefold = true or cover_size", "remove one of the two");
+    rule.model_triangle = r.text("triangle") == "model";
+    if (rule.model_triangle && !rule.onefold)
+      throw r.error("triangle", "a mesh has many triangles", "\"model\" beside onefold = true",
+                    "add onefold = true, or remove the key");
     rules.push_back(std::move(rule));
   }
   return rules;
@@ -90,7 +94,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
-  read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), first, stage);
+  read_stage_options(s, used, first, stage);
   if (stage.integrator == Integrator::implicit && !stage.dt)
     throw s.error("dt", "an implicit stage needs a time step", "number [s], > 0",
                   "implicit steps have no stability bound to take dt from: write dt = 1e-3, for example");

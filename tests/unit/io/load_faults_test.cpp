@@ -91,7 +91,9 @@ const WrongLoad kWrong[] = {
     {"stage_onefold_dda", ".toml", 31, 11, "stage.0.method_of.0.onefold", "true", "\"dda\" has no covers", "\"nmm\"",
      "method = \"nmm\""},
     {"stage_onefold_sized", ".toml", 32, 14, "stage.0.method_of.0.cover_size", "0.25", "no size to choose",
-     "onefold = true or cover_size", "remove one"}};
+     "onefold = true or cover_size", "remove one"},
+    {"stage_triangle_of_mesh", ".toml", 31, 12, "stage.0.method_of.0.triangle", "model", "many triangles",
+     "onefold = true", "add onefold"}};
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongLoadFile, testing::ValuesIn(kWrong),
                          [](const auto& test) { return std::string(test.param.name); });
@@ -160,6 +162,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.0.dynamics=0"}, "stage.0.dynamics", "implicit steps"},
         WrongSet{{"stage.1.cracks=true"}, "stage.1.cracks", "no block uses the NMM"},
         WrongSet{{"stage.1.mass=\"lumped\""}, "stage.1.mass", "no block uses the NMM"},
+        WrongSet{{"stage.0.rotation=\"affine\""}, "stage.0.rotation", "explicit steps"},
+        WrongSet{{"stage.1.method=\"nmm\"", "stage.1.cover_size=0.5"}, "stage.1.rotation", "no block uses the DDA"},
         WrongSet{{"stage.2.rest_steps=0"}, "stage.2.rest_steps", "out of range"},
         WrongSet{{"stage.2.rest_force=0"}, "stage.2.rest_force", "out of range"},
         WrongSet{{"stage.0.method_of.0.cover_size=0.5"}, "stage.0.method_of.0.cover_size", "has no covers"}));
