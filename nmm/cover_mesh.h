@@ -83,6 +83,6 @@ struct CoverMesh {
 
 /// A onefold cover of a block: on a triangle around it, or on a given one.
 [[nodiscard]] CoverMesh make_onefold(const Polygon& outline);
-[[nodiscard]] CoverMesh make_onefold(const Polygon& outline, const std::array<Vec2, 3>& triangle);
+[[nodiscard]] CoverMesh make_onefold(const Polygon& outline, const std::array<Vec2, 3>& star);
 
 }  // namespace scree::nmm

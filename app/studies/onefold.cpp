@@ -141,6 +141,7 @@ StudyResult onefold(bool) {
   out.numbers["solutions_apart"] = most;
   out.numbers["apart_over_condition"] = worst;
   std::vector<double> square;
+  square.reserve(width.size());
   for (const double L : width) square.push_back(mass.back() * std::pow(L / width.back(), 2));
   out.plots.push_back({"Onefold covers: condition by the size of the model",
                        "model size over block size",
