@@ -30,8 +30,9 @@ struct StepControl {
 struct MethodRule {
   std::vector<BlockId> blocks;
   std::string method;
-  double cover_size = 0.0;  // NMM mesh; 0: as the block or the stage says [m]
-  bool onefold = false;     // NMM: one cover around the whole block
+  double cover_size = 0.0;      // NMM mesh; 0: as the block or the stage says [m]
+  bool onefold = false;         // NMM: one cover around the whole block
+  bool model_triangle = false;  // its triangle is the model's
 };
 
 /// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the area;
@@ -61,9 +62,10 @@ struct Stage {
   Tick duration = 0;
   double cover_size = 0.0;  // NMM mesh [m]
   Kinematics kinematics = Kinematics::corotational;
-  std::optional<MassKind> mass;    // empty: affine-exact in explicit stages, consistent in implicit ones
-  bool cracks = true;              // NMM: blocks are cut along their cracks
-  double damping = 0.0;            // mass-proportional [1/s]
+  BlockRotation rotation = BlockRotation::exact;  // DDA, implicit
+  std::optional<MassKind> mass;                   // empty: affine-exact in explicit stages, consistent in implicit ones
+  bool cracks = true;                             // NMM: blocks are cut along their cracks
+  double damping = 0.0;                           // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local_damping = 0.0;      // fraction of the unbalanced force, against the velocity; explicit, 0 to 1

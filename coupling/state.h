@@ -117,6 +117,8 @@ void visit_body(Visitor&& see, BodyRecord& b) {
   see("body.offset_x", b.form.offset_x);
   see("body.offset_y", b.form.offset_y);
   see("body.onefold", b.form.onefold);
+  see("body.model_triangle", b.form.model_triangle);
+  see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
 }
 

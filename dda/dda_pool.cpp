@@ -45,19 +45,6 @@ void put_lower(const Mat6& matrix, std::span<double> lower) {
     for (int i = j; i < kUnknowns; ++i) lower[at++] = matrix(i, j);
 }
 
-/// Largest squared frequency of a free affine body: A0 C^1/2 (B D^-1 B^T) C^1/2.
-double frequency_of(const ReferenceShape& shape, const Elasticity& law) {
-  const Mat2 inverse = shape.second.inverse();
-  Eigen::Matrix3d BB, C;
-  BB << inverse(0, 0), 0.0, inverse(0, 1),  //
-      0.0, inverse(1, 1), inverse(0, 1),    //
-      inverse(0, 1), inverse(0, 1), inverse(0, 0) + inverse(1, 1);
-  C << law.p_modulus(), law.lambda, 0.0, law.lambda, law.p_modulus(), 0.0, 0.0, 0.0, law.mu;
-  const Eigen::Matrix3d root = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).operatorSqrt();
-  const Eigen::Matrix3d H = shape.area * root * BB * root;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(H, Eigen::EigenvaluesOnly).eigenvalues()(2);
-}
-
 }  // namespace
 
 void DdaPool::add(const Model& model, const BodyRecord& record) {
@@ -68,7 +55,9 @@ void DdaPool::add(const Model& model, const BodyRecord& record) {
   b.initial = InSituStress(model, record).mean();
   b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(body, X); });
   b.second_inverse = record.shape.second.inverse();
-  b.frequency = frequency_of(record.shape, b.law);
+  if (record.form.rotation == BlockRotation::affine)
+    b.affine.emplace(record.shape, b.law, Kinematics::corotational, b.initial);
+  b.frequency = affine_frequency(record.shape, b.law);
   b.cells = drawing_cells(record.shape.outline);
   bodies_.push_back(std::move(b));
 }
@@ -191,6 +180,7 @@ ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q)
   const AffineState s = load(body, q, q);
   std::array<double, 3> w{};  // by node of the body, in whatever order the row names them
   for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - 3 * body)] += row.w[k];
+  if (of(body).affine) return of(body).affine->chart_row(w[0], {w[1], w[2]});
   const Mat26 T = shi_matrix(s.F * Vec2(w[1], w[2]));
   ChartRow out;
   out.n = kUnknowns;
@@ -206,19 +196,22 @@ ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q)
 ElementDofs DdaPool::element_dofs(int) const { return {{0, kUnknowns}, {0, 1, 2, 3, 4, 5}}; }
 
 void DdaPool::element_masses(int body, std::span<const double> q, std::span<double> mass) const {
+  if (of(body).affine) return of(body).affine->mass(mass);
   const Mat2 F = load(body, q, q).F;
   put_lower(mass_matrix(of(body).shape.mass, F * of(body).shape.second * F.transpose()), mass);
 }
 
 void DdaPool::rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const {
   const AffineState s = load(body, q, v);
+  if (of(body).affine) return of(body).affine->unknowns(s.vc, s.Fdot, rate);
   Eigen::Map<Vec6>(rate.data()) = rates_of(s.vc, s.Fdot * s.F.inverse());
 }
 
-double DdaPool::linearise(int body, std::span<const double> q, Stiffness, std::span<double> stiffness,
+double DdaPool::linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
                           std::span<double> force) const {
   const Body& b = of(body);
   const Mat2 F = load(body, q, q).F;
+  if (b.affine) return b.affine->linearise(F, kind, stiffness, force);
   if (!stiffness.empty()) put_lower(stiffness_matrix(b.shape.area, b.law), stiffness);
   Eigen::Map<Vec6>(force.data()) = scree::dda::internal_force(b.shape.area, b.law, F, b.initial);
   return b.shape.area * elastic_response(b.law, F, b.initial).energy;
@@ -226,7 +219,13 @@ double DdaPool::linearise(int body, std::span<const double> q, Stiffness, std::s
 
 void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                       std::span<double> v) const {
-  const AffineState after = exact_update(load(body, q, v), Vec6(d.data()), Vec6(rate.data()));
+  const AffineState before = load(body, q, v);
+  if (const auto& affine = of(body).affine) {
+    store(body, before.c + AffineForm::translation(d), before.F + affine->gradient(d), q);
+    store(body, AffineForm::translation(rate), affine->gradient(rate), v);
+    return;
+  }
+  const AffineState after = exact_update(before, Vec6(d.data()), Vec6(rate.data()));
   store(body, after.c, after.F, q);
   store(body, after.vc, after.Fdot, v);
 }

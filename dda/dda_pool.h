@@ -1,14 +1,16 @@
 // All DDA blocks of a run: affine bodies, explicit or implicit.
 #pragma once
 
+#include <optional>
+
 #include "dda/affine_body.h"
-#include "model/pool.h"
+#include "model/affine_form.h"
 
 namespace scree::dda {
 
 /// Discontinuous deformation analysis: three nodes a block, q = (c, F e1, F e2), so that a point is
-/// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly;
-/// explicit steps move the nodes themselves.
+/// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly, or,
+/// with BlockRotation::affine, move (c, F) by Newton's method; explicit steps move the nodes themselves.
 /// @source dda.md; Shi 1988, 1993; keynote 2.1
 class DdaPool final : public Pool {
  public:
@@ -38,6 +40,8 @@ class DdaPool final : public Pool {
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
   [[nodiscard]] int dofs(int) const override { return kUnknowns; }
+  [[nodiscard]] bool nonlinear(int body) const override { return of(body).affine.has_value(); }
+  [[nodiscard]] bool constant_chart(int body) const override { return of(body).affine.has_value(); }
   [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
   [[nodiscard]] ElementDofs element_dofs(int body) const override;
   void element_masses(int body, std::span<const double> q, std::span<double> mass) const override;
@@ -61,6 +65,7 @@ class DdaPool final : public Pool {
     Mat2 initial = Mat2::Zero();  // mean of the in-situ stress over the block, co-rotated [Pa]
     Boundary boundary;
     Mat2 second_inverse;
+    std::optional<AffineForm> affine;  // of implicit steps; none: Shi's unknowns and an exact rotation
     double frequency = 0.0;
     std::vector<Ring> cells;
   };

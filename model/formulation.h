@@ -14,6 +14,12 @@ enum class MassKind {
   consistent     // int rho w_i w_j; implicit steps only
 };
 
+/// How an implicit DDA step moves a block.
+enum class BlockRotation {
+  exact,  // Shi's six unknowns about the block's place, then an exact rotation
+  affine  // (c, F) themselves with Newton's method on the co-rotated energy: what a onefold NMM cover does
+};
+
 /// Choices for methods that have them; the others take no notice.
 struct Formulation {
   Kinematics kinematics = Kinematics::corotational;
@@ -22,14 +28,16 @@ struct Formulation {
   // Where the block's centre of mass lies in a cell of the mesh, fractions of the cover size: no round ones, so that
   // edges of regular blocks seldom run along mesh lines.
   double offset_x = 0.317, offset_y = 0.271;
-  bool onefold = false;  // one triangle around the whole block in place of a mesh
-  bool cracks = false;   // cut the block's interior along its cracks
+  bool onefold = false;         // one triangle around the whole block in place of a mesh
+  bool model_triangle = false;  // of onefold covers: one around the whole model, the same for all blocks
+  bool cracks = false;          // cut the block's interior along its cracks
+  BlockRotation rotation = BlockRotation::exact;  // DDA
 
   bool operator==(const Formulation&) const = default;
   /// True where bodies made either way have the same unknowns.
   [[nodiscard]] bool same_mesh(const Formulation& other) const {
     return cover_size == other.cover_size && offset_x == other.offset_x && offset_y == other.offset_y &&
-           onefold == other.onefold && cracks == other.cracks;
+           onefold == other.onefold && model_triangle == other.model_triangle && cracks == other.cracks;
   }
 };
 

@@ -79,10 +79,11 @@ bool same_place(const Row& a, const Row& b) {
   return true;
 }
 
-CoverMesh make_onefold(const Polygon& outline) {
+CoverMesh make_onefold(const Polygon& outline) { return make_onefold(outline, onefold_triangle(outline.outer)); }
+
+CoverMesh make_onefold(const Polygon& outline, const std::array<Vec2, 3>& star) {
   CoverMesh mesh;
   mesh.onefold = true;
-  const std::array<Vec2, 3> star = onefold_triangle(outline.outer);
   mesh.star.assign(star.begin(), star.end());
   mesh.component = {0, 0, 0};
   mesh.components = 1;

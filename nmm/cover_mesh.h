@@ -78,7 +78,11 @@ struct CoverMesh {
 [[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset = {0.317, 0.271},
                                         std::span<const CutLine> cracks = {});
 
-/// The onefold cover of a block.
+/// The triangle of a onefold cover: equilateral, its inscribed circle about the points' middle holds them all.
+[[nodiscard]] std::array<Vec2, 3> onefold_triangle(std::span<const Vec2> points);
+
+/// A onefold cover of a block: on a triangle around it, or on a given one.
 [[nodiscard]] CoverMesh make_onefold(const Polygon& outline);
+[[nodiscard]] CoverMesh make_onefold(const Polygon& outline, const std::array<Vec2, 3>& star);
 
 }  // namespace scree::nmm

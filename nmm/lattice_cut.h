@@ -58,7 +58,4 @@ void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::spa
 void make_crack_faces(const Polygon& outline, const LatticePieces& pieces, std::span<const CutLine> cracks,
                       CoverMesh& mesh);
 
-/// The triangle of a onefold cover: equilateral, its inscribed circle about the points' middle holds them all.
-[[nodiscard]] std::array<Vec2, 3> onefold_triangle(std::span<const Vec2> points);
-
 }  // namespace scree::nmm

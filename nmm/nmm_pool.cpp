@@ -54,9 +54,11 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     for (const Crack& c : model.cracks)
       if (c.block == record.block) cracks.push_back({back * (c.from - to_origin.c), back * (c.to - to_origin.c)});
   }
-  body->mesh = form.onefold
-                   ? make_onefold(record.shape.outline)
-                   : make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks);
+  if (!form.onefold)
+    body->mesh = make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks);
+  else
+    body->mesh = form.model_triangle ? make_onefold(record.shape.outline, model_triangle(model, to_origin))
+                                     : make_onefold(record.shape.outline);
   const std::int32_t first = first_.back();
   body->law = model.elasticity_of(record.block);
   body->form = form;
@@ -67,7 +69,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     throw std::runtime_error(fmt::format(
         "block '{}': its cracks leave a part on which no lumped mass is positive; choose another cover size",
         body->name));
-  if (form.mass != MassKind::affine_exact) make_implicit(*body, first);
+  if (form.mass != MassKind::affine_exact && !mesh.onefold) make_implicit(*body, first);
   chart_.add(mesh, first);
   body->first_element = static_cast<std::int32_t>(elements_.size());
   // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
@@ -81,12 +83,32 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
       const Mat2 s = in_situ.at(mesh.centroid(e));
       initial.push_back({s(0, 0), s(1, 1), s(0, 1)});
     }
+  if (mesh.onefold) {
+    const std::array<double, 3> s = initial.empty() ? std::array{0.0, 0.0, 0.0} : initial[0];
+    body->onefold.emplace(mesh.stars(0), record.shape, body->law, form.kinematics,
+                          (Mat2() << s[0], s[2], s[2], s[1]).finished(), first);
+  }
   elements_.add(mesh, first, body->scale, {body->law, form.kinematics}, std::move(initial));
   for (Row& row : body->mesh.boundary.nodes)
     for (std::int32_t& n : row.node) n += first;
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
   first_.push_back(first + static_cast<std::int32_t>(mesh.star.size()));
   bodies_.push_back(std::move(body));
+}
+
+std::array<Vec2, 3> NmmPool::model_triangle(const Model& model, const AffineMotion& to_origin) {
+  if (!model_triangle_) {
+    std::vector<Vec2> ends;
+    for (const Block& b : model.blocks) {
+      const Box box = bounds(b.polygon);
+      ends.insert(ends.end(), {box.lo, box.hi});
+    }
+    model_triangle_ = onefold_triangle(ends);
+  }
+  const Mat2 back = to_origin.F.inverse();
+  std::array<Vec2, 3> star;
+  for (std::size_t k = 0; k < 3; ++k) star[k] = back * ((*model_triangle_)[k] - to_origin.c);
+  return star;
 }
 
 void NmmPool::make_implicit(Body& body, std::int32_t first) {
@@ -110,7 +132,9 @@ void NmmPool::finish() {
   elements_.finish(first_.back());
   for (int b = 0; b < bodies(); ++b) {
     Body& body = *bodies_[static_cast<std::size_t>(b)];
-    body.frequency = frequency_bound_of(body.mesh, chart_, first_node(b), mass_.lumped(), body.scale, body.law);
+    body.frequency = body.onefold
+                         ? FrequencyBound{affine_frequency(body.shape, body.law), 0}
+                         : frequency_bound_of(body.mesh, chart_, first_node(b), mass_.lumped(), body.scale, body.law);
   }
   ones_.assign(static_cast<std::size_t>(first_.back()), 1.0);
 }
@@ -174,31 +198,42 @@ void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
 }
 
 void NmmPool::add_weight(int b, const Vec2& g, std::span<double> f) const {
-  if (of(b).form.mass == MassKind::consistent)
+  if (of(b).onefold)
+    of(b).onefold->add_weight(g, f);
+  else if (of(b).form.mass == MassKind::consistent)
     of(b).consistent.add_weight(g, f);
   else
     mass_.add_weight(first_node(b), first_node(b + 1), g, f);
 }
 
 void NmmPool::apply_mass(int b, std::span<const double> v, std::span<double> p) const {
-  if (of(b).form.mass == MassKind::consistent)
+  if (of(b).onefold)
+    of(b).onefold->mass_apply(v, p);
+  else if (of(b).form.mass == MassKind::consistent)
     of(b).consistent.apply(v, p);
   else
     mass_.apply(first_node(b), first_node(b + 1), v, p);
 }
 
 double NmmPool::kinetic_of(int b, std::span<const double> v) const {
+  if (of(b).onefold) return of(b).onefold->kinetic_energy(v);
   return of(b).form.mass == MassKind::consistent ? of(b).consistent.kinetic_energy(v)
                                                  : mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
 }
 
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
   mass_.solve(chart_, f, a);
-  for (const auto& body : bodies_)
-    if (body->form.mass == MassKind::consistent) body->consistent.solve(f, a);
+  for (const auto& body : bodies_) {
+    if (body->onefold)
+      body->onefold->mass_solve(f, a);
+    else if (body->form.mass == MassKind::consistent)
+      body->consistent.solve(f, a);
+  }
 }
 
-double NmmPool::mass_ratio(int body) const { return mass_.theta(first_node(body), first_node(body + 1)); }
+double NmmPool::mass_ratio(int body) const {
+  return of(body).onefold ? 1.0 : mass_.theta(first_node(body), first_node(body + 1));
+}
 
 double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> v,
                                std::span<const char> counted) const {
@@ -212,11 +247,13 @@ double NmmPool::damp(double factor, double rate, std::span<const double> along, 
                      std::span<double> f, std::span<double> a) const {
   if (bodies() > 0 && of(0).form.mass != MassKind::consistent) return mass_.damp(factor, rate, along, v, f, a);
   double power = 0.0;
-  for (const auto& body : bodies_) power += body->consistent.damp(factor, rate, along, v, f, a);
+  for (const auto& body : bodies_)
+    if (!body->onefold) power += body->consistent.damp(factor, rate, along, v, f, a);
   return power;
 }
 
-double NmmPool::compliance(int, const Row& row) const {
+double NmmPool::compliance(int body, const Row& row) const {
+  if (of(body).onefold) return of(body).onefold->compliance(row);
   std::vector<Share> folded;
   chart_.fold(row, folded);
   double sum = 0.0;
@@ -224,7 +261,11 @@ double NmmPool::compliance(int, const Row& row) const {
   return sum;
 }
 
-void NmmPool::bound_groups(int, const Row& row, std::vector<std::int32_t>& groups) const {
+void NmmPool::bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const {
+  if (of(body).onefold) {
+    groups.assign(1, first_node(body));
+    return;
+  }
   std::vector<Share> folded;
   chart_.fold(row, folded);
   groups.clear();
@@ -348,25 +389,32 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
 }
 
 std::string NmmPool::implicit_obstacle(int body) const {
-  if (of(body).form.mass != MassKind::affine_exact) return {};
+  if (of(body).onefold || of(body).form.mass != MassKind::affine_exact) return {};
   return "its mass is affine-exact, which couples all covers of a block; implicit steps take mass = \"consistent\" or "
          "\"lumped\"";
 }
 
 ChartRow NmmPool::chart_row(int body, const Row& row, std::span<const double>) const {
-  return of(body).implicit.chart_row(row);
+  return of(body).onefold ? of(body).onefold->chart_row(row) : of(body).implicit.chart_row(row);
 }
 
 void NmmPool::element_masses(int body, std::span<const double>, std::span<double> mass) const {
-  of(body).implicit.element_masses(mass);
+  if (of(body).onefold)
+    of(body).onefold->form().mass(mass);
+  else
+    of(body).implicit.element_masses(mass);
 }
 
 void NmmPool::rates(int body, std::span<const double>, std::span<const double> v, std::span<double> rate) const {
-  of(body).implicit.rates(v, rate);
+  if (of(body).onefold)
+    of(body).onefold->rates(v, rate);
+  else
+    of(body).implicit.rates(v, rate);
 }
 
 double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
                           std::span<double> force) const {
+  if (const auto& cover = of(body).onefold) return cover->form().linearise(cover->gradient(q), kind, stiffness, force);
   const auto first = static_cast<std::size_t>(of(body).first_element), count = of(body).mesh.elements();
   return of(body).implicit.linearise(elements_.covers().subspan(first, count), q, kind, stiffness, force,
                                      [&](std::size_t e) {
@@ -378,7 +426,10 @@ double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, s
 
 void NmmPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                       std::span<double> v) const {
-  of(body).implicit.retract(d, rate, q, v);
+  if (of(body).onefold)
+    of(body).onefold->retract(d, rate, q, v);
+  else
+    of(body).implicit.retract(d, rate, q, v);
 }
 
 void NmmPool::topology(MeshPart& mesh) const {

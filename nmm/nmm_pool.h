@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "model/pool.h"
 #include "nmm/element_forces.h"
 #include "nmm/implicit.h"
 #include "nmm/lumped_mass.h"
+#include "nmm/onefold.h"
 #include "nmm/step_bound.h"
 
 namespace scree::nmm {
@@ -46,11 +48,15 @@ class NmmPool final : public Pool {
   [[nodiscard]] double compliance(int body, const Row& row) const override;
   void bound_groups(int body, const Row& row, std::vector<std::int32_t>& groups) const override;
 
-  [[nodiscard]] int dofs(int body) const override { return of(body).implicit.dofs(); }
+  [[nodiscard]] int dofs(int body) const override {
+    return of(body).onefold ? AffineForm::kUnknowns : of(body).implicit.dofs();
+  }
   [[nodiscard]] bool nonlinear(int body) const override { return of(body).form.kinematics == Kinematics::corotational; }
   [[nodiscard]] bool constant_chart(int) const override { return true; }
   [[nodiscard]] std::string implicit_obstacle(int body) const override;
-  [[nodiscard]] ElementDofs element_dofs(int body) const override { return of(body).implicit.element_dofs(); }
+  [[nodiscard]] ElementDofs element_dofs(int body) const override {
+    return of(body).onefold ? AffineForm::element_dofs() : of(body).implicit.element_dofs();
+  }
   [[nodiscard]] ChartRow chart_row(int body, const Row& row, std::span<const double> q) const override;
   void element_masses(int body, std::span<const double> q, std::span<double> mass) const override;
   void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const override;
@@ -72,6 +78,8 @@ class NmmPool final : public Pool {
   [[nodiscard]] const CoverChart& chart() const { return chart_; }
   [[nodiscard]] const ElementForces& elements() const { return elements_; }
   [[nodiscard]] const FrequencyBound& bound(int body) const { return of(body).frequency; }
+  /// Null where the block has a mesh.
+  [[nodiscard]] const OnefoldCover* onefold(int body) const { return of(body).onefold ? &*of(body).onefold : nullptr; }
 
  private:
   struct Body {
@@ -80,12 +88,15 @@ class NmmPool final : public Pool {
     Formulation form;
     ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact
     ImplicitBody implicit;
+    std::optional<OnefoldCover> onefold;  // with the block's exact mass, whatever the form says
     Elasticity law;
     double scale = 1.0;  // of the elements' areas
     std::int32_t first_element = 0;
     FrequencyBound frequency;
     std::string name;
   };
+  /// The triangle of onefold covers of the whole model, in the reference frame of a shape.
+  [[nodiscard]] std::array<Vec2, 3> model_triangle(const Model& model, const AffineMotion& to_origin);
   /// The mass operator that the block's form asks for.
   void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
   void add_weight(int body, const Vec2& g, std::span<double> f) const;
@@ -101,6 +112,7 @@ class NmmPool final : public Pool {
   LumpedMass mass_;
   ElementForces elements_;
   std::vector<double> ones_;
+  std::optional<std::array<Vec2, 3>> model_triangle_;  // where the model was first
   Vec2 model_origin_{0.0, 0.0};
 };
 

@@ -21,6 +21,9 @@ using Study = StudyResult (*)(bool full);
 
 /// One oscillator: theory of Newmark's schemes and what Scree's steps really do (thesis 2.5.1).
 [[nodiscard]] StudyResult sdof(bool full);
+/// Blocks on onefold covers: conditions of an implicit step in the stars of a model-wide triangle and in centroidal
+/// form, and that both are the same step (coupling.md 4).
+[[nodiscard]] StudyResult onefold(bool full);
 /// Chains of masses and springs, explicit against implicit (thesis 2.5.2).
 [[nodiscard]] StudyResult spring_chain(bool full);
 

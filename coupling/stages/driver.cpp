@@ -71,7 +71,7 @@ void check_implicit(const Stage& stage, const Setup& setup, std::span<const char
     if (trapezoidal && !pool.constant_chart(b.index))
       refuse(
           fmt::format("block '{}' uses the method {}, whose unknowns turn with the block from step to step; the "
-                      "trapezoidal scheme needs the NMM",
+                      "trapezoidal scheme needs rotation = \"affine\", or the NMM",
                       block, pool.method()));
   }
 }

@@ -75,10 +75,11 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
       Wish& w = out[b.index()];
       w.method = rule.method;
       w.form.onefold = rule.onefold;
+      w.form.model_triangle = rule.model_triangle;
       if (rule.cover_size > 0.0) w.form.cover_size = rule.cover_size;
     }
   for (Wish& w : out)
-    if (w.method != "nmm") w.form = Formulation{};
+    if (w.method != "nmm") w.form = Formulation{.rotation = stage.rotation};
   return out;
 }
 

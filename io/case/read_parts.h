@@ -33,9 +33,9 @@ void read_loads(const Section& root, Model& model);
 /// Water in joints.   @pre read_laws
 void read_water(const Section& root, Model& model);
 /// How a stage represents blocks, damps and comes to rest; what does not go together is refused.
-/// @param nmm  a block of the stage uses the NMM   @param first  it is the first stage   @pre its method and integrator
-/// are set
-void read_stage_options(const Section& s, bool nmm, bool first, coupling::Stage& stage);
+/// @param used  method of every block in the stage   @param first  it is the first stage   @pre its method and
+/// integrator are set
+void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage);
 /// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports

@@ -48,6 +48,10 @@ std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& mode
     if (rule.onefold && r.has("cover_size"))
       throw r.error("cover_size", "one cover around the whole block has no size to choose",
                     "onefold = true or cover_size", "remove one of the two");
+    rule.model_triangle = r.text("triangle") == "model";
+    if (rule.model_triangle && !rule.onefold)
+      throw r.error("triangle", "a mesh has many triangles", "\"model\" beside onefold = true",
+                    "add onefold = true, or remove the key");
     rules.push_back(std::move(rule));
   }
   return rules;
@@ -94,7 +98,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   check_nmm(s, m, stage, model);
   read_partition(s, model, stage);
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
-  read_stage_options(s, std::find(used.begin(), used.end(), "nmm") != used.end(), first, stage);
+  read_stage_options(s, used, first, stage);
   if (stage.integrator != Integrator::explicit_ && !stage.dt)
     throw s.error("dt", fmt::format("{} {} stage needs a time step", integrator == "implicit" ? "an" : "a", integrator),
                   "number [s], > 0",

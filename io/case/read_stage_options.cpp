@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/case/read_parts.h"
 
 namespace scree::io {
@@ -42,6 +44,19 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   refuse(s, "kinematics", stage.kinematics != Kinematics::corotational, problem, "\"corotational\"", hint);
   refuse(s, "mass", stage.mass.has_value(), problem, "\"auto\"", hint);
   refuse(s, "cracks", s.has("cracks") && !wants_none, problem, "false", hint);
+}
+
+void read_rotation(const Section& s, bool dda, coupling::Stage& stage) {
+  if (!s.has("rotation")) {
+    if (dda && stage.integrator == Integrator::implicit) s.settle("rotation", "exact");
+    return;
+  }
+  refuse(s, "rotation", stage.integrator == Integrator::explicit_,
+         "explicit steps of the DDA move position and gradient themselves", "the key in implicit stages",
+         "remove it, or set integrator = \"implicit\"");
+  refuse(s, "rotation", !dda, "no block uses the DDA in this stage", "the key in stages with the DDA",
+         "remove it, or set method = \"dda\"");
+  stage.rotation = s.text("rotation") == "affine" ? BlockRotation::affine : BlockRotation::exact;
 }
 
 void read_damping(const Section& s, coupling::Stage& stage) {
@@ -120,8 +135,10 @@ void read_rest(const Section& s, coupling::Stage& stage) {
 
 }  // namespace
 
-void read_stage_options(const Section& s, bool nmm, bool first, coupling::Stage& stage) {
-  read_formulation(s, nmm, stage);
+void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage) {
+  const auto uses = [&](const char* method) { return std::find(used.begin(), used.end(), method) != used.end(); };
+  read_formulation(s, uses("nmm"), stage);
+  read_rotation(s, uses("dda"), stage);
   read_step(s, stage);
   read_damping(s, stage);
   read_rest(s, stage);

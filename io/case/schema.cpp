@@ -360,6 +360,11 @@ constexpr Key kKeys[] = {
      "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, "
      "consistent "
      "in implicit ones."},
+    {"stage[].rotation", Type::choice, "", kAny, "(\"exact\", in implicit stages with the DDA)", false, "exact|affine",
+     "Implicit steps of DDA blocks. exact: six unknowns about the block's place, then an exact rotation, by which a "
+     "free "
+     "spin neither slows nor grows; affine: position and gradient by Newton's method, the steps of a onefold cover of "
+     "the NMM, which have centrifugal terms and damp a spin w by w dt/2 a radian."},
     {"stage[].cracks", Type::boolean, "", kAny, "(true where a block uses the NMM)", false, "",
      "Cut the covers of the NMM along the cracks of its blocks. The two faces of a straight crack touch each other by "
      "the "
@@ -426,6 +431,9 @@ constexpr Key kKeys[] = {
      "Size of the mathematical covers of the NMM in these blocks."},
     {"stage[].method_of[].onefold", Type::boolean, "", kAny, "false", false, "",
      "One cover around the whole block, in place of a mesh: six unknowns. NMM only."},
+    {"stage[].method_of[].triangle", Type::choice, "", kAny, "\"own\"", false, "own|model",
+     "Of onefold covers: a triangle around each block, or one around the whole model, whose stars all the blocks have "
+     "in the same places (thesis 7.3.1). Motion and stress are the same but for round-off."},
 
     {"output", Type::table, "", kAny, "", false, "", "What is written and how often."},
     {"output.every", Type::number, "s", kTime, "(a hundredth of the run)", false, "", "Simulated time between frames."},

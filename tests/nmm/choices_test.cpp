@@ -29,7 +29,8 @@ TEST(Choices, cover_size_of_rule_block_and_stage_in_this_order) {
   EXPECT_LT(setup.bodies()[1].nodes, setup.bodies()[2].nodes);
 }
 
-/// A free block that spins, by each mass, on a mesh and on one cover.
+/// A free block that spins, by each mass, on a mesh and on one cover, whose mass is exact whatever is asked for: row
+/// sums would be those of an arbitrary triangle.
 TEST(Choices, spin_is_kept_and_its_momentum_is_the_blocks_but_for_row_sums) {
   const double spin = 3.0;
   for (const bool onefold : {false, true})
@@ -55,7 +56,7 @@ TEST(Choices, spin_is_kept_and_its_momentum_is_the_blocks_but_for_row_sums) {
       EXPECT_NEAR(t.mass, 2000.0 * m.area, 1e-9 * t.mass);
       EXPECT_NEAR((t.momentum - t.mass * Vec2(0.4, -0.1)).norm(), 0.0, 1e-9 * t.mass);
       EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
-      if (mass == MassKind::lumped) {
+      if (mass == MassKind::lumped && !onefold) {
         EXPECT_GT(about_centre, 1.0001 * inertia * spin);  // row sums turn harder
       } else {
         EXPECT_NEAR(about_centre, inertia * spin, (implicit ? 1e-4 : 1e-9) * inertia * spin);

@@ -99,6 +99,7 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
            s.method, coupling::name(s.integrator), Dump::of(s.dt), s.safety, s.duration, s.cover_size,
            s.control.max_passes, s.control.max_displacement, s.damping, s.rest);
     if (s.force_dt) d.line("  forced");
+    d.line("  rotation {}", static_cast<int>(s.rotation));
     d.line("  transfer {} {}", static_cast<int>(s.transfer), s.transfer_cap);
     d.line("  kinematics {} mass {} cracks {} rigid {} stiffness {} local {} newmark {} dynamics {} rest {} {}",
            static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
@@ -110,7 +111,8 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     for (const BlockId b : sides.implicit_blocks) d.line("  {} implicit", b.value);
     for (const coupling::MethodRule& r : s.rules)
       for (const BlockId b : r.blocks)
-        d.line("  {} by {} covers {} onefold {}", b.value, r.method, r.cover_size, r.onefold);
+        d.line("  {} by {} covers {} onefold {} model {}", b.value, r.method, r.cover_size, r.onefold,
+               r.model_triangle);
   }
   d.line("output {} {} {} {} {}", p.output.every, p.output.history_every, p.output.contacts, p.output.checkpoint_every,
          p.output.checkpoint_steps);

@@ -152,6 +152,8 @@ TEST(CoverSizes, come_from_block_region_rule_and_stage) {
   EXPECT_EQ(c.plan.stages[0].rules[1].cover_size, 0.75);
   EXPECT_FALSE(c.plan.stages[0].rules[1].onefold);
   EXPECT_TRUE(c.plan.stages[0].rules[2].onefold);
+  EXPECT_FALSE(c.plan.stages[0].rules[1].model_triangle);
+  EXPECT_TRUE(c.plan.stages[0].rules[2].model_triangle);
 }
 
 TEST(StageOptions, are_read) {
@@ -164,6 +166,8 @@ TEST(StageOptions, are_read) {
   EXPECT_EQ(s[0].local_damping, 0.1);
   EXPECT_EQ(s[1].newmark, coupling::NewmarkScheme::trapezoidal);
   EXPECT_EQ(s[1].dynamics, 0.9);
+  EXPECT_EQ(s[1].rotation, BlockRotation::affine);
+  EXPECT_EQ(s[2].rotation, BlockRotation::exact);
   EXPECT_EQ(s[0].transfer, coupling::TransferMode::reservoir);
   EXPECT_EQ(s[1].transfer, coupling::TransferMode::strain_rate);
   EXPECT_EQ(s[1].transfer_cap, 1.5);
@@ -183,6 +187,7 @@ TEST(StageOptions, absent_ones_take_the_defaults_of_a_stage) {
   EXPECT_EQ(s.stiffness_damping, fresh.stiffness_damping);
   EXPECT_EQ(s.local_damping, fresh.local_damping);
   EXPECT_EQ(s.newmark, fresh.newmark);
+  EXPECT_EQ(s.rotation, fresh.rotation);
   EXPECT_EQ(s.transfer, fresh.transfer);
   EXPECT_EQ(s.transfer_cap, fresh.transfer_cap);
   EXPECT_EQ(s.dynamics, fresh.dynamics);

@@ -114,7 +114,9 @@ const WrongLoad kWrong[] = {
     {"stage_partition_speeds", ".toml", 28, 18, "stage.0.implicit_speed", "0.6", "change sides again",
      "below explicit_speed = 0.5", "leave the key out"},
     {"stage_partition_speed_alone", ".toml", 28, 18, "stage.0.implicit_speed", "0.25", "above which",
-     "beside explicit_speed", "add explicit_speed"}};
+     "beside explicit_speed", "add explicit_speed"},
+    {"stage_triangle_of_mesh", ".toml", 31, 12, "stage.0.method_of.0.triangle", "model", "many triangles",
+     "onefold = true", "add onefold"}};
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongLoadFile, testing::ValuesIn(kWrong),
                          [](const auto& test) { return std::string(test.param.name); });
@@ -183,6 +185,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.0.dynamics=0"}, "stage.0.dynamics", "implicit steps"},
         WrongSet{{"stage.1.cracks=true"}, "stage.1.cracks", "no block uses the NMM"},
         WrongSet{{"stage.1.mass=\"lumped\""}, "stage.1.mass", "no block uses the NMM"},
+        WrongSet{{"stage.0.rotation=\"affine\""}, "stage.0.rotation", "explicit steps"},
+        WrongSet{{"stage.1.method=\"nmm\"", "stage.1.cover_size=0.5"}, "stage.1.rotation", "no block uses the DDA"},
         WrongSet{{"stage.2.rest_steps=0"}, "stage.2.rest_steps", "out of range"},
         WrongSet{{"stage.2.rest_force=0"}, "stage.2.rest_force", "out of range"},
         WrongSet{{"stage.3.mass=\"affine-exact\"", "stage.3.method=\"nmm\""}, "stage.3.mass", "explicit steps only"},
