@@ -4,7 +4,8 @@
 # the thread that computes; and that of the whole program, with the thread that encodes and sends. Ends with 1 when
 # streaming costs more than a hundredth of the wall time: by the wall itself, and by what the computing thread used more,
 # as a share of the wall (on a busy machine the first is noise).
-# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS]
+# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS [no-viewer]]. Without a viewer it
+# is what streaming takes by itself, as when the viewer is elsewhere: one beside it works as hard as the encoding thread.
 set -u
 [ $# -ge 1 ] || { echo "usage: SCREE_FULL=1 $0 SCREE [TURNS]"; exit 2; }
 [ "${SCREE_FULL:-}" = 1 ] || { echo "SKIPPED: set SCREE_FULL=1; it takes minutes"; exit 77; }
@@ -14,7 +15,7 @@ arguments=("$@")  # for the second start, inside the namespace
 . "$(dirname "$0")/live_namespace.sh" python3
 ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback interface"
 
-scree=$1 turns=${2:-5}
+scree=$1 turns=${2:-5} viewers=${3:-viewer}
 work=$(mktemp -d)
 viewer=
 trap '[ -z "$viewer" ] || kill -9 "$viewer" 2> /dev/null; rm -rf "$work"' EXIT
@@ -46,8 +47,12 @@ for row in range(40):
         print(f'[[block]]\nname = "b{row}-{column}"\nmaterial = "rock"\n'
               f'polygon = [[{x}, {y}], [{x + 1}, {y}], [{x + 1}, {y + 1}], [{x}, {y + 1}]]')
 END
-python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
-viewer=$!
+watch() {
+  [ "$viewers" != no-viewer ] || return 0
+  python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
+  viewer=$!
+}
+watch
 # timed NAME OPTIONS...: a run; what its first thread used of a processor [ns] goes to NAME.ns
 timed() {
   local name=$1
@@ -63,10 +68,7 @@ timed() {
 for i in $(seq "$turns"); do
   timed "off$i" || fail "turn $i without streaming"
   timed "on$i" --live || fail "turn $i with streaming"
-  kill -0 "$viewer" 2> /dev/null || {
-    python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
-    viewer=$!
-  }
+  [ -n "$viewer" ] && kill -0 "$viewer" 2> /dev/null || watch
 done
 python3 - "$work" "$turns" << 'END'
 import json, statistics, sys
