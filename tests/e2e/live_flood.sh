@@ -31,7 +31,7 @@ ask() {
 
 python3 "$here/live/terminal.py" "$scree" watch --timeout 20 > "$work/watch.txt" 2> "$work/watch.err" &
 viewer=$!
-"$scree" run "$case_file" --quiet --live --control --set stage.runout.duration=8 --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
+"$scree" run "$case_file" --quiet --live --control --set stage.runout.duration=16 --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
 run=$!
 ask pause  # it waits here for the end of the flood
 ask step 20
@@ -54,7 +54,7 @@ malformed=$(sed -nE 's/.* ([0-9]+) malformed.*/\1/p' <<< "$foot")
 # A twelfth is replayed chunks, right as they stand, and parts of what was forged hit numbers only.
 [ "${malformed:-0}" -ge $((count / 4)) ] || fail "the viewer counted ${malformed:-0} of $count: $foot"
 grep 'control: .* messages' "$work/run/run.log" || fail "the run counted nothing"
-"$scree" run "$case_file" --quiet --set stage.runout.duration=8 --out "$work/alone" || fail "the run left alone"
+"$scree" run "$case_file" --quiet --set stage.runout.duration=16 --out "$work/alone" || fail "the run left alone"
 [ "$(hash "$work/run")" = "$(hash "$work/alone")" ] || fail "the flood changed the state"
 ! grep -q Sanitizer "$work/run.err" "$work/watch.txt" || fail "a sanitizer: $(cat "$work/run.err" "$work/watch.txt")"
 echo "ok: $count datagrams; $foot"

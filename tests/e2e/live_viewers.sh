@@ -12,7 +12,8 @@ arguments=("$@")  # for the second start, inside the namespace
 ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback interface"
 
 scree=$1 here=$(dirname "$0")
-case=("$here/live/two_stages.toml" --set stage.runout.duration=2)
+# It lasts seconds: time enough to be found and held.
+case=("$here/live/two_stages.toml" --set stage.runout.duration=16)
 reader=$here/../../docs/examples/read_live.py
 work=$(mktemp -d)
 pids=()
@@ -49,12 +50,12 @@ kill -STOP "${viewer[stalled]}"
 run=$!
 pids+=($run)
 # Held, so that the late ones come to a run that has begun long ago.
-"$scree" control two_stages pause > "$work/control.txt" 2>&1 || fail "$(cat "$work/control.txt")"
+"$scree" control two_stages pause --timeout 20 > "$work/control.txt" 2>&1 || fail "$(cat "$work/control.txt")"
 kill -9 "${viewer[killed]}"
 look late-reader python3 "$reader" --timeout 60 --state "$work/late-reader.json"
 look late-screen python3 "$here/live/terminal.py" "$scree" watch --timeout 60
 sleep 2.5
-"$scree" control two_stages resume > "$work/control.txt" 2>&1 || fail "$(cat "$work/control.txt")"
+"$scree" control two_stages resume --timeout 20 > "$work/control.txt" 2>&1 || fail "$(cat "$work/control.txt")"
 wait $run || fail "the run ended with $?: $(cat "$work/run.err")"
 [ ! -s "$work/run.err" ] || fail "the run complained: $(cat "$work/run.err")"
 for name in early-screen late-screen early-reader late-reader; do
