@@ -126,7 +126,10 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
     const ContactMemory& m = now_.memory[i];
     const double allowed = 1e-9 * (std::abs(m.fn) + std::abs(m.ft)) + (m.kn + m.kt) * last_places;
     if (m.status != ContactStatus::open) {
-      audit_law(*setup_, m, m.fn, m.ft, allowed, audit);
+      // The step took its friction from the slip that there was.
+      ContactMemory then = m;
+      if (p.from >= 0) then.slip = before_.memory[static_cast<std::size_t>(p.from)].slip;
+      audit_law(*setup_, then, m.fn, m.ft, allowed, audit);
     } else if (!p.suppressed && !p.beyond) {
       audit.check(m.kn * std::max(0.0, -m.gap), allowed, [&] {
         return fmt::format("{}: open and {:.3g} m deep", contact_name(setup_->model(), m.key), -m.gap);

@@ -306,8 +306,9 @@ void Partitioned::contact_forces(const State&, std::span<double> f) const {
       implicit_->contact_forces(side->state, own);
     for (std::size_t i = 0; i < side->own.size(); ++i) {
       const Body &a = side->setup.bodies()[i], &b = whole_->bodies()[i];
-      for (std::int32_t k = 0; k < 2 * a.nodes; ++k)
-        f[static_cast<std::size_t>(2 * b.first_node + k)] += own[static_cast<std::size_t>(2 * a.first_node + k)];
+      const auto from = 2 * static_cast<std::size_t>(a.first_node), to = 2 * static_cast<std::size_t>(b.first_node),
+                 count = 2 * static_cast<std::size_t>(a.nodes);
+      for (std::size_t k = 0; k < count; ++k) f[to + k] += own[from + k];
     }
   }
 }

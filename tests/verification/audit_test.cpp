@@ -38,6 +38,7 @@ Scene shaken() {
   scene.model.joints[0].cohesion = 2e4;
   scene.model.joints[0].tensile_strength = 1e4;
   scene.model.joints[0].residual_friction = 20.0 * kDegree;
+  scene.model.joints[0].weakening_slip = 0.05;
   const Mat2 R = rotation(-0.4);
   scene.add("base", transformed(rectangle(-3, -1, 12, 0), Vec2(0, 0), R));
   std::vector<double> t, a;
