@@ -160,8 +160,10 @@ double LumpedMass::sum_of(const Chunk& chunk, Of&& of) const {
 void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
   if (first == last) return;
   const std::int64_t from = parts_[first].begin, count = parts_[last - 1].end - from;
+  const std::int64_t covers =
+      chunks_[static_cast<std::size_t>(from + count) - 1].end - chunks_[static_cast<std::size_t>(from)].begin;
   const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
-#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
+#pragma omp parallel for schedule(static) if (covers >= kSerialBelow)
   for (std::int64_t n = 0; n < count; ++n) {
     const auto c = static_cast<std::size_t>(from + n);
     const Chunk& chunk = chunks_[c];
@@ -194,7 +196,7 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
   const double *force = f.data(), *inverse = inverse_.data(), *X = X_.data()->data();
   double* to = a.data();
   // Each thread does all that there is to do at its covers: what another core has written is slow to get.
-#pragma omp parallel if (count * kChunk >= kSerialBelow)
+#pragma omp parallel if (std::ssize(lumped_) >= kSerialBelow)
   {
 #pragma omp for schedule(static)
     for (std::int64_t n = 0; n < count; ++n) {
@@ -260,7 +262,7 @@ double LumpedMass::damp(double factor, double rate, std::span<const double> alon
   const auto count = static_cast<std::int64_t>(chunks_.size());
   const double *mass = lumped_.data(), *X = X_.data()->data(), *u = along.data();
   double *to_v = v.data(), *to_a = a.data(), *to_f = f.data();
-#pragma omp parallel for schedule(static) if (count * kChunk >= kSerialBelow)
+#pragma omp parallel for schedule(static) if (std::ssize(lumped_) >= kSerialBelow)
   for (std::int64_t n = 0; n < count; ++n) {
     const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
     const AffineMoments z = moment_[static_cast<std::size_t>(chunk.part)];
