@@ -32,7 +32,7 @@ for command in $("$scree" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]*\) .*/\
 done
 
 cp -r "$source/docs/examples/embed" embed
-cmake -S embed -B embed/build -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_BUILD_TYPE=Release >embed.log 2>&1 ||
+cmake -G Ninja -S embed -B embed/build -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_BUILD_TYPE=Release >embed.log 2>&1 ||
   { cat embed.log; fail 'find_package(scree) fails'; }
 cmake --build embed/build >>embed.log 2>&1 || { cat embed.log; fail 'the example does not build'; }
 embed/build/slide || fail 'the example is wrong'

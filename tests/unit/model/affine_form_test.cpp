@@ -26,14 +26,14 @@ Eigen::Matrix<double, 6, 6> from_lower(const std::array<double, 21>& lower) {
 class Form : public testing::TestWithParam<Kinematics> {
  protected:
   const Mat2 initial_ = (Mat2() << -2e6, 4e5, 4e5, -1e6).finished();
-  const Mat2 F_ = (Mat2() << 0.8, -0.65, 0.62, 0.79).finished();
+  const Mat2 gradient_ = (Mat2() << 0.8, -0.65, 0.62, 0.79).finished();
   const AffineForm form_{shape(), Elasticity::from(1e8, 0.25, Plane::strain), GetParam(), initial_};
 };
 
 TEST_P(Form, force_and_stiffness_are_derivatives_of_the_energy) {
   std::array<double, 21> lower{};
   std::array<double, 6> force{};
-  (void)form_.linearise(F_, Stiffness::exact, lower, force);
+  (void)form_.linearise(gradient_, Stiffness::exact, lower, force);
   const auto K = from_lower(lower);
   const double h = 1e-6;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -41,8 +41,8 @@ TEST_P(Form, force_and_stiffness_are_derivatives_of_the_energy) {
     d[k] = h;
     const Mat2 dF = form_.gradient(d);
     std::array<double, 6> after{}, before{};
-    const double up = form_.linearise(F_ + dF, Stiffness::exact, {}, after),
-                 down = form_.linearise(F_ - dF, Stiffness::exact, {}, before);
+    const double up = form_.linearise(gradient_ + dF, Stiffness::exact, {}, after),
+                 down = form_.linearise(gradient_ - dF, Stiffness::exact, {}, before);
     EXPECT_NEAR(force[k], -(up - down) / (2.0 * h), 1e-7 * 1e8) << k;  // round-off of an energy of 1e7 J over h
     for (std::size_t i = 0; i < 6; ++i)
       EXPECT_NEAR(K(static_cast<int>(i), static_cast<int>(k)), -(after[i] - before[i]) / (2.0 * h), 1e-7 * K.norm())
