@@ -194,11 +194,31 @@ double drift_in_stage(const Quantity& q, const RunRecord& run) {
   throw q.error("of", fmt::format("the run did not reach the stage {}", io::in_quotes(q.text("of"))), "a stage");
 }
 
+/// Over the blocks that the other variant moves by at least "above" and less than "below".
+double blocks_difference(const Quantity& q, const RunRecord& run, const RunRecords& runs) {
+  const std::vector<Vec2>& other = runs.at(q.text("against")).moved;
+  if (other.size() != run.moved.size())
+    throw q.error("against",
+                  fmt::format("{} has {} free blocks, not {}", q.text("against"), other.size(), run.moved.size()),
+                  "a variant with the same blocks");
+  const double above = q.number("above").value_or(0.0);
+  const double below = q.number("below").value_or(std::numeric_limits<double>::infinity());
+  double worst = 0.0, farthest = 0.0;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    if (other[i].norm() < above || other[i].norm() >= below) continue;
+    worst = std::max(worst, (run.moved[i] - other[i]).norm());
+    farthest = std::max(farthest, other[i].norm());
+  }
+  if (!(farthest > 0.0)) throw q.error("above", "no block of the other variant moved so far", "a smaller distance");
+  return worst / farthest;
+}
+
 double on_variant(const Quantity& q, const std::string& variant, const RunRecords& runs, Plots& plots) {
   const RunRecord& run = runs.at(variant);
   const std::string& m = q.measure;
   const auto count = [&](auto&& wanted) {
-    return static_cast<double>(std::count_if(run.moved.begin(), run.moved.end(), wanted));
+    return static_cast<double>(
+        std::count_if(run.moved.begin(), run.moved.end(), [&](const Vec2& u) { return wanted(u.norm()); }));
   };
   if (m == "monitor") return statistic(q.text("statistic"), samples(q, run, q.text("of")).value);
   if (m == "history_error") return history_error(q, variant, runs, plots);
@@ -206,6 +226,7 @@ double on_variant(const Quantity& q, const std::string& variant, const RunRecord
   if (m == "harmonic") return harmonic(q, variant, runs);
   if (m == "blocks_moved_above") return count([&](double d) { return d > *q.number("of"); });
   if (m == "blocks_moved_below") return count([&](double d) { return d < *q.number("of"); });
+  if (m == "blocks_difference") return blocks_difference(q, run, runs);
   if (m == "drift_in_stage") return drift_in_stage(q, run);
   if (m == "kinetic_at_handover") return kinetic_at_handover(run);
   if (m == "ledger_closure") return run.ledger.relative_closure();
@@ -263,6 +284,9 @@ const std::vector<MeasureInfo>& measures() {
         kUntil}},
       {"blocks_moved_above", "free blocks that moved farther than a distance", {{Kind::number, "of", true, ""}}},
       {"blocks_moved_below", "free blocks that moved less than a distance", {{Kind::number, "of", true, ""}}},
+      {"blocks_difference",
+       "largest difference of the displacements of free blocks to those of another variant, over the farthest of these",
+       {{Kind::text, "against", true, ""}, {Kind::number, "above", false, ""}, {Kind::number, "below", false, ""}}},
       {"drift_in_stage", "farthest displacement of a free block in a stage [m]", {{Kind::text, "of", true, ""}}},
       {"kinetic_at_handover", "kinetic energy after the latest hand-over [J]", {}},
       {"ledger_closure", "what the ledger leaves over, of the energy moved", {}},

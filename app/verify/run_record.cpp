@@ -1,5 +1,7 @@
 #include "app/verify/run_record.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -41,8 +43,8 @@ class Recorder final : public coupling::Sink {
   Vec2 origin_;  // expectations are written in the coordinates of the case
 };
 
-std::vector<double> distances(const Model& model, const coupling::Driver& run) {
-  std::vector<double> moved;
+std::vector<Vec2> displacements(const Model& model, const coupling::Driver& run) {
+  std::vector<Vec2> moved;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const coupling::Body& b = run.setup().bodies()[i];
     if (b.driven) continue;
@@ -52,7 +54,7 @@ std::vector<double> distances(const Model& model, const coupling::Driver& run) {
                          .totals(b.index, run.setup().part(std::span<const double>(run.state().q), p),
                                  run.setup().part(std::span<const double>(run.state().v), p))
                          .centre;
-    moved.push_back((now - b.centre).norm());
+    moved.emplace_back(now - b.centre);
   }
   return moved;
 }
@@ -94,16 +96,19 @@ RunRecord record_run(const Model& model, const coupling::Plan& plan) {
   const coupling::Methods methods = coupling::standard_methods();
   coupling::Driver run(model, plan, methods);
   run.add_sink(recorder);
+  const int threads = omp_get_max_threads();
+  if (plan.threads > 0) omp_set_num_threads(plan.threads);
   const auto start = std::chrono::steady_clock::now();
   try {
     record.end = run.run();
   } catch (const coupling::PlanError& e) {
     record.refused = e.what();
-    return record;
   }
+  omp_set_num_threads(threads);
+  if (!record.refused.empty()) return record;
   record.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.hash = coupling::state_hash(run.state());
-  record.moved = distances(model, run);
+  record.moved = displacements(model, run);
   record.travels = run.travels();
   record.transfers = run.transfers();
   record.ledger = run.state().ledger;

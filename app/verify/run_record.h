@@ -28,7 +28,7 @@ struct RunRecord {
   std::uint64_t hash = 0;
   std::vector<double> time;  // of the samples [s]
   std::vector<MonitorHistory> monitors;
-  std::vector<double> moved;  // distance of each free block's centre from where the model had it [m]
+  std::vector<Vec2> moved;  // displacement of each free block's centre from where the model had it [m]
   std::vector<coupling::StageTravel> travels;
   std::vector<coupling::TransferRow> transfers;
   coupling::Ledger ledger;
@@ -42,7 +42,7 @@ struct RunRecord {
   [[nodiscard]] const MonitorHistory* monitor(std::string_view name) const;
 };
 
-/// Runs a plan once, writing nothing.
+/// Runs a plan once, writing nothing, with the threads that it asks for if it does.
 [[nodiscard]] RunRecord record_run(const Model& model, const coupling::Plan& plan);
 
 }  // namespace scree::app

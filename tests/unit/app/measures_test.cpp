@@ -31,7 +31,7 @@ RunRecord made_up(double amplitude) {
     b.stress.push_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
   run.monitors = {a, b};
-  run.moved = {0.0, 0.5, 2.0};
+  run.moved = {Vec2(0.0, 0.0), Vec2(0.3, -0.4), Vec2(2.0, 0.0)};
   run.stats.steps = 40;
   run.stepping = amplitude;
   return run;
@@ -184,6 +184,17 @@ TEST_F(Measures, order_is_the_slope_of_the_errors) {
 TEST_F(Measures, blocks_are_counted_by_distance) {
   EXPECT_EQ(value("measure=\"blocks_moved_above\"\nof=0.4"), 2.0);
   EXPECT_EQ(value("measure=\"blocks_moved_below\"\nof=0.4"), 1.0);
+}
+
+TEST_F(Measures, blocks_difference_compares_vectors_over_the_farthest) {
+  const std::string base = "measure=\"blocks_difference\"\nvariant=\"one\"\nagainst=\"two\"\n";
+  runs_.at("two").moved = {Vec2(0.0, 0.0), Vec2(0.3, 0.4), Vec2(4.0, 0.0)};
+  EXPECT_DOUBLE_EQ(value(base), 0.5);                // 2 m of 4 m
+  EXPECT_DOUBLE_EQ(value(base + "below=4"), 1.6);    // 0.8 m of 0.5 m: as long, another way
+  EXPECT_DOUBLE_EQ(value(base + "above=0.5"), 0.5);  // both
+  EXPECT_THROW((void)value(base + "above=5"), io::CaseError);
+  runs_.at("two").moved.pop_back();
+  EXPECT_THROW((void)value(base), io::CaseError);
 }
 
 TEST_F(Measures, latest_hand_over_counts) {
