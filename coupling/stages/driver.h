@@ -74,14 +74,15 @@ class Driver {
   RunEnd run_stage(const Stage& stage, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
-  /// Ends the run where the last step was wrong (Plan::audit).
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
   /// afterwards has cost all its passes.
   [[nodiscard]] Tick step_of_fastest() const;
+  /// Ends the run where the last step was wrong (Plan::audit).
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
+  [[nodiscard]] static double wall();  // time of a steady clock [s]
   RunEnd advance_to(const Stage& stage, Tick target);
   /// @param first  of the stage: what binds the step is told
   [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
@@ -116,6 +117,11 @@ class Driver {
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
 };
+
+/// What is said of a block that should come to rest.
+inline constexpr const char* kUnsupported =
+    "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
+    "under it, a support that is missing, or a stage that should not come to rest";
 
 /// Contact detection distance that a plan leaves open: a twentieth of the smallest block's root area [m].
 [[nodiscard]] double auto_detection(const Model& model);

@@ -1,0 +1,218 @@
+// The steps of a stage: how long they may be, what becomes of one that fails, what is checked after each.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "coupling/stages/driver.h"
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kLastPlaces = 1e-13;
+constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
+constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
+
+}  // namespace
+
+Tick Driver::largest_step(const Stage& stage, bool first) {
+  if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
+  std::string binding;
+  const double bound = mover_->stable_step(state_, &binding);
+  if (stage.integrator == Integrator::partitioned) {
+    const std::int32_t m = stage.partition.substeps;
+    if (m > 0 && *stage.dt > m * bound && !stage.force_dt)
+      throw PlanError(fmt::format(
+          "t = {:.6g} s, stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are above the certified stable "
+          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the "
+          "same",
+          seconds(state_.time), stage.name, *stage.dt / m, m, bound, binding, std::ceil(*stage.dt / bound)));
+    if (m > 0 && *stage.dt > m * bound && first)
+      event(EventKind::warning,
+            fmt::format("stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are forced above the certified "
+                        "stable one, {:.4g} s, bound by {}",
+                        stage.name, *stage.dt / m, m, bound, binding));
+    else if (first)
+      event(
+          EventKind::stage_step,
+          std::isfinite(bound)
+              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s; certified are {:.4g} s, "
+                            "bound by {}",
+                            stage.name, *stage.dt, m > 0 ? *stage.dt / m : std::min(*stage.dt, stage.safety * bound),
+                            bound, binding)
+              : fmt::format("stage '{}': steps of {:.4g} s; no block is explicit yet", stage.name, *stage.dt));
+    return ticks(*stage.dt);
+  }
+  if (stage.dt) {
+    if (*stage.dt > bound && !stage.force_dt)
+      throw PlanError(fmt::format(
+          "t = {:.6g} s, stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by "
+          "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
+          seconds(state_.time), stage.name, *stage.dt, bound, binding));
+    if (*stage.dt > bound && first)
+      event(EventKind::warning,
+            fmt::format("stage '{}': the explicit step {:.4g} s is forced above the certified stable one, {:.4g} s, "
+                        "bound by {}",
+                        stage.name, *stage.dt, bound, binding));
+    return ticks(*stage.dt);
+  }
+  const double step = std::min(stage.safety * bound, 1.0);
+  if (first)
+    event(EventKind::stage_step, fmt::format("stage '{}': steps of {:.4g} s, {:g} of the certified bound, set by {}",
+                                             stage.name, step, stage.safety, binding));
+  return std::max<Tick>(1, ticks(step));
+}
+
+Tick Driver::step_of_fastest() const {
+  double fastest = 0.0;
+  const Outlines& o = setup_->outlines();
+  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
+    if (!state_.explicit_side.empty() && state_.explicit_side[static_cast<std::size_t>(o.node_body[k])] != 0) continue;
+    fastest = std::max(fastest, position(o.nodes[k], state_.v).squaredNorm());
+  }
+  const double step = kOfAllowed * step_control_.max_displacement / std::sqrt(fastest);
+  return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
+}
+
+RunEnd Driver::advance_to(const Stage& stage, Tick target) {
+  const bool implicit = stage.integrator != Integrator::explicit_;
+  if (largest_ == 0) largest_ = largest_step(stage, state_.step == first_step_);
+  int cuts = 0;
+  Tick attempt_cap = std::numeric_limits<Tick>::max();
+  // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
+  committed_ = stats_;
+  std::optional<Event> cut;  // told with the step that came of it
+  const auto stopped = [&] {
+    stats_ = committed_;
+    return RunEnd{RunEnd::Status::interrupted, "stopped on request"};
+  };
+  const auto tell_cut = [&] {
+    if (cut)
+      for (Sink* s : sinks_) s->event(*cut);
+    cut.reset();
+  };
+  while (state_.time < target) {
+    if (control_ != nullptr && control_->stop_requested()) return stopped();
+    if (stage.integrator == Integrator::partitioned && state_.step > first_step_ && cuts == 0) change_partition(stage);
+    if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage);
+    Tick cap = std::min(largest_, attempt_cap);
+    if (implicit) cap = std::min(cap, step_of_fastest());
+    const Tick remaining = target - state_.time;
+    const Tick h = remaining / ((remaining + cap - 1) / cap);  // equal parts of what remains
+    const double begin = wall();
+    const StepReport report = mover_->step(state_, h);
+    (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
+    stats_.iterations += report.iterations;
+    stats_.passes += report.passes;
+    stats_.switches += report.switches;
+    stats_.factorisations += report.factorisations;
+    stats_.updates += report.updates;
+    stats_.corrections += report.corrections;
+    if (report.status == StepReport::Status::given_up) return stopped();
+    if (report.status == StepReport::Status::ok) {
+      tell_cut();
+      ++stats_.steps;
+      if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
+      cuts = 0;
+      attempt_cap = std::numeric_limits<Tick>::max();
+      RunEnd found = check_audit(stage);
+      committed_ = stats_;
+      for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+      if (found.status != RunEnd::Status::done) return found;
+      if (balance_) {
+        RunEnd rest = check_rest(stage, stage_end_);
+        if (rest.status != RunEnd::Status::done || rested_) return rest;
+      }
+      if (state_.time < target) keep(false);  // at the target after what is looked at there
+      continue;
+    }
+    ++stats_.cuts;
+    const std::string where =
+        report.body >= 0
+            ? fmt::format("block '{}', ",
+                          model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
+            : std::string();
+    const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
+    const bool hopeless =
+        report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
+    if (hopeless || ++cuts > step_control_.max_cuts || h <= 3) {
+      const auto status =
+          report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
+      const std::string reason =
+          fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
+      tell_cut();
+      event(EventKind::not_converged, reason);
+      return {status, reason};
+    }
+    if (cuts == 1) cut = Event{EventKind::step_cut, seconds(state_.time), text, nullptr, nullptr};
+    const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
+    attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
+  }
+  return {};
+}
+
+RunEnd Driver::check_closure(const Stage& stage) {
+  if (!(plan_->max_closure > 0.0)) return {};
+  const Ledger& ledger = state_.ledger;
+  // Energies at rest may be large against what moves: their last places are no fault.
+  if (std::abs(ledger.closure()) <= plan_->max_closure * ledger.moved() + kLastPlaces * ledger.largest()) return {};
+  const std::string reason = fmt::format(
+      "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that moved; {:.2g} is "
+      "allowed (run.max_closure)",
+      seconds(state_.time), stage.name, ledger.closure(), ledger.relative_closure(), ledger.moved(),
+      plan_->max_closure);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
+RunEnd Driver::check_audit(const Stage& stage) {
+  if (!plan_->audit) return {};
+  mover_->update_ledger(state_);
+  audit_.check(state_.ledger.relative_closure(), kClosure, [&] {
+    return fmt::format("the energy ledger is open by {:.2g} of the energy moved", state_.ledger.relative_closure());
+  });
+  stats_.audit_checks = audit_.checks();
+  stats_.audit_worst = audit_.worst();
+  if (audit_.passed()) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}', audit: {}, {:.3g} times what is allowed",
+                                         seconds(state_.time), stage.name, audit_.text(), audit_.worst());
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
+void Driver::drop_velocities() {
+  mover_->update_ledger(state_);
+  const double kinetic = state_.ledger[Column::kinetic];
+  state_.ledger.book(Column::rest_damping, kinetic);
+  state_.ledger.set(Column::kinetic, 0.0);
+  std::fill(state_.v.begin(), state_.v.end(), 0.0);
+  setup_->prescribe(seconds(state_.time), state_.q, state_.v);
+}
+
+RunEnd Driver::check_rest(const Stage& stage, Tick end) {
+  const ForceBalance::Result found = balance_->measure(state_, *mover_);
+  const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
+  rested_ = found.ratio <= stage.rest_force;
+  const bool over = state_.time >= end || (stage.rest_steps > 0 && state_.step - first_step_ >= stage.rest_steps);
+  if (!rested_ && !over) return {};
+  std::string reason;
+  if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
+    reason = fmt::format("block '{}' {}", block_name(loose), kUnsupported);
+  else if (!rested_)
+    reason = fmt::format(
+        "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
+        "({:.2g} allowed)",
+        state_.step - first_step_,
+        found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
+        found.force, found.ratio, stage.rest_force);
+  if (reason.empty()) {
+    drop_velocities();  // an oscillation may be caught as it passes the balance
+    return {};
+  }
+  reason = fmt::format("t = {:.6g} s, stage '{}', {}", seconds(state_.time), stage.name, reason);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
+}  // namespace scree::coupling
