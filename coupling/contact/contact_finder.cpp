@@ -352,7 +352,8 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   return true;
 }
 
-void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
+void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
+                         ContactPairs::Of of) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   known_.index(known);
@@ -364,7 +365,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   out.memory.clear();
   out.briefs.clear();
   std::size_t old = 0, first_of_vertex = 0;
-  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_);
+  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, of);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const VertexEdge& pair = pairs[k];
     if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);

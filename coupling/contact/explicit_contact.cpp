@@ -92,7 +92,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
 
 ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
-  for (ContactList* list : {&now_, &before_}) {
+  for (ContactList* list : {&now_, &before_, &ahead_}) {
     list->points.reserve(expected);
     list->memory.reserve(expected);
     list->briefs.reserve(expected);
@@ -145,13 +145,23 @@ void ExplicitContact::undo(State& state) {
   clear_ = 0.0;
 }
 
-void ExplicitContact::add(std::span<double> f) const {
+void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
+
+void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const ContactMemory& m = now_.memory[i];
-    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, now_.points[i], gap_row(now_.points[i].at), m.fn + m.water, f);
-    if (m.ft != 0.0) add_row_force(o, now_.points[i], stretch_row(now_.points[i].at, m.anchor), m.ft, f);
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    const ContactMemory& m = list.memory[i];
+    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, p, gap_row(p.at), m.fn + m.water, f);
+    if (m.ft != 0.0) add_row_force(o, p, stretch_row(p.at, m.anchor), m.ft, f);
   }
+}
+
+void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
+  finder_.find(q, now_, false, ahead_, ContactPairs::Of::guests);
+  respond(h, v, ahead_);
+  (void)finder_.adopt_kinds(ahead_);
+  add(ahead_, f);
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
@@ -214,19 +224,14 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
-void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
-                             State& state) {
-  clear_ -= farthest;
-  std::swap(now_, before_);
-  if (clear_ > 0.0) return;  // both lists are empty and stay so
-  finder_.find(q, before_, false, now_);
-  trial_.resize(now_.points.size());
-  opened_.resize(now_.points.size());
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    ContactMemory& m = now_.memory[i];
+void ExplicitContact::respond(double h, std::span<const double> v, ContactList& list) {
+  trial_.resize(list.points.size());
+  opened_.resize(list.points.size());
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    ContactMemory& m = list.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
-    trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
-    const ContactPoint& p = now_.points[i];
+    trial_[i] = (p.at.xi - m.anchor) * p.at.length;
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     Motion motion{0.0, 0.0, 1.0 / h};
     if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
@@ -237,6 +242,15 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
     apply_law(law, p, motion, m);
     opened_[i] = m.gap0 - gap0;
   }
+}
+
+void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
+                             State& state) {
+  clear_ -= farthest;
+  std::swap(now_, before_);
+  if (clear_ > 0.0) return;  // both lists are empty and stay so
+  finder_.find(q, before_, false, now_);
+  respond(h, v, now_);
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {

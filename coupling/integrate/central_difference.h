@@ -39,6 +39,10 @@ class CentralDifference final : public Mover {
 
   /// From now to `time` guests go along straight lines from where they are.   @param end  x, y a node at that time
   void lead_guests(const State& state, std::span<const double> end, Tick time);
+  /// Forces f of contacts on nodes of guests at the end of a step in which they go along straight lines; nothing
+  /// changes.
+  /// @param end  x, y a node there   @param f  x, y a node, zero at first
+  void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
   /// Forces at the present instant; those of contacts alone on nodes of guests [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
@@ -73,6 +77,7 @@ class CentralDifference final : public Mover {
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void move_guests(const State& state, Tick arrival, double& farthest);
+  void turn(const State& state, double h);  // what was moved, where nodes turn
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
   void add_terms(const State& state);

@@ -52,7 +52,9 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &asked_,
                   &answer_,
                   &mismatch_,
-                  &kick_})
+                  &kick_,
+                  &foreseen_,
+                  &unforeseen_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -113,7 +115,7 @@ double Newmark::enter(State& state) {
       system_.node_accelerations(acceleration_, state.a);
     }
   } else {
-    state.a.clear();
+    state.a.assign(path_ != nullptr ? state.q.size() : 0, 0.0);
   }
   return contact_energy(list_);
 }
@@ -263,11 +265,48 @@ void Newmark::find_step_springs(const State& state, double h) {
   }
 }
 
-bool Newmark::pull_along(const State& state, StepReport& report) {
-  // Along straight lines to where the iterate ends.
+void Newmark::begin_pull(const State& state, double h) {
+  // To begin with both sides go on as they did in the last step.
+  system_.accelerations(state.q, state.a, acceleration_);
+  for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = h * system_.rate()[i] + 0.5 * h * h * acceleration_[i];
+  move_to_iterate(state);
+  pull_iteration_.begin(system_.unit());
+  std::fill(unforeseen_.begin(), unforeseen_.end(), 0.0);
+  if (!foresee_pull(state)) {
+    pull_nodes_.assign(path_->present().begin(), path_->present().end());
+    take_pull(state);
+  }
+  asked_ = answer_;
+  if (system_.nonlinear()) (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+}
+
+void Newmark::move_to_iterate(const State& state) {
   q_new_ = state.q;
   v_new_ = state.v;
-  system_.retract(d_, rate_, true, q_new_, v_new_);
+  system_.retract(d_, rate_, path_ != nullptr, q_new_, v_new_);
+}
+
+void Newmark::take_pull(const State& state) {
+  std::fill(pull_.begin(), pull_.end(), 0.0);
+  system_.add_forces(pull_nodes_, state.q, pull_);
+  answer_ = pull_;
+  for (std::size_t i = guides_; i < springs_.size(); ++i)
+    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+}
+
+bool Newmark::foresee_pull(const State& state) {
+  pull_nodes_.assign(state.q.size(), 0.0);
+  if (!path_->foresee(q_new_, pull_nodes_)) return false;
+  take_pull(state);
+  for (std::size_t i = 0; i < pull_.size(); ++i) {
+    pull_[i] += unforeseen_[i];
+    answer_[i] += unforeseen_[i];
+  }
+  return true;
+}
+
+bool Newmark::meet_pull(const State& state, bool foreseen, StepReport& report) {
+  if (foreseen) foreseen_ = pull_;
   pull_nodes_.assign(state.q.size(), 0.0);
   const StepReport found = path_->mean(q_new_, pull_nodes_);
   if (found.status != StepReport::Status::ok) {
@@ -277,12 +316,22 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
     report.cause = found.cause;
     return false;
   }
-  std::fill(pull_.begin(), pull_.end(), 0.0);
-  system_.add_forces(pull_nodes_, state.q, pull_);
-  answer_ = pull_;
-  for (std::size_t i = guides_; i < springs_.size(); ++i)
-    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+  take_pull(state);
+  if (foreseen && pull_ != foreseen_) {
+    for (std::size_t i = 0; i < pull_.size(); ++i) unforeseen_[i] += pull_[i] - foreseen_[i];
+    pull_iteration_.begin(system_.unit());  // earlier answers were others
+  }
   return true;
+}
+
+double Newmark::pulls_apart() {
+  // What the other side pulls by now, less what the balance was made with; and what that left.
+  double apart = 0.0;
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
+    mismatch_[i] = answer_[i] - asked_[i] + out_[i];
+  }
+  return apart;
 }
 
 void Newmark::linear_system(double h) {
@@ -338,15 +387,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
-  if (path_ != nullptr) {
-    // To begin with: what pulls now stays while both sides go on as they are.
-    std::fill(asked_.begin(), asked_.end(), 0.0);
-    system_.add_forces(path_->present(), state.q, asked_);
-    for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = h * system_.rate()[i];
-    for (std::size_t i = guides_; i < springs_.size(); ++i)
-      springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(rate_), asked_);
-    pull_iteration_.begin(system_.unit());
-  }
+  if (path_ != nullptr) begin_pull(state, h);
   std::vector<double> affine(d_.size(), 0.0);
   if (spares) add_affine_damping(state, system_.rate(), affine);
   bool fresh = true;
@@ -383,13 +424,10 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     ++report.iterations;
     fresh = false;
-    q_new_ = state.q;
-    v_new_ = state.v;
     for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-    if (path_ != nullptr && !pull_along(state, report)) return false;
-    q_new_ = state.q;
-    v_new_ = state.v;
-    system_.retract(d_, rate_, false, q_new_, v_new_);
+    move_to_iterate(state);
+    bool met = path_ == nullptr || !foresee_pull(state);
+    if (path_ != nullptr && met && !meet_pull(state, false, report)) return false;
     force_after_ = force_before_;
     energy_after_ = system_.linearise(q_new_, kind, false, {}, force_after_);
     force_ = force_after_;
@@ -406,21 +444,19 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
-    // What the other side pulls by now, less what the balance above was made with; and what that left.
-    double apart = 0.0;
-    if (path_ != nullptr) {
-      for (std::size_t i = 0; i < d_.size(); ++i) {
-        apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
-        mismatch_[i] = answer_[i] - asked_[i] + out_[i];
-      }
-    }
     const double rounded = iterative ? round_off(state) : 0.0;
-    const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
-    if (!iterative || (left <= kBalanced * largest && together)) return true;
-    const bool at_round_off = left <= rounded;
-    if (at_round_off && together && report.iterations > 2 && left > 0.5 * last) {
-      report.at_round_off = true;
-      return true;
+    const bool at_round_off = left <= rounded, balanced = !iterative || left <= kBalanced * largest,
+               stays = at_round_off && report.iterations > 2 && left > 0.5 * last;
+    double apart = 0.0;
+    for (;; met = true) {
+      if (path_ != nullptr) apart = pulls_apart();
+      const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
+      if (!together || !(balanced || stays)) break;
+      if (met) {
+        report.at_round_off = !balanced;
+        return true;
+      }
+      if (!meet_pull(state, true, report)) return false;
     }
     if (report.iterations >= kIterations ||
         (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {

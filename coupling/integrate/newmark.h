@@ -72,7 +72,14 @@ class Newmark final : public Mover {
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
   void find_step_springs(const State& state, double h);
   // The force from outside: its mean at an iterate, and what the linear system has of it.
-  [[nodiscard]] bool pull_along(const State& state, StepReport& report);
+  void begin_pull(const State& state, double h);
+  void move_to_iterate(const State& state);
+  void take_pull(const State& state);
+  [[nodiscard]] bool foresee_pull(const State& state);
+  /// @param foreseen  it was, at this iterate: what the difference is is known from now on
+  [[nodiscard]] bool meet_pull(const State& state, bool foreseen, StepReport& report);
+  /// How far what pulls now is from what the balance was made with [N]; both differences go into mismatch_.
+  [[nodiscard]] double pulls_apart();
   void kick(double h);
   void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
@@ -117,7 +124,7 @@ class Newmark final : public Mover {
   // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
   // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
   // at the end.
-  std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
+  std::vector<double> pull_, asked_, answer_, mismatch_, kick_, foreseen_, unforeseen_;
   double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;

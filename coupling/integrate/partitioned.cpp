@@ -64,6 +64,7 @@ void Partitioned::split(const State& state) {
     take(*whole_, state.v, side->setup, s.v);
   }
   take(*whole_, state.a, explicit_side_.setup, explicit_side_.state.a);
+  take(*whole_, state.a, implicit_side_.setup, implicit_side_.state.a);
   take(*whole_, state.v_before, explicit_side_.setup, explicit_side_.state.v_before);
   take(*whole_, state.damping, explicit_side_.setup, explicit_side_.state.damping);
   implicit_side_.state.factored = state.factored;
@@ -138,6 +139,7 @@ void Partitioned::join(State& state) {
     if (!numbers.empty()) take_bodies(explicit_side_, numbers, *whole_, out);
   };
   of_explicit(e.a, state.a);
+  if (!i.a.empty()) take_bodies(implicit_side_, i.a, *whole_, state.a);
   of_explicit(e.v_before, state.v_before);
   of_explicit(e.damping, state.damping);
   state.time = e.time;
@@ -191,37 +193,57 @@ void Partitioned::rewind() {
   s.contacts = saved_.contacts;
   s.ledger = saved_.ledger;
   explicit_->go_back(s, mark_);
+  gone_ = false;
+}
+
+void Partitioned::add_to_guests(double weight, std::span<const double> f) {
+  for (const Body& b : explicit_side_.setup.bodies()) {
+    if (!b.guest) continue;
+    const auto first = 2 * static_cast<std::size_t>(b.first_node), n = 2 * static_cast<std::size_t>(b.nodes);
+    for (std::size_t k = first; k < first + n; ++k) sum_[k] += weight * f[k];
+  }
+}
+
+void Partitioned::give(std::span<double> force) const {
+  for (std::size_t i = 0; i < implicit_side_.own.size(); ++i)
+    if (implicit_side_.own[i] != 0)
+      copy_numbers(explicit_side_.setup.bodies()[i], sum_, implicit_side_.setup.bodies()[i], force);
+}
+
+bool Partitioned::foresee(std::span<const double> end, std::span<double> force) {
+  // In one substep explicit bodies go where they go whatever the guests do; before the last of many they do not.
+  if (substeps_ > 1) return false;
+  if (gone_) rewind();
+  take_bodies(implicit_side_, end, explicit_side_.setup, end_);
+  ahead_.assign(end_.size(), 0.0);
+  explicit_->foresee(explicit_side_.state, end_, step_, ahead_);
+  std::fill(sum_.begin(), sum_.end(), 0.0);
+  add_to_guests(0.5, explicit_->forces());
+  add_to_guests(0.5, ahead_);
+  give(force);
+  return true;
 }
 
 StepReport Partitioned::mean(std::span<const double> end, std::span<double> force) {
   State& s = explicit_side_.state;
-  if (repeats_++ > 0) rewind();
+  if (gone_) rewind();
+  gone_ = true;
+  ++repeats_;
   take_bodies(implicit_side_, end, explicit_side_.setup, end_);
   explicit_->lead_guests(s, end_, s.time + step_);
   std::fill(sum_.begin(), sum_.end(), 0.0);
   const double H = seconds(step_);
-  const auto add = [&](double weight) {
-    const std::span<const double> f = explicit_->forces();
-    for (std::size_t i = 0; i < explicit_side_.own.size(); ++i) {
-      const Body& b = explicit_side_.setup.bodies()[i];
-      if (!b.guest) continue;
-      const auto first = 2 * static_cast<std::size_t>(b.first_node), n = 2 * static_cast<std::size_t>(b.nodes);
-      for (std::size_t k = first; k < first + n; ++k) sum_[k] += weight * f[k];
-    }
-  };
   Tick left = step_;
   for (std::int32_t j = 0; j < substeps_; ++j) {
     const Tick ticks = left / (substeps_ - j);
     const double weight = 0.5 * seconds(ticks) / H;
-    add(weight);
+    add_to_guests(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
     if (report.status != StepReport::Status::ok) return report;
-    add(weight);
+    add_to_guests(weight, explicit_->forces());
     left -= ticks;
   }
-  for (std::size_t i = 0; i < implicit_side_.own.size(); ++i)
-    if (implicit_side_.own[i] != 0)
-      copy_numbers(explicit_side_.setup.bodies()[i], sum_, implicit_side_.setup.bodies()[i], force);
+  give(force);
   return {};
 }
 
@@ -238,6 +260,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   substeps_ = static_cast<std::int32_t>(std::min<Tick>(substeps_, ticks_of_step));
   step_ = ticks_of_step;
   repeats_ = 0;
+  gone_ = false;
   explicit_->mark(mark_);
   saved_.time = e.time;
   saved_.last_step = e.last_step;
@@ -260,7 +283,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
   if (report.status != StepReport::Status::ok) {
-    if (repeats_ > 0) rewind();
+    if (gone_) rewind();
     return report;
   }
   if (audit_ != nullptr) explicit_->check(e, *audit_);

@@ -69,7 +69,12 @@ class Partitioned final : public Mover, private PathForce {
 
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
+  bool foresee(std::span<const double> end, std::span<double> force) override;
   StepReport mean(std::span<const double> end, std::span<double> force) override;
+  /// sum_ += weight times the forces on guests.
+  void add_to_guests(double weight, std::span<const double> f);
+  /// sum_ in the numbers of the implicit side.
+  void give(std::span<double> force) const;
 
   const Setup* whole_;
   Choice choice_;
@@ -80,11 +85,12 @@ class Partitioned final : public Mover, private PathForce {
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
-  std::vector<double> present_;    // numbers of the implicit side
-  std::vector<double> end_, sum_;  // numbers of the explicit side
+  std::vector<double> present_;            // numbers of the implicit side
+  std::vector<double> end_, sum_, ahead_;  // numbers of the explicit side
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;
+  bool gone_ = false;  // the explicit side is at the end of the step
   CentralDifference::Mark mark_;
   struct Saved {  // what substeps change in the explicit side's state
     Tick time = 0, last_step = 0;

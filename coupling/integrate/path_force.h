@@ -27,6 +27,9 @@ class PathForce {
   [[nodiscard]] virtual std::span<const Spring> springs() const = 0;
   /// Force on the nodes where the step begins [N].
   [[nodiscard]] virtual std::span<const double> present() const = 0;
+  /// What mean() would say, as far as that is known for little work, and without going along.
+  /// @return false: it is not known
+  virtual bool foresee(std::span<const double> end, std::span<double> force) = 0;
   /// Mean force over the step while nodes go to `end` along straight lines, each part weighted by its time.
   /// @param force  x, y a node, zero at first
   /// @return not ok: the bodies that pull cannot go along
