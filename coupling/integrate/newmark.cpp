@@ -367,14 +367,20 @@ double Newmark::residual(const State& state, double h, double& largest) {
   return largest_of(out_);
 }
 
-double Newmark::round_off(const State& state) const {
+Newmark::RoundOff Newmark::round_off(const State& state) const {
   // A force is a sum of stiffness times positions, each known to half a unit in the last place.
-  double stiffest = 0.0;
+  RoundOff out;
   const SymmetricPattern& p = system_.pattern();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c)
-    stiffest = std::max(stiffest, A_[static_cast<std::size_t>(p.column_start[c])]);
-  for (std::size_t i = guides_; i < springs_.size(); ++i) stiffest = std::max(stiffest, springs_.k[i]);
-  return 8.0 * std::numeric_limits<double>::epsilon() * stiffest * largest_of(state.q);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c) {
+    const auto diagonal = static_cast<std::size_t>(p.column_start[c]);
+    out.system = std::max(out.system, A_[diagonal]);
+    out.bodies = std::max(out.bodies, K_[diagonal]);
+  }
+  for (std::size_t i = guides_; i < springs_.size(); ++i) out.system = std::max(out.system, springs_.k[i]);
+  const double places = std::numeric_limits<double>::epsilon() * largest_of(state.q);
+  out.system *= 8.0 * places;
+  out.bodies *= 2.0 * places;
+  return out;
 }
 
 bool Newmark::balance(const State& state, double h, StepReport& report) {
@@ -444,14 +450,15 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
-    const double rounded = iterative ? round_off(state) : 0.0;
-    const bool at_round_off = left <= rounded, balanced = !iterative || left <= kBalanced * largest,
-               stays = at_round_off && report.iterations > 2 && left > 0.5 * last;
+    const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
+    const bool at_round_off = left <= rounded.system, balanced = !iterative || left <= kBalanced * largest,
+               stays = at_round_off && report.iterations > 2 && left > 0.5 * last,
+               kicked = path_ != nullptr && left <= rounded.bodies;  // what is left is not lost: mismatch_
     double apart = 0.0;
     for (;; met = true) {
       if (path_ != nullptr) apart = pulls_apart();
-      const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
-      if (!together || !(balanced || stays)) break;
+      const bool together = apart <= std::max(options_.together * largest_pulled_, rounded.system);
+      if (!together || !(balanced || stays || kicked)) break;
       if (met) {
         report.at_round_off = !balanced;
         return true;

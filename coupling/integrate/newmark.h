@@ -86,7 +86,11 @@ class Newmark final : public Mover {
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
   [[nodiscard]] double residual(const State& state, double h, double& largest);
-  [[nodiscard]] double round_off(const State& state) const;
+  struct RoundOff {
+    double system = 0.0;  // of the linear system's forces, inertia included [N]
+    double bodies = 0.0;  // of forces inside the bodies, which come from positions [N]
+  };
+  [[nodiscard]] RoundOff round_off(const State& state) const;
   [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
   /// The report of a step that ends in a state without a meaning.
   [[nodiscard]] static StepReport lost(const StepReport& report, const LostPlace& place, const State& state, double h);
