@@ -75,10 +75,13 @@ ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segmen
                           x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
 }
 
-std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
+ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
-  if (e.segments == 1) return e.first_segment;
+  const auto distance = [&](const Outlines::Segment& s) {
+    return distance_to(x, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+  };
+  if (e.segments == 1) return {e.first_segment, distance(o.segments[static_cast<std::size_t>(e.first_segment)])};
   const Vec2& along = pairs_.direction(edge);
   const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
   const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
@@ -89,12 +92,12 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
   auto best = first;
   double nearest = 0.0;
   for (auto s = first; s != last; ++s) {
-    const double d = distance_to(x, x_[static_cast<std::size_t>(s->a)], x_[static_cast<std::size_t>(s->b)]);
+    const double d = distance(*s);
     if (s != first && d >= nearest) continue;
     nearest = d;
     best = s;
   }
-  return static_cast<std::int32_t>(best - o.segments.begin());
+  return {static_cast<std::int32_t>(best - o.segments.begin()), nearest};
 }
 
 template <class See>
@@ -370,9 +373,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const VertexEdge& pair = pairs[k];
     if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
     const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
-    const std::int32_t segment = segment_under(xP, pair.edge);
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
-    const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+    const auto [segment, nearest] = segment_under(xP, pair.edge);
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;

@@ -46,7 +46,12 @@ class ContactFinder {
   [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
-  [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
+  /// The segment of an edge nearest to a point, and its distance [m].
+  struct Under {
+    std::int32_t segment;
+    double distance;
+  };
+  [[nodiscard]] Under segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
   [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
