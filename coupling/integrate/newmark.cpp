@@ -54,7 +54,8 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &mismatch_,
                   &kick_,
                   &foreseen_,
-                  &unforeseen_})
+                  &unforeseen_,
+                  &pulled_at_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -286,7 +287,15 @@ void Newmark::move_to_iterate(const State& state) {
   system_.retract(d_, rate_, path_ != nullptr, q_new_, v_new_);
 }
 
+double Newmark::way_since_pull() const {
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < d_.size(); ++i)
+    farthest = std::max(farthest, system_.unit()[i] * std::abs(d_[i] - pulled_at_[i]));
+  return farthest;
+}
+
 void Newmark::take_pull(const State& state) {
+  pulled_at_ = d_;
   std::fill(pull_.begin(), pull_.end(), 0.0);
   system_.add_forces(pull_nodes_, state.q, pull_);
   answer_ = pull_;
@@ -432,8 +441,6 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     fresh = false;
     for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
     move_to_iterate(state);
-    bool met = path_ == nullptr || !foresee_pull(state);
-    if (path_ != nullptr && met && !meet_pull(state, false, report)) return false;
     force_after_ = force_before_;
     energy_after_ = system_.linearise(q_new_, kind, false, {}, force_after_);
     force_ = force_after_;
@@ -449,6 +456,11 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       else
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
+    }
+    bool met = path_ == nullptr;
+    if (path_ != nullptr) {
+      met = way_since_pull() * path_->stiffness() <= options_.together * largest_pulled_ || !foresee_pull(state);
+      if (met && !meet_pull(state, false, report)) return false;
     }
     const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
     const bool at_round_off = left <= rounded.system, balanced = !iterative || left <= kBalanced * largest,

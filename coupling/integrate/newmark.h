@@ -75,6 +75,8 @@ class Newmark final : public Mover {
   void begin_pull(const State& state, double h);
   void move_to_iterate(const State& state);
   void take_pull(const State& state);
+  /// How far nodes are from where the pull was last known for [m].
+  [[nodiscard]] double way_since_pull() const;
   [[nodiscard]] bool foresee_pull(const State& state);
   /// @param foreseen  it was, at this iterate: what the difference is is known from now on
   [[nodiscard]] bool meet_pull(const State& state, bool foreseen, StepReport& report);
@@ -128,7 +130,7 @@ class Newmark final : public Mover {
   // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
   // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
   // at the end.
-  std::vector<double> pull_, asked_, answer_, mismatch_, kick_, foreseen_, unforeseen_;
+  std::vector<double> pull_, asked_, answer_, mismatch_, kick_, foreseen_, unforeseen_, pulled_at_;
   double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;

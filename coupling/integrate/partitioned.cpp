@@ -37,6 +37,12 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       explicit_(std::make_unique<CentralDifference>(explicit_side_.setup, control, detection, choice.explicit_damping)),
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   implicit_->pull(this);
+  const Setup& setup = explicit_side_.setup;
+  for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
+    const Body& b = setup.bodies()[static_cast<std::size_t>(setup.outlines().node_body[i])];
+    compliance_.push_back(b.guest ? setup.pool_of(b).compliance(b.index, setup.local(b, setup.outlines().nodes[i]))
+                                  : 0.0);
+  }
 }
 
 void Partitioned::take(const Setup& from, std::span<const double> all, const Setup& to,
@@ -155,6 +161,8 @@ void Partitioned::join(State& state) {
 void Partitioned::find_springs() {
   // Springs of closed contacts with an implicit body. They stretch with the way, so that their mean sees half of it.
   springs_.clear();
+  stiffness_ = 0.0;
+  double turns_back = 0.0;  // bounds the part of a change of the way that comes back as another one
   const Setup& setup = explicit_side_.setup;
   const Outlines& o = setup.outlines();
   const ContactList& list = explicit_->contacts();
@@ -172,12 +180,19 @@ void Partitioned::find_springs() {
         if (!is_guest(p.node[n])) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
+        turns_back += s.k * compliance_[static_cast<std::size_t>(p.node[n])];
       }
-      if (s.count > 0) springs_.push_back(s);
+      if (s.count == 0) return;
+      springs_.push_back(s);
+      stiffness_ += s.k;
     };
     add(gap_row(p.at), m.kn);
     if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt);
   }
+  // Short steps: bodies hardly follow, and iterations without the springs end as soon.
+  constexpr double kHardly = 1e-3;
+  const double H = seconds(step_);
+  if (0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {

@@ -68,6 +68,7 @@ class Partitioned final : public Mover, private PathForce {
   void rewind();
 
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
+  [[nodiscard]] double stiffness() const override { return stiffness_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   bool foresee(std::span<const double> end, std::span<double> force) override;
   StepReport mean(std::span<const double> end, std::span<double> force) override;
@@ -85,6 +86,8 @@ class Partitioned final : public Mover, private PathForce {
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
+  double stiffness_ = 0.0;                 // of all contacts with guests, half of it [N/m]
+  std::vector<double> compliance_;         // of outline nodes of guests [1/kg]
   std::vector<double> present_;            // numbers of the implicit side
   std::vector<double> end_, sum_, ahead_;  // numbers of the explicit side
   Tick step_ = 0;
