@@ -83,8 +83,8 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
   }
   if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
-  const double spring_t = -m.kt * m.stretch, cap = friction_limit(law, m, m.fn);
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -cap, cap) : spring_t;
+  const double spring_t = -m.kt * m.stretch;
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -limit, limit) : spring_t;
   m.fdt = m.ft - spring_t;
 }
 

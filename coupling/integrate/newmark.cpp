@@ -457,20 +457,20 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
+    const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
     bool met = path_ == nullptr;
+    const double allowed = std::max(options_.together * largest_pulled_, rounded.system);
     if (path_ != nullptr) {
-      met = way_since_pull() * path_->stiffness() <= options_.together * largest_pulled_ || !foresee_pull(state);
+      met = way_since_pull() * path_->stiffness() <= allowed || !foresee_pull(state);
       if (met && !meet_pull(state, false, report)) return false;
     }
-    const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
     const bool at_round_off = left <= rounded.system, balanced = !iterative || left <= kBalanced * largest,
                stays = at_round_off && report.iterations > 2 && left > 0.5 * last,
                kicked = path_ != nullptr && left <= rounded.bodies;  // what is left is not lost: mismatch_
     double apart = 0.0;
     for (;; met = true) {
       if (path_ != nullptr) apart = pulls_apart();
-      const bool together = apart <= std::max(options_.together * largest_pulled_, rounded.system);
-      if (!together || !(balanced || stays || kicked)) break;
+      if (apart > allowed || !(balanced || stays || kicked)) break;
       if (met) {
         report.at_round_off = !balanced;
         return true;
