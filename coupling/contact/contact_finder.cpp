@@ -373,19 +373,20 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const VertexEdge& pair = pairs[k];
     if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
     const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
-    const auto [segment, nearest] = segment_under(xP, pair.edge);
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
     const bool closed = has_memory && known_.closed(old);
-    if (!closed && nearest > detection_) continue;
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+    const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
+    if (!closed && under.distance > detection_) continue;
     if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
       settle_vertex(first_of_vertex, at_start, out);
       first_of_vertex = out.points.size();
     }
     // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
     ContactPoint& p = out.points.emplace_back();
-    p.segment = segment;
+    p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
     if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
       out.briefs.push_back({pair.vertex, pair.edge});

@@ -43,7 +43,8 @@ double dilating_slip(const JointLaw& law, const ContactPoint& p, const Motion& m
 
 /// Normal penalty, which pulls as far as a bond bears, tangential spring with Coulomb's cap (return mapping). Moves the
 /// anchor when it slips, and gap0 where slip opens the joint.
-void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion, ContactMemory& m) {
+void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, const Motion& motion,
+               ContactMemory& m) {
   if (m.bonded != 0 && m.kn * m.gap > tension_limit(law, m)) mark_failed(law, m);
   // A slide that opens the joint lifts the bodies before the spring follows.
   const double follows =
@@ -61,7 +62,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
     m.stretch = 0.0;
     m.status = ContactStatus::stick;
   }
-  const double limit = friction_limit(law, m, m.fn);
+  const double limit = strength(law, tan_friction, m).friction_limit(m.fn);
   if (m.kt * std::abs(m.stretch) > limit) {
     const bool pulled = m.bonded != 0 && m.gap >= 0.0;
     mark_failed(law, m);
@@ -73,7 +74,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
       m.gap0 += opened;
       press();
     }
-    const double kept = std::copysign(friction_limit(law, m, m.fn) / m.kt, m.stretch);
+    const double kept = std::copysign(strength(law, tan_friction, m).friction_limit(m.fn) / m.kt, m.stretch);
     m.slip += std::abs(m.stretch - kept);
     m.anchor = p.at.xi - kept / p.at.length;
     m.stretch = (p.at.xi - m.anchor) * p.at.length;
@@ -97,6 +98,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(
     list->memory.reserve(expected);
     list->briefs.reserve(expected);
   }
+  for (const JointLaw& law : setup.model().joints) tan_friction_.push_back(std::tan(law.friction));
   left_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
@@ -111,7 +113,8 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
   for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], {}, m);
+    const auto joint = static_cast<std::size_t>(m.joint);
+    apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
   }
   state.contacts = now_.memory;
   clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
@@ -239,7 +242,7 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
       motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
     const double gap0 = m.gap0;
-    apply_law(law, p, motion, m);
+    apply_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], p, motion, m);
     opened_[i] = m.gap0 - gap0;
   }
 }
