@@ -332,16 +332,22 @@ void CentralDifference::turn(const State& state, double h) {
                          setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
 }
 
-void CentralDifference::mark(Mark& out) const {
-  contact_.mark(out.contacts);
+void CentralDifference::mark(Mark& out, bool far) const {
+  out.far = far;
+  if (far) contact_.mark(out.contacts);
   out.stress = stress_;
   out.total = total_;
   out.stiffness = stiffness_.force;
   out.local = local_.force;
 }
 
-void CentralDifference::go_back(const State& state, const Mark& mark) {
-  contact_.go_back(mark.contacts);
+void CentralDifference::go_back(State& state, const Mark& mark) {
+  if (mark.far) {
+    contact_.go_back(mark.contacts);
+    state.contacts = mark.contacts.memory;
+  } else {
+    contact_.undo(state);
+  }
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;
   total_ = mark.total;

@@ -48,13 +48,15 @@ class CentralDifference final : public Mover {
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
   /// What steps change beside the state.
   struct Mark {
-    ContactList contacts;
+    bool far = false;
+    ContactList contacts;  // only if it is far
     std::vector<double> stress, total, stiffness, local;
   };
-  void mark(Mark& out) const;
+  /// @param far  more than one step may be taken before going back
+  void mark(Mark& out, bool far) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
-  /// Goes back to an earlier instant of the stage, whose state its owner has brought back.
-  void go_back(const State& state, const Mark& mark);
+  /// Goes back to an earlier instant of the stage, whose state its owner has brought back but for the contacts.
+  void go_back(State& state, const Mark& mark);
 
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);

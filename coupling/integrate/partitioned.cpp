@@ -205,7 +205,6 @@ void Partitioned::rewind() {
   s.a = saved_.a;
   s.v_before = saved_.v_before;
   s.damping = saved_.damping;
-  s.contacts = saved_.contacts;
   s.ledger = saved_.ledger;
   explicit_->go_back(s, mark_);
   gone_ = false;
@@ -254,7 +253,10 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<double> forc
     const double weight = 0.5 * seconds(ticks) / H;
     add_to_guests(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
-    if (report.status != StepReport::Status::ok) return report;
+    if (report.status != StepReport::Status::ok) {
+      gone_ = substeps_ > 1;  // a step that fails leaves things as they were
+      return report;
+    }
     add_to_guests(weight, explicit_->forces());
     left -= ticks;
   }
@@ -276,7 +278,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   step_ = ticks_of_step;
   repeats_ = 0;
   gone_ = false;
-  explicit_->mark(mark_);
+  explicit_->mark(mark_, substeps_ > 1);
   saved_.time = e.time;
   saved_.last_step = e.last_step;
   saved_.step = e.step;
@@ -285,7 +287,6 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   saved_.a = e.a;
   saved_.v_before = e.v_before;
   saved_.damping = e.damping;
-  saved_.contacts = e.contacts;
   saved_.ledger = e.ledger;
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);

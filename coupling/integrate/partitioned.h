@@ -99,7 +99,6 @@ class Partitioned final : public Mover, private PathForce {
     Tick time = 0, last_step = 0;
     std::int64_t step = 0;
     std::vector<double> q, v, a, v_before, damping;
-    std::vector<ContactMemory> contacts;
     Ledger ledger;
   };
   Saved saved_;
