@@ -49,8 +49,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &rhs_,
                   &out_,
                   &pull_,
-                  &asked_,
-                  &answer_,
+                  &asked_forces_,
                   &mismatch_,
                   &kick_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
@@ -261,6 +260,40 @@ void Newmark::find_step_springs(const State& state, double h) {
       add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
     }
   }
+  seams_ = springs_.size();
+  for (const PathForce::Seam& s : path_->seams())
+    for (const Vec2& direction : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
+      begin(s.k, 0.0);
+      add(s.body, s.row, direction);
+    }
+}
+
+void Newmark::sum_asked() {
+  std::copy_n(asked_.begin(), asked_forces_.size(), asked_forces_.begin());
+  for (std::size_t i = seams_; i < springs_.size(); ++i)
+    springs_.rows[i].add_force(asked_[d_.size() + i - seams_], asked_forces_);
+}
+
+void Newmark::begin_pull(const State& state, double h) {
+  // To begin with: what pulls now stays while both sides go on as they are.
+  const std::size_t n = d_.size(), held = springs_.size() - seams_;
+  asked_.assign(n + held, 0.0);
+  answer_.resize(asked_.size());
+  held_.resize(held);
+  apart_.resize(held);
+  system_.add_forces(path_->present(), state.q, std::span(asked_).first(n));
+  for (std::size_t i = 0; i < n; ++i) rate_[i] = h * system_.rate()[i];
+  for (std::size_t i = guides_; i < springs_.size(); ++i) {
+    const double force = springs_.k[i] * springs_.rows[i].change(rate_);
+    if (i < seams_)
+      springs_.rows[i].add_force(force, asked_);
+    else
+      asked_[n + i - seams_] = path_->held()[i - seams_] + force;
+  }
+  sum_asked();
+  units_.assign(asked_.size(), 1.0);
+  std::copy(system_.unit().begin(), system_.unit().end(), units_.begin());
+  pull_iteration_.begin(units_);
 }
 
 bool Newmark::pull_along(const State& state, StepReport& report) {
@@ -269,7 +302,10 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
   v_new_ = state.v;
   system_.retract(d_, rate_, true, q_new_, v_new_);
   pull_nodes_.assign(state.q.size(), 0.0);
-  const StepReport found = path_->mean(q_new_, pull_nodes_);
+  // The balance was made with these forces of the seams.
+  for (std::size_t i = seams_; i < springs_.size(); ++i)
+    held_[i - seams_] = asked_[d_.size() + i - seams_] - springs_.k[i] * springs_.rows[i].change(d_);
+  const StepReport found = path_->mean(q_new_, held_, pull_nodes_, apart_);
   if (found.status != StepReport::Status::ok) {
     report.status = found.status;
     report.suggested = found.suggested;
@@ -279,9 +315,11 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
   }
   std::fill(pull_.begin(), pull_.end(), 0.0);
   system_.add_forces(pull_nodes_, state.q, pull_);
-  answer_ = pull_;
-  for (std::size_t i = guides_; i < springs_.size(); ++i)
+  std::copy(pull_.begin(), pull_.end(), answer_.begin());
+  for (std::size_t i = guides_; i < seams_; ++i)
     springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+  for (std::size_t i = seams_; i < springs_.size(); ++i)
+    answer_[d_.size() + i - seams_] = asked_[d_.size() + i - seams_] - springs_.k[i] * apart_[i - seams_];
   return true;
 }
 
@@ -308,12 +346,12 @@ double Newmark::residual(const State& state, double h, double& largest) {
   for (std::size_t i = 0; i < out_.size(); ++i)
     out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
   if (path_ != nullptr) {
-    largest = std::max(largest, largest_of(pull_));
+    largest = std::max({largest, largest_of(pull_), largest_of(held_)});
     largest_pulled_ = largest;  // guides have forces that may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
   if (path_ != nullptr) {
-    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_[i];  // less the guides', which are in already
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_forces_[i];  // less the guides', which are in
   }
   return largest_of(out_);
 }
@@ -338,15 +376,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
-  if (path_ != nullptr) {
-    // To begin with: what pulls now stays while both sides go on as they are.
-    std::fill(asked_.begin(), asked_.end(), 0.0);
-    system_.add_forces(path_->present(), state.q, asked_);
-    for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = h * system_.rate()[i];
-    for (std::size_t i = guides_; i < springs_.size(); ++i)
-      springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(rate_), asked_);
-    pull_iteration_.begin(system_.unit());
-  }
+  if (path_ != nullptr) begin_pull(state, h);
   std::vector<double> affine(d_.size(), 0.0);
   if (spares) add_affine_damping(state, system_.rate(), affine);
   bool fresh = true;
@@ -361,7 +391,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     system_.pattern().multiply_add(1.0, K_, moved, rhs_);
     if (path_ != nullptr)
-      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_[i];
+      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
     if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
     if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
     if (spares)
@@ -409,10 +439,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     // What the other side pulls by now, less what the balance above was made with; and what that left.
     double apart = 0.0;
     if (path_ != nullptr) {
-      for (std::size_t i = 0; i < d_.size(); ++i) {
-        apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
-        mismatch_[i] = answer_[i] - asked_[i] + out_[i];
-      }
+      for (std::size_t i = 0; i < asked_.size(); ++i) apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
+      for (std::size_t i = 0; i < d_.size(); ++i) mismatch_[i] = answer_[i] - asked_[i] + out_[i];
     }
     const double rounded = iterative ? round_off(state) : 0.0;
     const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
@@ -435,7 +463,10 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           std::max(report.residual, apart / largest), report.iterations);
       return false;
     }
-    if (path_ != nullptr) pull_iteration_.next(answer_, asked_);
+    if (path_ != nullptr) {
+      pull_iteration_.next(answer_, asked_);
+      sum_asked();
+    }
     // A kept stiffness that is too far from this iterate's is made anew.
     if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
       (void)system_.linearise(q_new_, kind, false, K_, force_);

@@ -73,6 +73,9 @@ class Newmark final : public Mover {
   void find_step_springs(const State& state, double h);
   // The force from outside: its mean at an iterate, and what the linear system has of it.
   [[nodiscard]] bool pull_along(const State& state, StepReport& report);
+  /// How the first linear system sees the force from outside.
+  void begin_pull(const State& state, double h);
+  void sum_asked();
   void kick(double h);
   void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
@@ -105,6 +108,7 @@ class Newmark final : public Mover {
   OpenClose contacts_;
   StepSprings springs_;
   std::size_t guides_ = 0;  // the first of them that only stands for the stiffness of path_
+  std::size_t seams_ = 0;   // and the first of those that do for its seams
   PathForce* path_ = nullptr;
   FixedPoint pull_iteration_;
   std::vector<PointSpring> supports_;
@@ -114,11 +118,14 @@ class Newmark final : public Mover {
   std::vector<Vec2> driven_move_;   // a body
   std::vector<double> reference_;   // the nodes of bodies in their reference shape
   std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
-  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
+  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it,
+  // and after the unknowns the forces of the seams where nothing moves; answer_ alike.
   // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
   // at the end.
   std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
-  double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
+  std::vector<double> asked_forces_, units_;  // asked_ in the unknowns; what asked_ is measured by
+  std::vector<double> held_, apart_;          // of the seams: forces at the iterate, and what they leave
+  double largest_pulled_ = 0.0;               // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
