@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -261,39 +262,62 @@ void Newmark::find_step_springs(const State& state, double h) {
     }
   }
   seams_ = springs_.size();
-  for (const PathForce::Seam& s : path_->seams())
-    for (const Vec2& direction : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
-      begin(s.k, 0.0);
-      add(s.body, s.row, direction);
+  const std::span<const PathForce::Seam> seams = path_->seams();
+  const std::span<const double> factor = path_->seam_factor();
+  const std::array<Vec2, 2> axes{Vec2(1.0, 0.0), Vec2(0.0, 1.0)};
+  seam_rows_.clear();
+  for (const PathForce::Seam& s : seams)
+    for (const Vec2& axis : axes) {
+      seam_rows_.begin_row();
+      ImplicitSystem::add_point(system_.chart(s.body, s.row, state.q), axis, seam_rows_);
     }
+  for (std::size_t j = 0; j < seams.size(); ++j)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double first = factor[j * seams.size() + j];
+      begin(first * first, 0.0);
+      for (std::size_t i = j; i < seams.size(); ++i)
+        add(seams[i].body, seams[i].row, factor[j * seams.size() + i] / first * axes[d]);
+    }
+}
+
+void Newmark::take_seams(std::span<const double> half, std::span<double> out) const {
+  const std::size_t n = half.size() / 2;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = j; i < n; ++i)
+      for (std::size_t d = 0; d < 2; ++d) out[2 * i + d] -= path_->seam_factor()[j * n + i] * half[2 * j + d];
 }
 
 void Newmark::sum_asked() {
   std::copy_n(asked_.begin(), asked_forces_.size(), asked_forces_.begin());
-  for (std::size_t i = seams_; i < springs_.size(); ++i)
-    springs_.rows[i].add_force(asked_[d_.size() + i - seams_], asked_forces_);
+  for (std::size_t i = 0; i < seam_rows_.size(); ++i) seam_rows_[i].add_force(asked_[d_.size() + i], asked_forces_);
 }
 
 void Newmark::begin_pull(const State& state, double h) {
   // To begin with: what pulls now stays while both sides go on as they are.
-  const std::size_t n = d_.size(), held = springs_.size() - seams_;
-  asked_.assign(n + held, 0.0);
+  const std::size_t n = d_.size();
+  asked_.assign(n + seam_rows_.size(), 0.0);
   answer_.resize(asked_.size());
-  held_.resize(held);
-  apart_.resize(held);
+  held_.assign(path_->held().begin(), path_->held().end());
+  apart_.resize(held_.size());
+  along_.resize(held_.size());
   system_.add_forces(path_->present(), state.q, std::span(asked_).first(n));
   for (std::size_t i = 0; i < n; ++i) rate_[i] = h * system_.rate()[i];
-  for (std::size_t i = guides_; i < springs_.size(); ++i) {
-    const double force = springs_.k[i] * springs_.rows[i].change(rate_);
-    if (i < seams_)
-      springs_.rows[i].add_force(force, asked_);
-    else
-      asked_[n + i - seams_] = path_->held()[i - seams_] + force;
-  }
+  for (std::size_t i = guides_; i < seams_; ++i)
+    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(rate_), asked_);
+  const auto held = std::span(asked_).subspan(n);
+  find_along(rate_);
+  for (double& a : along_) a = -a;
+  std::copy(held_.begin(), held_.end(), held.begin());
+  take_seams(along_, held);
   sum_asked();
   units_.assign(asked_.size(), 1.0);
   std::copy(system_.unit().begin(), system_.unit().end(), units_.begin());
   pull_iteration_.begin(units_);
+}
+
+void Newmark::find_along(std::span<const double> d) {
+  for (std::size_t k = 0; k < along_.size(); ++k)
+    along_[k] = std::sqrt(springs_.k[seams_ + k]) * springs_.rows[seams_ + k].change(d);
 }
 
 bool Newmark::pull_along(const State& state, StepReport& report) {
@@ -303,8 +327,10 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
   system_.retract(d_, rate_, true, q_new_, v_new_);
   pull_nodes_.assign(state.q.size(), 0.0);
   // The balance was made with these forces of the seams.
-  for (std::size_t i = seams_; i < springs_.size(); ++i)
-    held_[i - seams_] = asked_[d_.size() + i - seams_] - springs_.k[i] * springs_.rows[i].change(d_);
+  const auto asked = std::span(asked_).subspan(d_.size());
+  find_along(d_);
+  std::copy(asked.begin(), asked.end(), held_.begin());
+  take_seams(along_, held_);
   const StepReport found = path_->mean(q_new_, held_, pull_nodes_, apart_);
   if (found.status != StepReport::Status::ok) {
     report.status = found.status;
@@ -318,8 +344,16 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
   std::copy(pull_.begin(), pull_.end(), answer_.begin());
   for (std::size_t i = guides_; i < seams_; ++i)
     springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
-  for (std::size_t i = seams_; i < springs_.size(); ++i)
-    answer_[d_.size() + i - seams_] = asked_[d_.size() + i - seams_] - springs_.k[i] * apart_[i - seams_];
+  const auto answer = std::span(answer_).subspan(d_.size());
+  std::copy(asked.begin(), asked.end(), answer.begin());
+  const std::size_t seams = path_->seams().size();
+  for (std::size_t j = 0; j < seams; ++j)
+    for (std::size_t d = 0; d < 2; ++d) {
+      double sum = 0.0;
+      for (std::size_t i = j; i < seams; ++i) sum += path_->seam_factor()[j * seams + i] * apart_[2 * i + d];
+      along_[2 * j + d] = sum;
+    }
+  take_seams(along_, answer);
   return true;
 }
 

@@ -75,7 +75,10 @@ class Newmark final : public Mover {
   [[nodiscard]] bool pull_along(const State& state, StepReport& report);
   /// How the first linear system sees the force from outside.
   void begin_pull(const State& state, double h);
+  void find_along(std::span<const double> d);
   void sum_asked();
+  /// out -= C C^T u of the seams; `half` is C^T u.
+  void take_seams(std::span<const double> half, std::span<double> out) const;
   void kick(double h);
   void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
@@ -124,7 +127,8 @@ class Newmark final : public Mover {
   // at the end.
   std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
   std::vector<double> asked_forces_, units_;  // asked_ in the unknowns; what asked_ is measured by
-  std::vector<double> held_, apart_;          // of the seams: forces at the iterate, and what they leave
+  DofRows seam_rows_;                         // the places of the seams, x, y a seam
+  std::vector<double> held_, apart_, along_;  // of the seams: forces at the iterate, what they leave, C^T u
   double largest_pulled_ = 0.0;               // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;

@@ -1,5 +1,6 @@
 #include "coupling/integrate/partitioned.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -61,7 +62,6 @@ void Partitioned::find_runs() {
 
 void Partitioned::find_seams(const MoverMemory* memory) {
   seams_.clear();
-  compliance_.clear();
   explicit_at_.clear();
   implicit_at_.clear();
   std::vector<std::int32_t> nodes;
@@ -72,9 +72,7 @@ void Partitioned::find_seams(const MoverMemory* memory) {
       const std::int32_t of_explicit = e.first_node + s.explicit_node - first,
                          of_implicit = i.first_node + s.implicit_node - first;
       const auto row = [](std::int32_t node) { return Row{{node, node, node}, {1.0, 0.0, 0.0}}; };
-      seams_.push_back({static_cast<std::int32_t>(b), row(of_implicit), 0.0});
-      compliance_.push_back(
-          explicit_side_.setup.pool_of(e).compliance(e.index, explicit_side_.setup.local(e, row(of_explicit))));
+      seams_.push_back({static_cast<std::int32_t>(b), row(of_implicit)});
       nodes.push_back(of_explicit);
       explicit_at_.push_back(2 * static_cast<std::size_t>(of_explicit));
       implicit_at_.push_back(2 * static_cast<std::size_t>(of_implicit));
@@ -83,6 +81,7 @@ void Partitioned::find_seams(const MoverMemory* memory) {
   held_.assign(2 * seams_.size(), 0.0);
   held_back_ = held_;
   if (!nodes.empty()) explicit_->hold_nodes(std::move(nodes));
+  find_seam_mass();
   if (memory != nullptr) {
     apart_ = memory->apart;
     for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = -memory->sides[0].held[k];
@@ -92,6 +91,29 @@ void Partitioned::find_seams(const MoverMemory* memory) {
   for (std::size_t k = 0; k < 2 * seams_.size(); ++k)
     apart_.push_back(implicit_side_.state.q[implicit_at_[k / 2] + k % 2] -
                      explicit_side_.state.q[explicit_at_[k / 2] + k % 2]);
+}
+
+void Partitioned::find_seam_mass() {
+  // Acceleration of each node by a unit force on each other, inverted.
+  const auto n = static_cast<Eigen::Index>(seams_.size());
+  const Setup& setup = explicit_side_.setup;
+  Eigen::MatrixXd compliance(n, n);
+  std::vector<double> force(explicit_side_.state.q.size(), 0.0), a = force;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const std::size_t at = explicit_at_[static_cast<std::size_t>(j)];
+    force[at] = 1.0;
+    for (const std::size_t p : setup.own_pools())
+      setup.pool(p).mass_solve(setup.part(std::span<const double>(explicit_side_.state.q), p),
+                               setup.part(std::span<const double>(force), p), setup.part(std::span<double>(a), p));
+    force[at] = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) compliance(i, j) = a[explicit_at_[static_cast<std::size_t>(i)]];
+  }
+  // Covers that follow the same others have no mass of their own against each other: a little keeps it definite.
+  compliance = 0.5 * (compliance + compliance.transpose()).eval();
+  compliance.diagonal() *= 1.0 + 1e-6;
+  const Eigen::MatrixXd mass = compliance.llt().solve(Eigen::MatrixXd::Identity(n, n)), factor = mass.llt().matrixL();
+  seam_mass_.assign(factor.data(), factor.data() + factor.size());
+  seam_factor_ = seam_mass_;
 }
 
 void Partitioned::copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all,
@@ -315,8 +337,9 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   present_.assign(i.q.size(), 0.0);
   copy(implicit_runs_, &Run::of_explicit, explicit_->forces(), &Run::of_implicit, present_);
   find_springs();
-  // A node alone goes H^2/2 c on per unit of a constant force; with what its waves have reached by then, less.
-  for (std::size_t k = 0; k < seams_.size(); ++k) seams_[k].k = 2.0 * substeps_ / (H * H * compliance_[k]);
+  // By their mass alone nodes go H^2/2 on per unit of acceleration; what waves have reached by then is slower.
+  const double scale = std::sqrt(2.0 * substeps_) / H;
+  for (std::size_t k = 0; k < seam_mass_.size(); ++k) seam_factor_[k] = scale * seam_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
   if (report.status != StepReport::Status::ok) {

@@ -67,6 +67,7 @@ class Partitioned final : public Mover, private PathForce {
   void find_runs();
   /// Nodes of divided blocks that belong together.   @param memory  of a run that goes on; null: the stage begins
   void find_seams(const MoverMemory* memory);
+  void find_seam_mass();
   static void copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all, std::size_t Run::*to,
                    std::span<double> out);
   /// Of the whole to a side.
@@ -81,6 +82,7 @@ class Partitioned final : public Mover, private PathForce {
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   [[nodiscard]] std::span<const Seam> seams() const override { return seams_; }
+  [[nodiscard]] std::span<const double> seam_factor() const override { return seam_factor_; }
   [[nodiscard]] std::span<const double> held() const override { return held_; }
   StepReport mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
                   std::span<double> apart) override;
@@ -92,10 +94,11 @@ class Partitioned final : public Mover, private PathForce {
   std::unique_ptr<Newmark> implicit_;
   std::vector<Run> all_, explicit_runs_, implicit_runs_;  // of all nodes, and of those that a side moves
   std::vector<Seam> seams_;                               // as the implicit side sees them
-  std::vector<double> compliance_;                        // of their explicit nodes [1/kg]
-  std::vector<std::size_t> explicit_at_, implicit_at_;    // a seam: first number of its nodes
-  std::vector<double> apart_, held_, held_back_;          // x, y a seam; held_back_: what the explicit side feels
-  Ledger base_;                                           // of the run until the first step
+  // Cholesky's factor of the mass that the explicit half has at them, and the same as stiffness of a step.
+  std::vector<double> seam_mass_, seam_factor_;
+  std::vector<std::size_t> explicit_at_, implicit_at_;  // a seam: first number of its nodes
+  std::vector<double> apart_, held_, held_back_;        // x, y a seam; held_back_: what the explicit side feels
+  Ledger base_;                                         // of the run until the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;

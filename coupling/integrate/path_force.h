@@ -31,9 +31,11 @@ class PathForce {
   struct Seam {
     std::int32_t body = -1;
     Row row;
-    double k = 0.0;  // about how much more force it takes to keep the two together a metre further on [N/m]
   };
   [[nodiscard]] virtual std::span<const Seam> seams() const { return {}; }
+  /// About how much more force it takes to keep nodes of seams further on by u: C C^T u, C lower triangular, column
+  /// after column, in x and in y alike [N/m].
+  [[nodiscard]] virtual std::span<const double> seam_factor() const { return {}; }
   /// Forces of the step before on the nodes of the seams, x, y a seam [N].
   [[nodiscard]] virtual std::span<const double> held() const { return {}; }
   /// Mean force over the step while nodes go to `end` along straight lines, each part weighted by its time.
