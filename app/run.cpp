@@ -64,7 +64,8 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
     if (model.support_of(BlockId{static_cast<std::int32_t>(b)})) continue;
     ++free;
     if (sides[b] != 0 && ++explicit_ones <= 5)
-      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", model.blocks[b].name);
+      names += fmt::format("{}'{}'{}", names.empty() ? "" : ", ", model.blocks[b].name,
+                           sides[b] == coupling::kDivided ? " in part" : "");
   }
   if (explicit_ones > 5) names += fmt::format(" and {} more", explicit_ones - 5);
   std::string text = fmt::format("{} of {} free blocks explicit as it begins{}{}", explicit_ones, free,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/formulation.h"
+#include "model/geometry.h"
 #include "model/ids.h"
 
 namespace scree::coupling {
@@ -35,7 +36,8 @@ struct MethodRule {
   bool model_triangle = false;  // its triangle is the model's
 };
 
-/// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the area;
+/// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the
+/// region, where the model first had the blocks (of a block across its border the elements inside), then the area;
 /// what moves may change sides from step to step: it becomes explicit above `up` and implicit again below `down`.
 /// @source coupling.md 4; thesis ch. 7
 struct Partition {
@@ -44,6 +46,7 @@ struct Partition {
     [[nodiscard]] bool used() const { return up > 0.0; }
   };
   std::vector<BlockId> explicit_blocks, implicit_blocks;
+  Ring explicit_region;  // blocks inside are explicit, those across its border are divided; empty: no such rule [m]
   double explicit_area = 0.0;  // smaller blocks are explicit [m2]; 0: no such rule
   Band speed;                  // of the fastest corner [m/s]
   Band strain_rate;            // largest principal one of the affine part [1/s]

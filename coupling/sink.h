@@ -18,8 +18,9 @@ struct MeshView {
   std::uint32_t id = 0;
   std::span<const std::int32_t> offsets, connectivity;                   // polygon cells of points (VTK polygons)
   std::span<const std::int32_t> cell_block, cell_material, cell_method;  // a cell
-  std::span<const double> origin;    // x, y a point: where the model first had it [m]
-  std::vector<std::string> methods;  // names that cell_method counts
+  std::span<const char> cell_explicit;  // a cell: 1 in the explicit half of a divided block
+  std::span<const double> origin;       // x, y a point: where the model first had it [m]
+  std::vector<std::string> methods;     // names that cell_method counts
 };
 
 /// Statistics of the driver since the start.

@@ -62,18 +62,21 @@ struct KeptFactor {
   std::vector<double> value;
 };
 
+inline constexpr char kDivided = 2;  // in State::explicit_side
+
 struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  Tick last_step = 0;               // length of the step before, for the shadow term
-  double relaxing = 0.0;            // kinetic energy a step ago, in stages that run to rest [J]
-  std::vector<BodyRecord> bodies;   // in the order of their blocks
-  std::vector<char> explicit_side;  // a body: 1 where it takes explicit steps; partitioned stages, else empty
-  std::vector<double> q, v;         // x, y a node; pool after pool, body after body (Setup has the offsets)
-  std::vector<double> a;            // acceleration at `time`, same layout (explicit stages; else empty)
-  std::vector<double> v_before;     // velocity of the half step before, where damping lags on it (else empty)
-  std::vector<double> damping;      // forces of mass-proportional damping that spares affine motion (else empty) [N]
+  Tick last_step = 0;              // length of the step before, for the shadow term
+  double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
+  std::vector<BodyRecord> bodies;  // in the order of their blocks
+  // A body: 1 where it takes explicit steps, kDivided where one half of it does; partitioned stages, else empty.
+  std::vector<char> explicit_side;
+  std::vector<double> q, v;      // x, y a node; pool after pool, body after body (Setup has the offsets)
+  std::vector<double> a;         // acceleration at `time`, same layout (explicit stages; else empty)
+  std::vector<double> v_before;  // velocity of the half step before, where damping lags on it (else empty)
+  std::vector<double> damping;   // forces of mass-proportional damping that spares affine motion (else empty) [N]
   std::vector<ContactMemory> contacts;  // sorted by key
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
@@ -120,6 +123,9 @@ void visit_body(Visitor&& see, BodyRecord& b) {
   see("body.model_triangle", b.form.model_triangle);
   see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
+  Polygon region{b.form.division.region, {}};
+  see("body.explicit_region", region);
+  b.form.division.region = std::move(region.outer);
 }
 
 template <class Visitor>

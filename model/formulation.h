@@ -1,6 +1,8 @@
 // How a stage wants a block represented, beside the name of the method.
 #pragma once
 
+#include "model/geometry.h"
+
 namespace scree {
 
 enum class Kinematics {
@@ -20,6 +22,18 @@ enum class BlockRotation {
   affine  // (c, F) themselves with Newton's method on the co-rotated energy: what a onefold NMM cover does
 };
 
+/// A block of one continuum of which one half takes explicit steps and the other implicit ones: elements whose centroid
+/// was first in the region, and the others. Covers that both need exist twice (Pool::seams).
+/// @source coupling.md 4; thesis 7.2.2, element partition
+struct Division {
+  enum class Acts { both, explicit_half, implicit_half };
+  Ring region;             // where the model first had the block; empty: one body [m]
+  Acts acts = Acts::both;  // the other half's nodes are there, without mass or force
+
+  bool operator==(const Division&) const = default;
+  [[nodiscard]] bool divides() const { return !region.empty(); }
+};
+
 /// Choices for methods that have them; the others take no notice.
 struct Formulation {
   Kinematics kinematics = Kinematics::corotational;
@@ -32,10 +46,15 @@ struct Formulation {
   bool model_triangle = false;  // of onefold covers: one around the whole model, the same for all blocks
   bool cracks = false;          // cut the block's interior along its cracks
   BlockRotation rotation = BlockRotation::exact;  // DDA
+  Division division{};                            // NMM, meshes only
 
   bool operator==(const Formulation&) const = default;
   /// True where bodies made either way have the same unknowns.
   [[nodiscard]] bool same_mesh(const Formulation& other) const {
+    return same_covers(other) && division.region == other.division.region;
+  }
+  /// The same but for covers that a division has twice.
+  [[nodiscard]] bool same_covers(const Formulation& other) const {
     return cover_size == other.cover_size && offset_x == other.offset_x && offset_y == other.offset_y &&
            onefold == other.onefold && model_triangle == other.model_triangle && cracks == other.cracks;
   }

@@ -53,6 +53,14 @@ double Pool::damp(double, double, std::span<const double>, std::span<double>, st
   return 0.0;
 }
 std::string Pool::binding(int) const { return {}; }
+std::span<const Pool::Seam> Pool::seams(int) const { return {}; }
+
+std::span<const std::int32_t> Pool::undivided(int) const { return {}; }
+
+void Pool::settle(int, std::span<double>, std::span<double>) const {}
+
+bool Pool::idle(std::int32_t) const { return false; }
+
 Fault Pool::find_fault(std::span<const double> q) const {
   for (int b = 0; b < bodies(); ++b)
     for (std::int32_t k = first_node(b); k < first_node(b + 1); ++k) {

@@ -121,7 +121,8 @@ struct MeshPart {
   std::vector<Vec2> origin;           // where the model first had each point [m]
   std::vector<std::int32_t> offsets;  // cells + 1
   std::vector<std::int32_t> connectivity;
-  std::vector<std::int32_t> body;  // a cell: body index in the pool
+  std::vector<std::int32_t> body;   // a cell: body index in the pool
+  std::vector<char> explicit_half;  // a cell: 1 in the explicit half of a divided body; empty: no body is divided
 };
 
 /// A row expressed in the unknowns d of an implicit step, counted from the body's first: dx = T d. At most three nodes
@@ -183,6 +184,18 @@ class Pool {
   [[nodiscard]] virtual const Boundary& boundary(int body) const = 0;
   /// Row of any material point of the body (supports, monitors).
   [[nodiscard]] virtual Row row_at(int body, const Vec2& X) const = 0;
+  /// Nodes of the two halves of a divided body that are one place of one continuum.
+  struct Seam {
+    std::int32_t explicit_node, implicit_node;  // in the pool
+  };
+  [[nodiscard]] virtual std::span<const Seam> seams(int body) const;
+  /// A node of a divided body: its number, counted from the body's first, where the body is made undivided; empty: it
+  /// is not divided.
+  [[nodiscard]] virtual std::span<const std::int32_t> undivided(int body) const;
+  /// Puts nodes that follow others to where these are.
+  virtual void settle(int body, std::span<double> q, std::span<double> v) const;
+  /// True for a node of the half of a divided body that does not act here: another mover moves it.
+  [[nodiscard]] virtual bool idle(std::int32_t node) const;
   /// Weights t with: a translation by a adds t_k a to node k of the body.
   [[nodiscard]] virtual std::span<const double> translation(int body) const = 0;
 

@@ -98,13 +98,64 @@ CoverMesh make_onefold(const Polygon& outline, const std::array<Vec2, 3>& star) 
   return mesh;
 }
 
+namespace {
+
+/// Centroid of an element whose covers are not numbered yet.
+Vec2 centroid_of(const CoverMesh& mesh, const LatticePieces& pieces, std::size_t e) {
+  if (mesh.piece[e] >= 0) return moments(mesh.pieces[static_cast<std::size_t>(mesh.piece[e])]).centroid;
+  Vec2 sum = Vec2::Zero();
+  for (const LatticeNode& n : Lattice::corners(pieces.triangle[e])) sum += pieces.lattice.position(n);
+  return sum / 3.0;
+}
+
+}  // namespace
+
+double CoverMesh::drawn_area() const {
+  double sum = 0.0;
+  for (const double a : area) sum += a;
+  return sum + area_left_out;
+}
+
+CoverMesh half_of(const CoverMesh& mesh, bool explicit_half) {
+  const auto in_half = [&](std::int32_t c) {
+    return (mesh.explicit_part[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(c)])] != 0) ==
+           explicit_half;
+  };
+  CoverMesh out = mesh;
+  std::size_t kept = 0;
+  std::vector<std::int32_t> number(mesh.elements(), -1);
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    if (mesh.in_explicit_half(e) != explicit_half) {
+      out.area_left_out += mesh.area[e];
+      continue;
+    }
+    number[e] = static_cast<std::int32_t>(kept);
+    out.cover[kept] = mesh.cover[e];
+    out.shape[kept] = mesh.shape[e];
+    out.area[kept] = mesh.area[e];
+    out.piece[kept] = mesh.piece[e];
+    ++kept;
+  }
+  out.cover.resize(kept);
+  out.shape.resize(kept);
+  out.area.resize(kept);
+  out.piece.resize(kept);
+  std::erase_if(out.ties, [&](const Tie& t) { return !in_half(t.cover); });
+  for (Boundary::Segment& s : out.boundary.segments) s.cell = number[static_cast<std::size_t>(s.cell)];
+  return out;
+}
+
 CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset,
-                          std::span<const CutLine> cracks) {
+                          std::span<const CutLine> cracks, const std::function<bool(const Vec2&)>& explicit_at) {
   SCREE_ASSERT(cover_size > 0.0);
   const Lattice lattice(cover_size, -cover_size * offset);
   CoverMesh mesh;
   const LatticePieces pieces = cut_lattice(outline, cracks, lattice, mesh);
-  number_covers(pieces, cracks, mesh);
+  std::vector<char> is_explicit;
+  if (explicit_at)
+    for (std::size_t e = 0; e < mesh.elements(); ++e)
+      is_explicit.push_back(explicit_at(centroid_of(mesh, pieces, e)) ? 1 : 0);
+  number_covers(pieces, cracks, is_explicit, mesh);
   for (const CutLine& c : cracks) mesh.trimmed_length += (c.to - c.from).norm();
   mesh.trimmed_length = std::max(0.0, mesh.trimmed_length - mesh.crack_length);
   tie_covers(mesh);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,16 +38,26 @@ struct CoverMesh {
   std::vector<double> area;                        // of the material [m2]
   std::vector<std::int32_t> piece;                 // into pieces; -1: the whole triangle
 
-  std::vector<Gradients> shapes;       // the lattice's two triangles, then one a onefold cover
-  std::vector<double> triangle_areas;  // a shape [m2]
-  std::vector<Polygon> pieces;         // material of the elements that boundaries or cracks cut [m]
-  std::vector<Tie> ties;               // by cover; roots are never tied
+  std::vector<Gradients> shapes;        // the lattice's two triangles, then one a onefold cover
+  std::vector<double> triangle_areas;   // a shape [m2]
+  std::vector<Polygon> pieces;          // material of the elements that boundaries or cracks cut [m]
+  std::vector<Tie> ties;                // by cover; roots are never tied
+  std::vector<char> explicit_part;      // a component of a divided block: 1 in the explicit half; else empty
+  std::vector<Pool::Seam> seams;        // covers of the two halves at one star
+  std::vector<std::int32_t> undivided;  // a cover of a divided block: its number where the block is not
+  double area_left_out = 0.0;           // of elements that half_of() took away [m2]
   Boundary boundary;            // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
   bool onefold = false;         // one triangle around the whole block
   double crack_length = 0.0;    // along which the block is cut [m]
   double trimmed_length = 0.0;  // of crack ends within triangles, which do not cut [m]
 
   [[nodiscard]] std::size_t elements() const { return area.size(); }
+  [[nodiscard]] bool in_explicit_half(std::size_t e) const {
+    return !explicit_part.empty() &&
+           explicit_part[static_cast<std::size_t>(component[static_cast<std::size_t>(cover[e][0])])] != 0;
+  }
+  /// Of the whole block's material as it is drawn [m2].
+  [[nodiscard]] double drawn_area() const;
   [[nodiscard]] std::array<Vec2, 3> stars(std::size_t element) const;
   /// The material of an element.
   [[nodiscard]] Polygon material(std::size_t element) const;
@@ -75,8 +86,13 @@ struct CoverMesh {
 /// crack that ends inside a triangle does not cut it. A connected part without an element of half a triangle takes one
 /// triangle of its own (onefold cover, thesis 7.3.1).
 /// @throws std::runtime_error where GEOS cannot intersect
+/// @param explicit_at  divides the block: true at the centroids of elements of its explicit half; empty: one body
 [[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset = {0.317, 0.271},
-                                        std::span<const CutLine> cracks = {});
+                                        std::span<const CutLine> cracks = {},
+                                        const std::function<bool(const Vec2&)>& explicit_at = {});
+
+/// A divided mesh with the elements and ties of one half; covers and outline are those of the whole.
+[[nodiscard]] CoverMesh half_of(const CoverMesh& mesh, bool explicit_half);
 
 /// The triangle of a onefold cover: equilateral, its inscribed circle about the points' middle holds them all.
 [[nodiscard]] std::array<Vec2, 3> onefold_triangle(std::span<const Vec2> points);

@@ -11,8 +11,12 @@ void FoldedElements::make(const CoverMesh& mesh) {
   chart_.finish();
   free_of_.assign(mesh.star.size(), -1);
   cover_of_.clear();
+  std::vector<char> used(mesh.star.size(), 0);  // the other half's covers of a divided block are not
+  for (const auto& cover : mesh.cover)
+    for (const std::int32_t c : cover)
+      for (const Share& s : chart_.shares(c)) used[static_cast<std::size_t>(s.cover)] = 1;
   for (std::int32_t c = 0; c < covers; ++c) {
-    if (chart_.tied(c)) continue;
+    if (used[static_cast<std::size_t>(c)] == 0) continue;
     free_of_[static_cast<std::size_t>(c)] = free_covers();
     cover_of_.push_back(c);
   }

@@ -16,7 +16,7 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 /// column.
 class FoldedElements {
  public:
-  /// Covers and elements are counted from the mesh's first.
+  /// Covers and elements are counted from the mesh's first; covers without an element are left out.
   void make(const CoverMesh& mesh);
 
   [[nodiscard]] std::size_t size() const { return start_.size() - 1; }
@@ -28,7 +28,7 @@ class FoldedElements {
   }
   /// A free cover, counted from the block's first.
   [[nodiscard]] std::int32_t cover_of(std::int32_t free) const { return cover_of_[static_cast<std::size_t>(free)]; }
-  /// Number of a cover among the free ones, -1 for a tied one.
+  /// Number of a cover among the free ones, -1 for a tied one, and one that is left out.
   [[nodiscard]] std::int32_t free_of(std::int32_t cover) const { return free_of_[static_cast<std::size_t>(cover)]; }
   /// The block's ties.
   [[nodiscard]] const CoverChart& chart() const { return chart_; }

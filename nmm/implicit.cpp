@@ -29,6 +29,7 @@ ElementDofs ImplicitBody::element_dofs() const {
 ChartRow ImplicitBody::chart_row(const Row& row) const {
   ChartRow out;
   const auto add = [&](std::int32_t free, double w) {
+    if (free < 0) return;  // of the half of a divided block that does not act
     for (int i = 0; i < out.n; i += 2)
       if (out.dof[static_cast<std::size_t>(i)] == 2 * free) {
         out.tx[static_cast<std::size_t>(i)] += w;

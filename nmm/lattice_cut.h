@@ -39,8 +39,11 @@ struct LatticePieces {
 
 /// Numbers the physical covers: pieces of neighbouring triangles that share an edge length that is not on a crack
 /// share the two covers at its ends. Covers count by rows of the lattice and along them.
+/// @param is_explicit  an element of a divided block: 1 in the explicit half; pieces of different halves share no
+///                     cover, and covers that they would have shared become seams. Empty: one body
 /// @source nmm.md "Covers and elements" 2; thesis 6.2.1
-void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, CoverMesh& mesh);
+void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, std::span<const char> is_explicit,
+                   CoverMesh& mesh);
 
 /// Ties every cover without a root element (half its triangle is material) to the root that is reached over the fewest
 /// elements, the nearest of these: nearest in the material, so that the two sides of a slot are never tied to each

@@ -26,7 +26,8 @@ std::vector<PartMoments> part_moments(const CoverMesh& mesh, const ReferenceShap
     p.mass += density * of[e].area;
     p.centre += density * of[e].area * of[e].centroid;
   }
-  for (PartMoments& p : parts) p.centre /= p.mass;
+  for (PartMoments& p : parts)
+    if (p.mass > 0.0) p.centre /= p.mass;
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     PartMoments& p = parts[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(mesh.cover[e][0])])];
     const Vec2 arm = of[e].centroid - p.centre;
@@ -39,10 +40,12 @@ std::vector<PartMoments> part_moments(const CoverMesh& mesh, const ReferenceShap
 
 bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind) {
   const std::size_t covers = mesh.star.size(), begin = static_cast<std::size_t>(first);
-  double area = 0.0;
-  for (const double a : mesh.area) area += a;
-  const double density = shape.mass / area;
+  const double density = shape.mass / mesh.drawn_area();
   std::vector<double> raw(covers, 0.0);
+  std::vector<char> present(static_cast<std::size_t>(mesh.components), 0);  // parts with elements here
+  for (const auto& cover : mesh.cover)
+    present[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(cover[0])])] = 1;
+  const auto absent = [&](std::size_t cover) { return present[static_cast<std::size_t>(mesh.component[cover])] == 0; };
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     // Weights are linear: their integral is the area times their value at the centroid.
     const std::array<double, 3> third{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
@@ -59,7 +62,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
   std::vector<char> tied(covers, 0);
   for (const Tie& t : mesh.ties) tied[static_cast<std::size_t>(t.cover)] = 1;
   for (std::size_t k = 0; k < covers; ++k)
-    if (tied[k] == 0 && !(lumped[k] > 0.0)) return false;
+    if (tied[k] == 0 && !absent(k) && !(lumped[k] > 0.0)) return false;
 
   lumped_.resize(begin);
   lumped_.insert(lumped_.end(), lumped.begin(), lumped.end());
@@ -70,14 +73,18 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
   const std::vector<PartMoments> exact = part_moments(mesh, shape, density);
   const auto first_part = static_cast<std::int32_t>(parts_.size());
   for (std::size_t k = 0; k < covers; ++k) {
-    inverse_[begin + k] = tied[k] != 0 ? 0.0 : 1.0 / lumped[k];
+    inverse_[begin + k] = tied[k] != 0 || absent(k) ? 0.0 : 1.0 / lumped[k];
     unit_[begin + k] = lumped[k];
     X_[begin + k] = mesh.star[k] - exact[static_cast<std::size_t>(mesh.component[k])].centre;
     part_of_[begin + k] = first_part + mesh.component[k];
   }
   for (std::int32_t p = 0; p < mesh.components; ++p) {
     Part part;
-    part.begin = static_cast<std::int32_t>(chunks_.size());
+    part.begin = part.end = static_cast<std::int32_t>(chunks_.size());
+    if (present[static_cast<std::size_t>(p)] == 0) {  // its covers stay as they are
+      parts_.push_back(part);
+      continue;
+    }
     for (std::size_t from = 0; from < covers; from += kChunk) {
       const std::size_t to = std::min(covers, from + static_cast<std::size_t>(kChunk));
       const auto mine = std::count(mesh.component.begin() + static_cast<std::ptrdiff_t>(from),
@@ -160,8 +167,9 @@ double LumpedMass::sum_of(const Chunk& chunk, Of&& of) const {
 void LumpedMass::project(std::size_t first, std::size_t last, std::span<const double> v, bool weighted) const {
   if (first == last) return;
   const std::int64_t from = parts_[first].begin, count = parts_[last - 1].end - from;
-  const std::int64_t covers =
-      chunks_[static_cast<std::size_t>(from + count) - 1].end - chunks_[static_cast<std::size_t>(from)].begin;
+  const std::int64_t covers = count == 0 ? 0
+                                         : chunks_[static_cast<std::size_t>(from + count) - 1].end -
+                                               chunks_[static_cast<std::size_t>(from)].begin;
   const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
   const auto of_chunk = [&](std::int64_t n) {
     const auto c = static_cast<std::size_t>(from + n);

@@ -19,6 +19,7 @@ namespace scree::nmm {
 class LumpedMass {
  public:
   /// Appends the parts of a block.   @param first  its first cover in the pool
+  /// Parts without elements in the mesh have no mass, and solve() and damp() leave their covers alone.
   /// @return false where a row sum is not positive: the mesh cannot carry a lumped mass
   [[nodiscard]] bool add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind);
 
@@ -37,7 +38,7 @@ class LumpedMass {
   /// f += M 1 g on the covers of one block
   void add_weight(std::int32_t begin, std::int32_t end, const Vec2& g, std::span<double> f) const;
 
-  /// Row sums, a cover; 0 for tied ones [kg].
+  /// Row sums, a cover; 0 for tied ones and those of parts without elements [kg].
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
   /// Their inverses, 0 for tied ones [1/kg].
   [[nodiscard]] std::span<const double> inverse() const { return inverse_; }

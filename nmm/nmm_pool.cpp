@@ -39,7 +39,83 @@ bool keeps_its_step(const CoverMesh& mesh, const ReferenceShape& shape, const Fo
   return step >= kLeastStep * uncut;
 }
 
+/// Mass and second moment of some elements of a divided block.   @param centre  of those elements
+ReferenceShape share_of(const ReferenceShape& block, double drawn_area, std::span<const MassElement> elements,
+                        Vec2& centre) {
+  const double density = block.mass / drawn_area;
+  ReferenceShape out;
+  centre.setZero();
+  for (const MassElement& e : elements) {
+    out.area += e.material.area;
+    centre += e.material.area * e.material.centroid;
+  }
+  centre /= out.area;
+  out.mass = density * out.area;
+  for (const MassElement& e : elements) {
+    const Vec2 r = e.material.centroid - centre;
+    out.second += density * (e.material.second + e.material.area * r * r.transpose());
+  }
+  return out;
+}
+
 }  // namespace
+
+bool NmmPool::lumps(const Formulation& form) {
+  return form.mass != MassKind::consistent ||
+         (form.division.divides() && form.division.acts != Division::Acts::implicit_half);
+}
+
+bool NmmPool::has_consistent(const Formulation& form) {
+  return form.mass == MassKind::consistent &&
+         !(form.division.divides() && form.division.acts == Division::Acts::explicit_half);
+}
+
+CoverMesh NmmPool::make_mesh(const Model& model, const BodyRecord& record, const AffineMotion& to_origin) {
+  const Formulation& form = record.form;
+  std::vector<CutLine> cracks;
+  if (form.cracks) {
+    const Mat2 back = to_origin.F.inverse();
+    for (const Crack& c : model.cracks)
+      if (c.block == record.block) cracks.push_back({back * (c.from - to_origin.c), back * (c.to - to_origin.c)});
+  }
+  std::function<bool(const Vec2&)> explicit_at;
+  const Polygon region{form.division.region, {}};
+  if (form.division.divides())
+    explicit_at = [&](const Vec2& X) { return contains(region, to_origin.c + to_origin.F * X); };
+  CoverMesh mesh =
+      make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks, explicit_at);
+  if (!mesh.onefold && cracks.empty() && !keeps_its_step(mesh, record.shape, form, model.elasticity_of(record.block)))
+    mesh = make_onefold(record.shape.outline);
+  return mesh;
+}
+
+void NmmPool::divide(Body& body) {
+  CoverMesh& mesh = body.mesh;
+  const auto refuse = [&](const char* why) {
+    throw std::runtime_error(fmt::format("block '{}' cannot be divided by the explicit region: {}", body.name, why));
+  };
+  if (mesh.onefold) refuse("it is so narrow that one cover carries it; choose a smaller cover_size");
+  if (mesh.seams.empty()) refuse("no two neighbouring elements have their centroids one in it and one outside");
+  if (mesh.shapes.size() > 2)
+    refuse(
+        "a part of one half has no element of half a triangle; move the region's border, or choose a smaller "
+        "cover_size");
+  body.whole = std::make_unique<CoverMesh>(mesh);
+  const Division::Acts acts = body.form.division.acts;
+  if (acts != Division::Acts::both) mesh = half_of(*body.whole, acts == Division::Acts::explicit_half);
+  // A consistent mass is the implicit half's alone; explicit steps take a lumped one.
+  body.lumped = std::make_unique<CoverMesh>(mesh);
+  if (body.form.mass == MassKind::consistent && acts != Division::Acts::explicit_half)
+    *body.lumped = half_of(*body.whole, true);
+  if (body.form.mass == MassKind::consistent && acts == Division::Acts::implicit_half) {
+    body.lumped->cover.clear();
+    body.lumped->shape.clear();
+    body.lumped->area.clear();
+    body.lumped->piece.clear();
+    body.lumped->ties.clear();
+    body.lumped->area_left_out = mesh.drawn_area();
+  }
+}
 
 void NmmPool::add(const Model& model, const BodyRecord& record) {
   auto body = std::make_unique<Body>();
@@ -48,24 +124,18 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   model_origin_ = model.origin;
   const Formulation& form = record.form;
   const AffineMotion to_origin = affine_fit(record.shape.outline, record.shape.origin);
-  std::vector<CutLine> cracks;
-  if (form.cracks) {
-    const Mat2 back = to_origin.F.inverse();
-    for (const Crack& c : model.cracks)
-      if (c.block == record.block) cracks.push_back({back * (c.from - to_origin.c), back * (c.to - to_origin.c)});
-  }
-  if (!form.onefold)
-    body->mesh = make_cover_mesh(record.shape.outline, form.cover_size, {form.offset_x, form.offset_y}, cracks);
-  else
-    body->mesh = form.model_triangle ? make_onefold(record.shape.outline, model_triangle(model, to_origin))
-                                     : make_onefold(record.shape.outline);
   const std::int32_t first = first_.back();
   body->law = model.elasticity_of(record.block);
   body->form = form;
-  if (!body->mesh.onefold && cracks.empty() && !keeps_its_step(body->mesh, record.shape, form, body->law))
-    body->mesh = make_onefold(record.shape.outline);
+  if (!form.onefold)
+    body->mesh = make_mesh(model, record, to_origin);
+  else
+    body->mesh = form.model_triangle ? make_onefold(record.shape.outline, model_triangle(model, to_origin))
+                                     : make_onefold(record.shape.outline);
+  if (form.division.divides()) divide(*body);
   const CoverMesh& mesh = body->mesh;
-  if (!mass_.add(mesh, first, record.shape, form.mass))
+  const MassKind lumped = body->lumped && form.mass == MassKind::consistent ? MassKind::affine_exact : form.mass;
+  if (!mass_.add(body->lumped ? *body->lumped : mesh, first, record.shape, lumped))
     throw std::runtime_error(fmt::format(
         "block '{}': its cracks leave a part on which no lumped mass is positive; choose another cover size",
         body->name));
@@ -73,9 +143,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   chart_.add(mesh, first);
   body->first_element = static_cast<std::int32_t>(elements_.size());
   // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
-  double drawn = 0.0;
-  for (const double a : mesh.area) drawn += a;
-  body->scale = record.shape.area / drawn;
+  body->scale = record.shape.area / mesh.drawn_area();
   std::vector<std::array<double, 3>> initial;
   // Constant in an element, its value at the centroid: the mean of a linear stress, so that its force is exact.
   if (const InSituStress in_situ(model, record); !in_situ.none())
@@ -92,6 +160,16 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   for (Row& row : body->mesh.boundary.nodes)
     for (std::int32_t& n : row.node) n += first;
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
+  idle_.resize(static_cast<std::size_t>(first) + mesh.star.size(), 0);
+  for (Seam& s : body->mesh.seams) {
+    s.explicit_node += first;
+    s.implicit_node += first;
+  }
+  if (form.division.divides() && form.division.acts != Division::Acts::both)
+    for (std::size_t c = 0; c < mesh.star.size(); ++c)
+      if ((mesh.explicit_part[static_cast<std::size_t>(mesh.component[c])] != 0) !=
+          (form.division.acts == Division::Acts::explicit_half))
+        idle_[static_cast<std::size_t>(first) + c] = 1;
   first_.push_back(first + static_cast<std::int32_t>(mesh.star.size()));
   bodies_.push_back(std::move(body));
 }
@@ -112,7 +190,11 @@ std::array<Vec2, 3> NmmPool::model_triangle(const Model& model, const AffineMoti
 }
 
 void NmmPool::make_implicit(Body& body, std::int32_t first) {
-  const CoverMesh& mesh = body.mesh;
+  const Division& division = body.form.division;
+  if (division.acts == Division::Acts::explicit_half) return;
+  const bool halved = division.divides() && division.acts == Division::Acts::both;
+  const CoverMesh half = halved ? half_of(*body.whole, false) : CoverMesh();
+  const CoverMesh& mesh = halved ? half : body.mesh;
   std::vector<MassElement> elements;
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     const Moments material = moments(mesh.material(e));
@@ -120,7 +202,10 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
   }
   FoldedElements folded;
   folded.make(mesh);
-  body.consistent.make(folded, elements, mesh.star, body.shape, first);
+  ReferenceShape shape = body.shape;
+  Vec2 centre(0.0, 0.0);
+  if (division.divides()) shape = share_of(body.shape, mesh.drawn_area(), elements, centre);
+  body.consistent.make(folded, elements, mesh.star, shape, centre, first);
   std::vector<Mat3> masses;
   for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
   body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first);
@@ -132,16 +217,17 @@ void NmmPool::finish() {
   elements_.finish(first_.back());
   for (int b = 0; b < bodies(); ++b) {
     Body& body = *bodies_[static_cast<std::size_t>(b)];
-    body.frequency = body.onefold
-                         ? FrequencyBound{affine_frequency(body.shape, body.law), 0}
-                         : frequency_bound_of(body.mesh, chart_, first_node(b), mass_.lumped(), body.scale, body.law);
+    body.frequency = body.onefold ? FrequencyBound{affine_frequency(body.shape, body.law), 0}
+                                  : frequency_bound_of(body.lumped ? *body.lumped : body.mesh, chart_, first_node(b),
+                                                       mass_.lumped(), body.scale, body.law);
   }
   ones_.assign(static_cast<std::size_t>(first_.back()), 1.0);
 }
 
 Row NmmPool::row_at(int body, const Vec2& X) const {
   const Body& b = of(body);
-  Row row = b.mesh.row(b.mesh.locate(X), X);
+  const CoverMesh& mesh = b.whole ? *b.whole : b.mesh;
+  Row row = mesh.row(mesh.locate(X), X);
   for (std::int32_t& n : row.node) n += first_node(body);
   return row;
 }
@@ -160,6 +246,14 @@ void NmmPool::place(int body, const AffineMotion& m, std::span<double> q, std::s
     q[i + 1] = x.y();
     v[i] = u.x();
     v[i + 1] = u.y();
+  }
+}
+
+void NmmPool::settle(int body, std::span<double> q, std::span<double> v) const {
+  const std::size_t first = 2 * static_cast<std::size_t>(first_node(body));
+  for (const Tie& t : of(body).mesh.ties) {
+    CoverChart::follow(t, q.subspan(first));
+    CoverChart::follow(t, v.subspan(first));
   }
 }
 
@@ -198,27 +292,29 @@ void NmmPool::body_force(const Vec2& acceleration, std::span<double> f) const {
 }
 
 void NmmPool::add_weight(int b, const Vec2& g, std::span<double> f) const {
-  if (of(b).onefold)
+  if (of(b).onefold) {
     of(b).onefold->add_weight(g, f);
-  else if (of(b).form.mass == MassKind::consistent)
-    of(b).consistent.add_weight(g, f);
-  else
-    mass_.add_weight(first_node(b), first_node(b + 1), g, f);
+    return;
+  }
+  if (lumps(of(b).form)) mass_.add_weight(first_node(b), first_node(b + 1), g, f);
+  if (has_consistent(of(b).form)) of(b).consistent.add_weight(g, f);
 }
 
 void NmmPool::apply_mass(int b, std::span<const double> v, std::span<double> p) const {
-  if (of(b).onefold)
+  if (of(b).onefold) {
     of(b).onefold->mass_apply(v, p);
-  else if (of(b).form.mass == MassKind::consistent)
-    of(b).consistent.apply(v, p);
-  else
-    mass_.apply(first_node(b), first_node(b + 1), v, p);
+    return;
+  }
+  if (lumps(of(b).form)) mass_.apply(first_node(b), first_node(b + 1), v, p);
+  if (has_consistent(of(b).form)) of(b).consistent.apply(v, p);
 }
 
 double NmmPool::kinetic_of(int b, std::span<const double> v) const {
   if (of(b).onefold) return of(b).onefold->kinetic_energy(v);
-  return of(b).form.mass == MassKind::consistent ? of(b).consistent.kinetic_energy(v)
-                                                 : mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
+  double sum = 0.0;
+  if (lumps(of(b).form)) sum += mass_.kinetic_energy(first_node(b), first_node(b + 1), v);
+  if (has_consistent(of(b).form)) sum += of(b).consistent.kinetic_energy(v);
+  return sum;
 }
 
 void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
@@ -226,7 +322,7 @@ void NmmPool::mass_solve(std::span<const double>, std::span<const double> f, std
   for (const auto& body : bodies_) {
     if (body->onefold)
       body->onefold->mass_solve(f, a);
-    else if (body->form.mass == MassKind::consistent)
+    else if (has_consistent(body->form))
       body->consistent.solve(f, a);
   }
 }
@@ -245,7 +341,7 @@ double NmmPool::kinetic_energy(std::span<const double>, std::span<const double> 
 
 double NmmPool::damp(double factor, double rate, std::span<const double> along, std::span<double> v,
                      std::span<double> f, std::span<double> a) const {
-  if (bodies() > 0 && of(0).form.mass != MassKind::consistent) return mass_.damp(factor, rate, along, v, f, a);
+  if (bodies() > 0 && lumps(of(0).form)) return mass_.damp(factor, rate, along, v, f, a);
   double power = 0.0;
   for (const auto& body : bodies_)
     if (!body->onefold) power += body->consistent.damp(factor, rate, along, v, f, a);
@@ -257,7 +353,7 @@ double NmmPool::compliance(int body, const Row& row) const {
   std::vector<Share> folded;
   chart_.fold(row, folded);
   double sum = 0.0;
-  for (const Share& s : folded) sum += s.w * s.w / mass_.lumped()[static_cast<std::size_t>(s.cover)];
+  for (const Share& s : folded) sum += s.w * s.w * mass_.inverse()[static_cast<std::size_t>(s.cover)];
   return sum;
 }
 
@@ -450,9 +546,10 @@ void NmmPool::topology(MeshPart& mesh) const {
       mesh.origin.push_back(origin.c + origin.F * X);
       return static_cast<std::int32_t>(mesh.points.size()) - 1;
     };
-    const auto close_cell = [&] {
+    const auto close_cell = [&](std::size_t e) {
       mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
       mesh.body.push_back(b);
+      mesh.explicit_half.push_back(body.mesh.in_explicit_half(e) ? 1 : 0);
     };
     const auto star_point = [&](std::size_t e, std::int32_t cover) {
       std::int32_t& point = point_of[static_cast<std::size_t>(cover)];
@@ -462,7 +559,7 @@ void NmmPool::topology(MeshPart& mesh) const {
     for (std::size_t e = 0; e < body.mesh.elements(); ++e) {
       if (body.mesh.piece[e] < 0) {
         for (const std::int32_t c : body.mesh.cover[e]) mesh.connectivity.push_back(star_point(e, c));
-        close_cell();
+        close_cell(e);
         continue;
       }
       for (const Ring& ring : drawing_cells(body.mesh.material(e))) {
@@ -488,7 +585,7 @@ void NmmPool::topology(MeshPart& mesh) const {
             mesh.connectivity.push_back(*same);
           }
         }
-        close_cell();
+        close_cell(e);
       }
     }
   }

@@ -24,6 +24,10 @@ class NmmPool final : public Pool {
   [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
   [[nodiscard]] std::int32_t first_node(int body) const override { return first_[static_cast<std::size_t>(body)]; }
   [[nodiscard]] const Boundary& boundary(int body) const override { return of(body).mesh.boundary; }
+  [[nodiscard]] std::span<const Seam> seams(int body) const override { return of(body).mesh.seams; }
+  [[nodiscard]] std::span<const std::int32_t> undivided(int body) const override { return of(body).mesh.undivided; }
+  void settle(int body, std::span<double> q, std::span<double> v) const override;
+  [[nodiscard]] bool idle(std::int32_t node) const override { return idle_[static_cast<std::size_t>(node)] != 0; }
   [[nodiscard]] Row row_at(int body, const Vec2& X) const override;
   [[nodiscard]] std::span<const double> translation(int body) const override;
 
@@ -83,7 +87,9 @@ class NmmPool final : public Pool {
 
  private:
   struct Body {
-    CoverMesh mesh;  // boundary rows and cells count within the pool
+    CoverMesh mesh;  // elements that act; boundary rows and cells, and seams, count within the pool
+    // Of a divided block: all elements, and those that mass_ carries.
+    std::unique_ptr<CoverMesh> whole, lumped;
     ReferenceShape shape;
     Formulation form;
     ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact
@@ -97,6 +103,12 @@ class NmmPool final : public Pool {
   };
   /// The triangle of onefold covers of the whole model, in the reference frame of a shape.
   [[nodiscard]] std::array<Vec2, 3> model_triangle(const Model& model, const AffineMotion& to_origin);
+  /// True where mass_ carries some of the body, and where a consistent mass does.
+  [[nodiscard]] static bool lumps(const Formulation& form);
+  [[nodiscard]] static bool has_consistent(const Formulation& form);
+  [[nodiscard]] static CoverMesh make_mesh(const Model& model, const BodyRecord& record, const AffineMotion& to_origin);
+  /// Keeps the elements of the half that acts.
+  static void divide(Body& body);
   /// The mass operator that the block's form asks for.
   void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
   void add_weight(int body, const Vec2& g, std::span<double> f) const;
@@ -112,6 +124,7 @@ class NmmPool final : public Pool {
   LumpedMass mass_;
   ElementForces elements_;
   std::vector<double> ones_;
+  std::vector<char> idle_;                             // a cover
   std::optional<std::array<Vec2, 3>> model_triangle_;  // where the model was first
   Vec2 model_origin_{0.0, 0.0};
 };

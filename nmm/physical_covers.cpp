@@ -66,17 +66,55 @@ bool share_length(const std::vector<Stretch>& a, const std::vector<Stretch>& b, 
   return false;
 }
 
+/// Halves of the components, and pairs of covers, one of either half, that would be one cover of the undivided block.
+void find_seams(UnionFind& undivided, std::span<const char> is_explicit, CoverMesh& mesh) {
+  mesh.explicit_part.assign(static_cast<std::size_t>(mesh.components), 0);
+  struct Corner {
+    std::int32_t root, cover;
+    bool is_explicit;
+    auto operator<=>(const Corner&) const = default;
+  };
+  std::vector<Corner> corners;
+  for (std::size_t e = 0; e < mesh.elements(); ++e)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int32_t cover = mesh.cover[e][c];
+      corners.push_back({undivided.find(static_cast<std::int32_t>(3 * e + c)), cover, is_explicit[e] != 0});
+      if (is_explicit[e] != 0)
+        mesh.explicit_part[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(cover)])] = 1;
+    }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (auto begin = corners.begin(), end = begin; begin != corners.end(); begin = end) {
+    end = std::find_if(begin, corners.end(), [&](const Corner& c) { return c.root != begin->root; });
+    const auto first = [&](bool half) {
+      return std::find_if(begin, end, [&](const Corner& c) { return c.is_explicit == half; });
+    };
+    const auto e = first(true), i = first(false);
+    if (e == end || i == end) continue;
+    // As many seams as hold them all together.
+    for (auto c = begin; c != end; ++c)
+      if (!c->is_explicit)
+        mesh.seams.push_back({e->cover, c->cover});
+      else if (c != e)
+        mesh.seams.push_back({c->cover, i->cover});
+  }
+}
+
 }  // namespace
 
-void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, CoverMesh& mesh) {
+void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, std::span<const char> is_explicit,
+                   CoverMesh& mesh) {
   const std::size_t count = mesh.elements();
   UnionFind slots(3 * count);  // an element's corner starts as a cover of its own
+  UnionFind undivided(is_explicit.empty() ? 0 : 3 * count);
   const auto join_corners = [&](std::int32_t a, std::int32_t b, const LatticeNode& n) {
     const auto slot = [&](std::int32_t e) {
       const auto nodes = Lattice::corners(pieces.triangle[static_cast<std::size_t>(e)]);
       return 3 * e + static_cast<std::int32_t>(std::find(nodes.begin(), nodes.end(), n) - nodes.begin());
     };
-    slots.join(slot(a), slot(b));
+    if (is_explicit.empty() || is_explicit[static_cast<std::size_t>(a)] == is_explicit[static_cast<std::size_t>(b)])
+      slots.join(slot(a), slot(b));
+    if (!is_explicit.empty()) undivided.join(slot(a), slot(b));
   };
   std::vector<Stretch> on_crack;
   // Every inner edge once: each triangle that points up has three neighbours that point down.
@@ -122,9 +160,10 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
       if (slots.find(slot) == slot) covers.push_back({nodes[c], slot});
     }
   }
-  std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) {
+  const auto in_order = [](const Cover& a, const Cover& b) {
     return std::tuple(a.node.j, a.node.i, a.root) < std::tuple(b.node.j, b.node.i, b.root);
-  });
+  };
+  std::sort(covers.begin(), covers.end(), in_order);
   std::vector<std::int32_t> number(3 * count, -1);
   mesh.star.clear();
   for (const Cover& c : covers) {
@@ -146,6 +185,25 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
     if (mesh.component[root] < 0) mesh.component[root] = mesh.components++;
     mesh.component[c] = mesh.component[root];
   }
+  if (is_explicit.empty()) return;
+  find_seams(undivided, is_explicit, mesh);
+  // Covers of the undivided block would be numbered in the same order.
+  std::vector<Cover> one;
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto nodes = Lattice::corners(pieces.triangle[e]);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const auto slot = static_cast<std::int32_t>(3 * e + c); undivided.find(slot) == slot)
+        one.push_back({nodes[c], slot});
+  }
+  std::sort(one.begin(), one.end(), in_order);
+  std::vector<std::int32_t> rank(3 * count, -1);
+  for (std::size_t k = 0; k < one.size(); ++k)
+    rank[static_cast<std::size_t>(one[k].root)] = static_cast<std::int32_t>(k);
+  mesh.undivided.assign(covers.size(), -1);
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t c = 0; c < 3; ++c)
+      mesh.undivided[static_cast<std::size_t>(mesh.cover[e][c])] =
+          rank[static_cast<std::size_t>(undivided.find(static_cast<std::int32_t>(3 * e + c)))];
 }
 
 }  // namespace scree::nmm

@@ -66,6 +66,32 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
 
 void CentralDifference::add_term(std::unique_ptr<ForceTerm> term) { terms_.push_back(std::move(term)); }
 
+void CentralDifference::hold_nodes(std::vector<std::int32_t> nodes) {
+  auto held = std::make_unique<HeldForce>(std::move(nodes));
+  held_ = held.get();
+  add_term(std::move(held));
+}
+
+void CentralDifference::hold(State& state, std::span<const double> force) {
+  const double before = acceleration_energy(state);
+  std::fill(q_new_.begin(), q_new_.end(), 0.0);  // scratch
+  std::fill(a_new_.begin(), a_new_.end(), 0.0);
+  held_->take(force, q_new_);
+  for (const std::size_t p : setup_->own_pools())
+    setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
+                               setup_->part(std::span<const double>(q_new_), p),
+                               setup_->part(std::span<double>(a_new_), p));
+  chunks_.for_free([&](const Chunk& c, std::size_t) {
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      total_[i] += q_new_[i];
+      state.a[i] += a_new_[i];
+    }
+  });
+  const double h = seconds(state.last_step), after = acceleration_energy(state);
+  state.ledger.set(Column::shadow, -h * h / 8.0 * after);
+  state.ledger.book(Column::step_change, -h * h / 8.0 * (after - before));
+}
+
 Instant CentralDifference::lagging(const State& state) const {
   return {state.q, lags() ? state.v_before : state.v, seconds(state.time)};
 }
@@ -181,6 +207,10 @@ void CentralDifference::resume(const State& state, const MoverMemory& memory) {
   total_ = memory.total;
   stiffness_.force = memory.stiffness;
   local_.force = memory.local;
+  if (held_ != nullptr) {
+    std::fill(q_new_.begin(), q_new_.end(), 0.0);
+    held_->take(memory.held, q_new_);
+  }
   bound_ = memory.bound;
 }
 
@@ -191,6 +221,7 @@ MoverMemory CentralDifference::memory() const {
   out.total = total_;
   out.stiffness = stiffness_.force;
   out.local = local_.force;
+  out.held.assign(held().begin(), held().end());
   out.bound = bound_;
   return out;
 }
@@ -339,6 +370,7 @@ void CentralDifference::mark(Mark& out, bool far) const {
   out.total = total_;
   out.stiffness = stiffness_.force;
   out.local = local_.force;
+  out.held.assign(held().begin(), held().end());
 }
 
 void CentralDifference::go_back(State& state, const Mark& mark) {
@@ -348,6 +380,7 @@ void CentralDifference::go_back(State& state, const Mark& mark) {
   } else {
     contact_.undo(state);
   }
+  if (held_ != nullptr) held_->take(mark.held, q_new_);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;
   total_ = mark.total;

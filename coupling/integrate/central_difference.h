@@ -5,6 +5,7 @@
 
 #include "coupling/contact/explicit_contact.h"
 #include "coupling/integrate/force_term.h"
+#include "coupling/integrate/held_force.h"
 #include "coupling/integrate/loads.h"
 #include "coupling/integrate/mover.h"
 #include "coupling/integrate/node_chunks.h"
@@ -43,6 +44,11 @@ class CentralDifference final : public Mover {
   /// changes.
   /// @param end  x, y a node there   @param f  x, y a node, zero at first
   void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
+  /// Nodes that hold() has forces for; before enter() or resume().
+  void hold_nodes(std::vector<std::int32_t> nodes);
+  /// From now on these forces act on them, x, y a node [N]. The acceleration jumps, and with it the shadow.
+  void hold(State& state, std::span<const double> force);
+  [[nodiscard]] std::span<const double> held() const { return held_ ? held_->force() : std::span<const double>(); }
   /// Forces at the present instant; those of contacts alone on nodes of guests [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
@@ -50,7 +56,7 @@ class CentralDifference final : public Mover {
   struct Mark {
     bool far = false;
     ContactList contacts;  // only if it is far
-    std::vector<double> stress, total, stiffness, local;
+    std::vector<double> stress, total, stiffness, local, held;
   };
   /// @param far  more than one step may be taken before going back
   void mark(Mark& out, bool far) const;
@@ -107,6 +113,7 @@ class CentralDifference final : public Mover {
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // a weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
+  HeldForce* held_ = nullptr;  // among them
   // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
   // nodes.
   std::vector<double> stress_, total_;

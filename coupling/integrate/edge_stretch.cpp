@@ -1,6 +1,7 @@
 #include "coupling/integrate/edge_stretch.h"
 
 #include <algorithm>
+#include <array>
 
 namespace scree::coupling {
 
@@ -20,6 +21,7 @@ std::vector<EdgeStretch> edge_stretches(const Setup& setup, const State& state, 
     const auto row = [&](std::int32_t node) {
       return setup.global(body, boundary.nodes[static_cast<std::size_t>(node)]);
     };
+    if (!setup.applies(std::array{row(s.a), row(s.b)})) continue;
     const double whole = s.s1 - s.s0;
     out.push_back({static_cast<std::int32_t>(index), row(s.a), row(s.b), (begin - s.s0) / whole, (end - s.s0) / whole,
                    (end - begin) * edge});

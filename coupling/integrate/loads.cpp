@@ -52,7 +52,8 @@ std::vector<PointForce> point_forces(const Setup& setup, const State& state) {
       // Material point: from where the model first had it to the present reference shape.
       const ReferenceShape& shape = state.bodies[p.block.index()].shape;
       const AffineMotion map = affine_fit(shape.origin, shape.outline);
-      out.push_back({setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * p.point)), p.force, load});
+      const Row row = setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * p.point));
+      if (setup.applies({&row, 1})) out.push_back({row, p.force, load});
     }
     ++load;
   }

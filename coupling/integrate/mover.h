@@ -50,11 +50,13 @@ struct MoverMemory {
   };
   std::vector<ContactPoint> points;                     // of State::contacts
   std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
+  std::vector<double> held;                             // and those that it holds
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
   // Partitioned: of the explicit and the implicit side, their ledgers, and that of the run before.
   std::vector<MoverMemory> sides;
   std::vector<Ledger> ledgers;
-  double step_bound = 0.0;  // partitioned: that the substeps keep to [s]
+  double step_bound = 0.0;    // that the substeps keep to [s]
+  std::vector<double> apart;  // nodes of seams when the stage began: the implicit one less the explicit one [m]
 
   /// As State::visit().
   template <class Visitor>
@@ -105,6 +107,7 @@ void MoverMemory::visit(Visitor&& see) {
   see("total", total);
   see("stiffness", stiffness);
   see("local", local);
+  see("held", held);
   see.size("bound", bound);
   for (Bound& b : bound) {
     b.key.visit(see);
@@ -115,6 +118,7 @@ void MoverMemory::visit(Visitor&& see) {
   see.size("ledgers", ledgers);
   for (Ledger& ledger : ledgers) ledger.visit(see);
   see("step_bound", step_bound);
+  see("apart", apart);
 }
 
 }  // namespace scree::coupling

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,8 +50,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &rhs_,
                   &out_,
                   &pull_,
-                  &asked_,
-                  &answer_,
+                  &asked_forces_,
                   &mismatch_,
                   &kick_,
                   &foreseen_,
@@ -264,21 +264,78 @@ void Newmark::find_step_springs(const State& state, double h) {
       add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
     }
   }
+  seams_ = springs_.size();
+  const std::span<const PathForce::Seam> seams = path_->seams();
+  const std::span<const double> factor = path_->seam_factor();
+  const std::array<Vec2, 2> axes{Vec2(1.0, 0.0), Vec2(0.0, 1.0)};
+  seam_rows_.clear();
+  for (const PathForce::Seam& s : seams)
+    for (const Vec2& axis : axes) {
+      seam_rows_.begin_row();
+      ImplicitSystem::add_point(system_.chart(s.body, s.row, state.q), axis, seam_rows_);
+    }
+  for (std::size_t j = 0; j < seams.size(); ++j)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double first = factor[j * seams.size() + j];
+      begin(first * first, 0.0);
+      for (std::size_t i = j; i < seams.size(); ++i)
+        add(seams[i].body, seams[i].row, factor[j * seams.size() + i] / first * axes[d]);
+    }
+}
+
+void Newmark::take_seams(std::span<const double> half, std::span<double> out) const {
+  const std::size_t n = half.size() / 2;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = j; i < n; ++i)
+      for (std::size_t d = 0; d < 2; ++d) out[2 * i + d] -= path_->seam_factor()[j * n + i] * half[2 * j + d];
+}
+
+void Newmark::sum_asked() {
+  std::copy_n(asked_.begin(), asked_forces_.size(), asked_forces_.begin());
+  for (std::size_t i = 0; i < seam_rows_.size(); ++i) seam_rows_[i].add_force(asked_[d_.size() + i], asked_forces_);
+}
+
+void Newmark::find_along(std::span<const double> d) {
+  for (std::size_t k = 0; k < along_.size(); ++k)
+    along_[k] = std::sqrt(springs_.k[seams_ + k]) * springs_.rows[seams_ + k].change(d);
 }
 
 void Newmark::begin_pull(const State& state, double h) {
-  // To begin with both sides go on as they did in the last step.
+  // To begin with both sides go on as they did in the last step; where seams hold them, as they are: what seams are
+  // apart in the end adds up over the steps, and iterations from farther off end nearer.
+  const bool goes_on = seam_rows_.size() == 0;
+  const std::size_t n = d_.size();
+  asked_.assign(n + seam_rows_.size(), 0.0);
+  answer_.assign(asked_.size(), 0.0);
+  held_.assign(path_->held().begin(), path_->held().end());
+  apart_.resize(held_.size());
+  along_.resize(held_.size());
+  units_.assign(asked_.size(), 1.0);
+  std::copy(system_.unit().begin(), system_.unit().end(), units_.begin());
+  pull_iteration_.begin(units_);
   system_.accelerations(state.q, state.a, acceleration_);
-  for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = h * system_.rate()[i] + 0.5 * h * h * acceleration_[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    d_[i] = h * system_.rate()[i];
+    if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
+  }
   move_to_iterate(state);
-  pull_iteration_.begin(system_.unit());
   std::fill(unforeseen_.begin(), unforeseen_.end(), 0.0);
   if (!foresee_pull(state)) {
     pull_nodes_.assign(path_->present().begin(), path_->present().end());
     take_pull(state);
   }
-  asked_ = answer_;
-  if (system_.nonlinear()) (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+  std::copy_n(answer_.begin(), n, asked_.begin());
+  const auto held = std::span(asked_).subspan(n);
+  find_along(d_);
+  for (double& a : along_) a = -a;
+  std::copy(held_.begin(), held_.end(), held.begin());
+  take_seams(along_, held);
+  sum_asked();
+  if (!system_.nonlinear()) return;
+  if (goes_on)
+    (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+  else
+    std::fill(d_.begin(), d_.end(), 0.0);
 }
 
 void Newmark::move_to_iterate(const State& state) {
@@ -298,8 +355,8 @@ void Newmark::take_pull(const State& state) {
   pulled_at_ = d_;
   std::fill(pull_.begin(), pull_.end(), 0.0);
   system_.add_forces(pull_nodes_, state.q, pull_);
-  answer_ = pull_;
-  for (std::size_t i = guides_; i < springs_.size(); ++i)
+  std::copy(pull_.begin(), pull_.end(), answer_.begin());
+  for (std::size_t i = guides_; i < seams_; ++i)
     springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
 }
 
@@ -317,7 +374,12 @@ bool Newmark::foresee_pull(const State& state) {
 bool Newmark::meet_pull(const State& state, bool foreseen, StepReport& report) {
   if (foreseen) foreseen_ = pull_;
   pull_nodes_.assign(state.q.size(), 0.0);
-  const StepReport found = path_->mean(q_new_, pull_nodes_);
+  // The balance was made with these forces of the seams.
+  const auto asked = std::span(asked_).subspan(d_.size());
+  find_along(d_);
+  std::copy(asked.begin(), asked.end(), held_.begin());
+  take_seams(along_, held_);
+  const StepReport found = path_->mean(q_new_, held_, pull_nodes_, apart_);
   if (found.status != StepReport::Status::ok) {
     report.status = found.status;
     report.suggested = found.suggested;
@@ -328,18 +390,26 @@ bool Newmark::meet_pull(const State& state, bool foreseen, StepReport& report) {
   take_pull(state);
   if (foreseen && pull_ != foreseen_) {
     for (std::size_t i = 0; i < pull_.size(); ++i) unforeseen_[i] += pull_[i] - foreseen_[i];
-    pull_iteration_.begin(system_.unit());  // earlier answers were others
+    pull_iteration_.begin(units_);  // earlier answers were others
   }
+  const auto answer = std::span(answer_).subspan(d_.size());
+  std::copy(asked.begin(), asked.end(), answer.begin());
+  const std::size_t seams = path_->seams().size();
+  for (std::size_t j = 0; j < seams; ++j)
+    for (std::size_t d = 0; d < 2; ++d) {
+      double sum = 0.0;
+      for (std::size_t i = j; i < seams; ++i) sum += path_->seam_factor()[j * seams + i] * apart_[2 * i + d];
+      along_[2 * j + d] = sum;
+    }
+  take_seams(along_, answer);
   return true;
 }
 
 double Newmark::pulls_apart() {
   // What the other side pulls by now, less what the balance was made with; and what that left.
   double apart = 0.0;
-  for (std::size_t i = 0; i < d_.size(); ++i) {
-    apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
-    mismatch_[i] = answer_[i] - asked_[i] + out_[i];
-  }
+  for (std::size_t i = 0; i < asked_.size(); ++i) apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
+  for (std::size_t i = 0; i < d_.size(); ++i) mismatch_[i] = answer_[i] - asked_[i] + out_[i];
   return apart;
 }
 
@@ -366,12 +436,12 @@ double Newmark::residual(const State& state, double h, double& largest) {
   for (std::size_t i = 0; i < out_.size(); ++i)
     out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
   if (path_ != nullptr) {
-    largest = std::max(largest, largest_of(pull_));
+    largest = std::max({largest, largest_of(pull_), largest_of(held_)});
     largest_pulled_ = largest;  // guides have forces that may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
   if (path_ != nullptr) {
-    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_[i];  // less the guides', which are in already
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_forces_[i];  // less the guides', which are in
   }
   return largest_of(out_);
 }
@@ -417,7 +487,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     system_.pattern().multiply_add(1.0, K_, moved, rhs_);
     if (path_ != nullptr)
-      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_[i];
+      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
     if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
     if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
     if (spares)
@@ -490,7 +560,10 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
           std::max(report.residual, apart / largest), report.iterations);
       return false;
     }
-    if (path_ != nullptr) pull_iteration_.next(answer_, asked_);
+    if (path_ != nullptr) {
+      pull_iteration_.next(answer_, asked_);
+      sum_asked();
+    }
     // A kept stiffness that is too far from this iterate's is made anew.
     if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
       (void)system_.linearise(q_new_, kind, false, K_, force_);

@@ -82,6 +82,10 @@ class Newmark final : public Mover {
   [[nodiscard]] bool meet_pull(const State& state, bool foreseen, StepReport& report);
   /// How far what pulls now is from what the balance was made with [N]; both differences go into mismatch_.
   [[nodiscard]] double pulls_apart();
+  void find_along(std::span<const double> d);
+  void sum_asked();
+  /// out -= C C^T u of the seams; `half` is C^T u.
+  void take_seams(std::span<const double> half, std::span<double> out) const;
   void kick(double h);
   void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
@@ -118,6 +122,7 @@ class Newmark final : public Mover {
   OpenClose contacts_;
   StepSprings springs_;
   std::size_t guides_ = 0;  // the first of them that only stands for the stiffness of path_
+  std::size_t seams_ = 0;   // and the first of those that do for its seams
   PathForce* path_ = nullptr;
   FixedPoint pull_iteration_;
   std::vector<PointSpring> supports_;
@@ -127,11 +132,17 @@ class Newmark final : public Mover {
   std::vector<Vec2> driven_move_;   // a body
   std::vector<double> reference_;   // the nodes of bodies in their reference shape
   std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
-  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it.
+  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it,
+  // and after the unknowns the forces of the seams where nothing moves; answer_ alike.
   // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
   // at the end.
-  std::vector<double> pull_, asked_, answer_, mismatch_, kick_, foreseen_, unforeseen_, pulled_at_;
-  double largest_pulled_ = 0.0;  // of the forces on bodies that are pulled [N]
+  std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
+  std::vector<double> foreseen_, unforeseen_;  // pull_ as it was foreseen; what it turned out to be more than that
+  std::vector<double> pulled_at_;              // the iterate that it is of
+  std::vector<double> asked_forces_, units_;   // asked_ in the unknowns; what asked_ is measured by
+  DofRows seam_rows_;                          // the places of the seams, x, y a seam
+  std::vector<double> held_, apart_, along_;   // of the seams: forces at the iterate, what they leave, C^T u
+  double largest_pulled_ = 0.0;                // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,

@@ -158,6 +158,8 @@ void Newmark::book_pull(State& state, double h) const {
   double along = 0.0;
   for (std::size_t i = 0; i < pull_nodes_.size(); ++i) along += pull_nodes_[i] * (q_new_[i] - state.q[i]);
   state.ledger.book(Column::update_contact, dot(pull_, d_) - along);
+  for (std::size_t i = 0; i < seam_rows_.size(); ++i)
+    state.ledger.book(Column::seams, held_[i] * seam_rows_[i].change(d_));
   // The kick gives J.v less half its own, v the velocity after it; the mismatch did no work on the way.
   state.ledger.book(Column::waveform, h * (dot(mismatch_, rate_) - 0.5 * dot(mismatch_, kick_)) - dot(mismatch_, d_));
 }

@@ -6,8 +6,10 @@ namespace scree::coupling {
 
 NodeChunks::NodeChunks(const Setup& setup) {
   std::vector<std::vector<Chunk>*> kind(static_cast<std::size_t>(setup.nodes()), &free_);
-  for (const Body& b : setup.bodies())
-    if (b.driven) std::fill_n(kind.begin() + b.first_node, b.nodes, b.guest ? &guests_ : &driven_);
+  for (std::size_t k = 0; k < kind.size(); ++k) {
+    const Setup::NodeKind of = setup.kind(static_cast<std::int32_t>(k));
+    if (of != Setup::NodeKind::free) kind[k] = of == Setup::NodeKind::guest ? &guests_ : &driven_;
+  }
   for (std::size_t k = 0; k < kind.size();) {
     std::size_t end = k + 1;
     while (end < kind.size() && kind[end] == kind[k] && end - k < static_cast<std::size_t>(kChunk)) ++end;

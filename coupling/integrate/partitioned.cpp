@@ -1,31 +1,30 @@
 #include "coupling/integrate/partitioned.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 namespace scree::coupling {
-namespace {
-
-void copy_numbers(const Body& from, std::span<const double> all, const Body& to, std::span<double> out) {
-  const auto a = 2 * static_cast<std::ptrdiff_t>(from.first_node), b = 2 * static_cast<std::ptrdiff_t>(to.first_node);
-  std::copy_n(all.begin() + a, 2 * from.nodes, out.begin() + b);
-}
-
-}  // namespace
-
 Guests Partitioned::guests(const Setup& whole, const State& state, bool is_explicit) {
   Guests out;
   out.touch = is_explicit;
   for (std::size_t i = 0; i < whole.bodies().size(); ++i)
-    out.guest.push_back((state.explicit_side[i] != 0) == is_explicit ? 0 : 1);
+    out.guest.push_back(state.explicit_side[i] == kDivided || (state.explicit_side[i] != 0) == is_explicit ? 0 : 1);
+  return out;
+}
+
+std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explicit) {
+  std::vector<BodyRecord> out = state.bodies;
+  for (BodyRecord& r : out)
+    if (r.form.division.divides())
+      r.form.division.acts = is_explicit ? Division::Acts::explicit_half : Division::Acts::implicit_half;
   return out;
 }
 
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit)
-    : setup(whole.model(), methods, state_of_all.bodies, guests(whole, state_of_all, is_explicit)) {
+    : setup(whole.model(), methods, records(state_of_all, is_explicit), guests(whole, state_of_all, is_explicit)) {
   state.bodies = state_of_all.bodies;
-  for (const Body& b : setup.bodies()) own.push_back(b.driven ? 0 : 1);
 }
 
 Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,
@@ -36,26 +35,103 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       implicit_side_(whole, methods, state, false),
       explicit_(std::make_unique<CentralDifference>(explicit_side_.setup, control, detection, choice.explicit_damping)),
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
+  find_runs();
   implicit_->pull(this);
   const Setup& setup = explicit_side_.setup;
   for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
+    const Row& row = setup.outlines().nodes[i];
     const Body& b = setup.bodies()[static_cast<std::size_t>(setup.outlines().node_body[i])];
-    compliance_.push_back(b.guest ? setup.pool_of(b).compliance(b.index, setup.local(b, setup.outlines().nodes[i]))
-                                  : 0.0);
+    compliance_.push_back(setup.on_guest(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
   }
 }
 
-void Partitioned::take(const Setup& from, std::span<const double> all, const Setup& to,
-                       std::vector<double>& out) const {
-  out.assign(all.empty() ? 0 : 2 * static_cast<std::size_t>(to.nodes()), 0.0);
-  for (std::size_t i = 0; i < from.bodies().size() && !all.empty(); ++i)
-    copy_numbers(from.bodies()[i], all, to.bodies()[i], out);
+void Partitioned::find_runs() {
+  const auto add = [](std::vector<Run>& runs, const Run& r) {
+    if (!runs.empty() && runs.back().whole + runs.back().count == r.whole &&
+        runs.back().of_explicit + runs.back().count == r.of_explicit &&
+        runs.back().of_implicit + runs.back().count == r.of_implicit)
+      runs.back().count += r.count;
+    else
+      runs.push_back(r);
+  };
+  for (std::size_t b = 0; b < whole_->bodies().size(); ++b) {
+    const Body &w = whole_->bodies()[b], &e = explicit_side_.setup.bodies()[b], &i = implicit_side_.setup.bodies()[b];
+    for (std::int32_t k = 0; k < w.nodes; ++k) {
+      const Run run{2 * static_cast<std::size_t>(w.first_node + k), 2 * static_cast<std::size_t>(e.first_node + k),
+                    2 * static_cast<std::size_t>(i.first_node + k), 2};
+      add(all_, run);
+      if (explicit_side_.setup.kind(e.first_node + k) == Setup::NodeKind::free) add(explicit_runs_, run);
+      if (implicit_side_.setup.kind(i.first_node + k) == Setup::NodeKind::free) add(implicit_runs_, run);
+    }
+  }
 }
 
-void Partitioned::take_bodies(const Side& from, std::span<const double> all, const Setup& to,
-                              std::span<double> out) const {
-  for (std::size_t i = 0; i < from.own.size(); ++i)
-    if (from.own[i] != 0) copy_numbers(from.setup.bodies()[i], all, to.bodies()[i], out);
+void Partitioned::find_seams(const MoverMemory* memory) {
+  seams_.clear();
+  explicit_at_.clear();
+  implicit_at_.clear();
+  std::vector<std::int32_t> nodes;
+  for (std::size_t b = 0; b < whole_->bodies().size(); ++b) {
+    const Body &w = whole_->bodies()[b], &e = explicit_side_.setup.bodies()[b], &i = implicit_side_.setup.bodies()[b];
+    const std::int32_t first = whole_->pool_of(w).first_node(w.index);
+    for (const Pool::Seam& s : whole_->pool_of(w).seams(w.index)) {
+      const std::int32_t of_explicit = e.first_node + s.explicit_node - first,
+                         of_implicit = i.first_node + s.implicit_node - first;
+      const auto row = [](std::int32_t node) { return Row{{node, node, node}, {1.0, 0.0, 0.0}}; };
+      seams_.push_back({static_cast<std::int32_t>(b), row(of_implicit)});
+      nodes.push_back(of_explicit);
+      explicit_at_.push_back(2 * static_cast<std::size_t>(of_explicit));
+      implicit_at_.push_back(2 * static_cast<std::size_t>(of_implicit));
+    }
+  }
+  held_.assign(2 * seams_.size(), 0.0);
+  held_back_ = held_;
+  if (!nodes.empty()) explicit_->hold_nodes(std::move(nodes));
+  find_seam_mass();
+  if (memory != nullptr) {
+    apart_ = memory->apart;
+    for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = -memory->sides[0].held[k];
+    return;
+  }
+  apart_.clear();
+  for (std::size_t k = 0; k < 2 * seams_.size(); ++k)
+    apart_.push_back(implicit_side_.state.q[implicit_at_[k / 2] + k % 2] -
+                     explicit_side_.state.q[explicit_at_[k / 2] + k % 2]);
+}
+
+void Partitioned::find_seam_mass() {
+  // Acceleration of each node by a unit force on each other, inverted.
+  const auto n = static_cast<Eigen::Index>(seams_.size());
+  const Setup& setup = explicit_side_.setup;
+  Eigen::MatrixXd compliance(n, n);
+  std::vector<double> force(explicit_side_.state.q.size(), 0.0), a = force;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const std::size_t at = explicit_at_[static_cast<std::size_t>(j)];
+    force[at] = 1.0;
+    for (const std::size_t p : setup.own_pools())
+      setup.pool(p).mass_solve(setup.part(std::span<const double>(explicit_side_.state.q), p),
+                               setup.part(std::span<const double>(force), p), setup.part(std::span<double>(a), p));
+    force[at] = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) compliance(i, j) = a[explicit_at_[static_cast<std::size_t>(i)]];
+  }
+  // Covers that follow the same others have no mass of their own against each other: a little keeps it definite.
+  compliance = 0.5 * (compliance + compliance.transpose()).eval();
+  compliance.diagonal() *= 1.0 + 1e-6;
+  const Eigen::MatrixXd mass = compliance.llt().solve(Eigen::MatrixXd::Identity(n, n)), factor = mass.llt().matrixL();
+  seam_mass_.assign(factor.data(), factor.data() + factor.size());
+  seam_factor_ = seam_mass_;
+}
+
+void Partitioned::copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all,
+                       std::size_t Run::*to, std::span<double> out) {
+  for (const Run& r : runs)
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(r.*from), r.count,
+                out.begin() + static_cast<std::ptrdiff_t>(r.*to));
+}
+
+void Partitioned::take(std::span<const double> all, std::size_t Run::*to, std::vector<double>& out) const {
+  out.assign(all.size(), 0.0);
+  if (!all.empty()) copy(all_, &Run::whole, all, to, out);
 }
 
 void Partitioned::split(const State& state) {
@@ -66,13 +142,14 @@ void Partitioned::split(const State& state) {
     s.stage = state.stage;
     s.last_step = state.last_step;
     s.contacts = state.contacts;
-    take(*whole_, state.q, side->setup, s.q);
-    take(*whole_, state.v, side->setup, s.v);
+    const auto to = side == &explicit_side_ ? &Run::of_explicit : &Run::of_implicit;
+    take(state.q, to, s.q);
+    take(state.v, to, s.v);
   }
-  take(*whole_, state.a, explicit_side_.setup, explicit_side_.state.a);
-  take(*whole_, state.a, implicit_side_.setup, implicit_side_.state.a);
-  take(*whole_, state.v_before, explicit_side_.setup, explicit_side_.state.v_before);
-  take(*whole_, state.damping, explicit_side_.setup, explicit_side_.state.damping);
+  take(state.a, &Run::of_explicit, explicit_side_.state.a);
+  take(state.a, &Run::of_implicit, implicit_side_.state.a);
+  take(state.v_before, &Run::of_explicit, explicit_side_.state.v_before);
+  take(state.damping, &Run::of_explicit, explicit_side_.state.damping);
   implicit_side_.state.factored = state.factored;
 }
 
@@ -96,6 +173,7 @@ void Partitioned::open_ledgers() {
 
 double Partitioned::enter(State& state) {
   split(state);
+  find_seams(nullptr);
   const double energy = explicit_->enter(explicit_side_.state) + implicit_->enter(implicit_side_.state);
   open_ledgers();
   has_base_ = false;
@@ -108,11 +186,12 @@ double Partitioned::enter(State& state) {
 
 void Partitioned::resume(const State& state, const MoverMemory& memory) {
   split(state);
+  find_seams(&memory);
   explicit_side_.state.contacts.clear();
   implicit_side_.state.contacts.clear();
   for (const ContactMemory& m : state.contacts) {
     const auto is_explicit = [&](std::int32_t block) {
-      return explicit_side_.own[static_cast<std::size_t>(block)] != 0;
+      return state.explicit_side[static_cast<std::size_t>(block)] != 0;
     };
     (is_explicit(m.key.block_p) || is_explicit(m.key.block_e) ? explicit_side_ : implicit_side_)
         .state.contacts.push_back(m);
@@ -131,21 +210,22 @@ MoverMemory Partitioned::memory() const {
   out.sides = {explicit_->memory(), implicit_->memory()};
   out.ledgers = {explicit_side_.state.ledger, implicit_side_.state.ledger, base_};
   out.step_bound = bound_;
+  out.apart = apart_;
   return out;
 }
 
 void Partitioned::join(State& state) {
   const State &e = explicit_side_.state, &i = implicit_side_.state;
-  take_bodies(explicit_side_, e.q, *whole_, state.q);
-  take_bodies(explicit_side_, e.v, *whole_, state.v);
-  take_bodies(implicit_side_, i.q, *whole_, state.q);
-  take_bodies(implicit_side_, i.v, *whole_, state.v);
+  copy(explicit_runs_, &Run::of_explicit, e.q, &Run::whole, state.q);
+  copy(explicit_runs_, &Run::of_explicit, e.v, &Run::whole, state.v);
+  copy(implicit_runs_, &Run::of_implicit, i.q, &Run::whole, state.q);
+  copy(implicit_runs_, &Run::of_implicit, i.v, &Run::whole, state.v);
   const auto of_explicit = [&](const std::vector<double>& numbers, std::vector<double>& out) {
     out.assign(numbers.empty() ? 0 : state.q.size(), 0.0);
-    if (!numbers.empty()) take_bodies(explicit_side_, numbers, *whole_, out);
+    if (!numbers.empty()) copy(explicit_runs_, &Run::of_explicit, numbers, &Run::whole, out);
   };
   of_explicit(e.a, state.a);
-  if (!i.a.empty()) take_bodies(implicit_side_, i.a, *whole_, state.a);
+  if (!i.a.empty()) copy(implicit_runs_, &Run::of_implicit, i.a, &Run::whole, state.a);
   of_explicit(e.v_before, state.v_before);
   of_explicit(e.damping, state.damping);
   state.time = e.time;
@@ -170,9 +250,7 @@ void Partitioned::find_springs() {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
-    const auto is_guest = [&](std::int32_t node) {
-      return setup.bodies()[static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(node)])].guest;
-    };
+    const auto is_guest = [&](std::int32_t node) { return setup.on_guest(o.nodes[static_cast<std::size_t>(node)]); };
     const auto add = [&](const ContactRow& row, double k) {
       Spring s;
       s.k = 0.5 * k;
@@ -211,40 +289,39 @@ void Partitioned::rewind() {
 }
 
 void Partitioned::add_to_guests(double weight, std::span<const double> f) {
-  for (const Body& b : explicit_side_.setup.bodies()) {
-    if (!b.guest) continue;
-    const auto first = 2 * static_cast<std::size_t>(b.first_node), n = 2 * static_cast<std::size_t>(b.nodes);
-    for (std::size_t k = first; k < first + n; ++k) sum_[k] += weight * f[k];
-  }
-}
-
-void Partitioned::give(std::span<double> force) const {
-  for (std::size_t i = 0; i < implicit_side_.own.size(); ++i)
-    if (implicit_side_.own[i] != 0)
-      copy_numbers(explicit_side_.setup.bodies()[i], sum_, implicit_side_.setup.bodies()[i], force);
+  for (const Run& r : implicit_runs_)
+    for (std::size_t k = r.of_explicit; k < r.of_explicit + r.count; ++k) sum_[k] += weight * f[k];
 }
 
 bool Partitioned::foresee(std::span<const double> end, std::span<double> force) {
   // In one substep explicit bodies go where they go whatever the guests do; before the last of many they do not.
-  if (substeps_ > 1) return false;
+  if (substeps_ > 1 || !seams_.empty()) return false;
   if (gone_) rewind();
-  take_bodies(implicit_side_, end, explicit_side_.setup, end_);
+  copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
   ahead_.assign(end_.size(), 0.0);
   explicit_->foresee(explicit_side_.state, end_, step_, ahead_);
   std::fill(sum_.begin(), sum_.end(), 0.0);
   add_to_guests(0.5, explicit_->forces());
   add_to_guests(0.5, ahead_);
-  give(force);
+  copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
   return true;
 }
 
-StepReport Partitioned::mean(std::span<const double> end, std::span<double> force) {
+StepReport Partitioned::mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
+                             std::span<double> apart) {
   State& s = explicit_side_.state;
   if (gone_) rewind();
   gone_ = true;
   ++repeats_;
-  take_bodies(implicit_side_, end, explicit_side_.setup, end_);
+  copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
   explicit_->lead_guests(s, end_, s.time + step_);
+  if (!seams_.empty()) {
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      held_[k] = held[k];
+      held_back_[k] = -held[k];
+    }
+    explicit_->hold(s, held_back_);
+  }
   std::fill(sum_.begin(), sum_.end(), 0.0);
   const double H = seconds(step_);
   Tick left = step_;
@@ -254,13 +331,15 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<double> forc
     add_to_guests(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
     if (report.status != StepReport::Status::ok) {
-      gone_ = substeps_ > 1;  // a step that fails leaves things as they were
+      gone_ = mark_.far;  // a step that fails leaves things as they were
       return report;
     }
     add_to_guests(weight, explicit_->forces());
     left -= ticks;
   }
-  give(force);
+  copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
+  for (std::size_t k = 0; k < apart.size(); ++k)
+    apart[k] = end[implicit_at_[k / 2] + k % 2] - s.q[explicit_at_[k / 2] + k % 2] - apart_[k];
   return {};
 }
 
@@ -278,7 +357,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   step_ = ticks_of_step;
   repeats_ = 0;
   gone_ = false;
-  explicit_->mark(mark_, substeps_ > 1);
+  explicit_->mark(mark_, substeps_ > 1 || !seams_.empty());
   saved_.time = e.time;
   saved_.last_step = e.last_step;
   saved_.step = e.step;
@@ -290,12 +369,13 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   saved_.ledger = e.ledger;
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
-  take_bodies(explicit_side_, e.q, implicit_side_.setup, i.q);
+  copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);
   present_.assign(i.q.size(), 0.0);
-  for (std::size_t b = 0; b < implicit_side_.own.size(); ++b)
-    if (implicit_side_.own[b] != 0)
-      copy_numbers(explicit_side_.setup.bodies()[b], explicit_->forces(), implicit_side_.setup.bodies()[b], present_);
+  copy(implicit_runs_, &Run::of_explicit, explicit_->forces(), &Run::of_implicit, present_);
   find_springs();
+  // By their mass alone nodes go H^2/2 on per unit of acceleration; what waves have reached by then is slower.
+  const double scale = std::sqrt(2.0 * substeps_) / H;
+  for (std::size_t k = 0; k < seam_mass_.size(); ++k) seam_factor_[k] = scale * seam_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
   if (report.status != StepReport::Status::ok) {
@@ -304,8 +384,8 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   }
   if (audit_ != nullptr) explicit_->check(e, *audit_);
   // Guests stand where their own side has them, with its velocity.
-  take_bodies(implicit_side_, i.q, explicit_side_.setup, e.q);
-  take_bodies(implicit_side_, i.v, explicit_side_.setup, e.v);
+  copy(implicit_runs_, &Run::of_implicit, i.q, &Run::of_explicit, e.q);
+  copy(implicit_runs_, &Run::of_implicit, i.v, &Run::of_explicit, e.v);
   join(state);
   state.factored = i.factored;
   ++state.step;
@@ -343,12 +423,9 @@ void Partitioned::contact_forces(const State&, std::span<double> f) const {
       explicit_->contact_forces(side->state, own);
     else
       implicit_->contact_forces(side->state, own);
-    for (std::size_t i = 0; i < side->own.size(); ++i) {
-      const Body &a = side->setup.bodies()[i], &b = whole_->bodies()[i];
-      const auto from = 2 * static_cast<std::size_t>(a.first_node), to = 2 * static_cast<std::size_t>(b.first_node),
-                 count = 2 * static_cast<std::size_t>(a.nodes);
-      for (std::size_t k = 0; k < count; ++k) f[to + k] += own[from + k];
-    }
+    const auto from = side == &explicit_side_ ? &Run::of_explicit : &Run::of_implicit;
+    for (const Run& r : all_)
+      for (std::size_t k = 0; k < r.count; ++k) f[r.whole + k] += own[r.*from + k];
   }
 }
 

@@ -17,7 +17,10 @@ namespace scree::coupling {
 /// Impulses on both sides are equal and opposite, and so is the work, whatever u: momentum is exact and the ledger has
 /// no term of its own. Stable under the explicit bound with the implicit bodies fixed, whatever H and their mass.
 /// Contacts among implicit bodies are those of Newmark's open-close iteration.
-/// @source coupling.md 4; thesis 6.3, ch. 7
+/// The two halves of a divided block are one continuum: nodes at one place (Pool::seams) are held together by forces
+/// that are constant through H, equal and opposite, and such that both go the same way from one end of H to the other.
+/// They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
+/// @source coupling.md 4; thesis 6.3, ch. 7, 7.2.2
 class Partitioned final : public Mover, private PathForce {
  public:
   struct Choice {
@@ -54,12 +57,21 @@ class Partitioned final : public Mover, private PathForce {
     Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit);
     Setup setup;
     State state;
-    std::vector<char> own;  // a body: 1 where the side moves it
   };
   [[nodiscard]] static Guests guests(const Setup& whole, const State& state, bool is_explicit);
-  /// Numbers of all bodies, or of one side's own, from one order to the other.
-  void take(const Setup& from, std::span<const double> all, const Setup& to, std::vector<double>& out) const;
-  void take_bodies(const Side& from, std::span<const double> all, const Setup& to, std::span<double> out) const;
+  [[nodiscard]] static std::vector<BodyRecord> records(const State& state, bool is_explicit);
+  /// Numbers that follow one another in all three orders: of the whole, the explicit and the implicit side.
+  struct Run {
+    std::size_t whole, of_explicit, of_implicit, count;
+  };
+  void find_runs();
+  /// Nodes of divided blocks that belong together.   @param memory  of a run that goes on; null: the stage begins
+  void find_seams(const MoverMemory* memory);
+  void find_seam_mass();
+  static void copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all, std::size_t Run::*to,
+                   std::span<double> out);
+  /// Of the whole to a side.
+  void take(std::span<const double> all, std::size_t Run::*to, std::vector<double>& out) const;
   void split(const State& state);
   void open_ledgers();
   /// Brings what the sides have into the state.
@@ -70,19 +82,27 @@ class Partitioned final : public Mover, private PathForce {
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
   [[nodiscard]] double stiffness() const override { return stiffness_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
+  [[nodiscard]] std::span<const Seam> seams() const override { return seams_; }
+  [[nodiscard]] std::span<const double> seam_factor() const override { return seam_factor_; }
+  [[nodiscard]] std::span<const double> held() const override { return held_; }
   bool foresee(std::span<const double> end, std::span<double> force) override;
-  StepReport mean(std::span<const double> end, std::span<double> force) override;
+  StepReport mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
+                  std::span<double> apart) override;
   /// sum_ += weight times the forces on guests.
   void add_to_guests(double weight, std::span<const double> f);
-  /// sum_ in the numbers of the implicit side.
-  void give(std::span<double> force) const;
 
   const Setup* whole_;
   Choice choice_;
   Side explicit_side_, implicit_side_;
   std::unique_ptr<CentralDifference> explicit_;
   std::unique_ptr<Newmark> implicit_;
-  Ledger base_;  // of the run until the first step
+  std::vector<Run> all_, explicit_runs_, implicit_runs_;  // of all nodes, and of those that a side moves
+  std::vector<Seam> seams_;                               // as the implicit side sees them
+  // Cholesky's factor of the mass that the explicit half has at them, and the same as stiffness of a step.
+  std::vector<double> seam_mass_, seam_factor_;
+  std::vector<std::size_t> explicit_at_, implicit_at_;  // a seam: first number of its nodes
+  std::vector<double> apart_, held_, held_back_;        // x, y a seam; held_back_: what the explicit side feels
+  Ledger base_;                                         // of the run until the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;

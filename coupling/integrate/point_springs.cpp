@@ -19,6 +19,7 @@ std::vector<PointSpring> point_springs(const Setup& setup, const State& state) {
     PointSpring s;
     s.body = static_cast<std::int32_t>(index);
     s.row = setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * support.point));
+    if (!setup.applies({&s.row, 1})) continue;
     s.anchor = support.point;
     s.k = {support.fix_x ? k : 0.0, support.fix_y ? k : 0.0};
     springs.push_back(s);

@@ -40,6 +40,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"update_elastic", Side::scheme, "elastic energy changed by the geometry update of implicit steps"},
     {"update_contact", Side::scheme, "contact and support energy changed by the geometry update of implicit steps"},
     {"waveform", Side::scheme, "explicit and implicit bodies: what the iteration between them leaves, as a kick"},
+    {"seams", Side::scheme, "explicit and implicit halves of a block: what the forces between them leave"},
     {"step_change", Side::scheme, "change of the shadow term with the step or the scheme"},
     {"transfer", Side::scheme, "cross terms booked when bodies change method"},
 }};

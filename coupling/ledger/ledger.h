@@ -47,6 +47,7 @@ enum class Column : int {
   update_elastic,
   update_contact,
   waveform,
+  seams,
   step_change,
   transfer,
   count_

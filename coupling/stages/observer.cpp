@@ -28,6 +28,8 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
     }
     for (std::int32_t c : part.connectivity) connectivity_.push_back(first_point + c);
     for (std::size_t c = 1; c < part.offsets.size(); ++c) offsets_.push_back(first_entry + part.offsets[c]);
+    part.explicit_half.resize(part.body.size(), 0);
+    cell_explicit_.insert(cell_explicit_.end(), part.explicit_half.begin(), part.explicit_half.end());
     for (std::int32_t b : part.body) {
       const BlockId block = of_pool[p][static_cast<std::size_t>(b)]->block;
       cell_block_.push_back(block.value);
@@ -59,6 +61,7 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
   view_.cell_block = cell_block_;
   view_.cell_material = cell_material_;
   view_.cell_method = cell_method_;
+  view_.cell_explicit = cell_explicit_;
   view_.origin = origin_;
 }
 

@@ -26,6 +26,7 @@ class Observer {
   bool contacts_;
   std::vector<Row> points_;
   std::vector<std::int32_t> offsets_, connectivity_, cell_block_, cell_material_, cell_method_;
+  std::vector<char> cell_explicit_;
   std::vector<double> origin_, position_, velocity_, stress_;
   std::vector<Row> monitors_;
   std::vector<std::size_t> monitor_pool_;

@@ -5,16 +5,32 @@
 #include <cmath>
 
 #include "coupling/stages/setup.h"
+#include "model/planar.h"
 
 namespace scree::coupling {
 namespace {
 
-/// Blocks that lists or areas settle: 1 explicit, 0 implicit, -1 neither.
+/// Where a block lies: 1 in the region, kDivided across its border, -1 outside. Slivers of less than a millionth of the
+/// block are on neither side of it.
+char side_of_region(const Clipper& block, double area, const Ring& region) {
+  double inside = 0.0;
+  for (const Polygon& piece : block.intersection(region)) inside += moments(piece).area;
+  if (inside <= 1e-6 * area) return -1;
+  return inside >= (1.0 - 1e-6) * area ? 1 : kDivided;
+}
+
+/// Blocks that lists, a region or areas settle: as State::explicit_side, -1 for neither.
 std::vector<char> settled(const Model& model, const Partition& partition) {
   std::vector<char> side(model.blocks.size(), -1);
   if (partition.explicit_area > 0.0)
     for (std::size_t i = 0; i < side.size(); ++i)
       if (moments(model.blocks[i].polygon).area < partition.explicit_area) side[i] = 1;
+  if (!partition.explicit_region.empty())
+    for (std::size_t i = 0; i < side.size(); ++i)
+      if (const char of = side_of_region(Clipper(model.blocks[i].polygon), moments(model.blocks[i].polygon).area,
+                                         partition.explicit_region);
+          of != -1)
+        side[i] = of;
   for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
   for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
   return side;

@@ -11,8 +11,8 @@ namespace scree::coupling {
 
 class Setup;
 
-/// Sides where a stage begins, a flag a block: 1 for explicit. Blocks that only rules of motion could move start
-/// implicit.
+/// Sides where a stage begins, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
+/// start implicit.
 [[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition);
 
 /// Sides by the motion at an instant; those that lists or areas have settled stay.

@@ -60,6 +60,7 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     }
     b.guest = !b.driven && is_guest(i);
     b.driven = b.driven || b.guest;
+    b.divided = r.form.division.divides() && r.form.division.acts != Division::Acts::both;
     b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
     counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
     bodies_.push_back(b);
@@ -69,18 +70,29 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     pool->finish();
     pool_first_.push_back(pool_first_.back() + pool->first_node(pool->bodies()));
   }
-  free_.assign(static_cast<std::size_t>(nodes()), 1.0);
+  kind_.assign(static_cast<std::size_t>(nodes()), NodeKind::free);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& b = bodies_[i];
     const Pool& pool = pool_of(b);
     b.first_node = pool_first_[static_cast<std::size_t>(b.pool)] + pool.first_node(b.index);
     b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
-    if (b.driven)
-      for (std::int32_t k = b.first_node; k < b.first_node + b.nodes; ++k) free_[static_cast<std::size_t>(k)] = 0.0;
+    if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.guest ? NodeKind::guest : NodeKind::driven);
+    for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
+      if (pool.idle(pool.first_node(b.index) + k)) kind_[static_cast<std::size_t>(b.first_node + k)] = NodeKind::guest;
     add_outline(static_cast<std::int32_t>(i));
   }
   for (Outlines::Edge& e : outlines_.edges)
-    if (!guests.touch && bodies_[static_cast<std::size_t>(e.body)].guest) e.touches = false;
+    if (!guests.touch &&
+        (bodies_[static_cast<std::size_t>(e.body)].guest || bodies_[static_cast<std::size_t>(e.body)].divided))
+      e.touches = false;
+}
+
+bool Setup::applies(std::span<const Row> rows) const {
+  bool guests = false, own = false;
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (row.w[k] != 0.0) (kind(row.node[k]) == NodeKind::guest ? guests : own) = true;
+  return guests_touch_ ? own : own && !guests;
 }
 
 Row Setup::global(const Body& b, Row row) const {

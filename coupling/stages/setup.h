@@ -25,6 +25,7 @@ struct Body {
   std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
   bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
   bool guest = false;                      // another mover moves it (see Guests)
+  bool divided = false;                    // another mover moves one half of it
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
@@ -64,7 +65,8 @@ struct Outlines {
 };
 
 /// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
-/// driven, but along paths that their mover knows, and live in pools of their own.
+/// driven, but along paths that their mover knows, and live in pools of their own. Of a divided body the half that does
+/// not act here is a guest, in the pool of the other half; its contacts are all the explicit side's.
 struct Guests {
   std::vector<char> guest;  // a body: 1 for a guest; empty: none
   bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
@@ -96,13 +98,22 @@ class Setup {
   /// False for two bodies without unknowns, and for guests whom nobody touches.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
-    return !(x.driven && y.driven) && (guests_touch_ || (!x.guest && !y.guest));
+    return !(x.driven && y.driven) && (guests_touch_ || !(x.guest || y.guest || x.divided || y.divided));
   }
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;
   [[nodiscard]] Row local(const Body& b, Row row) const;
-  /// 1 for nodes of free bodies, 0 for driven ones.
-  [[nodiscard]] const std::vector<double>& free() const { return free_; }
+  enum class NodeKind : char { free, driven, guest };
+  [[nodiscard]] NodeKind kind(std::int32_t node) const { return kind_[static_cast<std::size_t>(node)]; }
+  /// True for a row on a node that another mover moves.
+  [[nodiscard]] bool on_guest(const Row& row) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (row.w[k] != 0.0 && kind(row.node[k]) == NodeKind::guest) return true;
+    return false;
+  }
+  /// True if a force on rows of one body is this setup's to apply, and not the other side's: of a divided body it is
+  /// the explicit side's as soon as one node is.
+  [[nodiscard]] bool applies(std::span<const Row> rows) const;
   /// One flag a body of a pool: 1 if it is free.
   [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
 
@@ -122,7 +133,7 @@ class Setup {
   std::vector<std::size_t> own_pools_;
   std::vector<std::int32_t> pool_first_;
   std::vector<Body> bodies_;
-  std::vector<double> free_;
+  std::vector<NodeKind> kind_;
   std::vector<std::vector<char>> counted_;
   bool guests_touch_;
   Outlines outlines_;

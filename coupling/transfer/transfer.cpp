@@ -67,7 +67,9 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
   for (std::size_t i = 0; i < out.size(); ++i) {
     const bool is_explicit =
         stage.integrator == Integrator::partitioned ? explicit_side[i] != 0 : stage.integrator == Integrator::explicit_;
-    out[i].form.mass = stage.mass.value_or(is_explicit ? MassKind::affine_exact : MassKind::consistent);
+    const bool divided = stage.integrator == Integrator::partitioned && explicit_side[i] == kDivided;
+    out[i].form.mass = stage.mass.value_or(is_explicit && !divided ? MassKind::affine_exact : MassKind::consistent);
+    if (divided) out[i].form.division.region = stage.partition.explicit_region;
     if (model.blocks[i].cover_size > 0.0) out[i].form.cover_size = model.blocks[i].cover_size;
   }
   for (const MethodRule& rule : stage.rules)
@@ -111,7 +113,8 @@ class Change {
   std::vector<TransferRow> rows;
 
  private:
-  enum class Kind { stays, reformed, affine, back };  // reformed: the same unknowns with other operators
+  // reformed: the same unknowns with other operators; halved: covers that a division has twice come or go.
+  enum class Kind { stays, reformed, halved, affine, back };
   struct One {
     Kind kind = Kind::stays;
     Release release;
@@ -123,6 +126,8 @@ class Change {
   /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
   /// @param affine  the body is all affine now: else its own fields would be lost
   [[nodiscard]] std::optional<Remainder> take_rest(BlockId block, const Wish& wish, bool affine);
+  /// The nodes of a body that is divided from now on, or not any more.
+  void join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
   void book_return(const Setup& to, std::size_t i, TransferRow& row);
 
   const Model& model_;
@@ -135,10 +140,10 @@ class Change {
 void Change::release(const std::vector<Wish>& wish) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyRecord& record = state_.bodies[i];
-    if (record.method != wish[i].method || !record.form.same_mesh(wish[i].form)) {
+    if (record.method != wish[i].method || !record.form.same_covers(wish[i].form)) {
       release_one(i, wish[i]);
     } else if (record.form != wish[i].form) {
-      bodies_[i].kind = Kind::reformed;
+      bodies_[i].kind = record.form.same_mesh(wish[i].form) ? Kind::reformed : Kind::halved;
       bodies_[i].before = totals_of(from_, i, state_);
       record.form = wish[i].form;
     }
@@ -225,6 +230,8 @@ void Change::place(const Setup& to) {
     if (one.kind == Kind::affine) {
       to.pool_of(b).place(b.index, one.release.motion, to.part(std::span<double>(q), p),
                           to.part(std::span<double>(v), p));
+    } else if (one.kind == Kind::halved) {
+      join_or_halve(to, i, q, v);
     } else if (one.kind == Kind::back) {
       const auto at = static_cast<std::size_t>(first);
       bring_back(one.back, one.release.motion, std::span(q).subspan(at), std::span(v).subspan(at));
@@ -239,6 +246,54 @@ void Change::place(const Setup& to) {
   state_.a.clear();
   state_.v_before.clear();
   state_.damping.clear();
+}
+
+void Change::join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const {
+  const Body &a = from_.bodies()[i], &b = to.bodies()[i];
+  const Pool &before = from_.pool_of(a), &after = to.pool_of(b);
+  const auto p = static_cast<std::size_t>(a.pool), p_to = static_cast<std::size_t>(b.pool);
+  // By number where the body is undivided: mass, and its products with position and velocity.
+  const std::span<const std::int32_t> old = before.undivided(a.index), now = after.undivided(b.index);
+  const auto number = [](std::span<const std::int32_t> numbers, std::int32_t k) {
+    return 2 * static_cast<std::size_t>(numbers.empty() ? k : numbers[static_cast<std::size_t>(k)]);
+  };
+  std::vector<double> weight(state_.q.size(), 0.0);
+  before.body_force(Vec2(1.0, 1.0), from_.part(std::span<double>(weight), p));
+  std::vector<double> mass(2 * static_cast<std::size_t>(std::max(a.nodes, b.nodes)), 0.0), x = mass, u = mass;
+  for (std::int32_t k = 0; k < a.nodes; ++k)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::size_t at = 2 * static_cast<std::size_t>(a.first_node + k) + d, to_at = number(old, k) + d;
+      // Nodes that follow others have no mass.
+      const double m = weight[at] > 0.0 ? weight[at] : 1e-200;
+      mass[to_at] += m;
+      x[to_at] += m * state_.q[at];
+      u[to_at] += m * state_.v[at];
+    }
+  for (std::int32_t k = 0; k < b.nodes; ++k)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::size_t at = number(now, k) + d, to_at = 2 * static_cast<std::size_t>(b.first_node + k) + d;
+      q[to_at] = x[at] / mass[at];
+      v[to_at] = u[at] / mass[at];
+    }
+  const auto q_part = to.part(q, p_to), v_part = to.part(v, p_to);
+  after.settle(b.index, q_part, v_part);
+  // What other masses at the nodes have changed of the momenta goes to all nodes as a rigid motion.
+  const BodyTotals& was = bodies_[i].before;
+  const BodyTotals is = after.totals(b.index, q_part, v_part);
+  std::vector<double> spin(q.size(), 0.0);
+  for (std::int32_t k = 0; k < b.nodes; ++k) {
+    const auto at = 2 * static_cast<std::size_t>(b.first_node + k);
+    spin[at] = is.centre.y() - q[at + 1];
+    spin[at + 1] = q[at] - is.centre.x();
+  }
+  const double inertia = after.totals(b.index, q_part, to.part(std::span<const double>(spin), p_to)).angular_momentum;
+  const Vec2 push = (was.momentum - is.momentum) / is.mass;
+  const double turn = (was.angular_momentum - is.angular_momentum - is.mass * cross(is.centre, push)) / inertia;
+  for (std::int32_t k = 0; k < b.nodes; ++k)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const auto at = 2 * static_cast<std::size_t>(b.first_node + k) + d;
+      v[at] += push[static_cast<Eigen::Index>(d)] + turn * spin[at];
+    }
 }
 
 /// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
@@ -266,7 +321,8 @@ void Change::book(const Setup& to) {
     const BodyTotals after = totals_of(to, i, state_);
     kinetic += after.kinetic - one.before.kinetic;
     elastic += after.elastic - one.before.elastic;
-    if (one.kind == Kind::reformed) {  // another mass, another measure of strain: what the same motion now holds
+    if (one.kind == Kind::reformed ||
+        one.kind == Kind::halved) {  // another mass, another measure of strain: what the same motion now holds
       ledger.book(Column::transfer, after.kinetic - one.before.kinetic);
       ledger.book(Column::transfer, after.elastic - one.before.elastic);
       continue;

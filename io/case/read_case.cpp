@@ -41,6 +41,8 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   out.plan = read_plan(root, out.model, methods);
   out.resolved = to_toml(document);
   take_local_origin(out.model);  // last: errors above name the coordinates of the file
+  for (coupling::Stage& stage : out.plan.stages)
+    for (Vec2& corner : stage.partition.explicit_region) corner -= out.model.origin;
   return out;
 }
 

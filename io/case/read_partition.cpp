@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "coupling/stages/partition.h"
+#include "coupling/state.h"
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"
+#include "model/planar.h"
 
 namespace scree::io {
 namespace {
@@ -12,7 +15,8 @@ using coupling::Integrator;
 using coupling::Partition;
 
 /// Any of these says that some block may be explicit.
-constexpr const char* kRules[] = {"explicit_blocks", "explicit_area", "explicit_speed", "explicit_strain_rate"};
+constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
+                                  "explicit_strain_rate"};
 constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps"};
 
 void refuse_elsewhere(const Section& s) {
@@ -75,7 +79,42 @@ Partition::Band read_band(const Section& s, const std::string& up, const std::st
   return band;
 }
 
+void read_region(const Section& s, const Model& model, Partition& p) {
+  p.explicit_region = s.ring("explicit_region");
+  Polygon region{p.explicit_region, {}};
+  if (const std::string why = invalidity(region); !why.empty())
+    throw s.error("explicit_region", "the region is not a polygon: " + why, "ring [m] that does not cross itself",
+                  "list the corners in their order around the region");
+  (void)orient(region);
+  p.explicit_region = region.outer;
+  Partition alone;
+  alone.explicit_region = p.explicit_region;
+  const std::vector<char> sides = coupling::first_sides(model, alone);
+  if (std::all_of(sides.begin(), sides.end(), [](char side) { return side == 0; }))
+    throw s.error("explicit_region", "no block lies in the region, or across its border", "a region with blocks",
+                  "compare it with the blocks' corners, which are in the same coordinates");
+}
+
 }  // namespace
+
+void check_divided(const Section& s, const Model& model, std::span<const std::string> used,
+                   const coupling::Stage& stage) {
+  if (stage.partition.explicit_region.empty()) return;
+  const std::vector<char> sides = coupling::first_sides(model, stage.partition);
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    const BlockId block{static_cast<std::int32_t>(b)};
+    if (sides[b] != coupling::kDivided || model.support_of(block)) continue;
+    const bool onefold = std::any_of(stage.rules.begin(), stage.rules.end(), [&](const coupling::MethodRule& rule) {
+      return rule.onefold && std::find(rule.blocks.begin(), rule.blocks.end(), block) != rule.blocks.end();
+    });
+    if (used[b] == "nmm" && !onefold) continue;
+    throw s.error("explicit_region",
+                  fmt::format("block {} lies across its border and has no mesh to be divided ({})",
+                              in_quotes(model.blocks[b].name), onefold ? "a onefold cover" : used[b]),
+                  "a border through blocks that use the NMM with a mesh",
+                  "move the border, or name the block in explicit_blocks or implicit_blocks");
+  }
+}
 
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage) {
   if (stage.integrator != Integrator::partitioned) {
@@ -83,9 +122,10 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
     return;
   }
   if (std::none_of(std::begin(kRules), std::end(kRules), [&](const char* key) { return s.has(key); }))
-    throw s.error("explicit_blocks", "nothing says which blocks take explicit steps",
-                  "one or more of explicit_blocks, explicit_area, explicit_speed, explicit_strain_rate",
-                  "add explicit_blocks = [\"NAME\"], for example, or set integrator = \"implicit\"");
+    throw s.error(
+        "explicit_blocks", "nothing says which blocks take explicit steps",
+        "one or more of explicit_blocks, explicit_region, explicit_area, explicit_speed, explicit_strain_rate",
+        "add explicit_blocks = [\"NAME\"], for example, or set integrator = \"implicit\"");
   Partition& p = stage.partition;
   p.explicit_blocks = read_side(s, "explicit_blocks", model);
   p.implicit_blocks = read_side(s, "implicit_blocks", model);
@@ -94,6 +134,7 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
       throw s.error("implicit_blocks", item_of(s, "implicit_blocks", b, model),
                     fmt::format("block {} is among explicit_blocks too", in_quotes(model.blocks[b.index()].name)),
                     "each block in one of the two lists", "remove it from one of them");
+  if (s.has("explicit_region")) read_region(s, model, p);
   if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
   p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
   p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");

@@ -38,6 +38,9 @@ void read_water(const Section& root, Model& model);
 void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage);
 /// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
+/// Refuses to divide blocks that have no mesh.   @param used  method of every block in the stage
+void check_divided(const Section& s, const Model& model, std::span<const std::string> used,
+                   const coupling::Stage& stage);
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 

@@ -98,6 +98,7 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   check_nmm(s, m, stage, model);
   read_partition(s, model, stage);
   const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  check_divided(s, model, used, stage);
   read_stage_options(s, used, first, stage);
   if (stage.integrator != Integrator::explicit_ && !stage.dt)
     throw s.error("dt", fmt::format("{} {} stage needs a time step", integrator == "implicit" ? "an" : "a", integrator),

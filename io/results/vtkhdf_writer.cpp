@@ -34,7 +34,7 @@ std::vector<double> principal(std::span<const double> stress) {
   return s;
 }
 
-/// Time scheme a cell, 0 explicit or 1 implicit: in a partitioned stage that of its block.
+/// Time scheme a cell, 0 explicit or 1 implicit: in a partitioned stage that of its block, or half of one.
 std::vector<std::int32_t> schemes_of_cells(const coupling::FrameView& frame) {
   using coupling::Integrator;
   const std::span<const std::int32_t> block = frame.mesh->cell_block;
@@ -43,8 +43,10 @@ std::vector<std::int32_t> schemes_of_cells(const coupling::FrameView& frame) {
   SCREE_ASSERT(frame.state != nullptr);
   std::vector<std::int32_t> schemes;
   schemes.reserve(block.size());
-  for (const std::int32_t b : block)
-    schemes.push_back(frame.state->explicit_side[static_cast<std::size_t>(b)] != 0 ? 0 : 1);
+  for (std::size_t c = 0; c < block.size(); ++c) {
+    const char side = frame.state->explicit_side[static_cast<std::size_t>(block[c])];
+    schemes.push_back(side == 1 || (side == coupling::kDivided && frame.mesh->cell_explicit[c] != 0) ? 0 : 1);
+  }
   return schemes;
 }
 
