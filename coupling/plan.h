@@ -51,6 +51,8 @@ struct Partition {
   Band speed;                  // of the fastest corner [m/s]
   Band strain_rate;            // largest principal one of the affine part [1/s]
   std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
+  // All contacts explicit; false: those between implicit blocks by the open-close iteration (thesis, figure 7.6).
+  bool shared_contacts = false;
   [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
 };
 

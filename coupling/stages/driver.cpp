@@ -276,9 +276,10 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
     if (stage.integrator == Integrator::implicit)
       mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
     else
-      mover = std::make_unique<Partitioned>(
-          *setup_, *methods_, state_, step_control_, detection_,
-          Partitioned::Choice{explicit_damping(stage), options, stage.safety, stage.partition.substeps});
+      mover =
+          std::make_unique<Partitioned>(*setup_, *methods_, state_, step_control_, detection_,
+                                        Partitioned::Choice{explicit_damping(stage), options, stage.safety,
+                                                            stage.partition.substeps, stage.partition.shared_contacts});
   }
   if (plan_->audit) mover->watch(&audit_);
   mover->heed(control_);

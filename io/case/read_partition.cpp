@@ -17,7 +17,8 @@ using coupling::Partition;
 /// Any of these says that some block may be explicit.
 constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
                                   "explicit_strain_rate"};
-constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps"};
+constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps",
+                                   "shared_contacts"};
 
 void refuse_elsewhere(const Section& s) {
   const auto refuse = [&](const char* key) {
@@ -138,6 +139,7 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
   if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
   p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
   p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");
+  p.shared_contacts = s.boolean("shared_contacts");
   if (s.has("substeps")) p.substeps = s.integer("substeps");
 }
 

@@ -425,6 +425,9 @@ constexpr Key kKeys[] = {
      "the motion, is above this. Beside explicit_speed either is enough."},
     {"stage[].implicit_strain_rate", Type::number, "1/s", kPositive, "(half of explicit_strain_rate)", false, "",
      "They become implicit again once it is below this. Below explicit_strain_rate, with which it goes."},
+    {"stage[].shared_contacts", Type::boolean, "", kAny, "false", false, "",
+     "Partitioned stages: one contact algorithm, the explicit one, for all contacts. false: contacts between implicit "
+     "blocks are those of the open-close iteration, the others explicit (thesis, figure 7.6)."},
     {"stage[].substeps", Type::integer, "", kCount, "(as many as the certified bound asks for)", false, "",
      "Partitioned stages: explicit steps in a dt of the implicit blocks."},
     {"stage[].method_of", Type::table_list, "", kAny, "", false, "", "Blocks that use another method in this stage."},

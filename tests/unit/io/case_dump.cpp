@@ -107,6 +107,8 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     const coupling::Partition& sides = s.partition;
     d.line("  area {} speed {} {} strain rate {} {} substeps {}", sides.explicit_area, sides.speed.up, sides.speed.down,
            sides.strain_rate.up, sides.strain_rate.down, sides.substeps);
+    d.line("  shared contacts {}", sides.shared_contacts);
+    for (const Vec2& x : sides.explicit_region) d.line("  region {} {}", x.x(), x.y());
     for (const BlockId b : sides.explicit_blocks) d.line("  {} explicit", b.value);
     for (const BlockId b : sides.implicit_blocks) d.line("  {} implicit", b.value);
     for (const coupling::MethodRule& r : s.rules)

@@ -220,6 +220,8 @@ TEST(Partitions, are_read) {
   EXPECT_EQ(s.integrator, coupling::Integrator::partitioned);
   EXPECT_EQ(p.explicit_blocks, (std::vector<BlockId>{BlockId{4}}));
   EXPECT_EQ(p.implicit_blocks, (std::vector<BlockId>{BlockId{1}}));
+  EXPECT_EQ(p.explicit_region, (Ring{{2.0, 1.9}, {3.1, 1.9}, {3.1, 3.1}, {2.0, 3.1}}));
+  EXPECT_TRUE(p.shared_contacts);
   EXPECT_DOUBLE_EQ(p.explicit_area, 0.2);
   EXPECT_EQ(p.speed.up, 0.5);
   EXPECT_EQ(p.speed.down, 0.1);

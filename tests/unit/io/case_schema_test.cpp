@@ -198,6 +198,8 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].max_displacement", "stage.1.max_displacement=\"auto\""},
       {"stage[].explicit_blocks", "stage.3.explicit_blocks=[\"cut-*\"]"},
       {"stage[].implicit_blocks", "stage.3.implicit_blocks=[\"cut-*\"]"},
+      {"stage[].explicit_region", "stage.3.explicit_region.1=[4, 1.9]"},
+      {"stage[].shared_contacts", "stage.3.shared_contacts=false"},
       {"stage[].explicit_area", "stage.3.explicit_area=3"},
       {"stage[].explicit_speed", "stage.3.explicit_speed=0.75"},
       {"stage[].implicit_speed", "stage.3.implicit_speed=0.2"},

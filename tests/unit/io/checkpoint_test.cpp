@@ -171,7 +171,7 @@ TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
   EXPECT_GE(stops, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion", "sides"),
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion", "sides", "divided"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(ResumeCases, pass_through_all_that_is_remembered) {
