@@ -17,8 +17,7 @@ using coupling::Partition;
 /// Any of these says that some block may be explicit.
 constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
                                   "explicit_strain_rate"};
-constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps",
-                                   "shared_contacts"};
+constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps"};
 
 void refuse_elsewhere(const Section& s) {
   const auto refuse = [&](const char* key) {
@@ -28,6 +27,7 @@ void refuse_elsewhere(const Section& s) {
   };
   for (const char* key : kRules) refuse(key);
   for (const char* key : kBeside) refuse(key);
+  if (s.boolean("shared_contacts")) refuse("shared_contacts");
 }
 
 /// Blocks of a list, each once. Patterns pass over blocks that are held whole: those take no steps.
