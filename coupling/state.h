@@ -77,6 +77,7 @@ struct State {
   std::vector<ContactMemory> contacts;  // sorted by key
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
+  std::vector<double> anchors;  // x, y a point support: how far hand-overs have shifted its anchor; empty: none yet [m]
   Ledger ledger;
 
   /// Shows every field, in a fixed order, to see(name, value). One list serves hash, comparison and checkpoint.
@@ -174,6 +175,7 @@ void State::visit(Visitor&& see) {
     see("rest.position", r.position);
     see("rest.velocity", r.velocity);
   }
+  see("anchors", anchors);
   ledger.visit(see);
 }
 

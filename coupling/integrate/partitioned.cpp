@@ -25,6 +25,7 @@ Guests Partitioned::guests(const Setup& whole, const State& state, bool is_expli
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit)
     : setup(whole.model(), methods, state_of_all.bodies, guests(whole, state_of_all, is_explicit)) {
   state.bodies = state_of_all.bodies;
+  state.anchors = state_of_all.anchors;
   for (const Body& b : setup.bodies()) own.push_back(b.driven ? 0 : 1);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/integrate/point_springs.h"
 #include "coupling/stages/partition.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/transfer_mode.h"
@@ -293,11 +294,14 @@ void Change::book(const Setup& to) {
 
 HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
   Change change(model, from, stage, state);
+  const std::vector<PointSpring> supports = point_springs(from, state);
+  const std::vector<double> q = state.q;
   change.release(wishes(model, stage, state.explicit_side));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies);
   change.place(*out.setup);
+  keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);
   out.rows = std::move(change.rows);
   return out;

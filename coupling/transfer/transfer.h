@@ -26,7 +26,8 @@ struct Wish {
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
 /// through release() and place(), with the stage's mode of transfer; a body that comes back to the method and mesh that
 /// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
-/// spring is kept on its new edge. Energies, reservoir and cross terms are booked; one row a body that changed.
+/// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
+/// and cross terms are booked; one row a body that changed.
 /// @source coupling.md 1
 struct HandOver {
   std::unique_ptr<Setup> setup;
