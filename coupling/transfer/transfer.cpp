@@ -56,7 +56,8 @@ double elastic_of(const Elasticity& law, const Release& release) {
 
 }  // namespace
 
-std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side) {
+std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side,
+                         std::span<const char> other_method) {
   Formulation form;
   form.kinematics = stage.kinematics;
   std::vector<char> first;
@@ -79,6 +80,8 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
       w.form.model_triangle = rule.model_triangle;
       if (rule.cover_size > 0.0) w.form.cover_size = rule.cover_size;
     }
+  for (std::size_t i = 0; i < other_method.size(); ++i)
+    if (other_method[i] != 0) out[i].method = out[i].method == "nmm" ? "dda" : "nmm";
   for (Wish& w : out)
     if (w.method != "nmm") w.form = Formulation{.rotation = stage.rotation};
   return out;
@@ -296,7 +299,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   Change change(model, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<double> q = state.q;
-  change.release(wishes(model, stage, state.explicit_side));
+  change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies);

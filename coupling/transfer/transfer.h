@@ -16,8 +16,9 @@ struct Wish {
   Formulation form{};
 };
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
-[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage,
-                                       std::span<const char> explicit_side = {});
+/// @param other_method   RuleMemory::other_method; empty: as a stage begins
+[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side = {},
+                                       std::span<const char> other_method = {});
 
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);

@@ -38,6 +38,8 @@ void read_water(const Section& root, Model& model);
 void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage);
 /// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
+/// What ends a stage before its time, and which blocks change method during it.   @pre read_stage_options
+void read_stage_rules(const Section& s, const Model& model, coupling::Stage& stage);
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 
