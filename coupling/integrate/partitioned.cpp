@@ -28,6 +28,7 @@ Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State&
     : setup(whole.model(), methods, records(state_of_all, is_explicit),
             guests(whole, state_of_all, is_explicit, shared)) {
   state.bodies = state_of_all.bodies;
+  state.anchors = state_of_all.anchors;
 }
 
 Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,

@@ -121,6 +121,10 @@ const WrongLoad kWrong[] = {
      "below explicit_speed = 0.5", "leave the key out"},
     {"stage_partition_speed_alone", ".toml", 28, 18, "stage.0.implicit_speed", "0.25", "above which",
      "beside explicit_speed", "add explicit_speed"},
+    {"stage_end_of_rest", ".toml", 28, 25, "stage.0.end.kinetic_below", "0.001", "takes the motion away",
+     "slip or displacement", "give rest_force"},
+    {"stage_switch_crack", ".toml", 36, 18, "stage.0.switch.blocks.1", "slider", "has a crack", "free blocks",
+     "remove the name"},
     {"stage_triangle_of_mesh", ".toml", 31, 12, "stage.0.method_of.0.triangle", "model", "many triangles",
      "onefold = true", "add onefold"}};
 
@@ -205,6 +209,26 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.3.explicit_strain_rate=0.25"}, "stage.3.implicit_strain_rate", "change sides again"},
         WrongSet{{"stage.3.substeps=0"}, "stage.3.substeps", "out of range"},
         WrongSet{{"stage.1.substeps=2"}, "stage.1.substeps", "steps of one kind"},
+        WrongSet{{"stage.3.end={}"}, "stage.3.end.slip", "nothing says when"},
+        WrongSet{{"stage.0.end={hold=1}"}, "stage.0.end.slip", "nothing says when"},
+        WrongSet{{"stage.0.end={hold=1, slip=1}"}, "stage.0.end.hold", "as they are reached"},
+        WrongSet{{"stage.2.end={kinetic_below=0.1}"}, "stage.2.end.kinetic_below", "takes the motion away"},
+        WrongSet{{"stage.2.end={force_below=0.1}"}, "stage.2.end.force_below", "takes the motion away"},
+        WrongSet{{"stage.1.dynamics=0", "stage.1.newmark=\"damped\"", "stage.1.end={kinetic_below=0.1}"},
+                 "stage.1.end.kinetic_below",
+                 "leaves no kinetic energy"},
+        WrongSet{{"stage.3.end.kinetic_below=1"}, "stage.3.end.kinetic_below", "out of range"},
+        WrongSet{{"stage.3.end.slip=0"}, "stage.3.end.slip", "out of range"},
+        WrongSet{{"stage.3.end.strain=0"}, "stage.3.end.strain", "unknown key"},
+        WrongSet{{"stage.0.switch={kinetic=1e-3, elastic=1e-3, hold=0.01}"}, "stage.0.switch", "linear kinematics"},
+        WrongSet{{"stage.1.switch={kinetic=1e-3, elastic=1e-3, hold=0.01}"}, "stage.1.switch", "trapezoidal"},
+        WrongSet{{"stage.2.switch={kinetic=1e-3, elastic=1e-3, hold=0.01}"}, "stage.2.switch", "takes the motion"},
+        WrongSet{{"stage.3.switch={elastic=1e-3, hold=0.01}"}, "stage.3.switch.kinetic", "missing"},
+        WrongSet{{"stage.3.switch.blocks=[\"base\"]"}, "stage.3.switch.blocks.0", "held whole"},
+        WrongSet{{"stage.3.switch.blocks=[\"*wall\"]"}, "stage.3.switch.blocks", "no block can change"},
+        WrongSet{{"stage.3.switch.blocks=[]"}, "stage.3.switch.blocks", "no block can change"},
+        WrongSet{{"stage.3.switch.back={}"}, "stage.3.switch.back.strain_rate", "nothing says when a block"},
+        WrongSet{{"stage.3.switch.elastic=0"}, "stage.3.switch.elastic", "out of range"},
         WrongSet{{"stage.0.method_of.0.cover_size=0.5"}, "stage.0.method_of.0.cover_size", "has no covers"}));
 
 }  // namespace
