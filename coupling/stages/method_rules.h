@@ -21,8 +21,8 @@ struct MethodChange {
 ///                gets lower: unknowns, in explicit steps times those a second that the block's own bound asks for
 ///                (contacts left out)
 ///   DDA -> NMM   strain rate, stress or the resultant of the contacts is above its bound; looked at before every step
-/// Left out are blocks that are held or divided, third methods, onefold covers, and blocks that are cut along a crack, which an
-/// affine block would close.
+/// Left out are blocks that are held or divided, third methods, onefold covers, and blocks that are cut along a crack,
+/// which an affine block would close.
 /// @source coupling.md 5
 class MethodRules {
  public:
