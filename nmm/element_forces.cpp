@@ -310,19 +310,25 @@ double ElementForces::singles(const Run& run, const double* q, double* f) const 
 }
 
 double ElementForces::add_force(std::span<const double> q, std::span<double> f) const {
-  const auto count = static_cast<std::int64_t>(cover_.size());
-#pragma omp parallel if (count >= kSerialElements)
-  for (std::size_t colour = 0; colour + 1 < colour_start_.size(); ++colour) {
+  const auto by_colour = [&] {
+    for (std::size_t colour = 0; colour + 1 < colour_start_.size(); ++colour) {
 #pragma omp for schedule(static)
-    for (std::int32_t c = colour_start_[colour]; c < colour_start_[colour + 1]; ++c) {
-      const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-      double energy = 0.0;
-      for (std::int32_t r = chunk.begin; r < chunk.end; ++r) {
-        const Run& run = runs_[static_cast<std::size_t>(r)];
-        energy += run.bottom < 0 ? singles(run, q.data(), f.data()) : cells(run, q.data(), f.data());
+      for (std::int32_t c = colour_start_[colour]; c < colour_start_[colour + 1]; ++c) {
+        const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+        double energy = 0.0;
+        for (std::int32_t r = chunk.begin; r < chunk.end; ++r) {
+          const Run& run = runs_[static_cast<std::size_t>(r)];
+          energy += run.bottom < 0 ? singles(run, q.data(), f.data()) : cells(run, q.data(), f.data());
+        }
+        partial_[static_cast<std::size_t>(c)] = energy;
       }
-      partial_[static_cast<std::size_t>(c)] = energy;
     }
+  };
+  if (static_cast<std::int64_t>(cover_.size()) < kSerialElements) {  // a parallel region costs something even so
+    by_colour();
+  } else {
+#pragma omp parallel
+    by_colour();
   }
   double sum = 0.0;
   for (const double e : partial_) sum += e;

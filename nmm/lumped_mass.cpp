@@ -171,8 +171,7 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
                                          : chunks_[static_cast<std::size_t>(from + count) - 1].end -
                                                chunks_[static_cast<std::size_t>(from)].begin;
   const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
-#pragma omp parallel for schedule(static) if (covers >= kSerialBelow)
-  for (std::int64_t n = 0; n < count; ++n) {
+  const auto of_chunk = [&](std::int64_t n) {
     const auto c = static_cast<std::size_t>(from + n);
     const Chunk& chunk = chunks_[c];
     double x = 0.0, y = 0.0, Xx = 0.0, Xy = 0.0, Yx = 0.0, Yy = 0.0;
@@ -188,6 +187,12 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
       Yy += X[2 * k + 1] * uy;
     }
     partial_[c] << x, y, Xx, Xy, Yx, Yy;
+  };
+  if (covers < kSerialBelow) {  // a parallel region costs something even with one thread
+    for (std::int64_t n = 0; n < count; ++n) of_chunk(n);
+  } else {
+#pragma omp parallel for schedule(static)
+    for (std::int64_t n = 0; n < count; ++n) of_chunk(n);
   }
   for (std::size_t p = first; p < last; ++p) {
     moment_[p].setZero();
@@ -204,8 +209,7 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
   const double *force = f.data(), *inverse = inverse_.data(), *X = X_.data()->data();
   double* to = a.data();
   // Each thread does all that there is to do at its covers: what another core has written is slow to get.
-#pragma omp parallel if (std::ssize(lumped_) >= kSerialBelow)
-  {
+  const auto all = [&] {
 #pragma omp for schedule(static)
     for (std::int64_t n = 0; n < count; ++n) {
       const Chunk& chunk = chunks_[static_cast<std::size_t>(n)];
@@ -228,6 +232,12 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
           if (part_of_[static_cast<std::size_t>(chart.ties()[t].cover)] == chunk.part)
             CoverChart::follow(chart.ties()[t], a);
       }
+  };
+  if (std::ssize(lumped_) < kSerialBelow) {
+    all();
+  } else {
+#pragma omp parallel
+    all();
   }
 }
 

@@ -75,10 +75,13 @@ ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segmen
                           x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
 }
 
-std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
+ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
-  if (e.segments == 1) return e.first_segment;
+  const auto distance = [&](const Outlines::Segment& s) {
+    return distance_to(x, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+  };
+  if (e.segments == 1) return {e.first_segment, distance(o.segments[static_cast<std::size_t>(e.first_segment)])};
   const Vec2& along = pairs_.direction(edge);
   const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
   const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
@@ -89,12 +92,12 @@ std::int32_t ContactFinder::segment_under(const Vec2& x, std::int32_t edge) cons
   auto best = first;
   double nearest = 0.0;
   for (auto s = first; s != last; ++s) {
-    const double d = distance_to(x, x_[static_cast<std::size_t>(s->a)], x_[static_cast<std::size_t>(s->b)]);
+    const double d = distance(*s);
     if (s != first && d >= nearest) continue;
     nearest = d;
     best = s;
   }
-  return static_cast<std::int32_t>(best - o.segments.begin());
+  return {static_cast<std::int32_t>(best - o.segments.begin()), nearest};
 }
 
 template <class See>
@@ -352,7 +355,8 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   return true;
 }
 
-void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
+void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
+                         ContactPairs::Of of) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   known_.index(known);
@@ -364,26 +368,25 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   out.memory.clear();
   out.briefs.clear();
   std::size_t old = 0, first_of_vertex = 0;
-  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_);
+  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, of);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const VertexEdge& pair = pairs[k];
     if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
     const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
-    const std::int32_t segment = segment_under(xP, pair.edge);
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
-    const double nearest = distance_to(xP, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
     const bool closed = has_memory && known_.closed(old);
-    if (!closed && nearest > detection_) continue;
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+    const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
+    if (!closed && under.distance > detection_) continue;
     if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
       settle_vertex(first_of_vertex, at_start, out);
       first_of_vertex = out.points.size();
     }
     // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
     ContactPoint& p = out.points.emplace_back();
-    p.segment = segment;
+    p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
     if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
       out.briefs.push_back({pair.vertex, pair.edge});

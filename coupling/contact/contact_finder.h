@@ -24,7 +24,10 @@ class ContactFinder {
   /// other side takes its place, or passes to the next edge in line, the memory passes as well. New points start open.
   /// A share that changes while a contact stays of its kind keeps gap and stretch, and with them the traction.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
-  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out);
+  /// @param of        which; points of guests alone are those of the whole list but for what a corner between two
+  /// other bodies makes of them
+  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
+            ContactPairs::Of of = ContactPairs::Of::all);
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
   /// candidates now.
   [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
@@ -43,7 +46,12 @@ class ContactFinder {
   [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
-  [[nodiscard]] std::int32_t segment_under(const Vec2& x, std::int32_t edge) const;
+  /// The segment of an edge nearest to a point, and its distance [m].
+  struct Under {
+    std::int32_t segment;
+    double distance;
+  };
+  [[nodiscard]] Under segment_under(const Vec2& x, std::int32_t edge) const;
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
   [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;

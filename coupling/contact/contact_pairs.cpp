@@ -20,6 +20,8 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       ends_(direction_.size()),
       box_(direction_.size()),
       first_(setup.outlines().vertices.size() + 1) {
+  for (const Outlines::Edge& e : setup.outlines().edges)
+    guest_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].guest ? 1 : 0);
   deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
 }
 
@@ -127,7 +129,10 @@ void ContactPairs::sort() {
   pairs_.erase(kept, pairs_.end());
 }
 
-std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known) {
+std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
+  const auto wanted = [&](std::int32_t a, std::int32_t b) {
+    return of == Of::all || guest_[static_cast<std::size_t>(a)] != 0 || guest_[static_cast<std::size_t>(b)] != 0;
+  };
   const Outlines& o = setup_->outlines();
   for (std::size_t e = 0; e < o.edges.size(); ++e) {
     const auto node = [&](std::int32_t v) {
@@ -145,7 +150,8 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   unsorted_.clear();
   std::fill(first_.begin(), first_.end(), 0);
   const std::span<const EdgePair> near = search_.update(x);
-  for (const auto& [a, b] : near) try_edges(x, a, b, known);
+  for (const auto& [a, b] : near)
+    if (wanted(a, b)) try_edges(x, a, b, known);
   // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   deep_.clear();
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -160,7 +166,8 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
   for (const EdgePair& pair : deep_)
-    if (!std::binary_search(near.begin(), near.end(), pair)) try_edges(x, pair.a, pair.b, known);
+    if (wanted(pair.a, pair.b) && !std::binary_search(near.begin(), near.end(), pair))
+      try_edges(x, pair.a, pair.b, known);
   sort();
   return pairs_;
 }

@@ -32,8 +32,10 @@ class ContactPairs {
 
   /// @param x      positions of the outline nodes
   /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
+  /// @param of     leave out pairs of two bodies that are not guests, which whoever asks does not need
   /// @return pairs in order, each once; valid until the next call
-  std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known);
+  enum class Of { all, guests };
+  std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
@@ -62,6 +64,7 @@ class ContactPairs {
   double reach_ = 0.0;
   Search search_;
   EdgeOverlap overlap_;
+  std::vector<char> guest_;  // an edge: 1 if its body is a guest
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge

@@ -43,7 +43,8 @@ double dilating_slip(const JointLaw& law, const ContactPoint& p, const Motion& m
 
 /// Normal penalty, which pulls as far as a bond bears, tangential spring with Coulomb's cap (return mapping). Moves the
 /// anchor when it slips, and gap0 where slip opens the joint.
-void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion, ContactMemory& m) {
+void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, const Motion& motion,
+               ContactMemory& m) {
   if (m.bonded != 0 && m.kn * m.gap > tension_limit(law, m)) mark_failed(law, m);
   // A slide that opens the joint lifts the bodies before the spring follows.
   const double follows =
@@ -61,7 +62,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
     m.stretch = 0.0;
     m.status = ContactStatus::stick;
   }
-  const double limit = friction_limit(law, m, m.fn);
+  const double limit = strength(law, tan_friction, m).friction_limit(m.fn);
   if (m.kt * std::abs(m.stretch) > limit) {
     const bool pulled = m.bonded != 0 && m.gap >= 0.0;
     mark_failed(law, m);
@@ -73,7 +74,7 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
       m.gap0 += opened;
       press();
     }
-    const double kept = std::copysign(friction_limit(law, m, m.fn) / m.kt, m.stretch);
+    const double kept = std::copysign(strength(law, tan_friction, m).friction_limit(m.fn) / m.kt, m.stretch);
     m.slip += std::abs(m.stretch - kept);
     m.anchor = p.at.xi - kept / p.at.length;
     m.stretch = (p.at.xi - m.anchor) * p.at.length;
@@ -83,8 +84,8 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
   }
   if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
-  const double spring_t = -m.kt * m.stretch, cap = friction_limit(law, m, m.fn);
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -cap, cap) : spring_t;
+  const double spring_t = -m.kt * m.stretch;
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -limit, limit) : spring_t;
   m.fdt = m.ft - spring_t;
 }
 
@@ -92,11 +93,12 @@ void apply_law(const JointLaw& law, const ContactPoint& p, const Motion& motion,
 
 ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
-  for (ContactList* list : {&now_, &before_}) {
+  for (ContactList* list : {&now_, &before_, &ahead_}) {
     list->points.reserve(expected);
     list->memory.reserve(expected);
     list->briefs.reserve(expected);
   }
+  for (const JointLaw& law : setup.model().joints) tan_friction_.push_back(std::tan(law.friction));
   left_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
@@ -111,7 +113,8 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
   for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
-    apply_law(setup_->model().joints[static_cast<std::size_t>(m.joint)], now_.points[i], {}, m);
+    const auto joint = static_cast<std::size_t>(m.joint);
+    apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
   }
   state.contacts = now_.memory;
   clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
@@ -145,13 +148,23 @@ void ExplicitContact::undo(State& state) {
   clear_ = 0.0;
 }
 
-void ExplicitContact::add(std::span<double> f) const {
+void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
+
+void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const ContactMemory& m = now_.memory[i];
-    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, now_.points[i], gap_row(now_.points[i].at), m.fn + m.water, f);
-    if (m.ft != 0.0) add_row_force(o, now_.points[i], stretch_row(now_.points[i].at, m.anchor), m.ft, f);
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    const ContactMemory& m = list.memory[i];
+    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, p, gap_row(p.at), m.fn + m.water, f);
+    if (m.ft != 0.0) add_row_force(o, p, stretch_row(p.at, m.anchor), m.ft, f);
   }
+}
+
+void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
+  finder_.find(q, now_, false, ahead_, ContactPairs::Of::guests);
+  respond(h, v, ahead_);
+  (void)finder_.adopt_kinds(ahead_);
+  add(ahead_, f);
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
@@ -214,19 +227,14 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
-void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
-                             State& state) {
-  clear_ -= farthest;
-  std::swap(now_, before_);
-  if (clear_ > 0.0) return;  // both lists are empty and stay so
-  finder_.find(q, before_, false, now_);
-  trial_.resize(now_.points.size());
-  opened_.resize(now_.points.size());
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    ContactMemory& m = now_.memory[i];
+void ExplicitContact::respond(double h, std::span<const double> v, ContactList& list) {
+  trial_.resize(list.points.size());
+  opened_.resize(list.points.size());
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    ContactMemory& m = list.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
-    trial_[i] = (now_.points[i].at.xi - m.anchor) * now_.points[i].at.length;
-    const ContactPoint& p = now_.points[i];
+    trial_[i] = (p.at.xi - m.anchor) * p.at.length;
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     Motion motion{0.0, 0.0, 1.0 / h};
     if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
@@ -234,9 +242,18 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
       motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
     const double gap0 = m.gap0;
-    apply_law(law, p, motion, m);
+    apply_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], p, motion, m);
     opened_[i] = m.gap0 - gap0;
   }
+}
+
+void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
+                             State& state) {
+  clear_ -= farthest;
+  std::swap(now_, before_);
+  if (clear_ > 0.0) return;  // both lists are empty and stay so
+  finder_.find(q, before_, false, now_);
+  respond(h, v, now_);
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {

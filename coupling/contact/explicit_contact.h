@@ -34,6 +34,9 @@ class ExplicitContact {
   /// Points at the new positions, return mapping, second half of the books.
   /// @param farthest  no node of the state has moved farther since the instant left [m]
   void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
+  /// f += forces that contacts with guests will have at other positions, as arrive() would find them.
+  /// @param q,v  as arrive() has them
+  void foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
   /// Checks the points of the present instant.
   void check(std::span<const double> q, Audit& audit) const;
   /// Goes back to the instant left, after arrive().
@@ -48,17 +51,21 @@ class ExplicitContact {
   };
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
                                std::span<const double> v) const;
+  void add(const ContactList& list, std::span<double> f) const;
+  /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
+  void respond(double h, std::span<const double> v, ContactList& list);
   void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;
 
   const Setup* setup_;
   ContactFinder finder_;
-  ContactList now_, before_;
-  double clear_ = 0.0;          // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<Half> left_;      // a point of before_
-  std::vector<char> kept_;      // 1: the point of before_ goes on in now_
-  std::vector<double> trial_;   // stretch before return mapping, a point of now_
-  std::vector<double> anchor_;  // before closed points take the stiffness of a new kind
-  std::vector<double> opened_;  // by dilation in the step, a point of now_ [m]
+  ContactList now_, before_, ahead_;
+  double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
+  std::vector<double> tan_friction_;  // a joint law
+  std::vector<Half> left_;            // a point of before_
+  std::vector<char> kept_;            // 1: the point of before_ goes on in now_
+  std::vector<double> trial_;         // stretch before return mapping, a point of the list at hand
+  std::vector<double> anchor_;        // before closed points take the stiffness of a new kind
+  std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

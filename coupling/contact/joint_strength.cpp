@@ -5,19 +5,30 @@
 
 namespace scree::coupling {
 
-double friction_coefficient(const JointLaw& law, const ContactMemory& memory) {
-  const double peak = std::tan(law.friction);
+namespace {
+
+double coefficient(const JointLaw& law, double peak, const ContactMemory& memory) {
   if (!law.residual_friction) return peak;
   const double lost = law.weakening_slip > 0.0 ? std::min(1.0, memory.slip / law.weakening_slip)
                                                : static_cast<double>(memory.failed != 0);
   return peak + lost * (std::tan(*law.residual_friction) - peak);
 }
 
+}  // namespace
+
+double friction_coefficient(const JointLaw& law, const ContactMemory& memory) {
+  return coefficient(law, std::tan(law.friction), memory);
+}
+
 Strength strength(const JointLaw& law, const ContactMemory& memory) {
+  return strength(law, std::tan(law.friction), memory);
+}
+
+Strength strength(const JointLaw& law, double tan_friction, const ContactMemory& memory) {
   const double tension = tension_limit(law, memory);
   const double cohesion =
       std::isinf(tension) ? tension : (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.share;
-  return {cohesion, friction_coefficient(law, memory), tension};
+  return {cohesion, coefficient(law, tan_friction, memory), tension};
 }
 
 double friction_limit(const JointLaw& law, const ContactMemory& memory, double fn) {

@@ -19,6 +19,8 @@ struct Strength {
   }
 };
 [[nodiscard]] Strength strength(const JointLaw& law, const ContactMemory& memory);
+/// The same, where the tangent of the law's friction angle is at hand: it takes as long as all the rest.
+[[nodiscard]] Strength strength(const JointLaw& law, double tan_friction, const ContactMemory& memory);
 
 /// tan phi of a point: linear in its accumulated slip s from peak to residual over the weakening slip D,
 ///   tan phi = tan phi_p + (tan phi_r - tan phi_p) min(1, s/D);   D = 0: the residual after the first failure.

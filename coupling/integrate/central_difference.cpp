@@ -337,8 +337,35 @@ void CentralDifference::move_guests(const State& state, Tick arrival, double& fa
   farthest = std::max(farthest, h * std::sqrt(2.0) * most);
 }
 
-void CentralDifference::mark(Mark& out) const {
-  contact_.mark(out.contacts);
+void CentralDifference::foresee(const State& state, std::span<const double> end, Tick ticks_of_step,
+                                std::span<double> f) {
+  const double h = seconds(ticks_of_step);
+  chunks_.for_free([&](const Chunk& c, std::size_t) {
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      v_half_[i] = state.v[i] + 0.5 * h * state.a[i];
+      q_new_[i] = state.q[i] + h * v_half_[i];
+    }
+  });
+  double farthest = 0.0;
+  move_driven(state, h, seconds(state.time + ticks_of_step), farthest);
+  for (const Chunk& c : chunks_.guests())
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      q_new_[i] = end[i];
+      v_half_[i] = (end[i] - state.q[i]) / h;
+    }
+  turn(state, h);
+  contact_.foresee(h, q_new_, v_half_, f);
+}
+
+void CentralDifference::turn(const State& state, double h) {
+  for (const std::size_t p : setup_->own_pools())
+    setup_->pool(p).turn(h, setup_->part(std::span<const double>(state.q), p),
+                         setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
+}
+
+void CentralDifference::mark(Mark& out, bool far) const {
+  out.far = far;
+  if (far) contact_.mark(out.contacts);
   out.stress = stress_;
   out.total = total_;
   out.stiffness = stiffness_.force;
@@ -346,8 +373,13 @@ void CentralDifference::mark(Mark& out) const {
   out.held.assign(held().begin(), held().end());
 }
 
-void CentralDifference::go_back(const State& state, const Mark& mark) {
-  contact_.go_back(mark.contacts);
+void CentralDifference::go_back(State& state, const Mark& mark) {
+  if (mark.far) {
+    contact_.go_back(mark.contacts);
+    state.contacts = mark.contacts.memory;
+  } else {
+    contact_.undo(state);
+  }
   if (held_ != nullptr) held_->take(mark.held, q_new_);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;
@@ -452,9 +484,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
 
   leave_instant(state, h);
   const double driven_left = dot(chunks_.driven(), v_half_.data(), total_.data());
-  for (const std::size_t p : setup_->own_pools())
-    setup_->pool(p).turn(h, setup_->part(std::span<const double>(state.q), p),
-                         setup_->part(std::span<double>(v_half_), p), setup_->part(std::span<double>(q_new_), p));
+  turn(state, h);
 
   // Forces at the new instant.
   const double energy = add_stress(q_new_);

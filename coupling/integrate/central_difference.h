@@ -40,6 +40,10 @@ class CentralDifference final : public Mover {
 
   /// From now to `time` guests go along straight lines from where they are.   @param end  x, y a node at that time
   void lead_guests(const State& state, std::span<const double> end, Tick time);
+  /// Forces f of contacts on nodes of guests at the end of a step in which they go along straight lines; nothing
+  /// changes.
+  /// @param end  x, y a node there   @param f  x, y a node, zero at first
+  void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
   /// Nodes that hold() has forces for; before enter() or resume().
   void hold_nodes(std::vector<std::int32_t> nodes);
   /// From now on these forces act on them, x, y a node [N]. The acceleration jumps, and with it the shadow.
@@ -50,13 +54,15 @@ class CentralDifference final : public Mover {
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
   /// What steps change beside the state.
   struct Mark {
-    ContactList contacts;
+    bool far = false;
+    ContactList contacts;  // only if it is far
     std::vector<double> stress, total, stiffness, local, held;
   };
-  void mark(Mark& out) const;
+  /// @param far  more than one step may be taken before going back
+  void mark(Mark& out, bool far) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
-  /// Goes back to an earlier instant of the stage, whose state its owner has brought back.
-  void go_back(const State& state, const Mark& mark);
+  /// Goes back to an earlier instant of the stage, whose state its owner has brought back but for the contacts.
+  void go_back(State& state, const Mark& mark);
 
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);
@@ -79,6 +85,7 @@ class CentralDifference final : public Mover {
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void move_guests(const State& state, Tick arrival, double& farthest);
+  void turn(const State& state, double h);  // what was moved, where nodes turn
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
   void add_terms(const State& state);

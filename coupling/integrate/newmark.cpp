@@ -52,7 +52,10 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &pull_,
                   &asked_forces_,
                   &mismatch_,
-                  &kick_})
+                  &kick_,
+                  &foreseen_,
+                  &unforeseen_,
+                  &pulled_at_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -113,7 +116,7 @@ double Newmark::enter(State& state) {
       system_.node_accelerations(acceleration_, state.a);
     }
   } else {
-    state.a.clear();
+    state.a.assign(path_ != nullptr ? state.q.size() : 0, 0.0);
   }
   return contact_energy(list_);
 }
@@ -292,39 +295,84 @@ void Newmark::sum_asked() {
   for (std::size_t i = 0; i < seam_rows_.size(); ++i) seam_rows_[i].add_force(asked_[d_.size() + i], asked_forces_);
 }
 
-void Newmark::begin_pull(const State& state, double h) {
-  // To begin with: what pulls now stays while both sides go on as they are.
-  const std::size_t n = d_.size();
-  asked_.assign(n + seam_rows_.size(), 0.0);
-  answer_.resize(asked_.size());
-  held_.assign(path_->held().begin(), path_->held().end());
-  apart_.resize(held_.size());
-  along_.resize(held_.size());
-  system_.add_forces(path_->present(), state.q, std::span(asked_).first(n));
-  for (std::size_t i = 0; i < n; ++i) rate_[i] = h * system_.rate()[i];
-  for (std::size_t i = guides_; i < seams_; ++i)
-    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(rate_), asked_);
-  const auto held = std::span(asked_).subspan(n);
-  find_along(rate_);
-  for (double& a : along_) a = -a;
-  std::copy(held_.begin(), held_.end(), held.begin());
-  take_seams(along_, held);
-  sum_asked();
-  units_.assign(asked_.size(), 1.0);
-  std::copy(system_.unit().begin(), system_.unit().end(), units_.begin());
-  pull_iteration_.begin(units_);
-}
-
 void Newmark::find_along(std::span<const double> d) {
   for (std::size_t k = 0; k < along_.size(); ++k)
     along_[k] = std::sqrt(springs_.k[seams_ + k]) * springs_.rows[seams_ + k].change(d);
 }
 
-bool Newmark::pull_along(const State& state, StepReport& report) {
-  // Along straight lines to where the iterate ends.
+void Newmark::begin_pull(const State& state, double h) {
+  // To begin with both sides go on as they did in the last step; where seams hold them, as they are: what seams are
+  // apart in the end adds up over the steps, and iterations from farther off end nearer.
+  const bool goes_on = seam_rows_.size() == 0;
+  const std::size_t n = d_.size();
+  asked_.assign(n + seam_rows_.size(), 0.0);
+  answer_.assign(asked_.size(), 0.0);
+  held_.assign(path_->held().begin(), path_->held().end());
+  apart_.resize(held_.size());
+  along_.resize(held_.size());
+  units_.assign(asked_.size(), 1.0);
+  std::copy(system_.unit().begin(), system_.unit().end(), units_.begin());
+  pull_iteration_.begin(units_);
+  system_.accelerations(state.q, state.a, acceleration_);
+  for (std::size_t i = 0; i < n; ++i) {
+    d_[i] = h * system_.rate()[i];
+    if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
+  }
+  move_to_iterate(state);
+  std::fill(unforeseen_.begin(), unforeseen_.end(), 0.0);
+  if (!foresee_pull(state)) {
+    pull_nodes_.assign(path_->present().begin(), path_->present().end());
+    take_pull(state);
+  }
+  std::copy_n(answer_.begin(), n, asked_.begin());
+  const auto held = std::span(asked_).subspan(n);
+  find_along(d_);
+  for (double& a : along_) a = -a;
+  std::copy(held_.begin(), held_.end(), held.begin());
+  take_seams(along_, held);
+  sum_asked();
+  if (!system_.nonlinear()) return;
+  if (goes_on)
+    (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+  else
+    std::fill(d_.begin(), d_.end(), 0.0);
+}
+
+void Newmark::move_to_iterate(const State& state) {
   q_new_ = state.q;
   v_new_ = state.v;
-  system_.retract(d_, rate_, true, q_new_, v_new_);
+  system_.retract(d_, rate_, path_ != nullptr, q_new_, v_new_);
+}
+
+double Newmark::way_since_pull() const {
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < d_.size(); ++i)
+    farthest = std::max(farthest, system_.unit()[i] * std::abs(d_[i] - pulled_at_[i]));
+  return farthest;
+}
+
+void Newmark::take_pull(const State& state) {
+  pulled_at_ = d_;
+  std::fill(pull_.begin(), pull_.end(), 0.0);
+  system_.add_forces(pull_nodes_, state.q, pull_);
+  std::copy(pull_.begin(), pull_.end(), answer_.begin());
+  for (std::size_t i = guides_; i < seams_; ++i)
+    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+}
+
+bool Newmark::foresee_pull(const State& state) {
+  pull_nodes_.assign(state.q.size(), 0.0);
+  if (!path_->foresee(q_new_, pull_nodes_)) return false;
+  take_pull(state);
+  for (std::size_t i = 0; i < pull_.size(); ++i) {
+    pull_[i] += unforeseen_[i];
+    answer_[i] += unforeseen_[i];
+  }
+  return true;
+}
+
+bool Newmark::meet_pull(const State& state, bool foreseen, StepReport& report) {
+  if (foreseen) foreseen_ = pull_;
   pull_nodes_.assign(state.q.size(), 0.0);
   // The balance was made with these forces of the seams.
   const auto asked = std::span(asked_).subspan(d_.size());
@@ -339,11 +387,11 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
     report.cause = found.cause;
     return false;
   }
-  std::fill(pull_.begin(), pull_.end(), 0.0);
-  system_.add_forces(pull_nodes_, state.q, pull_);
-  std::copy(pull_.begin(), pull_.end(), answer_.begin());
-  for (std::size_t i = guides_; i < seams_; ++i)
-    springs_.rows[i].add_force(springs_.k[i] * springs_.rows[i].change(d_), answer_);
+  take_pull(state);
+  if (foreseen && pull_ != foreseen_) {
+    for (std::size_t i = 0; i < pull_.size(); ++i) unforeseen_[i] += pull_[i] - foreseen_[i];
+    pull_iteration_.begin(units_);  // earlier answers were others
+  }
   const auto answer = std::span(answer_).subspan(d_.size());
   std::copy(asked.begin(), asked.end(), answer.begin());
   const std::size_t seams = path_->seams().size();
@@ -355,6 +403,14 @@ bool Newmark::pull_along(const State& state, StepReport& report) {
     }
   take_seams(along_, answer);
   return true;
+}
+
+double Newmark::pulls_apart() {
+  // What the other side pulls by now, less what the balance was made with; and what that left.
+  double apart = 0.0;
+  for (std::size_t i = 0; i < asked_.size(); ++i) apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
+  for (std::size_t i = 0; i < d_.size(); ++i) mismatch_[i] = answer_[i] - asked_[i] + out_[i];
+  return apart;
 }
 
 void Newmark::linear_system(double h) {
@@ -390,14 +446,20 @@ double Newmark::residual(const State& state, double h, double& largest) {
   return largest_of(out_);
 }
 
-double Newmark::round_off(const State& state) const {
+Newmark::RoundOff Newmark::round_off(const State& state) const {
   // A force is a sum of stiffness times positions, each known to half a unit in the last place.
-  double stiffest = 0.0;
+  RoundOff out;
   const SymmetricPattern& p = system_.pattern();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c)
-    stiffest = std::max(stiffest, A_[static_cast<std::size_t>(p.column_start[c])]);
-  for (std::size_t i = guides_; i < springs_.size(); ++i) stiffest = std::max(stiffest, springs_.k[i]);
-  return 8.0 * std::numeric_limits<double>::epsilon() * stiffest * largest_of(state.q);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c) {
+    const auto diagonal = static_cast<std::size_t>(p.column_start[c]);
+    out.system = std::max(out.system, A_[diagonal]);
+    out.bodies = std::max(out.bodies, K_[diagonal]);
+  }
+  for (std::size_t i = guides_; i < springs_.size(); ++i) out.system = std::max(out.system, springs_.k[i]);
+  const double places = std::numeric_limits<double>::epsilon() * largest_of(state.q);
+  out.system *= 8.0 * places;
+  out.bodies *= 2.0 * places;
+  return out;
 }
 
 bool Newmark::balance(const State& state, double h, StepReport& report) {
@@ -447,13 +509,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     ++report.iterations;
     fresh = false;
-    q_new_ = state.q;
-    v_new_ = state.v;
     for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-    if (path_ != nullptr && !pull_along(state, report)) return false;
-    q_new_ = state.q;
-    v_new_ = state.v;
-    system_.retract(d_, rate_, false, q_new_, v_new_);
+    move_to_iterate(state);
     force_after_ = force_before_;
     energy_after_ = system_.linearise(q_new_, kind, false, {}, force_after_);
     force_ = force_after_;
@@ -470,19 +527,25 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
         report = lost(report, lost_place(*setup_, q_new_), state, h);
       return false;
     }
-    // What the other side pulls by now, less what the balance above was made with; and what that left.
-    double apart = 0.0;
+    const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
+    bool met = path_ == nullptr;
+    const double allowed = std::max(options_.together * largest_pulled_, rounded.system);
     if (path_ != nullptr) {
-      for (std::size_t i = 0; i < asked_.size(); ++i) apart = std::max(apart, std::abs(answer_[i] - asked_[i]));
-      for (std::size_t i = 0; i < d_.size(); ++i) mismatch_[i] = answer_[i] - asked_[i] + out_[i];
+      met = way_since_pull() * path_->stiffness() <= allowed || !foresee_pull(state);
+      if (met && !meet_pull(state, false, report)) return false;
     }
-    const double rounded = iterative ? round_off(state) : 0.0;
-    const bool together = apart <= std::max(options_.together * largest_pulled_, rounded);
-    if (!iterative || (left <= kBalanced * largest && together)) return true;
-    const bool at_round_off = left <= rounded;
-    if (at_round_off && together && report.iterations > 2 && left > 0.5 * last) {
-      report.at_round_off = true;
-      return true;
+    const bool at_round_off = left <= rounded.system, balanced = !iterative || left <= kBalanced * largest,
+               stays = at_round_off && report.iterations > 2 && left > 0.5 * last,
+               kicked = path_ != nullptr && left <= rounded.bodies;  // what is left is not lost: mismatch_
+    double apart = 0.0;
+    for (;; met = true) {
+      if (path_ != nullptr) apart = pulls_apart();
+      if (apart > allowed || !(balanced || stays || kicked)) break;
+      if (met) {
+        report.at_round_off = !balanced;
+        return true;
+      }
+      if (!meet_pull(state, true, report)) return false;
     }
     if (report.iterations >= kIterations ||
         (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {

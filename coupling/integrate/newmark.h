@@ -72,9 +72,16 @@ class Newmark final : public Mover {
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
   void find_step_springs(const State& state, double h);
   // The force from outside: its mean at an iterate, and what the linear system has of it.
-  [[nodiscard]] bool pull_along(const State& state, StepReport& report);
-  /// How the first linear system sees the force from outside.
   void begin_pull(const State& state, double h);
+  void move_to_iterate(const State& state);
+  void take_pull(const State& state);
+  /// How far nodes are from where the pull was last known for [m].
+  [[nodiscard]] double way_since_pull() const;
+  [[nodiscard]] bool foresee_pull(const State& state);
+  /// @param foreseen  it was, at this iterate: what the difference is is known from now on
+  [[nodiscard]] bool meet_pull(const State& state, bool foreseen, StepReport& report);
+  /// How far what pulls now is from what the balance was made with [N]; both differences go into mismatch_.
+  [[nodiscard]] double pulls_apart();
   void find_along(std::span<const double> d);
   void sum_asked();
   /// out -= C C^T u of the seams; `half` is C^T u.
@@ -85,7 +92,11 @@ class Newmark final : public Mover {
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
   [[nodiscard]] double residual(const State& state, double h, double& largest);
-  [[nodiscard]] double round_off(const State& state) const;
+  struct RoundOff {
+    double system = 0.0;  // of the linear system's forces, inertia included [N]
+    double bodies = 0.0;  // of forces inside the bodies, which come from positions [N]
+  };
+  [[nodiscard]] RoundOff round_off(const State& state) const;
   [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
   /// The report of a step that ends in a state without a meaning.
   [[nodiscard]] static StepReport lost(const StepReport& report, const LostPlace& place, const State& state, double h);
@@ -126,10 +137,12 @@ class Newmark final : public Mover {
   // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
   // at the end.
   std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
-  std::vector<double> asked_forces_, units_;  // asked_ in the unknowns; what asked_ is measured by
-  DofRows seam_rows_;                         // the places of the seams, x, y a seam
-  std::vector<double> held_, apart_, along_;  // of the seams: forces at the iterate, what they leave, C^T u
-  double largest_pulled_ = 0.0;               // of the forces on bodies that are pulled [N]
+  std::vector<double> foreseen_, unforeseen_;  // pull_ as it was foreseen; what it turned out to be more than that
+  std::vector<double> pulled_at_;              // the iterate that it is of
+  std::vector<double> asked_forces_, units_;   // asked_ in the unknowns; what asked_ is measured by
+  DofRows seam_rows_;                          // the places of the seams, x, y a seam
+  std::vector<double> held_, apart_, along_;   // of the seams: forces at the iterate, what they leave, C^T u
+  double largest_pulled_ = 0.0;                // of the forces on bodies that are pulled [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,

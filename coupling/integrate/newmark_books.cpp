@@ -204,6 +204,9 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
 
   if (path_ != nullptr) book_pull(state, h);
 
+  if (path_ != nullptr && !trapezoidal())  // what the next step begins with
+    for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (v_new_[i] - state.v[i]) / h;
+
   state.q.swap(q_new_);
   state.v.swap(v_new_);
   state.time += ticks_of_step;

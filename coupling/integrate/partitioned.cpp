@@ -41,6 +41,12 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
   implicit_->pull(this);
+  const Setup& setup = explicit_side_.setup;
+  for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
+    const Row& row = setup.outlines().nodes[i];
+    const Body& b = setup.bodies()[static_cast<std::size_t>(setup.outlines().node_body[i])];
+    compliance_.push_back(setup.on_guest(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
+  }
 }
 
 void Partitioned::find_runs() {
@@ -145,6 +151,7 @@ void Partitioned::split(const State& state) {
     take(state.v, to, s.v);
   }
   take(state.a, &Run::of_explicit, explicit_side_.state.a);
+  take(state.a, &Run::of_implicit, implicit_side_.state.a);
   take(state.v_before, &Run::of_explicit, explicit_side_.state.v_before);
   take(state.damping, &Run::of_explicit, explicit_side_.state.damping);
   implicit_side_.state.factored = state.factored;
@@ -223,6 +230,7 @@ void Partitioned::join(State& state) {
     if (!numbers.empty()) copy(explicit_runs_, &Run::of_explicit, numbers, &Run::whole, out);
   };
   of_explicit(e.a, state.a);
+  if (!i.a.empty()) copy(implicit_runs_, &Run::of_implicit, i.a, &Run::whole, state.a);
   of_explicit(e.v_before, state.v_before);
   of_explicit(e.damping, state.damping);
   state.time = e.time;
@@ -238,6 +246,8 @@ void Partitioned::join(State& state) {
 void Partitioned::find_springs() {
   // Springs of closed contacts with an implicit body. They stretch with the way, so that their mean sees half of it.
   springs_.clear();
+  stiffness_ = 0.0;
+  double turns_back = 0.0;  // bounds the part of a change of the way that comes back as another one
   const Setup& setup = explicit_side_.setup;
   const Outlines& o = setup.outlines();
   const ContactList& list = explicit_->contacts();
@@ -253,12 +263,19 @@ void Partitioned::find_springs() {
         if (!is_guest(p.node[n])) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
+        turns_back += s.k * compliance_[static_cast<std::size_t>(p.node[n])];
       }
-      if (s.count > 0) springs_.push_back(s);
+      if (s.count == 0) return;
+      springs_.push_back(s);
+      stiffness_ += s.k;
     };
     add(gap_row(p.at), m.kn);
     if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt);
   }
+  // Short steps: bodies hardly follow, and iterations without the springs end as soon.
+  constexpr double kHardly = 1e-3;
+  const double H = seconds(step_);
+  if (0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {
@@ -271,15 +288,36 @@ void Partitioned::rewind() {
   s.a = saved_.a;
   s.v_before = saved_.v_before;
   s.damping = saved_.damping;
-  s.contacts = saved_.contacts;
   s.ledger = saved_.ledger;
   explicit_->go_back(s, mark_);
+  gone_ = false;
+}
+
+void Partitioned::add_to_guests(double weight, std::span<const double> f) {
+  for (const Run& r : implicit_runs_)
+    for (std::size_t k = r.of_explicit; k < r.of_explicit + r.count; ++k) sum_[k] += weight * f[k];
+}
+
+bool Partitioned::foresee(std::span<const double> end, std::span<double> force) {
+  // In one substep explicit bodies go where they go whatever the guests do; before the last of many they do not.
+  if (substeps_ > 1 || !seams_.empty()) return false;
+  if (gone_) rewind();
+  copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
+  ahead_.assign(end_.size(), 0.0);
+  explicit_->foresee(explicit_side_.state, end_, step_, ahead_);
+  std::fill(sum_.begin(), sum_.end(), 0.0);
+  add_to_guests(0.5, explicit_->forces());
+  add_to_guests(0.5, ahead_);
+  copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
+  return true;
 }
 
 StepReport Partitioned::mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
                              std::span<double> apart) {
   State& s = explicit_side_.state;
-  if (repeats_++ > 0) rewind();
+  if (gone_) rewind();
+  gone_ = true;
+  ++repeats_;
   copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
   explicit_->lead_guests(s, end_, s.time + step_);
   if (!seams_.empty()) {
@@ -291,19 +329,17 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<const double
   }
   std::fill(sum_.begin(), sum_.end(), 0.0);
   const double H = seconds(step_);
-  const auto add = [&](double weight) {
-    const std::span<const double> f = explicit_->forces();
-    for (const Run& r : implicit_runs_)
-      for (std::size_t k = r.of_explicit; k < r.of_explicit + r.count; ++k) sum_[k] += weight * f[k];
-  };
   Tick left = step_;
   for (std::int32_t j = 0; j < substeps_; ++j) {
     const Tick ticks = left / (substeps_ - j);
     const double weight = 0.5 * seconds(ticks) / H;
-    add(weight);
+    add_to_guests(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
-    if (report.status != StepReport::Status::ok) return report;
-    add(weight);
+    if (report.status != StepReport::Status::ok) {
+      gone_ = mark_.far;  // a step that fails leaves things as they were
+      return report;
+    }
+    add_to_guests(weight, explicit_->forces());
     left -= ticks;
   }
   copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
@@ -325,7 +361,8 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   substeps_ = static_cast<std::int32_t>(std::min<Tick>(substeps_, ticks_of_step));
   step_ = ticks_of_step;
   repeats_ = 0;
-  explicit_->mark(mark_);
+  gone_ = false;
+  explicit_->mark(mark_, substeps_ > 1 || !seams_.empty());
   saved_.time = e.time;
   saved_.last_step = e.last_step;
   saved_.step = e.step;
@@ -334,7 +371,6 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   saved_.a = e.a;
   saved_.v_before = e.v_before;
   saved_.damping = e.damping;
-  saved_.contacts = e.contacts;
   saved_.ledger = e.ledger;
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
@@ -348,7 +384,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
   if (report.status != StepReport::Status::ok) {
-    if (repeats_ > 0) rewind();
+    if (gone_) rewind();
     return report;
   }
   if (audit_ != nullptr) explicit_->check(e, *audit_);

@@ -81,12 +81,16 @@ class Partitioned final : public Mover, private PathForce {
   void rewind();
 
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
+  [[nodiscard]] double stiffness() const override { return stiffness_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   [[nodiscard]] std::span<const Seam> seams() const override { return seams_; }
   [[nodiscard]] std::span<const double> seam_factor() const override { return seam_factor_; }
   [[nodiscard]] std::span<const double> held() const override { return held_; }
+  bool foresee(std::span<const double> end, std::span<double> force) override;
   StepReport mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
                   std::span<double> apart) override;
+  /// sum_ += weight times the forces on guests.
+  void add_to_guests(double weight, std::span<const double> f);
 
   const Setup* whole_;
   Choice choice_;
@@ -103,17 +107,19 @@ class Partitioned final : public Mover, private PathForce {
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
-  std::vector<double> present_;    // numbers of the implicit side
-  std::vector<double> end_, sum_;  // numbers of the explicit side
+  double stiffness_ = 0.0;                 // of all contacts with guests, half of it [N/m]
+  std::vector<double> compliance_;         // of outline nodes of guests [1/kg]
+  std::vector<double> present_;            // numbers of the implicit side
+  std::vector<double> end_, sum_, ahead_;  // numbers of the explicit side
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;
+  bool gone_ = false;  // the explicit side is at the end of the step
   CentralDifference::Mark mark_;
   struct Saved {  // what substeps change in the explicit side's state
     Tick time = 0, last_step = 0;
     std::int64_t step = 0;
     std::vector<double> q, v, a, v_before, damping;
-    std::vector<ContactMemory> contacts;
     Ledger ledger;
   };
   Saved saved_;

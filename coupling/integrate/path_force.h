@@ -23,10 +23,15 @@ class PathForce {
     std::array<Vec2, 3> direction;
     double k = 0.0;  // [N/m]
   };
-  /// About how the mean force follows the end of the way: what Newton's method begins with.
+  /// About how the mean force follows the end of the way, for Newton's method; none where it does not need it.
   [[nodiscard]] virtual std::span<const Spring> springs() const = 0;
+  /// The mean force follows the end of the way by no more than this [N/m].
+  [[nodiscard]] virtual double stiffness() const = 0;
   /// Force on the nodes where the step begins [N].
   [[nodiscard]] virtual std::span<const double> present() const = 0;
+  /// What mean() would say, as far as that is known for little work, and without going along.
+  /// @return false: it is not known, as where there are seams
+  virtual bool foresee(std::span<const double> end, std::span<double> force) = 0;
   /// A node that a constant force through the step holds to a place of those who pull.
   struct Seam {
     std::int32_t body = -1;
