@@ -69,6 +69,10 @@ void Progress::draw(double time, const coupling::RunStats& stats) {
   std::fflush(stdout);
 }
 
+void Progress::frame(const coupling::FrameView& frame) {
+  if (frame.end_time > 0.0) end_ = std::min(end_, frame.end_time);  // stages may end before their time
+}
+
 void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   draw(last.time, *last.stats);
   if (terminal_) fmt::print("\n");

@@ -21,6 +21,7 @@ class Progress final : public coupling::Sink {
   /// The ledger is complete at the instants of the history only: its closure is shown as of the last one.
   void history(const coupling::HistoryView& history) override { closure_ = history.ledger->relative_closure(); }
   void event(const coupling::Event& event) override;
+  void frame(const coupling::FrameView& frame) override;
   void step(double time, const coupling::RunStats& stats, const coupling::Ledger& ledger) override;
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
 

@@ -51,7 +51,41 @@ struct Partition {
   Band speed;                  // of the fastest corner [m/s]
   Band strain_rate;            // largest principal one of the affine part [1/s]
   std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
+  // All contacts explicit; false: those between implicit blocks by the open-close iteration (thesis, figure 7.6).
+  bool shared_contacts = false;
   [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
+};
+
+/// What ends a stage before its duration is over, whichever comes first. 0: no such rule.
+/// @source coupling.md 5
+struct EndRules {
+  double kinetic_below = 0.0;  // kinetic energy: a fraction of the largest of the stage so far
+  double force_below = 0.0;    // the largest unbalanced force: a fraction of the largest single one
+  Tick hold = 0;               // the two above have to hold for so long without a break
+  double slip = 0.0;           // largest between two blocks, by how much it has grown since the stage began [m]
+  double displacement = 0.0;   // of a block's centre of mass since the stage began [m]
+  [[nodiscard]] bool used() const {
+    return kinetic_below > 0.0 || force_below > 0.0 || slip > 0.0 || displacement > 0.0;
+  }
+};
+
+/// Blocks change between the NMM and the DDA during a stage: one that has been all but affine for long enough goes on
+/// by the DDA, one that is struck or strained by the NMM. Bounds of 0: no such rule.
+/// @source coupling.md 5
+struct SwitchRules {
+  bool used = false;
+  std::vector<BlockId> blocks;  // empty: all that can
+  double kinetic = 0.0;         // dT/(T + |U|) below this,
+  double elastic = 0.0;         // dU/(T + |U|),
+  double inhomogeneity = 0.0;   // and sqrt(dU/|U|)
+  Tick hold = 0;                // for so long: to the DDA
+  struct Back {                 // above any of them: to the NMM
+    double strain_rate = 0.0;   // largest principal one of the affine part [1/s]
+    double stress = 0.0;        // largest principal one of the affine part, of either sign [Pa]
+    double acceleration = 0.0;  // by the contacts: their resultant over the mass [m/s2]
+    [[nodiscard]] bool used() const { return strain_rate > 0.0 || stress > 0.0 || acceleration > 0.0; }
+  };
+  Back back;
 };
 
 struct Stage {
@@ -80,6 +114,8 @@ struct Stage {
   double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
   std::int64_t rest_steps = 0;  // and fails if it has not after so many steps; 0: at its duration
   Partition partition;
+  EndRules end;
+  SwitchRules change;
   StepControl control;
 };
 

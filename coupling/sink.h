@@ -71,6 +71,17 @@ struct HistoryView {
   const RunStats* stats = nullptr;
 };
 
+/// What decides whether a block changes method by a rule (plan.h: SwitchRules). T and U are its energies, dT and dU the
+/// parts of them that an affine block would not have.
+struct MethodMeasures {
+  double kinetic = 0.0, elastic = 0.0;         // dT and dU over T + |U|
+  double inhomogeneity = 0.0;                  // sqrt(dU/|U|)
+  double strain_rate = 0.0;                    // largest principal one of the affine part [1/s]
+  double stress = 0.0;                         // largest principal one of the affine part, without its sign [Pa]
+  double acceleration = 0.0;                   // resultant of its contacts over its mass [m/s2]
+  double cost_before = 0.0, cost_after = 0.0;  // predicted: unknowns a step, explicit a second; 0: not asked
+};
+
 /// Books of one hand-over of one block (coupling.md 1).
 struct TransferRow {
   double time = 0.0;
@@ -80,6 +91,8 @@ struct TransferRow {
   double reservoir_kinetic = 0.0, reservoir_elastic = 0.0, booked = 0.0;  // [J]
   /// Relative errors: mass, momentum, angular momentum about the block's centre, energy with reservoir and booked.
   double mass_error = 0.0, momentum_error = 0.0, angular_error = 0.0, energy_error = 0.0;
+  bool by_rule = false;  // during a stage, for its measures
+  MethodMeasures measures;
 };
 
 /// The free block that moved farthest in a stage, by its centre of mass.
@@ -89,7 +102,17 @@ struct StageTravel {
   double farthest = 0.0;  // [m]
 };
 
-enum class EventKind { stage_start, stage_step, stage_end, transfer, partition, step_cut, not_converged, warning };
+enum class EventKind {
+  stage_start,
+  stage_step,
+  stage_rule,
+  stage_end,
+  transfer,
+  partition,
+  step_cut,
+  not_converged,
+  warning
+};
 struct Event {
   EventKind kind = EventKind::warning;
   double time = 0.0;

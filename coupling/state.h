@@ -64,6 +64,24 @@ struct KeptFactor {
 
 inline constexpr char kDivided = 2;  // in State::explicit_side
 
+/// What the rules of a stage remember of it (plan.h: EndRules, SwitchRules).
+struct RuleMemory {
+  struct Slip {
+    std::int32_t a = -1, b = -1;  // blocks, a <= b
+    double slip = 0.0;            // the largest of a point between them as the stage began [m]
+    [[nodiscard]] bool same_pair(const Slip& other) const { return a == other.a && b == other.b; }
+  };
+  double peak = 0.0;                          // kinetic energy, the largest so far [J]
+  Tick slow_since = -1, balanced_since = -1;  // -1: it is not
+  std::vector<Slip> slips;                    // sorted by blocks
+  Tick looked = -1, next_look = 0;            // for blocks that may change method
+  std::vector<Tick> calm_since;               // a block; -1: it is not
+  std::vector<char> other_method;             // a block: 1 where a rule has taken it from the stage's method
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see);
+};
+
 struct State {
   Tick time = 0;
   std::int64_t step = 0;
@@ -80,6 +98,8 @@ struct State {
   std::vector<ContactMemory> contacts;  // sorted by key
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
+  std::vector<double> anchors;  // x, y a point support: how far hand-overs have shifted its anchor; empty: none yet [m]
+  RuleMemory rules;
   Ledger ledger;
 
   /// Shows every field, in a fixed order, to see(name, value). One list serves hash, comparison and checkpoint.
@@ -126,6 +146,23 @@ void visit_body(Visitor&& see, BodyRecord& b) {
   Polygon region{b.form.division.region, {}};
   see("body.explicit_region", region);
   b.form.division.region = std::move(region.outer);
+}
+
+template <class Visitor>
+void RuleMemory::visit(Visitor&& see) {
+  see("rules.peak", peak);
+  see("rules.slow_since", slow_since);
+  see("rules.balanced_since", balanced_since);
+  see.size("rules.slips", slips);
+  for (Slip& s : slips) {
+    see("rules.slip_a", s.a);
+    see("rules.slip_b", s.b);
+    see("rules.slip", s.slip);
+  }
+  see("rules.looked", looked);
+  see("rules.next_look", next_look);
+  see("rules.calm_since", calm_since);
+  see("rules.other_method", other_method);
 }
 
 template <class Visitor>
@@ -180,6 +217,8 @@ void State::visit(Visitor&& see) {
     see("rest.position", r.position);
     see("rest.velocity", r.velocity);
   }
+  see("anchors", anchors);
+  rules.visit(see);
   ledger.visit(see);
 }
 

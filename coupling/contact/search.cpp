@@ -16,13 +16,14 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// What decides whether two segments may touch, close together.
 struct Owner {
   std::int32_t edge, body, opposite;
-  bool touches, driven;
+  bool touches, touched;
 };
 
-/// Pairs worth keeping: segments of different bodies, not both driven, and of the two faces of a crack.
+/// Pairs worth keeping: segments of different bodies, one of which contact forces move, and of the two faces of a
+/// crack.
 bool may_touch(const Owner& a, const Owner& b) {
   if (a.body == b.body) return a.opposite == b.edge;
-  return a.touches && b.touches && !(a.driven && b.driven) && a.opposite < 0 && b.opposite < 0;
+  return a.touches && b.touches && (a.touched || b.touched) && a.opposite < 0 && b.opposite < 0;
 }
 
 /// Two segments whose boxes overlap.
@@ -64,8 +65,8 @@ Search::Impl::Impl(const Setup& s, double r) : setup(&s), reach(r) {
   const Outlines& o = s.outlines();
   for (const Outlines::Segment& segment : o.segments) {
     const Outlines::Edge& e = o.edges[static_cast<std::size_t>(segment.edge)];
-    const bool driven = s.bodies()[static_cast<std::size_t>(e.body)].driven;
-    owners.push_back({segment.edge, e.body, e.opposite, e.touches, driven});
+    const bool touched = s.bodies()[static_cast<std::size_t>(e.body)].touched;
+    owners.push_back({segment.edge, e.body, e.opposite, e.touches, touched});
   }
   first.resize(o.nodes.size() + 2);  // counted one further on, so that filling leaves the first ones
   for (const Outlines::Segment& segment : o.segments)

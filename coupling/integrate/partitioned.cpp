@@ -6,9 +6,10 @@
 #include <iterator>
 
 namespace scree::coupling {
-Guests Partitioned::guests(const Setup& whole, const State& state, bool is_explicit) {
+Guests Partitioned::guests(const Setup& whole, const State& state, bool is_explicit, bool shared) {
   Guests out;
   out.touch = is_explicit;
+  out.shared = shared;
   for (std::size_t i = 0; i < whole.bodies().size(); ++i)
     out.guest.push_back(state.explicit_side[i] == kDivided || (state.explicit_side[i] != 0) == is_explicit ? 0 : 1);
   return out;
@@ -22,17 +23,20 @@ std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explici
   return out;
 }
 
-Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit)
-    : setup(whole.model(), methods, records(state_of_all, is_explicit), guests(whole, state_of_all, is_explicit)) {
+Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit,
+                        bool shared)
+    : setup(whole.model(), methods, records(state_of_all, is_explicit),
+            guests(whole, state_of_all, is_explicit, shared)) {
   state.bodies = state_of_all.bodies;
+  state.anchors = state_of_all.anchors;
 }
 
 Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,
                          double detection, const Choice& choice)
     : whole_(&whole),
       choice_(choice),
-      explicit_side_(whole, methods, state, true),
-      implicit_side_(whole, methods, state, false),
+      explicit_side_(whole, methods, state, true, choice.shared_contacts),
+      implicit_side_(whole, methods, state, false, choice.shared_contacts),
       explicit_(std::make_unique<CentralDifference>(explicit_side_.setup, control, detection, choice.explicit_damping)),
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
@@ -193,7 +197,8 @@ void Partitioned::resume(const State& state, const MoverMemory& memory) {
     const auto is_explicit = [&](std::int32_t block) {
       return state.explicit_side[static_cast<std::size_t>(block)] != 0;
     };
-    (is_explicit(m.key.block_p) || is_explicit(m.key.block_e) ? explicit_side_ : implicit_side_)
+    (choice_.shared_contacts || is_explicit(m.key.block_p) || is_explicit(m.key.block_e) ? explicit_side_
+                                                                                         : implicit_side_)
         .state.contacts.push_back(m);
   }
   explicit_->resume(explicit_side_.state, memory.sides[0]);

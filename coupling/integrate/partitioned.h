@@ -16,7 +16,7 @@ namespace scree::coupling {
 ///   3. u is found so that both hold: the substeps are repeated within Newton's method (PathForce, FixedPoint).
 /// Impulses on both sides are equal and opposite, and so is the work, whatever u: momentum is exact and the ledger has
 /// no term of its own. Stable under the explicit bound with the implicit bodies fixed, whatever H and their mass.
-/// Contacts among implicit bodies are those of Newmark's open-close iteration.
+/// Contacts among implicit bodies are those of Newmark's open-close iteration, or all are met at the substeps.
 /// The two halves of a divided block are one continuum: nodes at one place (Pool::seams) are held together by forces
 /// that are constant through H, equal and opposite, and such that both go the same way from one end of H to the other.
 /// They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
@@ -26,8 +26,9 @@ class Partitioned final : public Mover, private PathForce {
   struct Choice {
     ExplicitDamping explicit_damping;
     ImplicitOptions implicit;
-    double safety = 0.8;        // fraction of the certified bound that automatic substeps take
-    std::int32_t substeps = 0;  // 0: automatic
+    double safety = 0.8;           // fraction of the certified bound that automatic substeps take
+    std::int32_t substeps = 0;     // 0: automatic
+    bool shared_contacts = false;  // contacts between implicit bodies are the explicit side's too
   };
   /// @param whole  the setup whose states are moved; its bodies are discretised once more for each side
   /// @param state  what enter() or resume() will be called with
@@ -54,11 +55,11 @@ class Partitioned final : public Mover, private PathForce {
  private:
   /// A side: bodies of its own, the others as guests, with numbers in its own order.
   struct Side {
-    Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit);
+    Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit, bool shared);
     Setup setup;
     State state;
   };
-  [[nodiscard]] static Guests guests(const Setup& whole, const State& state, bool is_explicit);
+  [[nodiscard]] static Guests guests(const Setup& whole, const State& state, bool is_explicit, bool shared);
   [[nodiscard]] static std::vector<BodyRecord> records(const State& state, bool is_explicit);
   /// Numbers that follow one another in all three orders: of the whole, the explicit and the implicit side.
   struct Run {

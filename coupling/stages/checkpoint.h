@@ -17,7 +17,8 @@ struct Checkpoint {
   Tick stage_end = 0;
   std::int64_t first_step = 0;      // of the stage
   std::vector<double> stage_begin;  // x, y a body: where its centre of mass was then [m]
-  bool rested = false;              // it has found its balance
+  bool ended = false;               // before its duration is over: at rest, or by a rule
+  std::uint32_t mesh = 0;           // id of the present mesh
   Tick largest_step = 0;            // until the next output; 0: to be found
   // What was counted.
   RunStats stats;
@@ -70,6 +71,15 @@ void visit(TransferRow& row, Visitor&& see) {
   see("row.momentum_error", row.momentum_error);
   see("row.angular_error", row.angular_error);
   see("row.energy_error", row.energy_error);
+  see("row.by_rule", row.by_rule);
+  see("row.kinetic", row.measures.kinetic);
+  see("row.elastic", row.measures.elastic);
+  see("row.inhomogeneity", row.measures.inhomogeneity);
+  see("row.strain_rate", row.measures.strain_rate);
+  see("row.stress", row.measures.stress);
+  see("row.acceleration", row.measures.acceleration);
+  see("row.cost_before", row.measures.cost_before);
+  see("row.cost_after", row.measures.cost_after);
 }
 
 template <class Visitor>
@@ -102,7 +112,8 @@ void Checkpoint::visit(Visitor&& see) {
   see("stage_end", stage_end);
   see("first_step", first_step);
   see("stage_begin", stage_begin);
-  see("rested", rested);
+  see("ended", ended);
+  see("mesh", mesh);
   see("largest_step", largest_step);
   coupling::visit(stats, see);
   audit.visit(see);

@@ -74,6 +74,8 @@ std::string_view name(EventKind kind) {
       return "stage_start";
     case EventKind::stage_step:
       return "stage_step";
+    case EventKind::stage_rule:
+      return "stage_rule";
     case EventKind::stage_end:
       return "stage_end";
     case EventKind::transfer:
@@ -155,6 +157,7 @@ void Driver::look(bool frame) {
   const HistoryView history = observer_->history(state_, stats_);
   for (Sink* s : sinks_) s->history(history);
   if (frame && !sinks_.empty()) {
+    show_mesh();
     FrameView view = observer_->frame(state_, stats_);
     const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
     view.stage_name = stage.name;
@@ -167,6 +170,7 @@ void Driver::look(bool frame) {
 
 void Driver::start() {
   state_ = State{};
+  mesh_ = mesh_shown_ = 0;
   take_sides(plan_->stages.front());
   state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
@@ -207,25 +211,33 @@ void Driver::change_stage(std::size_t index) {
     mover_->leave(state_);
     mover_.reset();
     take_sides(stage);
+    state_.rules = {};
     change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
   }
   refuse_turned_blocks(stage);
+  refuse_switching(stage);
   begin_moving(stage, true);
+  show_mesh();
 }
 
-void Driver::change_bodies(const Stage& stage) {
+void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
   HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
   observer_.reset();
   setup_ = std::move(handed.setup);
-  for (const TransferRow& row : handed.rows) {
+  for (TransferRow& row : handed.rows) {
+    const auto rule = std::find_if(why.begin(), why.end(), [&](const MethodChange& c) { return c.block == row.block; });
+    if (rule != why.end()) {
+      row.by_rule = true;
+      row.measures = rule->measures;
+    }
     transfers_.push_back(row);
-    event(
-        EventKind::transfer,
-        fmt::format("block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}",
-                    model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic,
-                    row.reservoir_elastic, row.energy_error),
-        &row);
+    event(EventKind::transfer,
+          fmt::format(
+              "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}{}",
+              model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
+              row.energy_error, row.by_rule ? "; by rule: " + text(row.measures) : std::string()),
+          &row);
   }
 }
 
@@ -236,7 +248,26 @@ void Driver::begin_moving(const Stage& stage, bool new_mesh) {
   const double now = mover_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
-  observe(new_mesh);
+  if (new_mesh) ++mesh_;
+  observe();
+  watch_rules(stage);
+}
+
+void Driver::watch_rules(const Stage& stage) {
+  end_watch_ = stage.end.used() ? std::make_unique<EndWatch>(stage.end, *setup_, state_) : nullptr;
+  method_rules_ = stage.change.used ? std::make_unique<MethodRules>(stage, *methods_, *setup_, state_) : nullptr;
+}
+
+void Driver::change_methods(const Stage& stage) {
+  const std::vector<MethodChange> changes = method_rules_->look(state_, *mover_);
+  if (changes.empty()) return;
+  mover_->leave(state_);
+  mover_.reset();
+  state_.rules.other_method.resize(model_->blocks.size(), 0);
+  for (const MethodChange& c : changes) state_.rules.other_method[c.block.index()] ^= 1;
+  change_bodies(stage, changes);
+  begin_moving(stage, true);
+  largest_ = 0;
 }
 
 void Driver::change_partition(const Stage& stage) {
@@ -276,24 +307,28 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
     if (stage.integrator == Integrator::implicit)
       mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
     else
-      mover = std::make_unique<Partitioned>(
-          *setup_, *methods_, state_, step_control_, detection_,
-          Partitioned::Choice{explicit_damping(stage), options, stage.safety, stage.partition.substeps});
+      mover =
+          std::make_unique<Partitioned>(*setup_, *methods_, state_, step_control_, detection_,
+                                        Partitioned::Choice{explicit_damping(stage), options, stage.safety,
+                                                            stage.partition.substeps, stage.partition.shared_contacts});
   }
   if (plan_->audit) mover->watch(&audit_);
   mover->heed(control_);
   return mover;
 }
 
-void Driver::observe(bool new_mesh) {
+void Driver::observe() {
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  observer_ =
-      std::make_unique<Observer>(*setup_, state_, static_cast<std::uint32_t>(state_.stage) + 1, plan_->output.contacts);
+  observer_ = std::make_unique<Observer>(*setup_, state_, mesh_, plan_->output.contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
     if (!b.driven) stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);
-  if (!new_mesh) return;
+}
+
+void Driver::show_mesh() {
+  if (mesh_shown_ == mesh_) return;
+  mesh_shown_ = mesh_;
   for (Sink* s : sinks_) s->topology(observer_->mesh());
 }
 
@@ -310,8 +345,9 @@ void Driver::go_on() {
   stage_begin_.clear();
   for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
     stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
-  rested_ = c.rested;
+  ended_ = c.ended;
   largest_ = c.largest_step;
+  mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
   travels_ = std::move(c.travels);
@@ -320,7 +356,10 @@ void Driver::go_on() {
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
-  observe(true);
+  end_ = latest_end();
+  observe();
+  show_mesh();
+  watch_rules(stage);
   from_.reset();
 }
 
@@ -331,7 +370,8 @@ Checkpoint Driver::checkpoint() const {
   c.stage_end = stage_end_;
   c.first_step = first_step_;
   for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
-  c.rested = rested_;
+  c.ended = ended_;
+  c.mesh = mesh_;
   c.largest_step = largest_;
   c.stats = stats_;
   c.audit = audit_;
@@ -353,6 +393,16 @@ void Driver::keep_checkpoint() {
   keep(true);
   attempts.wall_output = committed_.wall_output = stats_.wall_output;
   stats_ = attempts;
+}
+
+void Driver::refuse_switching(const Stage& stage) const {
+  if (!stage.change.used) return;
+  const auto refuse = [&](const char* why) {
+    throw PlanError(fmt::format("stage '{}': blocks cannot change method during it: {}", stage.name, why));
+  };
+  if (stage.rest) refuse("it runs to rest, and takes the motion away that decides");
+  if (stage.kinematics == Kinematics::linear) refuse("linear kinematics cannot take back a block that has turned");
+  if (stage.newmark == NewmarkScheme::trapezoidal) refuse("the trapezoidal scheme cannot take blocks of the DDA");
 }
 
 void Driver::refuse_turned_blocks(const Stage& stage) const {
@@ -387,31 +437,39 @@ BlockId Driver::unsupported_at_rest(const Stage& stage) {
 }
 
 void Driver::begin_stage(const Stage& stage) {
-  stage_end_ = state_.time + stage.duration;  // a stage that comes to rest ends before its time
-  rested_ = false;
+  stage_end_ = state_.time + stage.duration;  // at the latest
+  ended_ = false;
   first_step_ = state_.step;
   largest_ = 0;
   stage_begin_ = centres();
+  begin_rules(stage.end, state_);
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                                             name(stage.integrator), seconds(stage.duration)));
   look(true);
   keep(state_.step == 0);
 }
 
+Tick Driver::latest_end() const {
+  Tick end = ended_ ? state_.time : stage_end_;
+  for (std::size_t i = static_cast<std::size_t>(state_.stage) + 1; i < plan_->stages.size(); ++i)
+    end += plan_->stages[i].duration;
+  return end;
+}
+
 RunEnd Driver::run_stage(const Stage& stage, Tick end) {
   const bool to_balance = stage.rest && stage.rest_force > 0.0;
   balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
-  while (state_.time < end && !rested_) {
+  while (state_.time < end && !ended_) {
     const Tick frame = next_multiple(state_.time, plan_->output.every);
     const Tick history = next_multiple(state_.time, plan_->output.history_every);
     const Tick target = std::min({frame, history, end});
     RunEnd result = advance_to(stage, target);
     if (result.status != RunEnd::Status::done) return result;
     largest_ = 0;
-    look(target == frame || target == end || rested_);
+    look(target == frame || target == end || ended_);
     result = check_closure(stage);
     if (result.status != RunEnd::Status::done) return result;
-    keep(target == end || rested_);
+    keep(target == end || ended_);
   }
   if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
     const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
@@ -430,7 +488,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick end) {
 }
 
 RunEnd Driver::run(std::optional<double> until) {
-  const Tick stop = until ? std::min(end_, ticks(*until)) : end_;
+  const Tick stop = until ? ticks(*until) : std::numeric_limits<Tick>::max();
   for (Sink* s : sinks_) s->begin(*model_, *plan_);
   const bool goes_on = from_.has_value();
   if (goes_on)
@@ -460,6 +518,7 @@ RunEnd Driver::run(std::optional<double> until) {
 
 void Driver::finish(const RunEnd& result) {
   mover_->update_ledger(state_);
+  show_mesh();
   FrameView last = observer_->frame(state_, stats_);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   last.stage_name = stage.name;

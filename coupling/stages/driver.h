@@ -9,7 +9,9 @@
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
 #include "coupling/stages/checkpoint.h"
+#include "coupling/stages/end_rules.h"
 #include "coupling/stages/force_balance.h"
+#include "coupling/stages/method_rules.h"
 #include "coupling/stages/observer.h"
 #include "coupling/transfer/transfer.h"
 
@@ -52,28 +54,40 @@ class Driver {
   void change_stage(std::size_t index);
   void take_sides(const Stage& stage);
   /// Bodies as the stage, and the sides of a partitioned one, want them.
-  void change_bodies(const Stage& stage);
+  /// @param why  blocks that change by a rule
+  void change_bodies(const Stage& stage, std::span<const MethodChange> why = {});
   /// A mover for them, and who looks on.
   void begin_moving(const Stage& stage, bool new_mesh);
+  /// What looks at the rules of a stage, for the present bodies.
+  void watch_rules(const Stage& stage);
   /// Blocks that have become fast or slow change sides.
   void change_partition(const Stage& stage);
+  /// Blocks that have become calm, or are struck, change method.
+  void change_methods(const Stage& stage);
   [[nodiscard]] bool takes_explicit_steps(const Stage& stage, const Body& b) const;
   /// The setup, mover and observer of a checkpoint's stage, as they were.
   void go_on();
   [[nodiscard]] std::unique_ptr<Mover> make_mover(const Stage& stage);
-  /// @param new_mesh  sinks are shown it
-  void observe(bool new_mesh);
+  void observe();
+  /// Shows sinks the present mesh, once.
+  void show_mesh();
   [[nodiscard]] Checkpoint checkpoint() const;
   /// Keeps a checkpoint, if it is due or in any case.
   void keep(bool in_any_case);
   /// @throws PlanError where linear kinematics would take a block's rotation for strain
   void refuse_turned_blocks(const Stage& stage) const;
+  /// @throws PlanError where blocks cannot change method during the stage
+  void refuse_switching(const Stage& stage) const;
   /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
   [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
   void begin_stage(const Stage& stage);
   RunEnd run_stage(const Stage& stage, Tick end);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
   [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
+  /// Ends the stage where a rule of its own has come true, and moves the end of the run with it.
+  void check_end(const Stage& stage);
+  /// The latest end of the run, from the present stage on.
+  [[nodiscard]] Tick latest_end() const;
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
@@ -106,11 +120,14 @@ class Driver {
   std::unique_ptr<Mover> mover_;
   StepControl step_control_;
   double detection_ = 0.0;
-  std::unique_ptr<ForceBalance> balance_;  // of stages with rest_force
-  bool rested_ = false;                    // the stage has found its balance
-  std::int64_t first_step_ = 0;            // of the stage
-  std::vector<Vec2> stage_begin_;          // centres of mass then
-  Tick largest_ = 0;                       // step until the next output; 0: to be found
+  std::unique_ptr<ForceBalance> balance_;      // of stages with rest_force
+  std::unique_ptr<EndWatch> end_watch_;        // of stages with rules for their end
+  std::unique_ptr<MethodRules> method_rules_;  // of stages with rules for methods
+  bool ended_ = false;                         // the stage is over before its duration: at rest, or by a rule
+  std::int64_t first_step_ = 0;                // of the stage
+  std::vector<Vec2> stage_begin_;              // centres of mass then
+  std::uint32_t mesh_ = 0, mesh_shown_ = 0;    // ids of the present mesh and of that which sinks have
+  Tick largest_ = 0;                           // step until the next output; 0: to be found
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_, committed_;  // with and without the attempts at the present step
   Audit audit_;

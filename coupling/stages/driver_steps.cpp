@@ -95,6 +95,7 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   while (state_.time < target) {
     if (control_ != nullptr && control_->stop_requested()) return stopped();
     if (stage.integrator == Integrator::partitioned && state_.step > first_step_ && cuts == 0) change_partition(stage);
+    if (method_rules_ && state_.step > first_step_ && cuts == 0) change_methods(stage);
     if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage);
     Tick cap = std::min(largest_, attempt_cap);
     if (implicit) cap = std::min(cap, step_of_fastest());
@@ -122,8 +123,11 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       if (found.status != RunEnd::Status::done) return found;
       if (balance_) {
         RunEnd rest = check_rest(stage, stage_end_);
-        if (rest.status != RunEnd::Status::done || rested_) return rest;
+        if (ended_) end_ = latest_end();
+        if (rest.status != RunEnd::Status::done || ended_) return rest;
       }
+      check_end(stage);
+      if (ended_) return {};
       if (state_.time < target) keep(false);  // at the target after what is looked at there
       continue;
     }
@@ -190,16 +194,25 @@ void Driver::drop_velocities() {
   setup_->prescribe(seconds(state_.time), state_.q, state_.v);
 }
 
+void Driver::check_end(const Stage& stage) {
+  if (!end_watch_) return;
+  const std::optional<std::string> why = end_watch_->look(state_, *mover_, stage_begin_);
+  if (!why || state_.time >= stage_end_) return;
+  ended_ = true;
+  end_ = latest_end();
+  event(EventKind::stage_rule, fmt::format("stage '{}' ends by a rule: {}", stage.name, *why));
+}
+
 RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   const ForceBalance::Result found = balance_->measure(state_, *mover_);
   const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
-  rested_ = found.ratio <= stage.rest_force;
+  ended_ = found.ratio <= stage.rest_force;
   const bool over = state_.time >= end || (stage.rest_steps > 0 && state_.step - first_step_ >= stage.rest_steps);
-  if (!rested_ && !over) return {};
+  if (!ended_ && !over) return {};
   std::string reason;
   if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
     reason = fmt::format("block '{}' {}", block_name(loose), kUnsupported);
-  else if (!rested_)
+  else if (!ended_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
         "({:.2g} allowed)",

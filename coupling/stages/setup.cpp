@@ -60,6 +60,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     }
     b.guest = !b.driven && is_guest(i);
     b.driven = b.driven || b.guest;
+    b.touched = guests.shared ? b.guest || !b.driven : !b.driven;
+    if (guests.shared && !guests.touch) b.touched = false;
     b.divided = r.form.division.divides() && r.form.division.acts != Division::Acts::both;
     b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
     counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);

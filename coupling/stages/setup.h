@@ -26,6 +26,7 @@ struct Body {
   bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
   bool guest = false;                      // another mover moves it (see Guests)
   bool divided = false;                    // another mover moves one half of it
+  bool touched = true;                     // contact forces on it matter to some mover of this setup
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
@@ -70,6 +71,7 @@ struct Outlines {
 struct Guests {
   std::vector<char> guest;  // a body: 1 for a guest; empty: none
   bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
+  bool shared = false;      // all contacts are the explicit side's, those between two guests too
 };
 
 /// Constant during a stage.
@@ -95,10 +97,10 @@ class Setup {
     const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
     return all.subspan(2 * first, 2 * (last - first));
   }
-  /// False for two bodies without unknowns, and for guests whom nobody touches.
+  /// False for two bodies whom contact forces do not move, and for guests whom nobody touches.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
-    return !(x.driven && y.driven) && (guests_touch_ || !(x.guest || y.guest || x.divided || y.divided));
+    return (x.touched || y.touched) && (guests_touch_ || !(x.guest || y.guest || x.divided || y.divided));
   }
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/integrate/point_springs.h"
 #include "coupling/stages/partition.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/transfer_mode.h"
@@ -55,7 +56,8 @@ double elastic_of(const Elasticity& law, const Release& release) {
 
 }  // namespace
 
-std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side) {
+std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side,
+                         std::span<const char> other_method) {
   Formulation form;
   form.kinematics = stage.kinematics;
   std::vector<char> first;
@@ -80,6 +82,8 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
       w.form.model_triangle = rule.model_triangle;
       if (rule.cover_size > 0.0) w.form.cover_size = rule.cover_size;
     }
+  for (std::size_t i = 0; i < other_method.size(); ++i)
+    if (other_method[i] != 0) out[i].method = out[i].method == "nmm" ? "dda" : "nmm";
   for (Wish& w : out)
     if (w.method != "nmm") w.form = Formulation{.rotation = stage.rotation};
   return out;
@@ -349,11 +353,14 @@ void Change::book(const Setup& to) {
 
 HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
   Change change(model, from, stage, state);
-  change.release(wishes(model, stage, state.explicit_side));
+  const std::vector<PointSpring> supports = point_springs(from, state);
+  const std::vector<double> q = state.q;
+  change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies);
   change.place(*out.setup);
+  keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);
   out.rows = std::move(change.rows);
   return out;

@@ -16,8 +16,9 @@ struct Wish {
   Formulation form{};
 };
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
-[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage,
-                                       std::span<const char> explicit_side = {});
+/// @param other_method   RuleMemory::other_method; empty: as a stage begins
+[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side = {},
+                                       std::span<const char> other_method = {});
 
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);
@@ -26,7 +27,8 @@ struct Wish {
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
 /// through release() and place(), with the stage's mode of transfer; a body that comes back to the method and mesh that
 /// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
-/// spring is kept on its new edge. Energies, reservoir and cross terms are booked; one row a body that changed.
+/// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
+/// and cross terms are booked; one row a body that changed.
 /// @source coupling.md 1
 struct HandOver {
   std::unique_ptr<Setup> setup;

@@ -92,8 +92,13 @@ class Checker {
 
   [[nodiscard]] static std::optional<Value> default_of(const Key& key, Place place) {
     if (key.type == Type::table) {
-      for (const Key& inner : schema())  // a table that asks for something is there or not
-        if (inner.required && parent_of(inner.path) == key.path) return std::nullopt;
+      bool has_defaults = false;
+      for (const Key& inner : schema()) {  // a table that asks for something, or has nothing to show, is there or not
+        if (parent_of(inner.path) != key.path) continue;
+        if (inner.required) return std::nullopt;
+        has_defaults = has_defaults || !(inner.fallback.empty() || inner.fallback.starts_with('('));
+      }
+      if (!has_defaults) return std::nullopt;
       Value empty{place, Table{}};
       Checker("").table(empty, key.path, "");
       return empty;

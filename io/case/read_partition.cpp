@@ -27,6 +27,7 @@ void refuse_elsewhere(const Section& s) {
   };
   for (const char* key : kRules) refuse(key);
   for (const char* key : kBeside) refuse(key);
+  if (s.boolean("shared_contacts")) refuse("shared_contacts");
 }
 
 /// Blocks of a list, each once. Patterns pass over blocks that are held whole: those take no steps.
@@ -138,6 +139,7 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
   if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
   p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
   p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");
+  p.shared_contacts = s.boolean("shared_contacts");
   if (s.has("substeps")) p.substeps = s.integer("substeps");
 }
 

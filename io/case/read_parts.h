@@ -41,6 +41,8 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
 /// Refuses to divide blocks that have no mesh.   @param used  method of every block in the stage
 void check_divided(const Section& s, const Model& model, std::span<const std::string> used,
                    const coupling::Stage& stage);
+/// What ends a stage before its time, and which blocks change method during it.   @pre read_stage_options
+void read_stage_rules(const Section& s, const Model& model, coupling::Stage& stage);
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 

@@ -10,6 +10,7 @@ namespace scree::io {
 namespace {
 
 using coupling::Integrator;
+using namespace std::string_literals;
 
 /// Method of every block of the model in a stage.
 std::vector<std::string> methods_of_blocks(const coupling::Stage& stage, std::size_t blocks) {
@@ -68,7 +69,8 @@ BlockId without_covers(const coupling::Stage& stage, const std::vector<std::stri
 }
 
 void check_nmm(const Section& s, const Section& m, coupling::Stage& stage, const Model& model) {
-  const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  if (s.has("switch") && s.table("switch").has("back")) std::replace(used.begin(), used.end(), "dda"s, "nmm"s);
   if (!s.has("cover_size") && m.has("cover_size")) s.settle("cover_size", m.number("cover_size"));
   if (s.has("cover_size")) stage.cover_size = s.number("cover_size");
   if (std::find(used.begin(), used.end(), "nmm") == used.end()) return;
@@ -97,9 +99,11 @@ coupling::Stage read_stage(const Section& s, const Section& m, const Model& mode
   stage.control.max_displacement = s.number_or_auto("max_displacement").value_or(0.0);
   check_nmm(s, m, stage, model);
   read_partition(s, model, stage);
-  const std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
+  std::vector<std::string> used = methods_of_blocks(stage, model.blocks.size());
   check_divided(s, model, used, stage);
+  if (s.has("switch")) used.insert(used.end(), {"nmm", "dda"});
   read_stage_options(s, used, first, stage);
+  read_stage_rules(s, model, stage);
   if (stage.integrator != Integrator::explicit_ && !stage.dt)
     throw s.error("dt", fmt::format("{} {} stage needs a time step", integrator == "implicit" ? "an" : "a", integrator),
                   "number [s], > 0",

@@ -113,7 +113,7 @@ void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
                    : mode == "rotational" ? coupling::TransferMode::rotational
                                           : coupling::TransferMode::reservoir;
   stage.transfer_cap = s.number("transfer_cap");
-  refuse(s, "transfer", stage.transfer != coupling::TransferMode::reservoir && first,
+  refuse(s, "transfer", stage.transfer != coupling::TransferMode::reservoir && first && !s.has("switch"),
          "no block changes method as the first stage begins", "the key in later stages", "remove it");
   refuse(s, "transfer_cap", stage.transfer_cap != usual && stage.transfer != coupling::TransferMode::strain_rate,
          "no strain rates are raised", "transfer_cap beside transfer = \"strain-rate\"",

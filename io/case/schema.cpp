@@ -15,6 +15,7 @@ constexpr Range kDipDeviation{.low = 0.0, .high = 45.0};
 constexpr Range kChords{.low = 1.0, .high = 10000.0};
 constexpr Range kSeed{.low = 0.0, .high = 2147483647.0};
 constexpr Range kSafety{.low = 0.0, .high = 1.0, .low_open = true};
+constexpr Range kBelowOneOpen{.low = 0.0, .high = 1.0, .low_open = true, .high_open = true};
 constexpr Range kBelowOne{.low = 0.0, .high = 1.0, .high_open = true};
 constexpr Range kCap{.low = 1.0, .high = 100.0};
 constexpr Range kCount{.low = 1.0, .high = 2147483647.0};
@@ -382,10 +383,11 @@ constexpr Key kKeys[] = {
      "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
      "without contacts."},
     {"stage[].transfer", Type::choice, "", kAny, "\"reservoir\"", false, "reservoir|strain-rate|rotational",
-     "What becomes of the velocity beside the affine one of blocks that change method as the stage begins. reservoir: "
+     "What becomes of the velocity beside the affine one of blocks that change method as the stage begins, or by "
+     "switch. reservoir: "
      "kept aside with its energy, and given back when the block returns to its mesh; strain-rate: raises the strain "
      "rates of the block, up to transfer_cap, the rest goes to the reservoir; rotational: turned into spin as in the "
-     "source, which keeps neither angular momentum nor energy. Not in the first stage."},
+     "source, which keeps neither angular momentum nor energy. Not in the first stage, unless it has switch."},
     {"stage[].transfer_cap", Type::number, "", kCap, "1.1", false, "",
      "Largest factor of the strain rates. Goes with transfer = \"strain-rate\"."},
     {"stage[].dynamics", Type::number, "", kFraction, "(1, in implicit stages without rest)", false, "",
@@ -425,8 +427,49 @@ constexpr Key kKeys[] = {
      "the motion, is above this. Beside explicit_speed either is enough."},
     {"stage[].implicit_strain_rate", Type::number, "1/s", kPositive, "(half of explicit_strain_rate)", false, "",
      "They become implicit again once it is below this. Below explicit_strain_rate, with which it goes."},
+    {"stage[].shared_contacts", Type::boolean, "", kAny, "false", false, "",
+     "Partitioned stages: one contact algorithm, the explicit one, for all contacts. false: contacts between implicit "
+     "blocks are those of the open-close iteration, the others explicit (thesis, figure 7.6)."},
     {"stage[].substeps", Type::integer, "", kCount, "(as many as the certified bound asks for)", false, "",
      "Partitioned stages: explicit steps in a dt of the implicit blocks."},
+    {"stage[].end", Type::table, "", kAny, "", false, "",
+     "What ends the stage before its duration is over, whichever comes first; what follows moves ahead."},
+    {"stage[].end.kinetic_below", Type::number, "", kBelowOneOpen, "", false, "",
+     "Kinetic energy, as a fraction of the largest of the stage so far."},
+    {"stage[].end.force_below", Type::number, "", kSafety, "", false, "",
+     "The largest unbalanced force, as a fraction of the largest force, as in rest_force."},
+    {"stage[].end.hold", Type::number, "s", kTime, "", false, "",
+     "The two above have to hold for so long without a break; without it an instant is enough, such as a turning "
+     "point."},
+    {"stage[].end.slip", Type::number, "m", kPositive, "", false, "",
+     "Slip of a joint: the largest between two blocks, less what it was as the stage began."},
+    {"stage[].end.displacement", Type::number, "m", kPositive, "", false, "",
+     "Displacement of a block since the stage began, by its centre of mass."},
+    {"stage[].switch", Type::table, "", kAny, "", false, "",
+     "Blocks change between the NMM and the DDA during the stage, each by its own motion; every change is an event. "
+     "Not held blocks, onefold covers, other methods and blocks with cracks (unless cracks = false)."},
+    {"stage[].switch.blocks", Type::names, "", kAny, "(all that can)", false, "",
+     "Names of the blocks that may change; * stands for any characters."},
+    {"stage[].switch.kinetic", Type::number, "", kSafety, "", true, "",
+     "dT over the energy of the block: a block goes on by the DDA once the kinetic energy beside its affine motion is "
+     "not above this part of its kinetic and elastic energy. Goes with elastic and hold."},
+    {"stage[].switch.elastic", Type::number, "", kSafety, "", true, "",
+     "dU likewise: the elastic energy beside that of its affine stress."},
+    {"stage[].switch.inhomogeneity", Type::number, "", kSafety, "", false, "",
+     "Where given, the inhomogeneity of its strain, sqrt(dU/U), may not be above this either."},
+    {"stage[].switch.hold", Type::number, "s", kTime, "", true, "",
+     "All that has to hold for so long, at looks a tenth of it apart; then the block changes if the predicted cost of "
+     "its "
+     "steps gets lower."},
+    {"stage[].switch.back", Type::table, "", kAny, "", false, "",
+     "A block of the DDA goes on by the NMM once one of these is above its bound. Without it blocks stay with the "
+     "DDA."},
+    {"stage[].switch.back.strain_rate", Type::number, "1/s", kPositive, "", false, "",
+     "Largest principal strain rate of the affine part of its motion."},
+    {"stage[].switch.back.stress", Type::number, "Pa", kPositive, "", false, "",
+     "Largest principal stress of its affine part, tension or compression."},
+    {"stage[].switch.back.acceleration", Type::number, "m/s2", kPositive, "", false, "",
+     "Resultant of its contact forces over its mass: 9.81 where a block lies at rest."},
     {"stage[].method_of", Type::table_list, "", kAny, "", false, "", "Blocks that use another method in this stage."},
     {"stage[].method_of[].blocks", Type::names, "", kAny, "", true, "",
      "Names of the blocks; * stands for any characters."},

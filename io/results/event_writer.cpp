@@ -28,6 +28,17 @@ EventWriter::EventWriter(const h5::File& file)
   momentum_error_ = {file, t + "momentum_error", 1, {"1", "relative error of momentum"}};
   angular_error_ = {file, t + "angular_error", 1, {"1", "relative error of angular momentum about the block's centre"}};
   energy_error_ = {file, t + "energy_error", 1, {"1", "relative error of energy with reservoir and booked"}};
+  by_rule_ = {file, t + "by_rule", 1, {"1", "1: during a stage, by its rules for methods; 0: as a stage begins"}};
+  const std::string m = t + "measures/";
+  measures_[0] = {file, m + "kinetic", 1, {"1", "kinetic energy beside the affine motion over the block's energy"}};
+  measures_[1] = {file, m + "elastic", 1, {"1", "elastic energy beside the affine stress over the block's energy"}};
+  measures_[2] = {file, m + "inhomogeneity", 1, {"1", "root of that part of the elastic energy"}};
+  measures_[3] = {file, m + "strain_rate", 1, {"1/s", "largest principal strain rate of the affine motion"}};
+  measures_[4] = {file, m + "stress", 1, {"Pa", "largest principal stress of the affine part, without its sign"}};
+  measures_[5] = {file, m + "acceleration", 1, {"m/s2", "resultant of the contact forces over the mass"}};
+  measures_[6] = {
+      file, m + "cost_before", 1, {"1", "predicted cost before: unknowns a step, explicit a second; 0: not asked"}};
+  measures_[7] = {file, m + "cost_after", 1, {"1", "predicted cost after, likewise"}};
 }
 
 void EventWriter::Totals::append(const BodyTotals& totals) {
@@ -60,6 +71,11 @@ void EventWriter::append(const coupling::TransferRow& row) {
   momentum_error_.append(row.momentum_error);
   angular_error_.append(row.angular_error);
   energy_error_.append(row.energy_error);
+  by_rule_.append(row.by_rule ? 1 : 0);
+  const coupling::MethodMeasures& m = row.measures;
+  const std::array<double, 8> measures{m.kinetic, m.elastic,      m.inhomogeneity, m.strain_rate,
+                                       m.stress,  m.acceleration, m.cost_before,   m.cost_after};
+  for (std::size_t i = 0; i < measures.size(); ++i) measures_[i].append(measures[i]);
 }
 
 }  // namespace scree::io

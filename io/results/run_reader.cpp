@@ -266,7 +266,14 @@ std::vector<StoredProgress> RunReader::progress() const {
 
 double RunReader::end_time() const {
   const auto durations = h5::read<double>(data_->file, "/stages/duration");
-  return std::accumulate(durations.begin(), durations.end(), 0.0);
+  double end = 0.0;
+  std::size_t over = 0;  // stages that are: they may have ended before their time
+  for (const StoredEvent& e : events()) {
+    if (e.kind != "stage_end" || over == durations.size()) continue;
+    end = e.time;
+    ++over;
+  }
+  return std::accumulate(durations.begin() + static_cast<std::ptrdiff_t>(over), durations.end(), end);
 }
 
 std::vector<DatasetNote> RunReader::datasets() const {

@@ -104,7 +104,7 @@ class RunReader {
   [[nodiscard]] std::vector<StoredEvent> events() const;
   /// One entry a frame; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredProgress> progress() const;
-  [[nodiscard]] double end_time() const;  // of the whole plan [s]
+  [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
   /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and
   /// reason; empty where there is none.

@@ -81,7 +81,15 @@ void write_transfers(JsonWriter& json, const Model& model, const std::vector<cou
     json.field("kinetic_before", row.before.kinetic).field("kinetic_after", row.after.kinetic);
     json.field("elastic_before", row.before.elastic).field("elastic_after", row.after.elastic);
     json.field("reservoir_kinetic", row.reservoir_kinetic).field("reservoir_elastic", row.reservoir_elastic);
-    json.field("booked", row.booked).close('}');
+    json.field("booked", row.booked);
+    if (row.by_rule) {
+      const coupling::MethodMeasures& m = row.measures;
+      json.open('{', "by_rule").field("kinetic", m.kinetic).field("elastic", m.elastic);
+      json.field("inhomogeneity", m.inhomogeneity).field("strain_rate", m.strain_rate).field("stress", m.stress);
+      json.field("acceleration", m.acceleration).field("cost_before", m.cost_before);
+      json.field("cost_after", m.cost_after).close('}');
+    }
+    json.close('}');
   }
   json.close(']');
 }

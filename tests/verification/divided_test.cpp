@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <random>
 
+#include "coupling/transfer/transfer.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -180,6 +184,66 @@ TEST(Divided, a_wave_passes_the_seam) {
   }
 }
 
+/// A random block, divided by a random line, that a short blow at a corner sets in every motion it has.
+Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
+  const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  Scene scene(std::pow(10.0, uniform(8.0, 10.5)), uniform(0.0, 0.4), 2500.0);
+  scene.model.gravity = Vec2(0.0, 0.0);
+  const double width = uniform(1.5, 4.0), height = uniform(1.0, 2.0), turn = uniform(0.0, 3.0);
+  Polygon outline = rectangle(0.0, 0.0, width, height);
+  for (Vec2& x : outline.outer) x = rotation(turn) * (x + Vec2(uniform(-0.1, 0.1), uniform(-0.1, 0.1)));
+  const BlockId block = scene.add("block", outline);
+  Stage& stage = scene.stage("nmm", Integrator::partitioned, 1.0, 1.0, uniform(0.15, 0.35));
+  const double cut = uniform(0.3, 0.7) * width, lean = uniform(-0.3, 0.3);
+  for (const Vec2& x : {Vec2(-9.0, -9.0), Vec2(cut - 9.0 * lean, -9.0), Vec2(cut + 9.0 * lean, 9.0), Vec2(-9.0, 9.0)})
+    stage.partition.explicit_region.push_back(rotation(turn) * x);
+  stage.partition.substeps = substeps;
+  // The bound of the explicit half alone.
+  std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  records[0].form.division.acts = Division::Acts::explicit_half;
+  const Setup half(scene.model, methods(), records);
+  const double h = 0.999 * 2.0 / std::sqrt(half.pool(0).mass_ratio(0) * half.pool(0).frequency_bound(0));
+  stage.dt = substeps * h;
+  stage.duration = 400 * ticks(substeps * h);
+  scene.plan.output.every = stage.duration;
+  scene.plan.output.history_every = 5 * ticks(substeps * h);
+  scene.model.functions.push_back({"blow", TimeFunction::Shape::half_sine, 1.0, 0.0, 3.0 * substeps * h, 0.0, {}, {}});
+  scene.model.point_loads.push_back({block, outline.outer[2], Vec2(-1e5, -3e4), FunctionId{0}});
+  return scene;
+}
+
+TEST(Divided, no_instability_at_the_bound_of_the_explicit_half) {
+  std::mt19937_64 random(7);
+  double growth = 0.0, closure = 0.0, apart = 0.0;
+  const int blocks = std::getenv("SCREE_FULL") != nullptr ? 100 : 8;
+  for (const std::int32_t m : {1, 2, 5, 10})
+    for (int i = 0; i < blocks; ++i) {
+      const Scene scene = struck_block(random, m);
+      Driver run(scene.model, scene.plan, methods());
+      struct Energy final : Sink {
+        double most = 0.0;
+        void history(const HistoryView& view) override {
+          const Ledger& l = *view.ledger;
+          if (l[Column::loads] > 0.0)
+            most = std::max(most, (l[Column::kinetic] + l[Column::elastic]) / l[Column::loads]);
+        }
+      } energy;
+      run.add_sink(energy);
+      const RunEnd end = run.run();
+      ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
+      growth = std::max(growth, energy.most);
+      closure = std::max(closure, run.state().ledger.relative_closure());
+      apart = std::max(apart, largest_gap(run.setup(), run.state().q));
+    }
+  std::printf(
+      "%d blocks, m = 1, 2, 5, 10, 400 steps at 0.999 of the bound: energy at most %.4f of the work, ledger "
+      "%.1e, apart %.1e m\n",
+      4 * blocks, growth, closure, apart);
+  EXPECT_LT(growth, 1.05);  // the shadow term is not counted
+  EXPECT_LT(closure, 1e-11);
+  EXPECT_LT(apart, 1e-10);
+}
+
 /// A block that slides over the seam of a divided base, which stood undivided before and stands so again.
 TEST(Divided, contacts_and_hand_over) {
   Scene scene(1e9, 0.2, 2600.0, 20.0);
@@ -214,6 +278,48 @@ TEST(Divided, contacts_and_hand_over) {
   EXPECT_NEAR(moved, 2.0 * t - 0.5 * mu * g * t * t, 0.01);
   // Division and union move no joule worth the name.
   EXPECT_LT(std::abs(ledger[Column::transfer]), 1e-3 * std::abs(ledger[Column::friction]));
+}
+
+/// Four blocks on a held base, every other one explicit; the upper two are pushed aside.
+Scene column(bool shared) {
+  Scene scene(1e9, 0.2, 2600.0, 25.0);
+  scene.add("base", rectangle(-2.0, -1.0, 2.0, 0.0), true);
+  Stage& stage = scene.stage("dda", Integrator::partitioned, 0.5, 2e-4, 0.5);
+  for (int i = 0; i < 4; ++i) {
+    const BlockId b = scene.add("b" + std::to_string(i), rectangle(-0.5, 0.5 * i, 0.5, 0.5 * i + 0.5));
+    if (i == 3) stage.partition.explicit_blocks.push_back(b);
+    if (i >= 2) scene.model.initial_velocities.push_back({b, Vec2(1.0, 0.0), 0.0});
+  }
+  stage.partition.shared_contacts = shared;
+  scene.plan.output.history_every = ticks(1e-2);
+  return scene;
+}
+
+TEST(SharedContacts, move_blocks_as_separated_ones_do_and_close_the_ledger) {
+  std::vector<Vec2> at[2];
+  for (const bool shared : {false, true}) {
+    const Scene scene = column(shared);
+    Driver run(scene.model, scene.plan, methods());
+    const RunEnd end = run.run();
+    ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
+    for (std::int32_t b = 1; b <= 4; ++b) at[shared ? 1 : 0].push_back(centre_of(run, BlockId{b}));
+    const Ledger& ledger = run.state().ledger;
+    std::printf("%s: passes %ld, iterations %ld in %ld steps, closure %.1e, friction %.4g J\n",
+                shared ? "shared" : "separated", static_cast<long>(run.stats().passes),
+                static_cast<long>(run.stats().iterations), static_cast<long>(run.stats().steps),
+                ledger.relative_closure(), ledger[Column::friction]);
+    EXPECT_LT(ledger.relative_closure(), 1e-11);
+    EXPECT_GT(ledger[Column::friction], 0.0);
+    if (shared) {
+      EXPECT_EQ(ledger[Column::contact_closing], 0.0) << "a contact of the open-close iteration";
+    }
+  }
+  const double moved = at[0][3].x();
+  EXPECT_GT(moved, 0.05);
+  for (std::size_t b = 0; b < 4; ++b) {
+    std::printf("  b%zu: %.5f %.5f m, %.5f %.5f m\n", b, at[0][b].x(), at[0][b].y(), at[1][b].x(), at[1][b].y());
+    EXPECT_LT((at[0][b] - at[1][b]).norm(), 0.01 * moved);
+  }
 }
 
 }  // namespace

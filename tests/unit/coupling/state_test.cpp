@@ -56,6 +56,10 @@ TEST(StateHash, any_changed_value_changes_it) {
   Driver run(scene.model, scene.plan, methods);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   State state = run.state();
+  state.anchors = {1e-3, 0.0};
+  state.rules.slips.push_back({0, 1, 0.5});
+  state.rules.calm_since = {-1, 5};
+  state.rules.other_method = {0, 1};
   const std::uint64_t hash = state_hash(state);
   Changer all(-1);
   state.visit(all);

@@ -107,6 +107,13 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     const coupling::Partition& sides = s.partition;
     d.line("  area {} speed {} {} strain rate {} {} substeps {}", sides.explicit_area, sides.speed.up, sides.speed.down,
            sides.strain_rate.up, sides.strain_rate.down, sides.substeps);
+    d.line("  shared contacts {}", sides.shared_contacts);
+    for (const Vec2& x : sides.explicit_region) d.line("  region {} {}", x.x(), x.y());
+    d.line("  end {} {} {} {} {}", s.end.kinetic_below, s.end.force_below, s.end.hold, s.end.slip, s.end.displacement);
+    const coupling::SwitchRules& change = s.change;
+    d.line("  switch {} {} {} {} {} back {} {} {}", change.used, change.kinetic, change.elastic, change.inhomogeneity,
+           change.hold, change.back.strain_rate, change.back.stress, change.back.acceleration);
+    for (const BlockId b : change.blocks) d.line("  {} may change", b.value);
     for (const BlockId b : sides.explicit_blocks) d.line("  {} explicit", b.value);
     for (const BlockId b : sides.implicit_blocks) d.line("  {} implicit", b.value);
     for (const coupling::MethodRule& r : s.rules)

@@ -220,12 +220,50 @@ TEST(Partitions, are_read) {
   EXPECT_EQ(s.integrator, coupling::Integrator::partitioned);
   EXPECT_EQ(p.explicit_blocks, (std::vector<BlockId>{BlockId{4}}));
   EXPECT_EQ(p.implicit_blocks, (std::vector<BlockId>{BlockId{1}}));
+  EXPECT_EQ(p.explicit_region, (Ring{{2.0, 1.9}, {3.1, 1.9}, {3.1, 3.1}, {2.0, 3.1}}));
+  EXPECT_TRUE(p.shared_contacts);
   EXPECT_DOUBLE_EQ(p.explicit_area, 0.2);
   EXPECT_EQ(p.speed.up, 0.5);
   EXPECT_EQ(p.speed.down, 0.1);
   EXPECT_EQ(p.strain_rate.up, 0.5);
   EXPECT_EQ(p.strain_rate.down, 0.25);
   EXPECT_EQ(p.substeps, 20);
+}
+
+TEST(StageRules, are_read) {
+  const Case c = read("full_case.toml");
+  const coupling::EndRules& end = c.plan.stages[3].end;
+  EXPECT_EQ(end.kinetic_below, 1e-3);
+  EXPECT_EQ(end.force_below, 1e-2);
+  EXPECT_EQ(end.hold, ticks(0.02));
+  EXPECT_DOUBLE_EQ(end.slip, 0.05);
+  EXPECT_EQ(end.displacement, 0.5);
+  EXPECT_FALSE(c.plan.stages[0].end.used());
+  const coupling::SwitchRules& change = c.plan.stages[3].change;
+  EXPECT_TRUE(change.used);
+  EXPECT_TRUE(std::binary_search(change.blocks.begin(), change.blocks.end(), BlockId{4}));
+  for (const BlockId b : change.blocks) {
+    EXPECT_EQ(c.model.support_of(b), nullptr);
+    EXPECT_NE(c.model.blocks[b.index()].name, "slider");
+  }
+  EXPECT_EQ(change.kinetic, 1e-4);
+  EXPECT_EQ(change.elastic, 1e-3);
+  EXPECT_EQ(change.inhomogeneity, 0.25);
+  EXPECT_EQ(change.hold, ticks(0.05));
+  EXPECT_EQ(change.back.strain_rate, 0.5);
+  EXPECT_EQ(change.back.stress, 1e6);
+  EXPECT_EQ(change.back.acceleration, 50.0);
+  EXPECT_FALSE(c.plan.stages[0].change.used);
+  EXPECT_EQ(dump(read_text(c.resolved)), dump(c));
+}
+
+TEST(StageRules, without_names_all_blocks_that_can_may_change) {
+  const Case c = read("good_case.toml", {"stage.0.switch={kinetic=1e-3, elastic=1e-3, hold=0.01}",
+                                         "stage.0.method=\"nmm\"", "stage.0.cover_size=0.5"});
+  const coupling::SwitchRules& change = c.plan.stages[0].change;
+  EXPECT_FALSE(change.back.used());
+  ASSERT_FALSE(change.blocks.empty());
+  for (const BlockId b : change.blocks) EXPECT_EQ(c.model.support_of(b), nullptr);
 }
 
 TEST(Partitions, lower_limits_are_half_of_the_upper_ones_unless_given) {

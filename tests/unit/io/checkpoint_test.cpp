@@ -171,7 +171,7 @@ TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
   EXPECT_GE(stops, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion", "sides"),
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, testing::Values("staged", "kept", "motion", "sides", "divided", "rules"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(ResumeCases, pass_through_all_that_is_remembered) {
@@ -238,6 +238,34 @@ TEST(ResumeCases, have_blocks_that_change_sides_both_ways) {
   }
   EXPECT_GE(to_explicit, 3);
   EXPECT_GE(to_implicit, 2);
+}
+
+TEST(ResumeCases, have_stages_and_methods_that_rules_decide) {
+  const Case c = resume_case("rules");
+  Every keeper(1);
+  const Outcome whole = run(c, &keeper);
+  const coupling::Checkpoint& last = keeper.kept.back();
+  std::map<std::string, int> changes;  // to a method
+  for (const coupling::TransferRow& row : last.transfers)
+    if (row.by_rule) ++changes[row.to];
+  EXPECT_GE(changes["dda"], 2);
+  EXPECT_GE(changes["nmm"], 1);
+  std::size_t ends = 0;
+  for (std::size_t at = 0; (at = whole.shown.find(" ends by a rule: ", at)) != std::string::npos; ++at) ++ends;
+  EXPECT_EQ(ends, c.plan.stages.size());
+  std::set<std::string> seen;
+  for (const coupling::Checkpoint& at : keeper.kept) {
+    const coupling::RuleMemory& m = at.state.rules;
+    if (m.peak > 0.0) seen.insert("peak");
+    if (m.slow_since >= 0) seen.insert("slow");
+    if (m.balanced_since >= 0) seen.insert("balanced");
+    if (!m.slips.empty()) seen.insert("slips");
+    for (const Tick t : m.calm_since) seen.insert(t >= 0 ? "calm" : "not calm");
+    for (const char other : m.other_method) seen.insert(other != 0 ? "other" : "own");
+    if (!at.state.anchors.empty()) seen.insert("anchors");
+  }
+  for (const char* wanted : {"peak", "slow", "balanced", "slips", "calm", "not calm", "other", "own", "anchors"})
+    EXPECT_TRUE(seen.contains(wanted)) << wanted;
 }
 
 TEST(ResumeCases, name_their_files) {

@@ -1,0 +1,41 @@
+// What ends a stage before its duration is over.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/stages/force_balance.h"
+
+namespace scree::coupling {
+
+/// Writes down what the rules of a stage start from.
+void begin_rules(const EndRules& rules, State& state);
+
+/// Looks after every step whether a rule has come true. Constant between two changes of bodies.
+/// @source coupling.md 5
+class EndWatch {
+ public:
+  /// @pre rules.used(); rules and setup outlive it
+  EndWatch(const EndRules& rules, const Setup& setup, const State& state);
+  /// @param begin  centres of mass where the stage began, a block [m]
+  /// @return the rule and its value, for people; empty: none has come true
+  [[nodiscard]] std::optional<std::string> look(State& state, const Mover& mover, std::span<const Vec2> begin);
+
+ private:
+  [[nodiscard]] std::optional<std::string> slow(State& state) const;
+  [[nodiscard]] std::optional<std::string> balanced(State& state, const Mover& mover);
+  [[nodiscard]] std::optional<std::string> slipped(const State& state) const;
+  [[nodiscard]] std::optional<std::string> moved(const State& state, std::span<const Vec2> begin) const;
+  /// Centre of mass of a body [m].
+  [[nodiscard]] Vec2 centre(const Body& b, std::span<const double> q) const;
+
+  const EndRules* rules_;
+  const Setup* setup_;
+  std::unique_ptr<ForceBalance> balance_;
+  std::vector<double> mass_;  // x, y a node: what its position counts for in the centre of mass [kg]
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,54 @@
+// Which blocks change between the NMM and the DDA during a stage.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/integrate/mover.h"
+#include "coupling/sink.h"
+
+namespace scree::coupling {
+
+/// A block that changes its method, and why.
+struct MethodChange {
+  BlockId block;
+  MethodMeasures measures;
+};
+
+/// Applies the SwitchRules of a stage to its blocks. Constant between two changes of bodies.
+///   NMM -> DDA   what an affine block would not have is small, (dT, dU)/(T + |U|) and sqrt(dU/|U|), and nothing would
+///                bring the block back, all for the time `hold`, at looks a tenth of it apart; and the predicted cost
+///                gets lower: unknowns, in explicit steps times those a second that the block's own bound asks for
+///                (contacts left out)
+///   DDA -> NMM   strain rate, stress or the resultant of the contacts is above its bound; looked at before every step
+/// Left out are blocks that are held or divided, third methods, onefold covers, and blocks that are cut along a crack,
+/// which an affine block would close.
+/// @source coupling.md 5
+class MethodRules {
+ public:
+  /// @pre stage.change.used; all outlive it
+  MethodRules(const Stage& stage, const Methods& methods, const Setup& setup, const State& state);
+  /// Blocks that change now, in their order. State::rules keeps since when a block has been calm; called again at the
+  /// same instant it finds none.
+  [[nodiscard]] std::vector<MethodChange> look(State& state, const Mover& mover);
+
+ private:
+  [[nodiscard]] MethodMeasures measure(const Body& b, const State& state) const;
+  /// True where a block of the DDA is wanted by the NMM.
+  [[nodiscard]] bool strained(const MethodMeasures& m) const;
+  [[nodiscard]] bool calm(const MethodMeasures& m) const;
+  /// Fills the predicted costs.   @return true if the DDA costs less
+  [[nodiscard]] bool cheaper(const Body& b, const State& state, MethodMeasures& m) const;
+  void sum_contacts(const State& state, const Mover& mover);
+
+  const Stage* stage_;
+  const Methods* methods_;
+  const Setup* setup_;
+  std::vector<std::size_t> nmm_, dda_;  // bodies that may change, by the method they have
+  std::vector<double> force_;           // of the contacts, x, y a node [N]
+};
+
+/// One line for events.
+[[nodiscard]] std::string text(const MethodMeasures& m);
+
+}  // namespace scree::coupling
