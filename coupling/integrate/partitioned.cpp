@@ -275,7 +275,7 @@ void Partitioned::find_springs() {
   // Short steps: bodies hardly follow, and iterations without the springs end as soon.
   constexpr double kHardly = 1e-3;
   const double H = seconds(step_);
-  if (0.5 * H * H * turns_back < kHardly) springs_.clear();
+  if (seams_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {
