@@ -53,6 +53,7 @@ RunRecords run_variants(const std::map<std::string, io::Case>& cases, const Expe
       }
       RunRecord& first = runs.at(v.name);
       first.stepping = std::min(first.stepping, record.stepping);
+      first.stepping_implicit = std::min(first.stepping_implicit, record.stepping_implicit);
       first.wall += record.wall;
       if (record.hash != first.hash && first.done()) {
         first.end.status = coupling::RunEnd::Status::not_converged;

@@ -22,6 +22,7 @@ constexpr MeasureKey kMonitor{Kind::text, "of", true, ""};
 constexpr MeasureKey kComponent{Kind::text, "component", true, ""};
 constexpr MeasureKey kFrom{Kind::number, "from", false, ""}, kUntil{Kind::number, "until", false, ""};
 const std::vector<std::string> kStatistics{"end", "peak", "max", "min"};
+const std::string kImplicit = "implicit";
 // Periods between samples: the trapezoidal rule errs by (2 pi 0.05)^2/12, 0.8 %, at a jump.
 constexpr double kMostPeriods = 0.05;
 
@@ -233,7 +234,7 @@ double on_variant(const Quantity& q, const std::string& variant, const RunRecord
   if (m == "scheme_share") return scheme_share(run);
   if (m == "transfer_momentum_error") return transfer_momentum_error(run);
   if (m == "transfer_energy_error") return transfer_energy_error(run);
-  if (m == "stepping_time") return run.stepping;
+  if (m == "stepping_time") return q.text("of") == kImplicit ? run.stepping_implicit : run.stepping;
   if (m == "steps") return static_cast<double>(run.stats.steps);
   return run.refused.empty() ? 0.0 : 1.0;  // refused
 }
@@ -293,7 +294,10 @@ const std::vector<MeasureInfo>& measures() {
       {"scheme_share", "largest scheme term of the ledger, of the energy moved", {}},
       {"transfer_momentum_error", "largest relative error of mass and momenta in hand-overs", {}},
       {"transfer_energy_error", "largest relative error of energy in hand-overs", {}},
-      {"stepping_time", "wall time of the steps, the least of the repeats [s]; meant for ratios", {}},
+      {"stepping_time",
+       "wall time of the steps, the least of the repeats [s], or with of = \"implicit\" of those in implicit and "
+       "partitioned stages; meant for ratios",
+       {{Kind::text, "of", false, ""}}},
       {"steps", "steps made", {}},
       {"refused", "1 where the plan was refused before a step, else 0", {}},
       {"study", "a number that the study computed", {{Kind::text, "of", true, ""}}}};
@@ -330,6 +334,7 @@ void check_names(const Quantity& q, const Model& model, const coupling::Plan& pl
   if (q.measure == "harmonic" && !(*q.number("frequency") > 0.0))
     throw q.error("frequency", fmt::format("a frequency of {:g} Hz", *q.number("frequency")), "> 0 Hz");
   if (q.measure == "drift_in_stage") check("of", "stage", stages);
+  if (q.measure == "stepping_time" && !q.text("of").empty()) check("of", "kind of steps", {kImplicit});
   if (q.measure == "history_error" && q.text("file").empty() == q.text("against").empty())
     throw q.error("file", "a history is compared with a file or with a variant", "file or against, one of the two");
 }

@@ -114,6 +114,7 @@ RunRecord record_run(const Model& model, const coupling::Plan& plan) {
   record.ledger = run.state().ledger;
   record.stats = run.stats();
   record.stepping = record.stats.wall_explicit + record.stats.wall_implicit;
+  record.stepping_implicit = record.stats.wall_implicit;
   return record;
 }
 

@@ -33,8 +33,9 @@ struct RunRecord {
   std::vector<coupling::TransferRow> transfers;
   coupling::Ledger ledger;
   coupling::RunStats stats;
-  double stepping = 0.0;  // wall time of the steps alone, the least of the repeats [s]
-  double wall = 0.0;      // of everything, all repeats [s]
+  double stepping = 0.0;           // wall time of the steps alone, the least of the repeats [s]
+  double stepping_implicit = 0.0;  // the same of implicit and partitioned stages
+  double wall = 0.0;               // of everything, all repeats [s]
 
   [[nodiscard]] bool done() const { return refused.empty() && end.status == coupling::RunEnd::Status::done; }
   /// Why it has no measures; empty where it has.

@@ -34,6 +34,7 @@ RunRecord made_up(double amplitude) {
   run.moved = {Vec2(0.0, 0.0), Vec2(0.3, -0.4), Vec2(2.0, 0.0)};
   run.stats.steps = 40;
   run.stepping = amplitude;
+  run.stepping_implicit = 0.5 * amplitude * amplitude;
   return run;
 }
 
@@ -77,6 +78,7 @@ TEST_F(Measures, stress_that_was_not_recorded_is_an_error_not_a_number) {
 
 TEST_F(Measures, over_divides_by_the_other_variant) {
   EXPECT_DOUBLE_EQ(value("measure=\"stepping_time\"\nvariant=\"four\"\nover=\"one\""), 4.0);
+  EXPECT_DOUBLE_EQ(value("measure=\"stepping_time\"\nof=\"implicit\"\nvariant=\"four\"\nover=\"one\""), 16.0);
 }
 
 TEST_F(Measures, history_error_is_relative_to_the_peak_of_the_reference) {
@@ -245,6 +247,7 @@ TEST_F(Measures, names_are_checked_before_anything_runs) {
   EXPECT_NE(fault(std::string(kHarmonic) + "frequency=0").find("expected.toml:14:11: error: a frequency of 0 Hz"),
             std::string::npos);
   EXPECT_NE(fault("measure=\"drift_in_stage\"\nof=\"shape\"").find("unknown stage"), std::string::npos);
+  EXPECT_NE(fault("measure=\"stepping_time\"\nof=\"implict\"").find("unknown kind of steps"), std::string::npos);
   EXPECT_NE(fault("measure=\"history_error\"\nof=\"a\"\ncomponent=\"ux\"").find("file or against"), std::string::npos);
 }
 
