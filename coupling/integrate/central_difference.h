@@ -40,6 +40,11 @@ class CentralDifference final : public Mover {
 
   /// From now to `time` guests go along straight lines from where they are.   @param end  x, y a node at that time
   void lead_guests(const State& state, std::span<const double> end, Tick time);
+  /// Slow bodies (Guests::slow): their internal force counts this many times where the next step arrives; 0: it is not
+  /// met there, and its energy stays as it was.
+  void weigh_next(double weight) { slow_.next = weight; }
+  /// It counts so many times at the present instant, where it has been met. The acceleration jumps.
+  void weigh(State& state, double weight);
   /// Nodes that hold() has forces for; before enter() or resume().
   void hold_nodes(std::vector<std::int32_t> nodes);
   /// From now on these forces act on them, x, y a node [N]. The acceleration jumps, and with it the shadow.
@@ -52,6 +57,7 @@ class CentralDifference final : public Mover {
   struct Mark {
     ContactList contacts;
     std::vector<double> stress, total, stiffness, local, held;
+    double slow_weight = 1.0, slow_energy = 0.0;
   };
   void mark(Mark& out) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
@@ -81,6 +87,8 @@ class CentralDifference final : public Mover {
   void move_guests(const State& state, Tick arrival, double& farthest);
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
+  /// The forces in q_new_ come on top of those at the present instant.
+  void jump(State& state);
   void add_terms(const State& state);
   void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
   void sum_up(const Instant& at);
@@ -106,7 +114,12 @@ class CentralDifference final : public Mover {
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // a weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  HeldForce* held_ = nullptr;  // among them
+  HeldForce* held_ = nullptr;      // among them
+  struct Slow {                    // internal force of slow bodies
+    double now = 1.0, next = 1.0;  // how often it counts at the present and the next instant
+    double energy = 0.0;           // where it was last met [J]
+  };
+  Slow slow_;
   // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
   // nodes.
   std::vector<double> stress_, total_;

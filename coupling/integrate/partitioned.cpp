@@ -261,20 +261,7 @@ void Partitioned::find_springs() {
   }
 }
 
-void Partitioned::rewind() {
-  State& s = explicit_side_.state;
-  s.time = saved_.time;
-  s.last_step = saved_.last_step;
-  s.step = saved_.step;
-  s.q = saved_.q;
-  s.v = saved_.v;
-  s.a = saved_.a;
-  s.v_before = saved_.v_before;
-  s.damping = saved_.damping;
-  s.contacts = saved_.contacts;
-  s.ledger = saved_.ledger;
-  explicit_->go_back(s, mark_);
-}
+void Partitioned::rewind() { way_back_.go(*explicit_, explicit_side_.state); }
 
 StepReport Partitioned::mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
                              std::span<double> apart) {
@@ -325,17 +312,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   substeps_ = static_cast<std::int32_t>(std::min<Tick>(substeps_, ticks_of_step));
   step_ = ticks_of_step;
   repeats_ = 0;
-  explicit_->mark(mark_);
-  saved_.time = e.time;
-  saved_.last_step = e.last_step;
-  saved_.step = e.step;
-  saved_.q = e.q;
-  saved_.v = e.v;
-  saved_.a = e.a;
-  saved_.v_before = e.v_before;
-  saved_.damping = e.damping;
-  saved_.contacts = e.contacts;
-  saved_.ledger = e.ledger;
+  way_back_.keep(*explicit_, e);
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);
