@@ -2,6 +2,7 @@
 #include "coupling/integrate/subcycled.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Eigenvalues>
 #include <array>
@@ -318,12 +319,12 @@ TEST(Subcycled, order_is_two_in_the_long_step) {
   }
 }
 
-/// A heap on a base, shaken loose again and again: contacts open and close at substeps.
-TEST(Subcycled, ledger_closes_over_ten_thousand_steps_of_contacts) {
+/// A heap that falls on a base, contacts opening and closing at substeps; blocks change sides by their speed.
+Scene heap(double duration) {
   Scene scene(1e8, 0.2, 2600.0, 25.0);
   scene.model.joints[0].normal_stiffness = 1e13;
   scene.add("base", rectangle(-3.0, -1.0, 3.0, 0.0), true);
-  Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.6, 6e-5, 0.7);
+  Stage& stage = scene.stage("nmm", Integrator::partitioned, duration, 6e-5, 0.7);
   stage.partition.others_explicit = true;
   stage.partition.explicit_area = 0.4;
   stage.partition.speed = {1.5, 1.0};
@@ -336,6 +337,11 @@ TEST(Subcycled, ledger_closes_over_ten_thousand_steps_of_contacts) {
     y += 0.5 * w;
   }
   stage.rules.push_back({{BlockId{3}}, "dda", 0.0, false});
+  return scene;
+}
+
+TEST(Subcycled, ledger_closes_over_ten_thousand_steps_of_contacts) {
+  Scene scene = heap(0.6);
   scene.plan.audit = true;
   Driver run(scene.model, scene.plan, methods());
   EveryWarning warnings;
@@ -350,6 +356,40 @@ TEST(Subcycled, ledger_closes_over_ten_thousand_steps_of_contacts) {
       static_cast<long>(run.stats().steps), run.stats().element_steps / static_cast<double>(run.stats().steps),
       static_cast<double>(run.stats().elements), static_cast<long>(run.stats().cuts), l.relative_closure(),
       l[coupling::Column::elastic_trapezoid], l.moved(), warnings.told.size());
+}
+
+class EveryTenth final : public Keeper {
+ public:
+  bool due(std::int64_t step) override { return step % 10 == 0; }
+  void keep(Checkpoint checkpoint) override { kept.push_back(std::move(checkpoint)); }
+  std::vector<Checkpoint> kept;
+};
+
+TEST(Subcycled, resumed_runs_and_runs_of_two_threads_end_in_the_same_bits) {
+  const Scene scene = heap(0.05);
+  const int most = omp_get_max_threads();
+  omp_set_num_threads(1);
+  EveryTenth keeper;
+  Driver run(scene.model, scene.plan, methods());
+  run.set_keeper(keeper);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  const std::uint64_t hash = state_hash(run.state());
+  omp_set_num_threads(2);
+  Driver two(scene.model, scene.plan, methods());
+  ASSERT_EQ(two.run().status, RunEnd::Status::done);
+  EXPECT_EQ(state_hash(two.state()), hash);
+  omp_set_num_threads(most);
+  int changes = 0;
+  for (std::size_t k = 1; k < keeper.kept.size(); ++k)
+    changes += keeper.kept[k].state.explicit_side != keeper.kept[k - 1].state.explicit_side ? 1 : 0;
+  EXPECT_GE(changes, 1);
+  for (std::size_t k = 0; k < keeper.kept.size(); k += 7) {
+    Driver rest(scene.model, scene.plan, methods());
+    rest.continue_from(keeper.kept[k]);
+    ASSERT_EQ(rest.run().status, RunEnd::Status::done);
+    EXPECT_EQ(state_hash(rest.state()), hash) << k;
+  }
+  std::printf("%zu checkpoints, %d changes of sides\n", keeper.kept.size(), changes);
 }
 
 TEST(Subcycled, step_above_that_of_slow_forces_is_refused) {
