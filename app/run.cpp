@@ -68,8 +68,8 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
                            sides[b] == coupling::kDivided ? " in part" : "");
   }
   if (explicit_ones > 5) names += fmt::format(" and {} more", explicit_ones - 5);
-  std::string text = fmt::format("{} of {} free blocks explicit as it begins{}{}", explicit_ones, free,
-                                 names.empty() ? "" : ": ", names);
+  std::string text = fmt::format("{} of {} free blocks {} as it begins{}{}", explicit_ones, free,
+                                 partition.others_explicit ? "fast" : "explicit", names.empty() ? "" : ": ", names);
   std::string limits;
   if (partition.speed.used())
     limits = fmt::format("{:g} m/s until they are below {:g} m/s", partition.speed.up, partition.speed.down);

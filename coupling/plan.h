@@ -53,6 +53,8 @@ struct Partition {
   std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
   // All contacts explicit; false: those between implicit blocks by the open-close iteration (thesis, figure 7.6).
   bool shared_contacts = false;
+  // The others take explicit steps too, of the same length; their internal force is met once in a dt.
+  bool others_explicit = false;
   [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
 };
 
@@ -117,6 +119,10 @@ struct Stage {
   EndRules end;
   SwitchRules change;
   StepControl control;
+  /// Steps of two sizes, all of them explicit.
+  [[nodiscard]] bool subcycled() const { return integrator == Integrator::partitioned && partition.others_explicit; }
+  /// Some blocks take implicit steps.
+  [[nodiscard]] bool has_implicit_steps() const { return integrator != Integrator::explicit_ && !subcycled(); }
 };
 
 struct OutputPlan {

@@ -77,6 +77,11 @@ struct RuleMemory {
   Tick looked = -1, next_look = 0;            // for blocks that may change method
   std::vector<Tick> calm_since;               // a block; -1: it is not
   std::vector<char> other_method;             // a block: 1 where a rule has taken it from the stage's method
+  struct Energy {                             // where a subcycled stage began (energy_watch.h) [J]
+    double held = 0.0, work = 0.0, made = 0.0;
+    std::int32_t told = 0;  // 1: a warning has been given
+  };
+  Energy energy;
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see);
@@ -163,6 +168,10 @@ void RuleMemory::visit(Visitor&& see) {
   see("rules.next_look", next_look);
   see("rules.calm_since", calm_since);
   see("rules.other_method", other_method);
+  see("rules.energy_held", energy.held);
+  see("rules.energy_work", energy.work);
+  see("rules.energy_made", energy.made);
+  see("rules.energy_told", energy.told);
 }
 
 template <class Visitor>

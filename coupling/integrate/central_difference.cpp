@@ -73,10 +73,32 @@ void CentralDifference::hold_nodes(std::vector<std::int32_t> nodes) {
 }
 
 void CentralDifference::hold(State& state, std::span<const double> force) {
-  const double before = acceleration_energy(state);
   std::fill(q_new_.begin(), q_new_.end(), 0.0);  // scratch
-  std::fill(a_new_.begin(), a_new_.end(), 0.0);
   held_->take(force, q_new_);
+  jump(state);
+}
+
+void CentralDifference::weigh(State& state, double weight) {
+  slow_.next = weight;
+  if (weight == slow_.now) return;
+  std::fill(q_new_.begin(), q_new_.end(), 0.0);
+  const double factor = weight / slow_.now;
+  for (const std::size_t p : setup_->slow_pools()) {
+    const auto stress = setup_->part(std::span<double>(stress_), p),
+               change = setup_->part(std::span<double>(q_new_), p);
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+      const double force = factor * stress[i];
+      change[i] = force - stress[i];
+      stress[i] = force;
+    }
+  }
+  slow_.now = weight;
+  jump(state);
+}
+
+void CentralDifference::jump(State& state) {
+  const double before = acceleration_energy(state);
+  std::fill(a_new_.begin(), a_new_.end(), 0.0);
   for (const std::size_t p : setup_->own_pools())
     setup_->pool(p).mass_solve(setup_->part(std::span<const double>(state.q), p),
                                setup_->part(std::span<const double>(q_new_), p),
@@ -98,9 +120,17 @@ Instant CentralDifference::lagging(const State& state) const {
 
 double CentralDifference::add_stress(std::span<const double> q) {
   double energy = 0.0;
-  for (const std::size_t p : setup_->own_pools())
+  for (const std::size_t p : setup_->fast_pools())
     energy += setup_->pool(p).internal_force(setup_->part(q, p), setup_->part(std::span<double>(stress_), p));
-  return energy;
+  slow_.now = slow_.next;
+  if (slow_.now == 0.0) return energy + slow_.energy;
+  slow_.energy = 0.0;
+  for (const std::size_t p : setup_->slow_pools()) {
+    const auto force = setup_->part(std::span<double>(stress_), p);
+    slow_.energy += setup_->pool(p).internal_force(setup_->part(q, p), force);
+    for (double& f : force) f *= slow_.now;
+  }
+  return energy + slow_.energy;
 }
 
 void CentralDifference::restore_stress(const State& state) {
@@ -207,6 +237,7 @@ void CentralDifference::resume(const State& state, const MoverMemory& memory) {
   total_ = memory.total;
   stiffness_.force = memory.stiffness;
   local_.force = memory.local;
+  slow_ = {memory.slow_weight, memory.slow_weight, memory.slow_energy};
   if (held_ != nullptr) {
     std::fill(q_new_.begin(), q_new_.end(), 0.0);
     held_->take(memory.held, q_new_);
@@ -223,6 +254,8 @@ MoverMemory CentralDifference::memory() const {
   out.local = local_.force;
   out.held.assign(held().begin(), held().end());
   out.bound = bound_;
+  out.slow_weight = slow_.now;
+  out.slow_energy = slow_.energy;
   return out;
 }
 
@@ -371,6 +404,8 @@ void CentralDifference::mark(Mark& out, bool far) const {
   out.stiffness = stiffness_.force;
   out.local = local_.force;
   out.held.assign(held().begin(), held().end());
+  out.slow_weight = slow_.now;
+  out.slow_energy = slow_.energy;
 }
 
 void CentralDifference::go_back(State& state, const Mark& mark) {
@@ -386,6 +421,7 @@ void CentralDifference::go_back(State& state, const Mark& mark) {
   total_ = mark.total;
   stiffness_.force = mark.stiffness;
   local_.force = mark.local;
+  slow_ = {mark.slow_weight, mark.slow_weight, mark.slow_energy};
 }
 
 void CentralDifference::leave_instant(const State& state, double h) {

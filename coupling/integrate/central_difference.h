@@ -44,6 +44,11 @@ class CentralDifference final : public Mover {
   /// changes.
   /// @param end  x, y a node there   @param f  x, y a node, zero at first
   void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
+  /// Slow bodies (Guests::slow): their internal force counts this many times where the next step arrives; 0: it is not
+  /// met there, and its energy stays as it was.
+  void weigh_next(double weight) { slow_.next = weight; }
+  /// It counts so many times at the present instant, where it has been met. The acceleration jumps.
+  void weigh(State& state, double weight);
   /// Nodes that hold() has forces for; before enter() or resume().
   void hold_nodes(std::vector<std::int32_t> nodes);
   /// From now on these forces act on them, x, y a node [N]. The acceleration jumps, and with it the shadow.
@@ -57,6 +62,7 @@ class CentralDifference final : public Mover {
     bool far = false;
     ContactList contacts;  // only if it is far
     std::vector<double> stress, total, stiffness, local, held;
+    double slow_weight = 1.0, slow_energy = 0.0;
   };
   /// @param far  more than one step may be taken before going back
   void mark(Mark& out, bool far) const;
@@ -88,6 +94,8 @@ class CentralDifference final : public Mover {
   void turn(const State& state, double h);  // what was moved, where nodes turn
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
+  /// The forces in q_new_ come on top of those at the present instant.
+  void jump(State& state);
   void add_terms(const State& state);
   void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
   void sum_up(const Instant& at);
@@ -113,7 +121,12 @@ class CentralDifference final : public Mover {
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // a weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  HeldForce* held_ = nullptr;  // among them
+  HeldForce* held_ = nullptr;      // among them
+  struct Slow {                    // internal force of slow bodies
+    double now = 1.0, next = 1.0;  // how often it counts at the present and the next instant
+    double energy = 0.0;           // where it was last met [J]
+  };
+  Slow slow_;
   // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
   // nodes.
   std::vector<double> stress_, total_;

@@ -27,11 +27,12 @@ struct StepReport {
     non_finite     // a position or velocity is not a number
   };
   Status status = Status::ok;
-  double suggested = 0.0;  // fraction of the step to try next; 0: the cut factor of the plan
-  std::int32_t body = -1;  // where it went wrong, index into Setup::bodies
-  std::string cause;       // for a status other than ok: what, where, likely cause
-  int passes = 0;          // open-close passes
-  int switches = 0;        // of contact states in them
+  double suggested = 0.0;     // fraction of the step to try next; 0: the cut factor of the plan
+  std::int32_t body = -1;     // where it went wrong, index into Setup::bodies
+  std::string cause;          // for a status other than ok: what, where, likely cause
+  std::int32_t substeps = 1;  // explicit ones in it, that fast bodies have taken (Subcycled)
+  int passes = 0;             // open-close passes
+  int switches = 0;           // of contact states in them
   int factorisations = 0;
   int updates = 0;            // rank-1 changes of a factor
   int corrections = 0;        // solutions with the factor of a matrix that is not quite that of the step
@@ -52,6 +53,7 @@ struct MoverMemory {
   std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
   std::vector<double> held;                             // and those that it holds
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
+  double slow_weight = 1.0, slow_energy = 0.0;          // explicit: how often slow internal forces count, energy [J]
   // Partitioned: of the explicit and the implicit side, their ledgers, and that of the run before.
   std::vector<MoverMemory> sides;
   std::vector<Ledger> ledgers;
@@ -113,6 +115,8 @@ void MoverMemory::visit(Visitor&& see) {
     b.key.visit(see);
     see("bound.stiffness", b.stiffness);
   }
+  see("slow_weight", slow_weight);
+  see("slow_energy", slow_energy);
   see.size("sides", sides);
   for (MoverMemory& side : sides) side.visit(see);
   see.size("ledgers", ledgers);

@@ -275,21 +275,11 @@ void Partitioned::find_springs() {
   // Short steps: bodies hardly follow, and iterations without the springs end as soon.
   constexpr double kHardly = 1e-3;
   const double H = seconds(step_);
-  if (0.5 * H * H * turns_back < kHardly) springs_.clear();
+  if (seams_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {
-  State& s = explicit_side_.state;
-  s.time = saved_.time;
-  s.last_step = saved_.last_step;
-  s.step = saved_.step;
-  s.q = saved_.q;
-  s.v = saved_.v;
-  s.a = saved_.a;
-  s.v_before = saved_.v_before;
-  s.damping = saved_.damping;
-  s.ledger = saved_.ledger;
-  explicit_->go_back(s, mark_);
+  way_back_.go(*explicit_, explicit_side_.state);
   gone_ = false;
 }
 
@@ -336,7 +326,7 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<const double
     add_to_guests(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
     if (report.status != StepReport::Status::ok) {
-      gone_ = mark_.far;  // a step that fails leaves things as they were
+      gone_ = substeps_ > 1 || !seams_.empty();  // a step that fails leaves things as they were
       return report;
     }
     add_to_guests(weight, explicit_->forces());
@@ -362,16 +352,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   step_ = ticks_of_step;
   repeats_ = 0;
   gone_ = false;
-  explicit_->mark(mark_, substeps_ > 1 || !seams_.empty());
-  saved_.time = e.time;
-  saved_.last_step = e.last_step;
-  saved_.step = e.step;
-  saved_.q = e.q;
-  saved_.v = e.v;
-  saved_.a = e.a;
-  saved_.v_before = e.v_before;
-  saved_.damping = e.damping;
-  saved_.ledger = e.ledger;
+  way_back_.keep(*explicit_, e, substeps_ > 1 || !seams_.empty());
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);

@@ -6,6 +6,7 @@
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/path_force.h"
+#include "coupling/integrate/way_back.h"
 
 namespace scree::coupling {
 
@@ -115,14 +116,7 @@ class Partitioned final : public Mover, private PathForce {
   std::int32_t substeps_ = 0;
   int repeats_ = 0;
   bool gone_ = false;  // the explicit side is at the end of the step
-  CentralDifference::Mark mark_;
-  struct Saved {  // what substeps change in the explicit side's state
-    Tick time = 0, last_step = 0;
-    std::int64_t step = 0;
-    std::vector<double> q, v, a, v_before, damping;
-    Ledger ledger;
-  };
-  Saved saved_;
+  WayBack way_back_;
 };
 
 }  // namespace scree::coupling

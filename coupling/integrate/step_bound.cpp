@@ -171,4 +171,20 @@ double certified_step(const Setup& setup, const StepParts& parts, std::string* b
   return least;
 }
 
+double slow_step(const Setup& setup, std::string* binding) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body& b : setup.bodies()) {
+    if (b.driven || !b.slow) continue;
+    const Pool& pool = setup.pool_of(b);
+    const double step = 0.5 / std::sqrt(pool.mass_ratio(b.index) * pool.frequency_bound(b.index));
+    if (!(step < least)) continue;
+    least = step;
+    if (binding == nullptr) continue;
+    const std::string element = pool.binding(b.index);
+    *binding = fmt::format("block '{}'{}", setup.model().blocks[b.block.index()].name,
+                           element.empty() ? std::string() : ", " + element);
+  }
+  return least;
+}
+
 }  // namespace scree::coupling

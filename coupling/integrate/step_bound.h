@@ -39,4 +39,11 @@ struct StepParts {
 /// @source contact.md "Explicit"
 [[nodiscard]] double certified_step(const Setup& setup, const StepParts& parts, std::string* binding);
 
+/// Longest step between two meetings of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:
+///   H w <= 1/2
+/// An estimate: faster motion of the same bodies can be in resonance with the kicks at H, the less so the smaller H w.
+/// @param binding  receives the block and its element, if given   @return [s]; infinite if no slow body is free
+/// @source coupling.md 4
+[[nodiscard]] double slow_step(const Setup& setup, std::string* binding);
+
 }  // namespace scree::coupling

@@ -11,6 +11,8 @@
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/partitioned.h"
+#include "coupling/integrate/subcycled.h"
+#include "coupling/stages/energy_watch.h"
 #include "coupling/stages/partition.h"
 
 namespace scree::coupling {
@@ -25,6 +27,9 @@ ExplicitDamping explicit_damping(const Stage& stage) {
   return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
 }
 
+/// What results say of the time scheme: blocks are told apart where some of them are implicit.
+Integrator shown_integrator(const Stage& stage) { return stage.subcycled() ? Integrator::explicit_ : stage.integrator; }
+
 double smallest_width(const Model& model) {
   double least = std::numeric_limits<double>::infinity();
   for (const Block& b : model.blocks) {
@@ -32,6 +37,20 @@ double smallest_width(const Model& model) {
     least = std::min(least, std::sqrt(m.area));
   }
   return least;
+}
+
+/// Throws where a stage cannot have steps of two sizes.
+void check_subcycled(const Stage& stage, const Setup& setup, std::span<const char> sides) {
+  const auto refuse = [&](const std::string& why) {
+    throw PlanError(fmt::format("stage '{}' has explicit steps of two sizes: {}", stage.name, why));
+  };
+  if (stage.rest) refuse("it cannot run to rest");
+  if (stage.local_damping > 0.0)
+    refuse("local damping acts on the unbalanced force, which it does not have at every instant");
+  for (const Body& b : setup.bodies())
+    if (!b.driven && sides[b.block.index()] == kDivided)
+      refuse(fmt::format("block '{}' lies across the border of explicit_region, and cannot be divided",
+                         setup.model().blocks[b.block.index()].name));
 }
 
 /// Throws where a body, or the scheme, cannot take the stage's implicit steps.
@@ -161,7 +180,7 @@ void Driver::look(bool frame) {
     FrameView view = observer_->frame(state_, stats_);
     const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
     view.stage_name = stage.name;
-    view.integrator = stage.integrator;
+    view.integrator = shown_integrator(stage);
     view.end_time = seconds(end_);
     for (Sink* s : sinks_) s->frame(view);
   }
@@ -173,7 +192,8 @@ void Driver::start() {
   mesh_ = mesh_shown_ = 0;
   take_sides(plan_->stages.front());
   state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
-  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies,
+                                   slow_bodies(*model_, plan_->stages.front(), state_.explicit_side));
   state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
   state_.v = state_.q;
   for (const Body& b : setup_->bodies()) {
@@ -278,14 +298,15 @@ void Driver::change_partition(const Stage& stage) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (sides[i] == state_.explicit_side[i]) continue;
     if (++changed <= 5)
-      names += fmt::format("{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
-                           sides[i] != 0 ? "explicit" : "implicit");
+      names += fmt::format(
+          "{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
+          stage.subcycled() ? (sides[i] != 0 ? "fast" : "slow") : (sides[i] != 0 ? "explicit" : "implicit"));
   }
   mover_->leave(state_);
   mover_.reset();
   state_.explicit_side = std::move(sides);
   change_bodies(stage);
-  begin_moving(stage, false);
+  begin_moving(stage, stage.subcycled());  // in the order of pools
   largest_ = 0;
   event(EventKind::partition, fmt::format("stage '{}': {}{}", stage.name, names,
                                           changed > 5 ? fmt::format(" and {} more", changed - 5) : std::string()));
@@ -300,6 +321,11 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
   if (stage.integrator == Integrator::explicit_) {
     mover =
         std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
+  } else if (stage.subcycled()) {
+    check_subcycled(stage, *setup_, state_.explicit_side);
+    mover =
+        std::make_unique<Subcycled>(*setup_, step_control_, detection_,
+                                    Subcycled::Choice{explicit_damping(stage), stage.safety, stage.partition.substeps});
   } else {
     check_implicit(stage, *setup_, state_.explicit_side);
     const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
@@ -321,6 +347,10 @@ void Driver::observe() {
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   observer_ = std::make_unique<Observer>(*setup_, state_, mesh_, plan_->output.contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
+  fast_elements_ = 0.0;
+  if (stage.subcycled())
+    for (const std::int32_t b : observer_->mesh().cell_block)
+      fast_elements_ += state_.explicit_side[static_cast<std::size_t>(b)] != 0 ? 1.0 : 0.0;
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
     if (!b.driven) stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);
@@ -333,8 +363,8 @@ void Driver::show_mesh() {
 }
 
 bool Driver::takes_explicit_steps(const Stage& stage, const Body& b) const {
-  if (stage.integrator == Integrator::partitioned) return state_.explicit_side[b.block.index()] != 0;
-  return stage.integrator == Integrator::explicit_;
+  if (!stage.has_implicit_steps()) return true;
+  return stage.integrator == Integrator::partitioned && state_.explicit_side[b.block.index()] != 0;
 }
 
 void Driver::go_on() {
@@ -352,7 +382,8 @@ void Driver::go_on() {
   transfers_ = std::move(c.transfers);
   travels_ = std::move(c.travels);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies);
+  setup_ =
+      std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side));
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
@@ -443,6 +474,10 @@ void Driver::begin_stage(const Stage& stage) {
   largest_ = 0;
   stage_begin_ = centres();
   begin_rules(stage.end, state_);
+  if (stage.subcycled()) {
+    mover_->update_ledger(state_);
+    begin_energy_watch(state_);
+  }
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                                             name(stage.integrator), seconds(stage.duration)));
   look(true);
@@ -522,7 +557,7 @@ void Driver::finish(const RunEnd& result) {
   FrameView last = observer_->frame(state_, stats_);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   last.stage_name = stage.name;
-  last.integrator = stage.integrator;
+  last.integrator = shown_integrator(stage);
   last.end_time = seconds(end_);
   for (Sink* s : sinks_) s->end(result, last);
 }

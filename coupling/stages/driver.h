@@ -93,6 +93,8 @@ class Driver {
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
   /// afterwards has cost all its passes.
   [[nodiscard]] Tick step_of_fastest() const;
+  /// @throws PlanError where dt is too long for internal forces that are met once in it
+  void check_slow_step(const Stage& stage, bool first);
   /// Ends the run where the last step was wrong (Plan::audit).
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
@@ -126,6 +128,7 @@ class Driver {
   bool ended_ = false;                         // the stage is over before its duration: at rest, or by a rule
   std::int64_t first_step_ = 0;                // of the stage
   std::vector<Vec2> stage_begin_;              // centres of mass then
+  double fast_elements_ = 0.0;                 // whose internal force is met at every substep
   std::uint32_t mesh_ = 0, mesh_shown_ = 0;    // ids of the present mesh and of that which sinks have
   Tick largest_ = 0;                           // step until the next output; 0: to be found
   Tick end_ = 0, stage_end_ = 0;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
+#include "coupling/stages/energy_watch.h"
 
 namespace scree::coupling {
 namespace {
@@ -20,6 +22,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
   const double bound = mover_->stable_step(state_, &binding);
+  if (stage.subcycled()) check_slow_step(stage, first);
   if (stage.integrator == Integrator::partitioned) {
     const std::int32_t m = stage.partition.substeps;
     if (m > 0 && *stage.dt > m * bound && !stage.force_dt)
@@ -64,6 +67,22 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
   return std::max<Tick>(1, ticks(step));
 }
 
+void Driver::check_slow_step(const Stage& stage, bool first) {
+  std::string binding;
+  const double most = slow_step(*setup_, &binding);
+  if (*stage.dt <= most) return;
+  if (!stage.force_dt)
+    throw PlanError(fmt::format(
+        "t = {:.6g} s, stage '{}': internal forces of blocks that are not in explicit_blocks are met every {:.4g} s, "
+        "and {:.4g} s is allowed by {} (dt w <= 0.5); use a smaller dt, name the block there, or force_dt = true to "
+        "take it all the same",
+        seconds(state_.time), stage.name, *stage.dt, most, binding));
+  if (first)
+    event(EventKind::warning,
+          fmt::format("stage '{}': dt {:.4g} s is forced above what slow internal forces allow, {:.4g} s by {}",
+                      stage.name, *stage.dt, most, binding));
+}
+
 Tick Driver::step_of_fastest() const {
   double fastest = 0.0;
   const Outlines& o = setup_->outlines();
@@ -76,7 +95,7 @@ Tick Driver::step_of_fastest() const {
 }
 
 RunEnd Driver::advance_to(const Stage& stage, Tick target) {
-  const bool implicit = stage.integrator != Integrator::explicit_;
+  const bool implicit = stage.has_implicit_steps();
   if (largest_ == 0) largest_ = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
@@ -114,7 +133,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
-      if (!implicit) stats_.element_steps += static_cast<double>(stats_.elements);
+      if (!implicit)
+        stats_.element_steps +=
+            static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
       RunEnd found = check_audit(stage);
@@ -126,6 +147,10 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
         if (ended_) end_ = latest_end();
         if (rest.status != RunEnd::Status::done || ended_) return rest;
       }
+      if (stage.subcycled())
+        if (const auto told = watch_energy(state_))
+          event(EventKind::warning,
+                fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *told));
       check_end(stage);
       if (ended_) return {};
       if (state_.time < target) keep(false);  // at the target after what is looked at there

@@ -91,8 +91,8 @@ bool MethodRules::calm(const MethodMeasures& m) const {
 }
 
 bool MethodRules::cheaper(const Body& b, const State& state, MethodMeasures& m) const {
-  const bool is_explicit = stage_->integrator == Integrator::partitioned ? state.explicit_side[b.block.index()] != 0
-                                                                         : stage_->integrator == Integrator::explicit_;
+  const bool is_explicit = !stage_->has_implicit_steps() ||
+                           (stage_->integrator == Integrator::partitioned && state.explicit_side[b.block.index()] != 0);
   const auto p = static_cast<std::size_t>(b.pool);
   const Pool& now = setup_->pool_of(b);
   const Release r = now.release(b.index, setup_->part(std::span<const double>(state.q), p),

@@ -60,6 +60,15 @@ std::vector<char> first_sides(const Model& model, const Partition& partition) {
   return side;
 }
 
+Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides) {
+  Guests out;
+  if (!stage.subcycled()) return out;
+  std::vector<char> first;
+  if (sides.empty()) sides = first = first_sides(model, stage.partition);
+  for (const char side : sides) out.slow.push_back(side == 0 ? 1 : 0);
+  return out;
+}
+
 bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::vector<char>& sides) {
   if (!partition.changes()) return false;
   const std::vector<char> fixed = settled(setup.model(), partition);

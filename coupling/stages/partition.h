@@ -10,10 +10,15 @@
 namespace scree::coupling {
 
 class Setup;
+struct Guests;
 
 /// Sides where a stage begins, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
 /// start implicit.
 [[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition);
+
+/// What a setup of the whole model has to know of a stage: bodies whose internal force is met at long steps.
+/// @param sides  State::explicit_side; empty: as the stage begins
+[[nodiscard]] Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides = {});
 
 /// Sides by the motion at an instant; those that lists or areas have settled stay.
 /// @param sides  present ones, changed in place   @return true if any changed

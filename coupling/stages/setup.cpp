@@ -36,13 +36,18 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
   const auto foreign = [&](std::size_t i) {
     return is_guest(i) || (!guests.touch && model.support_of(records[i].block) != nullptr);
   };
-  std::map<std::pair<std::string, bool>, std::int32_t> pool_of_method;
-  for (std::size_t i = 0; i < records.size(); ++i) pool_of_method.emplace(std::pair(records[i].method, foreign(i)), 0);
-  for (auto& [key, index] : pool_of_method) {
+  const auto key_of = [&](std::size_t i) {
+    return std::tuple(records[i].method, foreign(i), !guests.slow.empty() && guests.slow[i] != 0);
+  };
+  std::map<std::tuple<std::string, bool, bool>, std::int32_t> pool_of_key;
+  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(i), 0);
+  for (auto& [key, index] : pool_of_key) {
+    const auto& [method, is_foreign, is_slow] = key;
     index = static_cast<std::int32_t>(pools_.size());
-    const auto factory = methods.find(key.first);
-    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + key.first + "'");
-    if (!key.second) own_pools_.push_back(pools_.size());
+    const auto factory = methods.find(method);
+    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + method + "'");
+    if (!is_foreign) own_pools_.push_back(pools_.size());
+    if (!is_foreign) (is_slow ? slow_pools_ : fast_pools_).push_back(pools_.size());
     pools_.push_back(factory->second());
     counted_.emplace_back();
   }
@@ -50,7 +55,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     const BodyRecord& r = records[i];
     Body b;
     b.block = r.block;
-    b.pool = pool_of_method[{r.method, foreign(i)}];
+    b.pool = pool_of_key[key_of(i)];
+    b.slow = std::get<2>(key_of(i));
     Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
     b.index = pool.bodies();
     pool.add(model, r);

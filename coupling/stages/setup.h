@@ -26,6 +26,7 @@ struct Body {
   bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
   bool guest = false;                      // another mover moves it (see Guests)
   bool divided = false;                    // another mover moves one half of it
+  bool slow = false;                       // its internal force is met at long steps only (see Guests)
   bool touched = true;                     // contact forces on it matter to some mover of this setup
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
@@ -72,6 +73,8 @@ struct Guests {
   std::vector<char> guest;  // a body: 1 for a guest; empty: none
   bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
   bool shared = false;      // all contacts are the explicit side's, those between two guests too
+  // A body: 1 where a Subcycled mover meets its internal force at long steps only; pools of their own. Empty: none.
+  std::vector<char> slow;
 };
 
 /// Constant during a stage.
@@ -85,6 +88,9 @@ class Setup {
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
   /// Pools whose forces and energies are this setup's: all but those of guests.
   [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
+  /// The same in two: those whose internal force is met at every step, and those of slow bodies.
+  [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
+  [[nodiscard]] const std::vector<std::size_t>& slow_pools() const { return slow_pools_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
   [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
@@ -132,7 +138,7 @@ class Setup {
 
   const Model* model_;
   std::vector<std::unique_ptr<Pool>> pools_;
-  std::vector<std::size_t> own_pools_;
+  std::vector<std::size_t> own_pools_, fast_pools_, slow_pools_;
   std::vector<std::int32_t> pool_first_;
   std::vector<Body> bodies_;
   std::vector<NodeKind> kind_;

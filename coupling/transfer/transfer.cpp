@@ -68,7 +68,7 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
   std::vector<Wish> out(model.blocks.size(), Wish{stage.method, form});
   for (std::size_t i = 0; i < out.size(); ++i) {
     const bool is_explicit =
-        stage.integrator == Integrator::partitioned ? explicit_side[i] != 0 : stage.integrator == Integrator::explicit_;
+        !stage.has_implicit_steps() || (stage.integrator == Integrator::partitioned && explicit_side[i] != 0);
     const bool divided = stage.integrator == Integrator::partitioned && explicit_side[i] == kDivided;
     out[i].form.mass = stage.mass.value_or(is_explicit && !divided ? MassKind::affine_exact : MassKind::consistent);
     if (divided) out[i].form.division.region = stage.partition.explicit_region;
@@ -358,7 +358,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
-  out.setup = std::make_unique<Setup>(model, methods, state.bodies);
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);

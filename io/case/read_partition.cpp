@@ -17,7 +17,7 @@ using coupling::Partition;
 /// Any of these says that some block may be explicit.
 constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
                                   "explicit_strain_rate"};
-constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps"};
+constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps", "others"};
 
 void refuse_elsewhere(const Section& s) {
   const auto refuse = [&](const char* key) {
@@ -105,6 +105,13 @@ void check_divided(const Section& s, const Model& model, std::span<const std::st
   for (std::size_t b = 0; b < sides.size(); ++b) {
     const BlockId block{static_cast<std::int32_t>(b)};
     if (sides[b] != coupling::kDivided || model.support_of(block)) continue;
+    if (stage.subcycled())
+      throw s.error("explicit_region",
+                    fmt::format("block {} lies across its border, and only a block whose other half takes implicit "
+                                "steps is divided",
+                                in_quotes(model.blocks[b].name)),
+                    "a border between blocks where others = \"explicit\"",
+                    "move the border, or name the block in explicit_blocks or implicit_blocks");
     const bool onefold = std::any_of(stage.rules.begin(), stage.rules.end(), [&](const coupling::MethodRule& rule) {
       return rule.onefold && std::find(rule.blocks.begin(), rule.blocks.end(), block) != rule.blocks.end();
     });
@@ -139,7 +146,12 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
   if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
   p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
   p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");
+  if (!s.has("others")) s.settle("others", "implicit");
+  p.others_explicit = s.text("others") == "explicit";
   p.shared_contacts = s.boolean("shared_contacts");
+  if (p.others_explicit && p.shared_contacts)
+    throw s.error("shared_contacts", "all contacts are explicit where others = \"explicit\"", "false",
+                  "remove the key");
   if (s.has("substeps")) p.substeps = s.integer("substeps");
 }
 

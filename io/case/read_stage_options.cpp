@@ -23,7 +23,7 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   const bool wants_none = s.has("cracks") && !s.boolean("cracks");
   stage.cracks = !wants_none;
   refuse(
-      s, "mass", partitioned && (mass == "consistent" || mass == "affine-exact"),
+      s, "mass", partitioned && !stage.subcycled() && (mass == "consistent" || mass == "affine-exact"),
       fmt::format("the {} mass is one of {} steps only, and this stage has both kinds", mass,
                   mass == "consistent" ? "implicit" : "explicit"),
       "\"auto\" or \"lumped\"",
@@ -32,7 +32,7 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   refuse(s, "mass", implicit && mass == "affine-exact",
          "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
          "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
-  refuse(s, "mass", !implicit && !partitioned && mass == "consistent",
+  refuse(s, "mass", !stage.has_implicit_steps() && mass == "consistent",
          "explicit steps do not solve with the consistent mass", "\"auto\", \"affine-exact\" or \"lumped\"",
          "affine-exact has the same mass, momenta and inertia: leave mass out, or set integrator = \"implicit\"");
   if (mass != "auto")
@@ -51,9 +51,8 @@ void read_rotation(const Section& s, bool dda, coupling::Stage& stage) {
     if (dda && stage.integrator == Integrator::implicit) s.settle("rotation", "exact");
     return;
   }
-  refuse(s, "rotation", stage.integrator == Integrator::explicit_,
-         "explicit steps of the DDA move position and gradient themselves", "the key in implicit stages",
-         "remove it, or set integrator = \"implicit\"");
+  refuse(s, "rotation", !stage.has_implicit_steps(), "explicit steps of the DDA move position and gradient themselves",
+         "the key in implicit stages", "remove it, or set integrator = \"implicit\"");
   refuse(s, "rotation", !dda, "no block uses the DDA in this stage", "the key in stages with the DDA",
          "remove it, or set method = \"dda\"");
   stage.rotation = s.text("rotation") == "affine" ? BlockRotation::affine : BlockRotation::exact;
@@ -66,6 +65,9 @@ void read_damping(const Section& s, coupling::Stage& stage) {
   stage.local_damping = s.number("local_damping");
   refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to act on it",
          "true beside damping", "give damping = ... [1/s], or remove the key");
+  refuse(s, "local_damping", stage.local_damping > 0.0 && stage.subcycled(),
+         "local damping acts on the unbalanced force, which others = \"explicit\" does not have in every step", "0",
+         "use damping, or others = \"implicit\"");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.integrator == Integrator::implicit,
          "local damping is one of explicit steps", "0 in implicit stages",
          "for a static solution by implicit steps set rest = true, or dynamics below 1");
@@ -73,10 +75,9 @@ void read_damping(const Section& s, coupling::Stage& stage) {
 
 void read_newmark(const Section& s, coupling::Stage& stage) {
   for (const char* key : {"newmark", "dynamics"})
-    refuse(s, key, s.has(key) && stage.integrator == Integrator::explicit_,
-           fmt::format("{} is a setting of implicit steps", key), "the key in implicit stages",
-           "remove it, or set integrator = \"implicit\"");
-  if (stage.integrator == Integrator::explicit_) return;
+    refuse(s, key, s.has(key) && !stage.has_implicit_steps(), fmt::format("{} is a setting of implicit steps", key),
+           "the key in implicit stages", "remove it, or set integrator = \"implicit\"");
+  if (!stage.has_implicit_steps()) return;
   if (!s.has("newmark")) s.settle("newmark", "damped");
   stage.newmark =
       s.text("newmark") == "trapezoidal" ? coupling::NewmarkScheme::trapezoidal : coupling::NewmarkScheme::damped;
@@ -98,7 +99,9 @@ void read_newmark(const Section& s, coupling::Stage& stage) {
 
 void read_step(const Section& s, coupling::Stage& stage) {
   stage.force_dt = s.boolean("force_dt");
-  refuse(s, "force_dt", stage.force_dt && stage.integrator == Integrator::partitioned && stage.partition.substeps == 0,
+  refuse(s, "force_dt",
+         stage.force_dt && stage.integrator == Integrator::partitioned && !stage.subcycled() &&
+             stage.partition.substeps == 0,
          "substeps are as many as the certified bound asks for, and there is nothing to force", "true beside substeps",
          "remove the key, or give substeps");
   refuse(s, "force_dt", stage.force_dt && (stage.integrator == Integrator::implicit || !stage.dt),
@@ -123,7 +126,7 @@ void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
   refuse(s, "rest", stage.rest && stage.integrator == Integrator::partitioned,
-         "explicit and implicit steps come to rest in ways of their own", "false in partitioned stages",
+         "steps of two kinds come to rest in ways of their own", "false in partitioned stages",
          "bring the model to rest in a stage before, with integrator = \"implicit\" or \"explicit\"");
   refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
          "rest_force beside rest = true", "add rest = true, or remove rest_force");

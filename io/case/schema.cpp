@@ -341,10 +341,10 @@ constexpr Key kKeys[] = {
      "explicit_blocks on say which."},
     {"stage[].dt", Type::number_or_auto, "s", kTime, "\"auto\"", false, "",
      "Time step. \"auto\", for explicit stages only, is safety times the certified stability bound. In partitioned "
-     "stages the step of the implicit blocks, of which substeps are a part."},
+     "stages the step of the implicit, or other, blocks, of which substeps are a part."},
     {"stage[].force_dt", Type::boolean, "", kAny, "false", false, "",
-     "Take an explicit dt, or substeps, above the certified bound all the same, for studies of stability; it is "
-     "reported."},
+     "Take an explicit dt, or substeps, above the certified bound all the same, for studies of stability, and a dt "
+     "above what others = \"explicit\" allows; it is reported."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
     {"stage[].safety", Type::number, "", kSafety, "0.8", false, "",
      "Fraction of the stability bound that dt = \"auto\" takes, and automatic substeps."},
@@ -431,7 +431,12 @@ constexpr Key kKeys[] = {
      "Partitioned stages: one contact algorithm, the explicit one, for all contacts. false: contacts between implicit "
      "blocks are those of the open-close iteration, the others explicit (thesis, figure 7.6)."},
     {"stage[].substeps", Type::integer, "", kCount, "(as many as the certified bound asks for)", false, "",
-     "Partitioned stages: explicit steps in a dt of the implicit blocks."},
+     "Partitioned stages: explicit steps in a dt of the other blocks."},
+    {"stage[].others", Type::choice, "", kAny, "(\"implicit\", in partitioned stages)", false, "implicit|explicit",
+     "Partitioned stages: what steps the other blocks take. explicit: the same as the explicit blocks, only that their "
+     "internal force is met once in a dt, which may be 0.5/w at most, w the bound of their own frequencies; "
+     "implicit_... "
+     "then says which blocks these are. Contacts, loads and supports act in every step. A block cannot be divided."},
     {"stage[].end", Type::table, "", kAny, "", false, "",
      "What ends the stage before its duration is over, whichever comes first; what follows moves ahead."},
     {"stage[].end.kinetic_below", Type::number, "", kBelowOneOpen, "", false, "",

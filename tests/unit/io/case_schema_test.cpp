@@ -206,6 +206,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"stage[].explicit_strain_rate", "stage.3.explicit_strain_rate=0.75"},
       {"stage[].implicit_strain_rate", "stage.3.implicit_strain_rate=0.125"},
       {"stage[].substeps", "stage.3.substeps=21"},
+      {"stage[].others", "stage.3.others=\"explicit\""},
       {"stage[].end.kinetic_below", "stage.3.end.kinetic_below=2e-3"},
       {"stage[].end.force_below", "stage.3.end.force_below=2e-3"},
       {"stage[].end.hold", "stage.3.end.hold=0.01"},
@@ -239,6 +240,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}"}},
       {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
       {"stage[].force_dt", {"stage.0.dt=1e-6"}},
+      {"stage[].others", {"stage.3.shared_contacts=false"}},
       {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
 
   std::size_t keys = 0;

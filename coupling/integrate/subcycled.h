@@ -1,0 +1,55 @@
+// Explicit steps for all bodies, the internal force of some met once in several of them.
+#pragma once
+
+#include "coupling/integrate/central_difference.h"
+#include "coupling/integrate/way_back.h"
+
+namespace scree::coupling {
+
+/// Central difference in substeps of h for every body, H = sum of h the step. Contacts, loads, supports, damping and
+/// the internal force of fast bodies act at every instant, the internal force S of slow ones (Guests::slow) at the two
+/// ends of H alone, as kicks of H/2 each:
+///   M a_j = F(x_j) + w_j S(x_j),   w_j = H/h at the ends of H, 0 between
+/// It is the central difference with another force, so that its identities of work hold as they stand, and all kicks
+/// are in equal and opposite pairs. Order 2 in H; reversible at constant h and H. Where h changes at an instant, and so
+/// w_j, what the acceleration jumps by is booked as a change of the step.
+/// h is the certified step of the plain scheme: with H w <= 1/2 (slow_step()) the own stiffness of slow bodies takes
+/// next to nothing of it. That keeps off the strong resonances of the kicks with the faster motion of contacts; weak
+/// ones remain, in which a step grows by some hundredths (subcycled_test.cpp has the map): watch_energy() tells.
+/// @source coupling.md 4
+class Subcycled final : public Mover {
+ public:
+  struct Choice {
+    ExplicitDamping damping;
+    double safety = 0.8;        // fraction of the certified bound that automatic substeps take
+    std::int32_t substeps = 0;  // 0: automatic
+  };
+  /// @param setup  with slow bodies
+  Subcycled(const Setup& setup, const StepControl& control, double detection, const Choice& choice);
+
+  double enter(State& state) override;
+  void resume(const State& state, const MoverMemory& memory) override;
+  [[nodiscard]] MoverMemory memory() const override;
+  StepReport step(State& state, Tick ticks_of_step) override;
+  void leave(State& state) override { fine_.leave(state); }
+  void update_ledger(State& state) override { fine_.update_ledger(state); }
+  /// Of the substeps.
+  double stable_step(const State& state, std::string* binding) override;
+  void contact_forces(const State& state, std::span<double> f) const override { fine_.contact_forces(state, f); }
+  [[nodiscard]] bool step_still_stable() const override { return fine_.step_still_stable(); }
+
+  /// Substeps of the last step.
+  [[nodiscard]] std::int32_t substeps() const { return substeps_; }
+
+ private:
+  /// Substeps that what is left of a step is made in.
+  [[nodiscard]] std::int64_t parts(Tick left) const;
+
+  Choice choice_;
+  CentralDifference fine_;
+  double bound_ = 0.0;  // certified substep [s]; 0: to be found
+  std::int32_t substeps_ = 0;
+  WayBack way_back_;
+};
+
+}  // namespace scree::coupling
