@@ -86,7 +86,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
     if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.guest ? NodeKind::guest : NodeKind::driven);
     for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
-      if (pool.idle(pool.first_node(b.index) + k)) kind_[static_cast<std::size_t>(b.first_node + k)] = NodeKind::guest;
+      if (pool.idle(pool.first_node(b.index) + k))
+        kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::guest;
     add_outline(static_cast<std::int32_t>(i));
   }
   for (Outlines::Edge& e : outlines_.edges)
