@@ -63,7 +63,7 @@ class Newmark final : public Mover {
 
   void enter_stage(const State& state);
 
-  // newmark.cpp: the step's equations
+  // newmark.cpp: the step's equations; newmark_pull.cpp: the force from outside
   void prepare(const State& state, double h);
   struct Damping {  // forces in the unknowns
     std::vector<double> mass, stiffness;
