@@ -10,7 +10,7 @@
 namespace scree::nmm {
 namespace {
 
-/// The affine map that gives the pieces together their centroid and second moment.
+/// The affine map that gives the pieces together the centroid 0 and the second moment of the block.
 struct Correction {
   Vec2 from;
   Mat2 A;
@@ -46,15 +46,12 @@ ConsistentMass& ConsistentMass::operator=(ConsistentMass&&) noexcept = default;
 ConsistentMass::~ConsistentMass() = default;
 
 void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElement> elements,
-                          std::span<const Vec2> star, const ReferenceShape& shape, const Vec2& centroid,
-                          std::int32_t first) {
+                          std::span<const Vec2> star, double density, const Mat2* second, std::int32_t first) {
   first_ = first;
   star_.assign(star.begin(), star.end());
   chart_ = folded.chart();
-  double area = 0.0;
-  for (const MassElement& e : elements) area += e.material.area;
-  const double density = shape.mass / area;
-  const Correction moved = correction(elements, density, shape.second);
+  const Correction moved =
+      second == nullptr ? Correction{Vec2::Zero(), Mat2::Identity()} : correction(elements, density, *second);
 
   const auto free = static_cast<std::size_t>(folded.free_covers());
   element_.resize(elements.size());
@@ -62,7 +59,7 @@ void ConsistentMass::make(const FoldedElements& folded, std::span<const MassElem
   std::array<double, 45> lower{};
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const MassElement& e = elements[i];
-    const Vec2 shift = centroid + moved.A * (e.material.centroid - moved.from) - e.material.centroid;
+    const Vec2 shift = moved.A * (e.material.centroid - moved.from) - e.material.centroid;
     const Eigen::Vector3d w = Eigen::Vector3d(e.weight[0], e.weight[1], e.weight[2]) + e.gradient.transpose() * shift;
     const Mat2 S = density * moved.A * e.material.second * moved.A.transpose();
     element_[i] = density * e.material.area * w * w.transpose() + e.gradient.transpose() * S * e.gradient;

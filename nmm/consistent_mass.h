@@ -34,11 +34,11 @@ class ConsistentMass {
 
   /// @param folded  the block's elements, in the order of `elements`
   /// @param star    reference position of every cover of the block [m]
-  /// @param shape   mass and second moment to reproduce
-  /// @param centroid  of the material together, in the frame of the stars [m]
+  /// @param density  of the material as it is drawn [kg/m2]
+  /// @param second   moment about the origin to reproduce [kg m2]; null: that of the elements as they are drawn
   /// @param first   first cover of the block in the pool's arrays; the spans below hold the whole pool
   void make(const FoldedElements& folded, std::span<const MassElement> elements, std::span<const Vec2> star,
-            const ReferenceShape& shape, const Vec2& centroid, std::int32_t first);
+            double density, const Mat2* second, std::int32_t first);
 
   /// a = M^-1 f on the free covers (forces on tied ones go to their roots), followed by the ties. The first call
   /// factorises. f and a may be the same.

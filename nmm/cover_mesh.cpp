@@ -141,7 +141,8 @@ CoverMesh half_of(const CoverMesh& mesh, bool explicit_half) {
   out.area.resize(kept);
   out.piece.resize(kept);
   std::erase_if(out.ties, [&](const Tie& t) { return !in_half(t.cover); });
-  for (Boundary::Segment& s : out.boundary.segments) s.cell = number[static_cast<std::size_t>(s.cell)];
+  for (Boundary::Segment& s : out.boundary.segments)
+    if (s.cell >= 0) s.cell = number[static_cast<std::size_t>(s.cell)];
   return out;
 }
 

@@ -91,7 +91,7 @@ struct CoverMesh {
                                         std::span<const CutLine> cracks = {},
                                         const std::function<bool(const Vec2&)>& explicit_at = {});
 
-/// A divided mesh with the elements and ties of one half; covers and outline are those of the whole.
+/// A divided mesh, or a half of it, with the elements and ties of one half; covers and outline are those of the whole.
 [[nodiscard]] CoverMesh half_of(const CoverMesh& mesh, bool explicit_half);
 
 /// The triangle of a onefold cover: equilateral, its inscribed circle about the points' middle holds them all.

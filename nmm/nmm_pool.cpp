@@ -31,25 +31,6 @@ bool keeps_its_step(const CoverMesh& mesh, const ReferenceShape& shape, const Fo
   return step >= kLeastStep * uncut;
 }
 
-/// Mass and second moment of some elements of a divided block.   @param centre  of those elements
-ReferenceShape share_of(const ReferenceShape& block, double drawn_area, std::span<const MassElement> elements,
-                        Vec2& centre) {
-  const double density = block.mass / drawn_area;
-  ReferenceShape out;
-  centre.setZero();
-  for (const MassElement& e : elements) {
-    out.area += e.material.area;
-    centre += e.material.area * e.material.centroid;
-  }
-  centre /= out.area;
-  out.mass = density * out.area;
-  for (const MassElement& e : elements) {
-    const Vec2 r = e.material.centroid - centre;
-    out.second += density * (e.material.second + e.material.area * r * r.transpose());
-  }
-  return out;
-}
-
 }  // namespace
 
 bool NmmPool::lumps(const Formulation& form) {
@@ -96,17 +77,7 @@ void NmmPool::divide(Body& body) {
   const Division::Acts acts = body.form.division.acts;
   if (acts != Division::Acts::both) mesh = half_of(*body.whole, acts == Division::Acts::explicit_half);
   // A consistent mass is the implicit half's alone; explicit steps take a lumped one.
-  body.lumped = std::make_unique<CoverMesh>(mesh);
-  if (body.form.mass == MassKind::consistent && acts != Division::Acts::explicit_half)
-    *body.lumped = half_of(*body.whole, true);
-  if (body.form.mass == MassKind::consistent && acts == Division::Acts::implicit_half) {
-    body.lumped->cover.clear();
-    body.lumped->shape.clear();
-    body.lumped->area.clear();
-    body.lumped->piece.clear();
-    body.lumped->ties.clear();
-    body.lumped->area_left_out = mesh.drawn_area();
-  }
+  body.lumped = std::make_unique<CoverMesh>(body.form.mass == MassKind::consistent ? half_of(mesh, true) : mesh);
 }
 
 void NmmPool::add(const Model& model, const BodyRecord& record) {
@@ -194,10 +165,9 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
   }
   FoldedElements folded;
   folded.make(mesh);
-  ReferenceShape shape = body.shape;
-  Vec2 centre(0.0, 0.0);
-  if (division.divides()) shape = share_of(body.shape, mesh.drawn_area(), elements, centre);
-  body.consistent.make(folded, elements, mesh.star, shape, centre, first);
+  // The moments that travel with a body are those of the whole block: a half has those of its elements.
+  body.consistent.make(folded, elements, mesh.star, body.shape.mass / mesh.drawn_area(),
+                       division.divides() ? nullptr : &body.shape.second, first);
   std::vector<Mat3> masses;
   for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
   body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first);
