@@ -221,6 +221,7 @@ void Driver::start() {
 }
 
 void Driver::take_sides(const Stage& stage) {
+  settled_.clear();
   state_.explicit_side.clear();
   if (stage.integrator == Integrator::partitioned) state_.explicit_side = first_sides(*model_, stage.partition);
 }
@@ -291,8 +292,10 @@ void Driver::change_methods(const Stage& stage) {
 }
 
 void Driver::change_partition(const Stage& stage) {
+  if (!stage.partition.changes()) return;
+  if (settled_.empty()) settled_ = settled_sides(*model_, stage.partition);
   std::vector<char> sides = state_.explicit_side;
-  if (!change_sides(*setup_, state_, stage.partition, sides)) return;
+  if (!change_sides(*setup_, state_, stage.partition, settled_, sides)) return;
   std::string names;
   int changed = 0;
   for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -127,6 +127,7 @@ class Driver {
   std::unique_ptr<MethodRules> method_rules_;  // of stages with rules for methods
   bool ended_ = false;                         // the stage is over before its duration: at rest, or by a rule
   std::int64_t first_step_ = 0;                // of the stage
+  std::vector<char> settled_;                  // sides of blocks that stay on them in the stage; empty: to be found
   std::vector<Vec2> stage_begin_;              // centres of mass then
   double fast_elements_ = 0.0;                 // whose internal force is met at every substep
   std::uint32_t mesh_ = 0, mesh_shown_ = 0;    // ids of the present mesh and of that which sinks have

@@ -19,23 +19,6 @@ char side_of_region(const Clipper& block, double area, const Ring& region) {
   return inside >= (1.0 - 1e-6) * area ? 1 : kDivided;
 }
 
-/// Blocks that lists, a region or areas settle: as State::explicit_side, -1 for neither.
-std::vector<char> settled(const Model& model, const Partition& partition) {
-  std::vector<char> side(model.blocks.size(), -1);
-  if (partition.explicit_area > 0.0)
-    for (std::size_t i = 0; i < side.size(); ++i)
-      if (moments(model.blocks[i].polygon).area < partition.explicit_area) side[i] = 1;
-  if (!partition.explicit_region.empty())
-    for (std::size_t i = 0; i < side.size(); ++i)
-      if (const char of = side_of_region(Clipper(model.blocks[i].polygon), moments(model.blocks[i].polygon).area,
-                                         partition.explicit_region);
-          of != -1)
-        side[i] = of;
-  for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
-  for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
-  return side;
-}
-
 /// The largest principal strain rate of a body's affine motion [1/s].
 double strain_rate(const Setup& setup, const Body& b, const State& state) {
   const auto p = static_cast<std::size_t>(b.pool);
@@ -54,8 +37,24 @@ char next(char side, double measure, const Partition::Band& band) {
 
 }  // namespace
 
+std::vector<char> settled_sides(const Model& model, const Partition& partition) {
+  std::vector<char> side(model.blocks.size(), -1);
+  if (partition.explicit_area > 0.0)
+    for (std::size_t i = 0; i < side.size(); ++i)
+      if (moments(model.blocks[i].polygon).area < partition.explicit_area) side[i] = 1;
+  if (!partition.explicit_region.empty())
+    for (std::size_t i = 0; i < side.size(); ++i)
+      if (const char of = side_of_region(Clipper(model.blocks[i].polygon), moments(model.blocks[i].polygon).area,
+                                         partition.explicit_region);
+          of != -1)
+        side[i] = of;
+  for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
+  for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
+  return side;
+}
+
 std::vector<char> first_sides(const Model& model, const Partition& partition) {
-  std::vector<char> side = settled(model, partition);
+  std::vector<char> side = settled_sides(model, partition);
   std::replace(side.begin(), side.end(), static_cast<char>(-1), static_cast<char>(0));
   return side;
 }
@@ -69,9 +68,8 @@ Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char>
   return out;
 }
 
-bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::vector<char>& sides) {
-  if (!partition.changes()) return false;
-  const std::vector<char> fixed = settled(setup.model(), partition);
+bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::span<const char> fixed,
+                  std::vector<char>& sides) {
   std::vector<double> fastest(sides.size(), 0.0);
   if (partition.speed.used()) {
     const Outlines& o = setup.outlines();

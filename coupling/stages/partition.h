@@ -12,6 +12,9 @@ namespace scree::coupling {
 class Setup;
 struct Guests;
 
+/// Sides that lists, a region or areas settle, as State::explicit_side; -1 for none of them.
+[[nodiscard]] std::vector<char> settled_sides(const Model& model, const Partition& partition);
+
 /// Sides where a stage begins, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
 /// start implicit.
 [[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition);
@@ -20,8 +23,10 @@ struct Guests;
 /// @param sides  State::explicit_side; empty: as the stage begins
 [[nodiscard]] Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides = {});
 
-/// Sides by the motion at an instant; those that lists or areas have settled stay.
+/// Sides by the motion at an instant.   @pre partition.changes()
+/// @param fixed  settled_sides(): those stay
 /// @param sides  present ones, changed in place   @return true if any changed
-bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::vector<char>& sides);
+bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::span<const char> fixed,
+                  std::vector<char>& sides);
 
 }  // namespace scree::coupling
