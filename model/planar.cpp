@@ -68,6 +68,16 @@ std::string invalidity(const Polygon& polygon) {
   return text;
 }
 
+std::vector<Polygon> intersection(const Polygon& a, const Polygon& b) {
+  const Geos geos;
+  const auto ga = geos.polygon(a), gb = geos.polygon(b);
+  std::vector<Polygon> pieces;
+  if (GEOSIntersects_r(geos.get(), ga.get(), gb.get()) != 1) return pieces;
+  const auto common = geos.own(GEOSIntersection_r(geos.get(), ga.get(), gb.get()), "intersection");
+  geos.collect(common.get(), pieces);
+  return pieces;
+}
+
 double overlap_area(const Polygon& a, const Polygon& b) {
   const Geos geos;
   const auto ga = geos.polygon(a), gb = geos.polygon(b);

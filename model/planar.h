@@ -36,6 +36,8 @@ struct CutLine {
 
 /// Reason why a polygon is not simple and valid, with the place; empty if it is.
 [[nodiscard]] std::string invalidity(const Polygon& polygon);
+/// Connected pieces that two valid polygons have in common, oriented; pieces without area are dropped.
+[[nodiscard]] std::vector<Polygon> intersection(const Polygon& a, const Polygon& b);
 /// Area common to two valid polygons [m2].
 [[nodiscard]] double overlap_area(const Polygon& a, const Polygon& b);
 /// Cells that draw a polygon: itself, or triangles where it has holes (a polygon cell of VTK has none).

@@ -9,6 +9,7 @@
 
 #include "model/local_origin.h"
 #include "model/planar.h"
+#include "nmm/field_projection.h"
 
 namespace scree::nmm {
 namespace {
@@ -219,6 +220,19 @@ void NmmPool::settle(int body, std::span<double> q, std::span<double> v) const {
   }
 }
 
+void NmmPool::take_over(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
+                        std::span<const double> v_from, std::span<double> q, std::span<double> v) const {
+  const auto& was = dynamic_cast<const NmmPool&>(from);
+  const auto part = [](auto all, const NmmPool& pool, int b) {
+    const auto first = static_cast<std::size_t>(pool.first_node(b)),
+               last = static_cast<std::size_t>(pool.first_node(b + 1));
+    return all.subspan(2 * first, 2 * (last - first));
+  };
+  project_motion({&was.of(other).mesh, part(q_from, was, other), part(v_from, was, other)}, of(body).mesh, of(body).law,
+                 of(body).form.kinematics, part(q, *this, body), part(v, *this, body));
+  settle(body, q, v);
+}
+
 double NmmPool::internal_force(std::span<const double> q, std::span<double> f) const {
   return elements_.add_force(q, f);
 }
@@ -421,10 +435,11 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
     w[2 * static_cast<std::size_t>(k)] = rest.x();
     w[2 * static_cast<std::size_t>(k) + 1] = rest.y();
     const Vec2 y = F_inverse * node(r, k);
+    if (b.onefold) continue;  // its motion is affine
     out.velocity_rest.insert(out.velocity_rest.end(), {turned.x(), turned.y()});
     out.position.insert(out.position.end(), {y.x(), y.y()});
   }
-  out.kinetic_rest = kinetic_of(body, w);
+  out.kinetic_rest = b.onefold ? 0.0 : kinetic_of(body, w);
   const Mat2 mean = b.law.stress(strain) + initial;
   double inertia = 0.0;
   for (std::size_t e = first; e < last; ++e) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "model/pool.h"
+#include "model/field_carrier.h"
 #include "nmm/element_forces.h"
 #include "nmm/implicit.h"
 #include "nmm/lumped_mass.h"
@@ -16,7 +16,7 @@ namespace scree::nmm {
 
 /// Numerical manifold method. A node is a physical cover, its position that of the cover's star. Blocks share no cover.
 /// @source nmm.md; Qu 2013 ch. 3, 4, 6
-class NmmPool final : public Pool {
+class NmmPool final : public Pool, public FieldCarrier {
  public:
   [[nodiscard]] std::string_view method() const override { return "nmm"; }
   void add(const Model& model, const BodyRecord& record) override;
@@ -34,6 +34,9 @@ class NmmPool final : public Pool {
   void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const override;
   [[nodiscard]] Release release(int body, std::span<const double> q, std::span<const double> v) const override;
   [[nodiscard]] BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const override;
+  [[nodiscard]] bool has_fields(int body) const override { return !of(body).onefold; }
+  void take_over(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
+                 std::span<const double> v_from, std::span<double> q, std::span<double> v) const override;
 
   double internal_force(std::span<const double> q, std::span<double> f) const override;
   [[nodiscard]] Fault find_fault(std::span<const double> q) const override;

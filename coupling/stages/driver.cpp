@@ -255,8 +255,11 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
     transfers_.push_back(row);
     event(EventKind::transfer,
           fmt::format(
-              "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, energy error {:.1e}{}",
+              "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, {}energy error {:.1e}{}",
               model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
+              row.from == row.to ? fmt::format("{:.4g} J of {:.4g} J that the new mesh does not hold booked, ",
+                                               row.booked, row.before.kinetic + row.before.elastic)
+                                 : std::string(),
               row.energy_error, row.by_rule ? "; by rule: " + text(row.measures) : std::string()),
           &row);
   }

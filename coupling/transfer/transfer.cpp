@@ -9,6 +9,7 @@
 #include "coupling/integrate/point_springs.h"
 #include "coupling/stages/partition.h"
 #include "coupling/transfer/contact_forces.h"
+#include "coupling/transfer/field_transfer.h"
 #include "coupling/transfer/transfer_mode.h"
 #include "model/elasticity.h"
 
@@ -103,8 +104,8 @@ namespace {
 /// One hand-over at work: what each body leaves behind, and how it goes on.
 class Change {
  public:
-  Change(const Model& model, const Setup& from, const Stage& stage, State& state)
-      : model_(model), from_(from), stage_(stage), state_(state), bodies_(state.bodies.size()) {}
+  Change(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state)
+      : model_(model), methods_(methods), from_(from), stage_(stage), state_(state), bodies_(state.bodies.size()) {}
 
   /// Measures the bodies that change, and puts their new records into the state.
   void release(const std::vector<Wish>& wish);
@@ -117,24 +118,31 @@ class Change {
   std::vector<TransferRow> rows;
 
  private:
-  // reformed: the same unknowns with other operators; halved: covers that a division has twice come or go.
-  enum class Kind { stays, reformed, halved, affine, back };
+  // reformed: the same unknowns with other operators; halved: covers that a division has twice come or go; remeshed:
+  // the same fields on other covers; back: from the reservoir, on its own covers or, remade, on others.
+  enum class Kind { stays, reformed, halved, remeshed, affine, back };
   struct One {
     Kind kind = Kind::stays;
     Release release;
     BodyTotals before;
     Remainder back;           // of Kind::back
+    bool remade = false;      // of Kind::back: on other covers than those it was left on
     std::ptrdiff_t row = -1;  // into rows
   };
   void release_one(std::size_t i, const Wish& wish);
+  /// The row of a body that changes; `before` is measured.
+  TransferRow& begin_row(std::size_t i, const Wish& wish);
   /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
   /// @param affine  the body is all affine now: else its own fields would be lost
   [[nodiscard]] std::optional<Remainder> take_rest(BlockId block, const Wish& wish, bool affine);
   /// The nodes of a body that is divided from now on, or not any more.
   void join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
+  /// A body that comes back to the method that it left, with its fields on other covers than then.
+  void remake(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
   void book_return(const Setup& to, std::size_t i, TransferRow& row);
 
   const Model& model_;
+  const Methods& methods_;
   const Setup& from_;
   const Stage& stage_;
   State& state_;
@@ -165,18 +173,19 @@ void Change::release_one(std::size_t i, const Wish& wish) {
     one.release.shape = record.shape;
     return;
   }
+  TransferRow& row = begin_row(i, wish);
+  if (record.method == wish.method && !wish.form.onefold && fields_of(from_.pool_of(b), b.index) != nullptr) {
+    one.kind = Kind::remeshed;
+    one.release.shape = record.shape;
+    (void)take_rest(record.block, wish, false);
+    record.form = wish.form;
+    return;
+  }
   one.release = from_.pool_of(b).release(b.index, from_.part(std::span<const double>(state_.q), p),
                                          from_.part(std::span<const double>(state_.v), p));
-  one.before = totals_of(from_, i, state_);
-  TransferRow row;
-  row.time = seconds(state_.time);
-  row.block = record.block;
-  row.from = record.method;
-  row.to = wish.method;
-  row.before = one.before;
-  one.row = std::ssize(rows);
   if (std::optional<Remainder> rest = take_rest(record.block, wish, one.release.position.empty())) {
     one.kind = Kind::back;
+    one.remade = !rest->record.form.same_mesh(wish.form);
     one.back = std::move(*rest);
     row.reservoir_kinetic = -one.back.kinetic;
     row.reservoir_elastic = -one.back.elastic;
@@ -197,7 +206,19 @@ void Change::release_one(std::size_t i, const Wish& wish) {
                change = InSituStress(model_, record).mean() - one.release.initial;
     row.booked -= one.release.shape.area * change.cwiseProduct(strain).sum();
   }
-  rows.push_back(row);
+}
+
+TransferRow& Change::begin_row(std::size_t i, const Wish& wish) {
+  One& one = bodies_[i];
+  one.before = totals_of(from_, i, state_);
+  one.row = std::ssize(rows);
+  TransferRow& row = rows.emplace_back();
+  row.time = seconds(state_.time);
+  row.block = state_.bodies[i].block;
+  row.from = state_.bodies[i].method;
+  row.to = wish.method;
+  row.before = one.before;
+  return row;
 }
 
 std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool affine) {
@@ -205,7 +226,9 @@ std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool
   for (std::size_t k = state_.rest.size(); k-- > 0;) {
     Remainder& rest = state_.rest[k];
     if (rest.block != block || rest.position.empty()) continue;
-    if (affine && rest.record.method == wish.method && rest.record.form.same_mesh(wish.form)) {
+    if (affine && rest.record.method == wish.method &&
+        (rest.record.form.same_mesh(wish.form) ||
+         (carries_fields(*methods_.at(wish.method)()) && !wish.form.onefold))) {
       found = std::move(rest);
       state_.rest.erase(state_.rest.begin() + static_cast<std::ptrdiff_t>(k));
     } else {
@@ -219,7 +242,8 @@ std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool
 
 std::vector<char> Change::changed() const {
   std::vector<char> flags;
-  for (const One& one : bodies_) flags.push_back(one.kind == Kind::affine || one.kind == Kind::back ? 1 : 0);
+  for (const One& one : bodies_)
+    flags.push_back(one.kind == Kind::affine || one.kind == Kind::back || one.kind == Kind::remeshed ? 1 : 0);
   return flags;
 }
 
@@ -236,6 +260,13 @@ void Change::place(const Setup& to) {
                           to.part(std::span<double>(v), p));
     } else if (one.kind == Kind::halved) {
       join_or_halve(to, i, q, v);
+    } else if (one.kind == Kind::remeshed) {
+      const auto old = static_cast<std::size_t>(a.pool);
+      take_fields(*fields_of(from_.pool_of(a), a.index), a.index, from_.part(std::span<const double>(state_.q), old),
+                  from_.part(std::span<const double>(state_.v), old), to.pool_of(b), b.index, one.before,
+                  to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
+    } else if (one.kind == Kind::back && one.remade) {
+      remake(to, i, q, v);
     } else if (one.kind == Kind::back) {
       const auto at = static_cast<std::size_t>(first);
       bring_back(one.back, one.release.motion, std::span(q).subspan(at), std::span(v).subspan(at));
@@ -282,22 +313,23 @@ void Change::join_or_halve(const Setup& to, std::size_t i, std::span<double> q, 
   const auto q_part = to.part(q, p_to), v_part = to.part(v, p_to);
   after.settle(b.index, q_part, v_part);
   // What other masses at the nodes have changed of the momenta goes to all nodes as a rigid motion.
-  const BodyTotals& was = bodies_[i].before;
-  const BodyTotals is = after.totals(b.index, q_part, v_part);
-  std::vector<double> spin(q.size(), 0.0);
-  for (std::int32_t k = 0; k < b.nodes; ++k) {
-    const auto at = 2 * static_cast<std::size_t>(b.first_node + k);
-    spin[at] = is.centre.y() - q[at + 1];
-    spin[at + 1] = q[at] - is.centre.x();
-  }
-  const double inertia = after.totals(b.index, q_part, to.part(std::span<const double>(spin), p_to)).angular_momentum;
-  const Vec2 push = (was.momentum - is.momentum) / is.mass;
-  const double turn = (was.angular_momentum - is.angular_momentum - is.mass * cross(is.centre, push)) / inertia;
-  for (std::int32_t k = 0; k < b.nodes; ++k)
-    for (std::size_t d = 0; d < 2; ++d) {
-      const auto at = 2 * static_cast<std::size_t>(b.first_node + k) + d;
-      v[at] += push[static_cast<Eigen::Index>(d)] + turn * spin[at];
-    }
+  keep_momenta(after, b.index, bodies_[i].before, q_part, v_part);
+}
+
+void Change::remake(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const {
+  const One& one = bodies_[i];
+  const Body& b = to.bodies()[i];
+  const auto p = static_cast<std::size_t>(b.pool);
+  const std::unique_ptr<Pool> was = methods_.at(one.back.record.method)();
+  was->add(model_, one.back.record);
+  was->finish();
+  std::vector<double> q_was(one.back.position.size()), v_was(q_was.size());
+  bring_back(one.back, one.release.motion, q_was, v_was);
+  BodyTotals before = was->totals(0, q_was, v_was);
+  before.centre = one.before.centre;
+  before.momentum = one.before.momentum;
+  before.angular_momentum = one.before.angular_momentum;
+  take_fields(*fields_of(*was, 0), 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
 }
 
 /// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
@@ -334,6 +366,8 @@ void Change::book(const Setup& to) {
     TransferRow& row = rows[static_cast<std::size_t>(one.row)];
     row.after = after;
     if (one.kind == Kind::back) book_return(to, i, row);
+    if (one.kind == Kind::remeshed)  // what the new covers cannot hold
+      row.booked = (one.before.kinetic - after.kinetic) + (one.before.elastic - after.elastic);
     if (!to.pool_of(to.bodies()[i]).strains()) {  // strain and strain rates stay behind
       const double held = kinetic_of(one.release.shape, one.release.motion);
       row.reservoir_kinetic += held - after.kinetic;
@@ -352,7 +386,7 @@ void Change::book(const Setup& to) {
 }  // namespace
 
 HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
-  Change change(model, from, stage, state);
+  Change change(model, methods, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<double> q = state.q;
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
