@@ -94,9 +94,8 @@ class Projection {
   [[nodiscard]] SplitField split(std::span<const double> field) const;
   /// Nearest in the mass.
   [[nodiscard]] Eigen::MatrixX2d in_mass(const SplitField& field) const;
-  /// Nearest in the elastic energy, positions `q` of the mesh that was.
-  [[nodiscard]] Eigen::MatrixX2d in_energy(const SplitField& field, std::span<const double> q, const Elasticity& law,
-                                           Kinematics kinematics) const;
+  /// Nearest in the elastic energy of displacements that are small but for the rotation R.
+  [[nodiscard]] Eigen::MatrixX2d in_energy(const SplitField& field, const Elasticity& law, const Mat2& R) const;
   /// Covers of `to` from the affine part and the unknowns.
   void write(const SplitField& field, const Eigen::MatrixX2d& rest, std::span<double> out) const;
 
@@ -186,8 +185,7 @@ Eigen::MatrixX2d Projection::in_mass(const SplitField& field) const {
   return ldlt.solve(moments_of(field));
 }
 
-Eigen::MatrixX2d Projection::in_energy(const SplitField& field, std::span<const double> q, const Elasticity& law,
-                                       Kinematics kinematics) const {
+Eigen::MatrixX2d Projection::in_energy(const SplitField& field, const Elasticity& law, const Mat2& R) const {
   const double kappa = kSoft * law.p_modulus() / second_.trace() * area_;
   const std::int32_t n = places_.count();
   std::vector<Eigen::Triplet<double, std::int32_t>> entries;
@@ -203,29 +201,26 @@ Eigen::MatrixX2d Projection::in_energy(const SplitField& field, std::span<const 
           .finished();
   for (std::size_t i = 0; i < common_.size();) {
     const std::int32_t f = common_[i].to;
-    Mat6 K = Mat6::Zero();
-    Vec6 b = Vec6::Zero();
+    Eigen::Matrix<double, 3, 6> B;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 g = slopes(to_, f).col(k);
+      for (int d = 0; d < 2; ++d) {
+        const Mat2 e = R.row(d).transpose() * g.transpose();  // R^T (unit vector d) g^T
+        B.col(2 * k + d) << e(0, 0), e(1, 1), e(0, 1) + e(1, 0);
+      }
+    }
+    double area = 0.0;
+    Mat2 e = Mat2::Zero();
     for (; i < common_.size() && common_[i].to == f; ++i) {
       const Overlap& o = common_[i];
-      Mat2 F = Mat2::Zero(), rest = Mat2::Zero();
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t c = covers(from_, o.from)[static_cast<std::size_t>(k)];
-        F += node(q, c) * slopes(from_, o.from).col(k).transpose();
-        rest += node(field.rest, c) * slopes(from_, o.from).col(k).transpose();
-      }
-      const Mat2 R = kinematics == Kinematics::linear ? Mat2::Identity().eval() : polar_rotation(F);
-      Eigen::Matrix<double, 3, 6> B;
-      for (int k = 0; k < 3; ++k) {
-        const Vec2 g = slopes(to_, f).col(k);
-        for (int d = 0; d < 2; ++d) {
-          const Mat2 e = R.row(d).transpose() * g.transpose();  // R^T (unit vector d) g^T
-          B.col(2 * k + d) << e(0, 0), e(1, 1), e(0, 1) + e(1, 0);
-        }
-      }
-      const Mat2 e = R.transpose() * rest;
-      K += o.common.area * B.transpose() * D * B;
-      b += o.common.area * B.transpose() * (D * Eigen::Vector3d(e(0, 0), e(1, 1), e(0, 1) + e(1, 0)));
+      area += o.common.area;
+      for (int k = 0; k < 3; ++k)
+        e += o.common.area * node(field.rest, covers(from_, o.from)[static_cast<std::size_t>(k)]) *
+             slopes(from_, o.from).col(k).transpose();
     }
+    e = R.transpose() * e;
+    const Mat6 K = area * B.transpose() * D * B;
+    const Vec6 b = B.transpose() * (D * Eigen::Vector3d(e(0, 0), e(1, 1), e(0, 1) + e(1, 0)));
     const auto& c = covers(to_, f);
     for (int k = 0; k < 6; ++k)
       for (const Share& s : places_.of(c[static_cast<std::size_t>(k / 2)])) {
@@ -260,7 +255,8 @@ void project_motion(const MovingMesh& from, const CoverMesh& to, const Elasticit
                     std::span<double> q, std::span<double> v) {
   const Projection projection(*from.mesh, to);
   const SplitField position = projection.split(from.q), velocity = projection.split(from.v);
-  projection.write(position, projection.in_energy(position, from.q, law, kinematics), q);
+  const Mat2 R = kinematics == Kinematics::linear ? Mat2::Identity().eval() : polar_rotation(position.slope);
+  projection.write(position, projection.in_energy(position, law, R), q);
   projection.write(velocity, projection.in_mass(velocity), v);
 }
 

@@ -228,8 +228,10 @@ void NmmPool::take_over(int body, const FieldCarrier& from, int other, std::span
                last = static_cast<std::size_t>(pool.first_node(b + 1));
     return all.subspan(2 * first, 2 * (last - first));
   };
-  project_motion({&was.of(other).mesh, part(q_from, was, other), part(v_from, was, other)}, of(body).mesh, of(body).law,
-                 of(body).form.kinematics, part(q, *this, body), part(v, *this, body));
+  // Of a divided block the whole, whose seams are still counted from its first cover.
+  const auto mesh = [](const Body& b) -> const CoverMesh& { return b.whole ? *b.whole : b.mesh; };
+  project_motion({&mesh(was.of(other)), part(q_from, was, other), part(v_from, was, other)}, mesh(of(body)),
+                 of(body).law, of(body).form.kinematics, part(q, *this, body), part(v, *this, body));
   settle(body, q, v);
 }
 

@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "model/elasticity.h"
+#include "model/field_carrier.h"
 
 namespace scree::coupling {
 
 bool carries_fields(const Pool& pool) { return dynamic_cast<const FieldCarrier*>(&pool) != nullptr; }
 
-const FieldCarrier* fields_of(const Pool& pool, int body) {
+bool has_fields(const Pool& pool, int body) {
   const auto* carrier = dynamic_cast<const FieldCarrier*>(&pool);
-  return carrier != nullptr && carrier->has_fields(body) ? carrier : nullptr;
+  return carrier != nullptr && carrier->has_fields(body);
 }
 
 void keep_momenta(const Pool& pool, int body, const BodyTotals& was, std::span<const double> q, std::span<double> v) {
@@ -51,13 +52,22 @@ void keep_below(double most, const Pool& pool, int body, std::span<const double>
 
 }  // namespace
 
-void take_fields(const FieldCarrier& from, int other, std::span<const double> q_from, std::span<const double> v_from,
+void take_fields(const Pool& from, int other, std::span<const double> q_from, std::span<const double> v_from,
                  const Pool& pool, int body, const BodyTotals& was, std::span<double> q, std::span<double> v) {
-  dynamic_cast<const FieldCarrier&>(pool).take_over(body, from, other, q_from, v_from, q, v);
+  dynamic_cast<const FieldCarrier&>(pool).take_over(body, dynamic_cast<const FieldCarrier&>(from), other, q_from,
+                                                    v_from, q, v);
   const Vec2 shift = was.centre - pool.totals(body, q, v).centre;
   const auto begin = 2 * static_cast<std::size_t>(pool.first_node(body)),
              end = 2 * static_cast<std::size_t>(pool.first_node(body + 1));
   for (std::size_t i = begin; i < end; ++i) q[i] += shift[static_cast<Eigen::Index>(i % 2)];
+  // Two masses see a little of the same short waves as affine, each its own: as much as the old one saw stays.
+  const AffineMotion old = from.release(other, q_from, v_from).motion, now = pool.release(body, q, v).motion;
+  const Mat2 G = old.Fdot * old.F.inverse() - now.Fdot * now.F.inverse();
+  for (std::size_t i = begin; i < end; i += 2) {
+    const Vec2 u = old.vc - now.vc + G * (Vec2(q[i], q[i + 1]) - now.c);
+    v[i] += u.x();
+    v[i + 1] += u.y();
+  }
   keep_momenta(pool, body, was, q, v);
   keep_below(was.kinetic, pool, body, q, v);
 }

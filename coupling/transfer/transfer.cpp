@@ -174,7 +174,7 @@ void Change::release_one(std::size_t i, const Wish& wish) {
     return;
   }
   TransferRow& row = begin_row(i, wish);
-  if (record.method == wish.method && !wish.form.onefold && fields_of(from_.pool_of(b), b.index) != nullptr) {
+  if (record.method == wish.method && !wish.form.onefold && has_fields(from_.pool_of(b), b.index)) {
     one.kind = Kind::remeshed;
     one.release.shape = record.shape;
     (void)take_rest(record.block, wish, false);
@@ -262,7 +262,7 @@ void Change::place(const Setup& to) {
       join_or_halve(to, i, q, v);
     } else if (one.kind == Kind::remeshed) {
       const auto old = static_cast<std::size_t>(a.pool);
-      take_fields(*fields_of(from_.pool_of(a), a.index), a.index, from_.part(std::span<const double>(state_.q), old),
+      take_fields(from_.pool_of(a), a.index, from_.part(std::span<const double>(state_.q), old),
                   from_.part(std::span<const double>(state_.v), old), to.pool_of(b), b.index, one.before,
                   to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
     } else if (one.kind == Kind::back && one.remade) {
@@ -329,7 +329,7 @@ void Change::remake(const Setup& to, std::size_t i, std::span<double> q, std::sp
   before.centre = one.before.centre;
   before.momentum = one.before.momentum;
   before.angular_momentum = one.before.angular_momentum;
-  take_fields(*fields_of(*was, 0), 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
+  take_fields(*was, 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
 }
 
 /// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
