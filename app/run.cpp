@@ -14,6 +14,7 @@
 #include "app/session.h"
 #include "app/signals.h"
 #include "coupling/stages/driver.h"
+#include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
 #include "io/case/read_case.h"
 #include "io/live/control_server.h"
@@ -288,6 +289,8 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
     fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
                seconds(s.duration), cells, unknowns);
     if (s.integrator == coupling::Integrator::partitioned) fmt::print("    {}\n", told_sides(c.model, s.partition));
+    if (const auto damping = coupling::stage_damping(c.model, s))
+      fmt::print("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
   }
   fmt::print("  fine\n");
   return kDone;

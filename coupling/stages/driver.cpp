@@ -13,6 +13,7 @@
 #include "coupling/integrate/partitioned.h"
 #include "coupling/integrate/subcycled.h"
 #include "coupling/stages/energy_watch.h"
+#include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
 
 namespace scree::coupling {
@@ -486,6 +487,8 @@ void Driver::begin_stage(const Stage& stage) {
   }
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                                             name(stage.integrator), seconds(stage.duration)));
+  if (const auto damping = stage_damping(*model_, stage))
+    event(damps_much(*damping) ? EventKind::warning : EventKind::stage_step, text(*damping));
   look(true);
   keep(state_.step == 0);
 }

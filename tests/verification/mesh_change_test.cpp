@@ -54,7 +54,7 @@ Passed pass(const std::vector<double>& sizes, Kinematics kinematics, Integrator 
     const double duration = (first && last ? 3.9 : first ? 2.0 : last ? 1.9 : 1e-3) / speed;
     Stage& stage = scene.stage(sizes[i] > 0.0 ? "nmm" : "dda", integrator, duration, std::nullopt, sizes[i]);
     stage.kinematics = kinematics;
-    if (integrator == Integrator::implicit) stage.dt = 2e-7;
+    if (integrator == Integrator::implicit) stage.dt = 1e-6;
   }
   scene.plan.output.history_every = ticks(2e-6);
   struct Peaks final : coupling::Sink {

@@ -1,0 +1,86 @@
+// What implicit steps damp: the formula against oscillators that are stepped.
+#include "coupling/stages/implicit_damping.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace scree::coupling {
+namespace {
+
+/// Largest amplitude sqrt(u^2 + (v/w)^2) in the last period of a second of steps over that in the first.
+double stepped(double frequency, double dt) {
+  const double w = 2.0 * std::numbers::pi * frequency;
+  double u = 1.0, v = 0.0, first = 0.0, last = 0.0;
+  const int steps = static_cast<int>(std::lround(1.0 / dt)),
+            period = static_cast<int>(std::lround(1.0 / (frequency * dt)));
+  for (int n = 0; n < steps + period; ++n) {
+    const double size = std::hypot(u, v / w);
+    if (n < period) first = std::max(first, size);
+    if (n >= steps) last = std::max(last, size);
+    const double next = (u + dt * v) / (1.0 + 0.5 * w * w * dt * dt);  // (2/dt^2 + w^2) d = ...: u' of (1/2, 1)
+    v = 2.0 * (next - u) / dt - v;
+    u = next;
+  }
+  return last / first;
+}
+
+TEST(ImplicitDamping, formula_is_what_an_oscillator_loses) {
+  for (const auto& [frequency, dt] : {std::pair(1.0, 1e-3), std::pair(5.0, 1e-3), std::pair(5.0, 1e-4),
+                                      std::pair(20.0, 1e-3), std::pair(2.0, 0.01)}) {
+    const NumericalDamping d = numerical_damping(frequency, dt);
+    EXPECT_NEAR(1.0 - d.per_second, stepped(frequency, dt), 1e-3 * stepped(frequency, dt)) << frequency << " " << dt;
+    const double w = 2.0 * std::numbers::pi * frequency;
+    EXPECT_NEAR(-std::log(1.0 - d.per_second), 0.25 * w * w * dt, 0.01 * 0.25 * w * w * dt + 0.1 * w * w * dt * w * dt);
+    EXPECT_NEAR(std::pow(1.0 - d.per_period, frequency), 1.0 - d.per_second, 1e-12);
+  }
+}
+
+TEST(ImplicitDamping, step_that_damps_does) {
+  for (const double frequency : {0.5, 5.0, 300.0})
+    EXPECT_NEAR(numerical_damping(frequency, step_that_damps(frequency, 0.05)).per_second, 0.05, 1e-9);
+}
+
+TEST(ImplicitDamping, stage_tells_driven_frequency_and_ten_covers_and_when_it_is_much) {
+  Model model;
+  model.materials.push_back({"rock", 2500.0, 1e10, 0.0});
+  Block block;
+  block.polygon = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}};
+  block.material = MaterialId{0};
+  model.blocks.push_back(block);
+  Stage stage;
+  stage.method = "nmm";
+  stage.integrator = Integrator::implicit;
+  stage.cover_size = 1.0;
+  stage.dt = 1e-3;
+  ASSERT_TRUE(stage_damping(model, stage).has_value());
+  EXPECT_FALSE(stage_damping(model, stage)->driven.has_value());
+  EXPECT_NEAR(stage_damping(model, stage)->wave->frequency, 200.0, 1e-9);  // 2000 m/s over ten covers
+  EXPECT_FALSE(damps_much(*stage_damping(model, stage)));                  // nothing drives it, nothing is divided
+  model.functions.push_back({"swing", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 5.0, {}, {}});
+  model.body_accelerations.push_back({{}, Vec2(1.0, 0.0), FunctionId{0}});
+  EXPECT_TRUE(damps_much(*stage_damping(model, stage)));  // 22 % a second
+  stage.dt = 1e-4;
+  EXPECT_FALSE(damps_much(*stage_damping(model, stage)));  // 2.4 %
+  stage.integrator = Integrator::partitioned;
+  stage.partition.explicit_region = {{0, 0}, {5, 0}, {5, 10}, {0, 10}};
+  EXPECT_TRUE(damps_much(*stage_damping(model, stage)));  // waves cross its border
+  stage.rest = true;
+  EXPECT_FALSE(stage_damping(model, stage).has_value());
+}
+
+TEST(ImplicitDamping, record_of_a_sine_drives_with_its_frequency) {
+  Model model;
+  std::vector<double> t, a;
+  for (int i = 0; i <= 1000; ++i) {
+    t.push_back(0.01 * i);
+    a.push_back(std::sin(2.0 * std::numbers::pi * 3.0 * t.back()));
+  }
+  model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
+  model.block_supports.push_back({BlockId{0}, MotionId{0}});
+  EXPECT_NEAR(driven_frequency(model), 3.0, 0.2);
+}
+
+}  // namespace
+}  // namespace scree::coupling
