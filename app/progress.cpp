@@ -30,6 +30,7 @@ void Progress::line(const std::string& text) {
 void Progress::event(const coupling::Event& e) {
   using Kind = coupling::EventKind;
   if (e.kind == Kind::transfer) return;  // one a block: they are in the results
+  if (e.kind == Kind::not_converged) return;  // what the run ends with is told at its end
   if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
   if (e.kind == Kind::partition && ++changes_shown_ > 5) return;
   if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
@@ -76,7 +77,6 @@ void Progress::frame(const coupling::FrameView& frame) {
 void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   draw(last.time, *last.stats);
   if (terminal_) fmt::print("\n");
-  if (end.status != coupling::RunEnd::Status::done) line(end.reason);
 }
 
 }  // namespace scree::app

@@ -90,7 +90,9 @@ void print_loads(const Model& m) {
   const auto add = [&line](std::size_t count, std::string_view one, std::string_view many) {
     if (count > 0) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, count == 1 ? one : many);
   };
-  add(m.functions.size(), "function", "functions");
+  add(static_cast<std::size_t>(
+          std::count_if(m.functions.begin(), m.functions.end(), [](const TimeFunction& f) { return !f.of_load; })),
+      "function", "functions");
   add(m.point_loads.size(), "point load", "point loads");
   add(m.tractions.size(), "edge with a traction", "edges with a traction");
   add(m.body_accelerations.size(), "body acceleration", "body accelerations");
@@ -268,11 +270,14 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
+    const GroundMotion::Setting& how = m.setting();
+    const std::string stage =
+        how.stage.valid() ? fmt::format(" of stage '{}'", c.plan.stages[how.stage.index()].name) : std::string();
     fmt::print(
-        "  motion '{}': {} samples, {:.6g} s from {:g} s on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
+        "  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
         "velocity "
         "{:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
-        m.setting().name, m.times().size(), f.duration, m.setting().start, f.pga, f.pga / kStandardGravity, f.pgv,
+        how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
         f.final_velocity, f.final_displacement, f.arias);
   }
   const coupling::Methods standard = coupling::standard_methods();
@@ -289,6 +294,8 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
                seconds(s.duration), cells, unknowns);
     if (s.integrator == coupling::Integrator::partitioned) fmt::print("    {}\n", told_sides(c.model, s.partition));
   }
+  for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused
+    fmt::print("  warning: {}\n", coupling::text(f, c.model));
   fmt::print("  fine\n");
   return kDone;
 }

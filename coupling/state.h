@@ -91,6 +91,7 @@ struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
+  std::vector<Tick> stage_begin;   // of each stage so far: what may be counted from them begins there
   Tick last_step = 0;              // length of the step before, for the shadow term
   double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
@@ -179,6 +180,7 @@ void State::visit(Visitor&& see) {
   see("time", time);
   see("step", step);
   see("stage", stage);
+  see("stage_begin", stage_begin);
   see("last_step", last_step);
   see("relaxing", relaxing);
   see.size("bodies", bodies);

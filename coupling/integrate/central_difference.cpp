@@ -91,7 +91,7 @@ void CentralDifference::restore_stress(const State& state) {
 }
 
 void CentralDifference::sum_up(const Instant& at) {
-  for (std::size_t i = 0; i < weights_.size(); ++i) factor_[i] = setup_->model().factor(weights_[i].function, at.t);
+  for (std::size_t i = 0; i < weights_.size(); ++i) factor_[i] = setup_->factor(weights_[i].function, at.t);
   const std::size_t sums = weights_.size() + 1;
   chunks_.for_free([&](const Chunk& c, std::size_t index) {
     const double *v = at.v.data(), *stress = stress_.data();
@@ -177,7 +177,7 @@ void CentralDifference::add_terms(const State& state) {
   if (auto springs = point_springs(*setup_, state); !springs.empty())
     add_term(std::make_unique<PointSupports>(std::move(springs)));
   if (auto forces = point_forces(*setup_, state); !forces.empty())
-    add_term(std::make_unique<PointLoads>(setup_->model(), std::move(forces)));
+    add_term(std::make_unique<PointLoads>(*setup_, std::move(forces)));
   if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
 }
 
@@ -429,7 +429,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     return report;
   }
   for (std::size_t i = 0; i < weights_.size(); ++i) {
-    const double then = setup_->model().factor(weights_[i].function, seconds(state.time));
+    const double then = setup_->factor(weights_[i].function, seconds(state.time));
     state.ledger.book(weights_[i].column, 0.5 * h * (then + factor_[i]) * weight_power_[i]);
   }
   book_step(h, energy, driven_left, state.ledger);

@@ -166,7 +166,7 @@ void Newmark::prepare(const State& state, double h) {
   to_dofs(weight_, gravity_);
   const auto loads_at = [&](double t, std::vector<double>& out) {
     node_scratch_.assign(q.size(), 0.0);
-    add_loads(setup_->model(), loads_, t, node_scratch_);
+    add_loads(*setup_, loads_, t, node_scratch_);
     to_dofs(node_scratch_, out);
   };
   if (!loads_.empty()) {

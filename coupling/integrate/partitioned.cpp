@@ -26,7 +26,7 @@ std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explici
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit,
                         bool shared)
     : setup(whole.model(), methods, records(state_of_all, is_explicit),
-            guests(whole, state_of_all, is_explicit, shared)) {
+            guests(whole, state_of_all, is_explicit, shared), whole.clocks()) {
   state.bodies = state_of_all.bodies;
   state.anchors = state_of_all.anchors;
 }

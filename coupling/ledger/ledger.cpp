@@ -57,7 +57,7 @@ void Ledger::open(std::span<const double> energies) {
 
 void Ledger::set(Column energy_column, double value) {
   double& now = value_[static_cast<std::size_t>(energy_column)];
-  moved_ += std::abs(value - now);
+  if (energy_column != Column::kinetic && energy_column != Column::shadow) moved_ += std::abs(value - now);
   now = value;
 }
 

@@ -68,7 +68,8 @@ class Ledger {
  public:
   /// Sets the energy columns of the starting state; the others begin at zero.
   void open(std::span<const double> energies);
-  /// Replaces an energy column by its value now; its change counts as energy moved.
+  /// Replaces an energy column by its value now; its change counts as energy moved. Not that of kinetic energy and
+  /// shadow: explicit steps know them only where someone looks, and what they gain or lose other columns lose or gain.
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);

@@ -5,6 +5,7 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/rest_watch.h"
 
 namespace scree::coupling {
 
@@ -17,9 +18,10 @@ struct Checkpoint {
   Tick stage_end = 0;
   std::int64_t first_step = 0;      // of the stage
   std::vector<double> stage_begin;  // x, y a body: where its centre of mass was then [m]
+  RestTrace rest;                   // how a stage to rest comes there
   bool ended = false;               // before its duration is over: at rest, or by a rule
   std::uint32_t mesh = 0;           // id of the present mesh
-  Tick largest_step = 0;            // until the next output; 0: to be found
+  Tick largest_step = 0;            // that is allowed; 0: to be found
   // What was counted.
   RunStats stats;
   Audit audit;
@@ -112,6 +114,7 @@ void Checkpoint::visit(Visitor&& see) {
   see("stage_end", stage_end);
   see("first_step", first_step);
   see("stage_begin", stage_begin);
+  rest.visit(see);
   see("ended", ended);
   see("mesh", mesh);
   see("largest_step", largest_step);

@@ -18,10 +18,8 @@
 namespace scree::coupling {
 namespace {
 
-/// First multiple of `every` after `now`.
-Tick next_multiple(Tick now, Tick every) {
-  return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
-}
+/// True if a multiple of `every` lies after `before`, and not after `now`.
+bool passes_multiple(Tick before, Tick now, Tick every) { return every > 0 && now / every > before / every; }
 
 ExplicitDamping explicit_damping(const Stage& stage) {
   return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
@@ -190,10 +188,11 @@ void Driver::look(bool frame) {
 void Driver::start() {
   state_ = State{};
   mesh_ = mesh_shown_ = 0;
+  enter_time(plan_->stages.front());
   take_sides(plan_->stages.front());
   state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies,
-                                   slow_bodies(*model_, plan_->stages.front(), state_.explicit_side));
+                                   slow_bodies(*model_, plan_->stages.front(), state_.explicit_side), clocks());
   state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
   state_.v = state_.q;
   for (const Body& b : setup_->bodies()) {
@@ -220,6 +219,13 @@ void Driver::start() {
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
 
+void Driver::enter_time(const Stage& stage) {
+  state_.stage_begin.push_back(state_.time);
+  stage_end_ = state_.time + stage.duration;  // at the latest
+}
+
+Clocks Driver::clocks() const { return clocks_of(*model_, state_.stage_begin, stage_end_); }
+
 void Driver::take_sides(const Stage& stage) {
   settled_.clear();
   state_.explicit_side.clear();
@@ -232,6 +238,7 @@ void Driver::change_stage(std::size_t index) {
     mover_->leave(state_);
     mover_.reset();
     take_sides(stage);
+    enter_time(stage);
     state_.rules = {};
     change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
@@ -243,7 +250,7 @@ void Driver::change_stage(std::size_t index) {
 }
 
 void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
-  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
+  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_, clocks());
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {
@@ -378,6 +385,7 @@ void Driver::go_on() {
   stage_begin_.clear();
   for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
     stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
+  rest_trace_ = std::move(c.rest);
   ended_ = c.ended;
   largest_ = c.largest_step;
   mesh_ = c.mesh;
@@ -386,7 +394,8 @@ void Driver::go_on() {
   travels_ = std::move(c.travels);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ =
-      std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side));
+      std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
+                              clocks());
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
@@ -404,6 +413,7 @@ Checkpoint Driver::checkpoint() const {
   c.stage_end = stage_end_;
   c.first_step = first_step_;
   for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
+  c.rest = rest_trace_;
   c.ended = ended_;
   c.mesh = mesh_;
   c.largest_step = largest_;
@@ -471,11 +481,13 @@ BlockId Driver::unsupported_at_rest(const Stage& stage) {
 }
 
 void Driver::begin_stage(const Stage& stage) {
-  stage_end_ = state_.time + stage.duration;  // at the latest
+  refuse_missed_times();
   ended_ = false;
   first_step_ = state_.step;
   largest_ = 0;
   stage_begin_ = centres();
+  rest_trace_ = {};
+  if (stage.rest) rest_trace_.begin_part(stage_begin_);
   begin_rules(stage.end, state_);
   if (stage.subcycled()) {
     mover_->update_ledger(state_);
@@ -487,6 +499,41 @@ void Driver::begin_stage(const Stage& stage) {
   keep(state_.step == 0);
 }
 
+void Driver::refuse_missed_times() {
+  const std::span<const Tick> begins(state_.stage_begin);
+  const auto now = static_cast<std::size_t>(state_.stage);
+  const auto stage_name = [&](StageId s) { return plan_->stages[s.index()].name; };
+  // What was so before the stage that has just ended is known.
+  std::vector<TimeFault> known;
+  std::vector<StageId> met;
+  if (now > 0) {
+    const Tick planned = begins[now - 1] + plan_->stages[now - 1].duration;
+    known = time_faults(*model_, *plan_, begins.first(now), planned);
+    met = stages_met(*model_, *plan_, begins.first(now), planned);
+  }
+  for (const TimeFault& f : time_faults(*model_, *plan_, begins, stage_end_)) {
+    if (std::any_of(known.begin(), known.end(), [&](const TimeFault& k) { return k.same(f); })) continue;
+    if (f.kind == TimeFault::Kind::missed)
+      throw PlanError(fmt::format(
+          "t = {:.6g} s, stage '{}': {}{}; no stage can meet it: let it begin with a stage (start = \"{}\")",
+          seconds(state_.time), stage_name(StageId{state_.stage}), text(f, *model_),
+          now > 0 ? " because a stage before has ended early" : "", stage_name(StageId{state_.stage})));
+    event(EventKind::warning, text(f, *model_));
+  }
+  const std::vector<StageId> meets = stages_met(*model_, *plan_, begins, stage_end_);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (met[i] == meets[i]) continue;
+    const bool motion = i < model_->motions.size();
+    event(EventKind::warning,
+          fmt::format("stage '{}' has ended early: the {} '{}' begins in stage '{}', not in '{}' as planned; start = "
+                      "\"{}\" would tie it to that stage",
+                      plan_->stages[now - 1].name, motion ? "motion" : "function",
+                      motion ? model_->motions[i].setting().name
+                             : model_->functions[i - model_->motions.size()].name,
+                      stage_name(meets[i]), stage_name(met[i]), stage_name(met[i])));
+  }
+}
+
 Tick Driver::latest_end() const {
   Tick end = ended_ ? state_.time : stage_end_;
   for (std::size_t i = static_cast<std::size_t>(state_.stage) + 1; i < plan_->stages.size(); ++i)
@@ -494,27 +541,29 @@ Tick Driver::latest_end() const {
   return end;
 }
 
-RunEnd Driver::run_stage(const Stage& stage, Tick end) {
+RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   const bool to_balance = stage.rest && stage.rest_force > 0.0;
   balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
-  while (state_.time < end && !ended_) {
-    const Tick frame = next_multiple(state_.time, plan_->output.every);
-    const Tick history = next_multiple(state_.time, plan_->output.history_every);
-    const Tick target = std::min({frame, history, end});
-    RunEnd result = advance_to(stage, target);
+  // Who looks takes the first step at or after the time: steps are the stage's alone.
+  while (state_.time < std::min(stop, stage_end_) && !ended_) {
+    const Tick before = state_.time;
+    const RunEnd result = take_step(stage);
     if (result.status != RunEnd::Status::done) return result;
-    largest_ = 0;
-    look(target == frame || target == end || ended_);
-    result = check_closure(stage);
-    if (result.status != RunEnd::Status::done) return result;
-    keep(target == end || ended_);
+    const bool over = ended_ || state_.time >= stage_end_, stopped = !over && state_.time >= stop;
+    const bool frame = over || passes_multiple(before, state_.time, plan_->output.every);
+    const bool looked = frame || passes_multiple(before, state_.time, plan_->output.history_every);
+    if (looked) look(frame);
+    keep(over || stopped);
+    if (stopped && !looked) look(false);  // whoever goes on from the checkpoint does without
   }
-  if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
+  const bool rested = stage.rest && !to_balance && state_.time >= stage_end_;
+  if (const BlockId loose = rested ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
     const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
                                            model_->blocks[loose.index()].name, kUnsupported);
     event(EventKind::not_converged, reason);
     return {RunEnd::Status::not_converged, reason};
   }
+  if (rested) tell_unbalanced(stage);
   travels_.push_back(travel_since(stage_begin_));
   const StageTravel& travel = travels_.back();
   event(EventKind::stage_end,
@@ -542,7 +591,7 @@ RunEnd Driver::run(std::optional<double> until) {
     if (!within) change_stage(i);
     try {
       if (!within) begin_stage(stage);
-      result = run_stage(stage, std::min(stage_end_, stop));
+      result = run_stage(stage, stop);
     } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
       event(EventKind::not_converged, e.what());
       finish({RunEnd::Status::not_converged, e.what()});

@@ -351,14 +351,16 @@ void Change::book(const Setup& to) {
 
 }  // namespace
 
-HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
+HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state,
+                   Clocks clocks) {
   Change change(model, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<double> q = state.q;
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
-  out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side));
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies,
+                                      slow_bodies(model, stage, state.explicit_side), std::move(clocks));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include "io/case/schema.h"
 #include "io/case/suggest.h"
@@ -134,6 +135,10 @@ class Checker {
       case Type::number_or_auto:
       case Type::number_or_unlimited:
         if (const auto* text = value.as<std::string>(); text && *text == word_for_number(key.type)) return;
+        return number(value, key, path);
+      case Type::number_or_stage:
+        if (const auto* text = value.as<std::string>(); text && std::holds_alternative<UnitFault>(in_unit(*text, key.unit)))
+          return name(value, key, path);
         return number(value, key, path);
       case Type::text:
         if (!value.as<std::string>()) wrong_type(value, key, path);

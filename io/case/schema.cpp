@@ -51,7 +51,10 @@ constexpr Key kKeys[] = {
      "if that is given; half_sine sin(pi s/T), then 0; sine_squared sin^2(pi s/T), then 0; table straight lines "
      "through given points, zero before the first, then the last value."},
     {"function.NAME.amplitude", Type::number, "", kAny, "1.0", false, "", "Factor on the shape."},
-    {"function.NAME.start", Type::number, "s", kShift, "0.0", false, "", "Simulated time at which the shape begins."},
+    {"function.NAME.start", Type::number_or_stage, "s", kShift, "(0)", false, "",
+     "When the shape begins: simulated time, or with the stage of that name, whenever that really begins."},
+    {"function.NAME.offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to that of the shape. Goes with the name of a stage in start."},
     {"function.NAME.duration", Type::number, "s", kTime, "", false, "",
      "T of the shape. Needed for ramp, half_sine and sine_squared; may be given for sine."},
     {"function.NAME.frequency", Type::number, "Hz", kPositive, "", false, "", "Of a sine, which needs it."},
@@ -124,9 +127,13 @@ constexpr Key kKeys[] = {
      "Relative to the case file; a leading \"$SCREE_RECORDS/\" is replaced by that environment variable."},
     {"motion.NAME.unit", Type::choice, "", kAny, "(as the file says)", false, "m/s2|g|cm/s2",
      "Unit of the accelerations in the file; g is 9.80665 m/s2. Needed where the file does not say it, as .AT2 does."},
-    {"motion.NAME.start", Type::number, "s", kStart, "(end of the leading stages with rest)", false, "",
-     "Simulated time at which the first sample that is kept acts. Before it the ground rests; after the last sample it "
-     "moves on at its final velocity."},
+    {"motion.NAME.start", Type::number_or_stage, "s", kStart, "(the first stage after the leading ones with rest)",
+     false, "",
+     "When the first sample that is kept acts: simulated time, or with the stage of that name, whenever that really "
+     "begins (rest_force and end may end stages early). Before it the ground rests; after the last sample it moves on "
+     "at its final velocity."},
+    {"motion.NAME.offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to the first sample. Goes with the name of a stage in start."},
     {"motion.NAME.from", Type::number, "s", kAny, "(first sample)", false, "",
      "Where the part of the record begins that is kept, in the time of the record (.AT2 counts from 0)."},
     {"motion.NAME.until", Type::number, "s", kAny, "(last sample)", false, "",
@@ -287,6 +294,11 @@ constexpr Key kKeys[] = {
     {"point_load[].force", Type::point, "N", kAny, "", true, "", "Force for unit thickness."},
     {"point_load[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
+    {"point_load[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
+     "When the load begins: simulated time, or with the stage of that name. It does not act before; its function, which "
+     "then has no start of its own, counts from there."},
+    {"point_load[].offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to that of the load. Goes with the name of a stage in start."},
 
     {"traction", Type::table_list, "", kAny, "", false, "",
      "A force per length of outline as the model first has it; its direction stays (a dead load)."},
@@ -301,11 +313,19 @@ constexpr Key kKeys[] = {
     {"traction[].pressure", Type::number, "Pa", kAny, "", false, "",
      "Force per area at right angles to the outline; positive pushes into the block."},
     {"traction[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
+    {"traction[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
+     "As point_load.start."},
+    {"traction[].offset", Type::number, "s", kStart, "(0)", false, "",
+     "As point_load.offset."},
 
     {"body_acceleration", Type::table_list, "", kAny, "", false, "", "A force per mass on blocks, beside gravity."},
     {"body_acceleration[].acceleration", Type::point, "m/s2", kAny, "", true, "", "Force per mass."},
     {"body_acceleration[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
+    {"body_acceleration[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
+     "As point_load.start."},
+    {"body_acceleration[].offset", Type::number, "s", kStart, "(0)", false, "",
+     "As point_load.offset."},
     {"body_acceleration[].blocks", Type::names, "", kAny, "(all)", false, "",
      "Names of the blocks; * stands for any characters. Patterns pass over blocks that are held whole."},
 
@@ -487,7 +507,9 @@ constexpr Key kKeys[] = {
      "Of onefold covers: a triangle around each block, or one around the whole model, whose stars all the blocks have "
      "in the same places (thesis 7.3.1). Motion and stress are the same but for round-off."},
 
-    {"output", Type::table, "", kAny, "", false, "", "What is written and how often."},
+    {"output", Type::table, "", kAny, "", false, "",
+     "What is written and how often. Nothing here changes the steps: what is due is written at the first step at or "
+     "after its time."},
     {"output.every", Type::number, "s", kTime, "(a hundredth of the run)", false, "", "Simulated time between frames."},
     {"output.history_every", Type::number, "s", kTime, "(output.every)", false, "",
      "Simulated time between samples of monitors and energies."},
@@ -511,7 +533,7 @@ constexpr Key kKeys[] = {
      "Threads; 0 takes as many as the machine has. Results do not depend on it."},
     {"run.max_closure", Type::number, "", kNotNegative, "0.0", false, "",
      "A run ends as not converged once its energy ledger is open by more than this part of the energy moved, looked at "
-     "every output.history_every; 0: never. 1e-9 is what Scree promises."},
+     "every 100 steps of a stage and where it ends; 0: never. 1e-9 is what Scree promises."},
 };
 
 }  // namespace
