@@ -38,7 +38,8 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   double until = 0.0;
   CLI::Option* until_option =
-      run_command->add_option("--until", until, "stop at this simulated time [s]")->check(CLI::PositiveNumber);
+      run_command->add_option("--until", until, "stop after the first step at or past this simulated time [s]")
+          ->check(CLI::PositiveNumber);
   run_command->add_option("--set", options.set, "override a key of the case: key=value")
       ->take_all()
       ->type_name("KEY=VALUE");
@@ -60,7 +61,8 @@ int dispatch(int argc, char** argv) {
   double again_until = 0.0;
   CLI::Option* again_until_option =
       resume_command
-          ->add_option("--until", again_until, "stop at this simulated time [s] (default: as the run was told)")
+          ->add_option("--until", again_until,
+                       "stop after the first step at or past this simulated time [s] (default: as the run was told)")
           ->check(CLI::PositiveNumber);
   resume_command->add_flag("--quiet", again.quiet, "print nothing but errors and warnings");
 

@@ -29,7 +29,7 @@ void Progress::line(const std::string& text) {
 
 void Progress::event(const coupling::Event& e) {
   using Kind = coupling::EventKind;
-  if (e.kind == Kind::transfer) return;  // one a block: they are in the results
+  if (e.kind == Kind::transfer) return;       // one a block: they are in the results
   if (e.kind == Kind::not_converged) return;  // what the run ends with is told at its end
   if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
   if (e.kind == Kind::partition && ++changes_shown_ > 5) return;

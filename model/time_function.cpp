@@ -32,9 +32,7 @@ double TimeFunction::value(double t) const {
   return amplitude * (table[next - 1] + fraction * (table[next] - table[next - 1]));
 }
 
-double TimeFunction::begin() const {
-  return shape == Shape::table && !time.empty() ? start + time.front() : start;
-}
+double TimeFunction::begin() const { return shape == Shape::table && !time.empty() ? start + time.front() : start; }
 
 double TimeFunction::end() const {
   switch (shape) {

@@ -90,8 +90,8 @@ std::vector<TimeFault> time_faults(const Model& model, const Plan& plan, std::sp
   std::vector<TimeFault> out;
   for_all(model, [&](const Timed& t) {
     const Tick from = origin(t.stage, course.begin);
-    TimeFault fault{TimeFault::Kind::missed, t.motion,          t.index,
-                    seconds(from) + t.begin, seconds(from) + t.end, seconds(course.end)};
+    TimeFault fault{TimeFault::Kind::missed, t.motion,           t.index, seconds(from) + t.begin,
+                    seconds(from) + t.end,   seconds(course.end)};
     const bool missed = reaches(sum(from, bounded_ticks(t.begin)), course.end) || (t.fades && fault.end <= 0.0);
     if (!missed && (!std::isfinite(t.end) || sum(from, bounded_ticks(t.end)) <= course.end + 1)) return;
     if (!missed) fault.kind = TimeFault::Kind::outlasts;

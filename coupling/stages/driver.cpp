@@ -393,9 +393,8 @@ void Driver::go_on() {
   transfers_ = std::move(c.transfers);
   travels_ = std::move(c.travels);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  setup_ =
-      std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
-                              clocks());
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
+                                   clocks());
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
@@ -528,8 +527,7 @@ void Driver::refuse_missed_times() {
           fmt::format("stage '{}' has ended early: the {} '{}' begins in stage '{}', not in '{}' as planned; start = "
                       "\"{}\" would tie it to that stage",
                       plan_->stages[now - 1].name, motion ? "motion" : "function",
-                      motion ? model_->motions[i].setting().name
-                             : model_->functions[i - model_->motions.size()].name,
+                      motion ? model_->motions[i].setting().name : model_->functions[i - model_->motions.size()].name,
                       stage_name(meets[i]), stage_name(met[i]), stage_name(met[i])));
   }
 }

@@ -17,7 +17,7 @@ constexpr double kLastPlaces = 1e-13;
 constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
 constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
 
-constexpr double kRested = 0.01;     // unbalanced force, of the largest: what a stage to rest may end with untold
+constexpr double kRested = 0.01;  // unbalanced force, of the largest: what a stage to rest may end with untold
 
 // Steps of a stage between two looks at what may let explicit steps grow again, as contacts that have ended; of those
 // with substeps; and between two looks at the closure of the ledger. By count: whatever is written meanwhile.
@@ -126,8 +126,7 @@ RunEnd Driver::take_step(const Stage& stage) {
     if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage, steps_of_stage() == 0);
     Tick cap = std::min(largest_, attempt_cap);
     if (implicit) cap = std::min(cap, step_of_fastest());
-    const Tick h =
-        next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
+    const Tick h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
     const double begin = wall();
     const StepReport report = mover_->step(state_, h);
     (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;

@@ -359,8 +359,8 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
-  out.setup = std::make_unique<Setup>(model, methods, state.bodies,
-                                      slow_bodies(model, stage, state.explicit_side), std::move(clocks));
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side),
+                                      std::move(clocks));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);

@@ -137,7 +137,8 @@ class Checker {
         if (const auto* text = value.as<std::string>(); text && *text == word_for_number(key.type)) return;
         return number(value, key, path);
       case Type::number_or_stage:
-        if (const auto* text = value.as<std::string>(); text && std::holds_alternative<UnitFault>(in_unit(*text, key.unit)))
+        if (const auto* text = value.as<std::string>();
+            text && std::holds_alternative<UnitFault>(in_unit(*text, key.unit)))
           return name(value, key, path);
         return number(value, key, path);
       case Type::text:

@@ -295,7 +295,8 @@ constexpr Key kKeys[] = {
     {"point_load[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
     {"point_load[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
-     "When the load begins: simulated time, or with the stage of that name. It does not act before; its function, which "
+     "When the load begins: simulated time, or with the stage of that name. It does not act before; its function, "
+     "which "
      "then has no start of its own, counts from there."},
     {"point_load[].offset", Type::number, "s", kStart, "(0)", false, "",
      "Time from the beginning of the stage to that of the load. Goes with the name of a stage in start."},
@@ -313,19 +314,15 @@ constexpr Key kKeys[] = {
     {"traction[].pressure", Type::number, "Pa", kAny, "", false, "",
      "Force per area at right angles to the outline; positive pushes into the block."},
     {"traction[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
-    {"traction[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
-     "As point_load.start."},
-    {"traction[].offset", Type::number, "s", kStart, "(0)", false, "",
-     "As point_load.offset."},
+    {"traction[].start", Type::number_or_stage, "s", kShift, "(always)", false, "", "As point_load.start."},
+    {"traction[].offset", Type::number, "s", kStart, "(0)", false, "", "As point_load.offset."},
 
     {"body_acceleration", Type::table_list, "", kAny, "", false, "", "A force per mass on blocks, beside gravity."},
     {"body_acceleration[].acceleration", Type::point, "m/s2", kAny, "", true, "", "Force per mass."},
     {"body_acceleration[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
-    {"body_acceleration[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
-     "As point_load.start."},
-    {"body_acceleration[].offset", Type::number, "s", kStart, "(0)", false, "",
-     "As point_load.offset."},
+    {"body_acceleration[].start", Type::number_or_stage, "s", kShift, "(always)", false, "", "As point_load.start."},
+    {"body_acceleration[].offset", Type::number, "s", kStart, "(0)", false, "", "As point_load.offset."},
     {"body_acceleration[].blocks", Type::names, "", kAny, "(all)", false, "",
      "Names of the blocks; * stands for any characters. Patterns pass over blocks that are held whole."},
 

@@ -63,8 +63,8 @@ Scene shaken(StageId stage, double start) {
   Scene scene(1e8, 0.2, 2600.0, 40.0);
   scene.add("base", rectangle(-2, -1, 3, 0), true);
   scene.add("block", rectangle(0, 0, 1, 0.6));
-  scene.model.motions.push_back({{0.0, 0.01, 0.03, 0.04}, {0.0, 1.0, -1.0, 0.0}, {1.0, 0.0},
-                                 {start, Between::linear, "quake", stage}});
+  scene.model.motions.push_back(
+      {{0.0, 0.01, 0.03, 0.04}, {0.0, 1.0, -1.0, 0.0}, {1.0, 0.0}, {start, Between::linear, "quake", stage}});
   scene.model.block_supports[0].motion = MotionId{0};
   Stage& rest = scene.stage("dda", Integrator::implicit, 3.0, 0.01);
   rest.rest = true;
@@ -131,8 +131,8 @@ Scene falling() {
 TEST_P(StageTimes, steps_do_not_depend_on_who_looks) {
   Scene scene = falling();
   const Scheme scheme = GetParam();
-  scene.stage(scheme.method, scheme.integrator, 0.05,
-              scheme.implicit() ? std::optional<double>(7e-4) : std::nullopt, 0.5);
+  scene.stage(scheme.method, scheme.integrator, 0.05, scheme.implicit() ? std::optional<double>(7e-4) : std::nullopt,
+              0.5);
   expect_same_however_looked_at(scene);
 }
 
@@ -162,7 +162,8 @@ TEST(StageTimes, run_that_is_cut_by_until_ends_a_step_later_at_most) {
   EXPECT_LT(run.state().time, ticks(0.053));
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, StageTimes, testing::ValuesIn(kAllSchemes), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Schemes, StageTimes, testing::ValuesIn(kAllSchemes),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace scree::test

@@ -99,8 +99,8 @@ TEST(TimeFaults, what_no_stage_meets_and_what_outlasts_the_run_are_told_apart) {
     bool motion;
     std::size_t index;
   };
-  const std::vector<Expected> expected{{Kind::missed, true, 0},  {Kind::outlasts, true, 1}, {Kind::outlasts, true, 2},
-                                       {Kind::missed, true, 3},  {Kind::missed, false, 0},  {Kind::missed, false, 1},
+  const std::vector<Expected> expected{{Kind::missed, true, 0},    {Kind::outlasts, true, 1}, {Kind::outlasts, true, 2},
+                                       {Kind::missed, true, 3},    {Kind::missed, false, 0},  {Kind::missed, false, 1},
                                        {Kind::outlasts, false, 2}, {Kind::missed, false, 4}};
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)

@@ -34,8 +34,9 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(RestWatch, block_that_goes_on_as_fast_slides) {
   const std::string text =
       told_of({{0, 0, 0}, {0, 0.1, 0}, {0, 0.2, 0}, {0, 0.3, 0}, {0, 0.41, 1e-9}}, {0.5, 0.4, 0.4, 0.39});
-  EXPECT_TRUE(has(text, "'a' slides, and does not slow down: 0.11 m in the last quarter of the stage, 0.1 m in the one "
-                        "before"))
+  EXPECT_TRUE(has(text,
+                  "'a' slides, and does not slow down: 0.11 m in the last quarter of the stage, 0.1 m in the one "
+                  "before"))
       << text;
   EXPECT_TRUE(has(text, "it does not fall any more")) << text;
 }
@@ -49,8 +50,7 @@ TEST(RestWatch, blocks_whose_ways_get_shorter_creep_and_the_fall_is_told) {
 }
 
 TEST(RestWatch, blocks_that_stand_still_are_told_so) {
-  const std::string text =
-      told_of({{0, 0, 0}, {0, 0.1, 0}, {0, 0.1, 0}, {0, 0.1, 0}, {0, 0.1 + 1e-7, 0}}, {});
+  const std::string text = told_of({{0, 0, 0}, {0, 0.1, 0}, {0, 0.1, 0}, {0, 0.1, 0}, {0, 0.1 + 1e-7, 0}}, {});
   EXPECT_TRUE(has(text, "no block moves any more")) << text;
   EXPECT_FALSE(has(text, "least unbalanced")) << text;
 }
