@@ -56,7 +56,7 @@ TEST(Clocks, count_from_where_the_stage_has_really_begun) {
   const Clocks clocks = clocks_of(model, begun, ticks(2.3));
   EXPECT_EQ(clocks.motion[0], 0.3);
   EXPECT_EQ(clocks.function[0], 0.3);
-  const Setup setup(model, {}, {}, {}, clocks);
+  const scree::coupling::Setup setup(model, Methods(), {}, {}, clocks);
   EXPECT_EQ(setup.factor(FunctionId{0}, 0.4), 0.0);
   EXPECT_NEAR(setup.factor(FunctionId{0}, 0.75), 0.25, 1e-15);
 }
