@@ -40,7 +40,7 @@ TEST_P(StageTimes, load_that_begins_where_a_stage_does_belongs_to_it) {
     run.add_sink(watch);
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
     const BodyTotals after = totals_of(run, BlockId{0});
-    EXPECT_EQ(before, 0.0);
+    EXPECT_LT(before, 1e-20);  // round-off of a mesh at rest; half a step of the load would be 0.4 N s
     EXPECT_NEAR(after.momentum.x() / after.mass, 3.0 * kLength, 1e-12 * 3.0 * kLength);  // sums of 100 steps
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-10);
   }

@@ -33,8 +33,8 @@ TEST(StepGrid, without_dt_what_is_left_is_divided_evenly) {
 
 TEST(StepGrid, after_a_cut_steps_come_back_to_multiples_of_dt) {
   Tick now = 200;
-  now += next_step(0, 1000, now, 50, 16);  // a third of dt: 8 parts of 50 in 25 steps
-  EXPECT_EQ(now, 216);
+  now += next_step(0, 1000, now, 50, 16);  // a third of dt: to 400, the end of eight parts, in 13 steps
+  EXPECT_EQ(now, 215);
   now += next_step(0, 1000, now, 50, 50);
   EXPECT_EQ(now, 250);
   EXPECT_EQ(next_step(0, 1000, now, 50, 50), 50);
