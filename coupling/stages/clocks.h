@@ -24,10 +24,10 @@ struct Clocks {
 /// A motion or a function that the stages of a run do not meet, or not to its end.
 struct TimeFault {
   enum class Kind { missed, outlasts } kind = Kind::missed;
-  bool motion = false;           // or a function
-  std::size_t index = 0;         // into the model's motions or functions
+  bool motion = false;            // or a function
+  std::size_t index = 0;          // into the model's motions or functions
   double begin = 0.0, end = 0.0;  // of it [s]
-  double run_end = 0.0;          // [s]
+  double run_end = 0.0;           // [s]
   /// The same fault of the same motion or function.
   [[nodiscard]] bool same(const TimeFault& other) const {
     return kind == other.kind && motion == other.motion && index == other.index;

@@ -13,7 +13,8 @@ namespace scree::coupling {
 /// changes nothing but what is told.
 struct RestTrace {
   static constexpr int kParts = 4;
-  std::vector<double> least;   // a part so far: the smallest unbalanced force, of the largest force; where it is measured
+  std::vector<double>
+      least;  // a part so far: the smallest unbalanced force, of the largest force; where it is measured
   std::vector<double> centre;  // part after part: x, y a body, its centre of mass as the part began [m]
 
   /// @param progress  0 to 1   @return true if a part begins
