@@ -233,6 +233,7 @@ double CentralDifference::enter(State& state) {
   restore_stress(state);
   sum_up(lagging(state));
   accelerate(state.q, a_new_);
+  if (sliding_.used()) state.sliding.reserve(state.q.size());  // so that steps need not allocate
   if (sliding_.used() && !goes_on) {
     v_new_ = state.v;
     damp_sliding(state.q, 0.0, state);
