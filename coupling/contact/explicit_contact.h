@@ -52,6 +52,8 @@ class ExplicitContact {
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
                                std::span<const double> v) const;
   void add(const ContactList& list, std::span<double> f) const;
+  /// True if another mover moves one of its bodies, or a half of it.
+  [[nodiscard]] bool on_guest(const ContactPoint& p) const;
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
   void respond(double h, std::span<const double> v, ContactList& list);
   void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;

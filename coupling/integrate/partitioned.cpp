@@ -41,6 +41,7 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
   implicit_->pull(this);
+  implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_->contacts());
   const Setup& setup = explicit_side_.setup;
   for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
     const Row& row = setup.outlines().nodes[i];
@@ -154,6 +155,7 @@ void Partitioned::split(const State& state) {
   take(state.a, &Run::of_implicit, implicit_side_.state.a);
   take(state.v_before, &Run::of_explicit, explicit_side_.state.v_before);
   take(state.damping, &Run::of_explicit, explicit_side_.state.damping);
+  take(state.sliding, &Run::of_explicit, explicit_side_.state.sliding);
   implicit_side_.state.factored = state.factored;
 }
 
@@ -233,6 +235,7 @@ void Partitioned::join(State& state) {
   if (!i.a.empty()) copy(implicit_runs_, &Run::of_implicit, i.a, &Run::whole, state.a);
   of_explicit(e.v_before, state.v_before);
   of_explicit(e.damping, state.damping);
+  of_explicit(e.sliding, state.sliding);
   state.time = e.time;
   state.last_step = e.last_step;
   state.contacts.clear();
@@ -244,9 +247,11 @@ void Partitioned::join(State& state) {
 }
 
 void Partitioned::find_springs() {
-  // Springs of closed contacts with an implicit body. They stretch with the way, so that their mean sees half of it.
+  // Springs of closed contacts with an implicit body. They stretch with the way u, so that their mean sees half of it;
+  // their dashpots have the rate u/H all along.
   springs_.clear();
   stiffness_ = 0.0;
+  const double H = seconds(step_);
   double turns_back = 0.0;  // bounds the part of a change of the way that comes back as another one
   const Setup& setup = explicit_side_.setup;
   const Outlines& o = setup.outlines();
@@ -256,9 +261,9 @@ void Partitioned::find_springs() {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
     const auto is_guest = [&](std::int32_t node) { return setup.on_guest(o.nodes[static_cast<std::size_t>(node)]); };
-    const auto add = [&](const ContactRow& row, double k) {
+    const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
-      s.k = 0.5 * k;
+      s.k = 0.5 * k + c / H;
       for (std::size_t n = 0; n < 3; ++n) {
         if (!is_guest(p.node[n])) continue;
         s.node[s.count] = p.node[n];
@@ -269,12 +274,11 @@ void Partitioned::find_springs() {
       springs_.push_back(s);
       stiffness_ += s.k;
     };
-    add(gap_row(p.at), m.kn);
-    if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt);
+    add(gap_row(p.at), m.kn, p.cn);
+    if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt, p.ct);
   }
   // Short steps: bodies hardly follow, and iterations without the springs end as soon.
   constexpr double kHardly = 1e-3;
-  const double H = seconds(step_);
   if (seams_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
