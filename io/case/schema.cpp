@@ -380,7 +380,7 @@ constexpr Key kKeys[] = {
     {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
      "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
      "statics."},
-    {"stage[].sliding_damping", Type::number, "", kFraction, "0.15", false, "",
+    {"stage[].sliding_damping", Type::number, "", kFraction, "1.0", false, "",
      "Damping of the deformation of free blocks that slide, a fraction of critical for the lowest frequency of the "
      "block, in proportion to the share of its contact force that slips. It slows neither slide nor spin; without it "
      "blocks on steep planes vibrate and lose friction. Not attenuation of rock; 0 gives the bare equations."},
