@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -53,7 +54,8 @@ TEST(RecoveredStress, a_checkerboard_goes) {
   const std::vector<double> s = recovered_stress(f);
   for (std::size_t i = 0; i < f.connectivity.size(); ++i) {
     const Vec2 x(f.position[2 * i], f.position[2 * i + 1]);
-    if (x.minCoeff() > 0.5 && x.maxCoeff() < 7.5) EXPECT_NEAR(s[3 * i], 0.0, 0.05) << x.transpose();
+    const bool inside = x.minCoeff() > 0.5 && x.maxCoeff() < 7.5;
+    EXPECT_NEAR(s[3 * i], 0.0, inside ? 0.05 : 1.0) << x.transpose();
     EXPECT_LE(std::abs(s[3 * i]), 1.0);
   }
 }
