@@ -25,12 +25,27 @@ bool lasts(const Model& model, FunctionId function) {
   return f.shape == Shape::constant || f.shape == Shape::ramp;
 }
 
+namespace {
+
+Vec2 last_value(const Model& model, const BodyAcceleration& a) {
+  return a.acceleration * model.factor(a.function, 1e9);
+}
+
+}  // namespace
+
+Vec2 weight_direction(const Model& model) {
+  Vec2 sum = model.gravity;
+  for (const BodyAcceleration& a : model.body_accelerations)
+    if (a.blocks.empty() && lasts(model, a.function)) sum += last_value(model, a);
+  return sum;
+}
+
 Vec2 lasting_acceleration(const Model& model, BlockId block) {
   Vec2 sum = model.gravity;
   for (const BodyAcceleration& a : model.body_accelerations) {
     if (!lasts(model, a.function)) continue;
     if (!a.blocks.empty() && std::find(a.blocks.begin(), a.blocks.end(), block) == a.blocks.end()) continue;
-    sum += a.acceleration * (a.function.valid() ? model.functions[a.function.index()].value(1e9) : 1.0);
+    sum += last_value(model, a);
   }
   return sum;
 }

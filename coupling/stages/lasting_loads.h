@@ -7,6 +7,9 @@ namespace scree::coupling {
 
 /// True where a load's factor does not return to zero for good, or to a mean of zero.
 [[nodiscard]] bool lasts(const Model& model, FunctionId function);
+/// Gravity, with body accelerations that last and act on all blocks: those stand for it where it grows with time
+/// [m/s2].
+[[nodiscard]] Vec2 weight_direction(const Model& model);
 /// Force per mass on a block that lasts: gravity and body accelerations [m/s2].
 [[nodiscard]] Vec2 lasting_acceleration(const Model& model, BlockId block);
 

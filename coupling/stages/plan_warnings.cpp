@@ -199,12 +199,12 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
   const SlidingNeeds needs;
   const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), dynamic);
   if (stage == plan.stages.end()) return {};
+  const Vec2 pull = weight_direction(model);
+  if (pull == Vec2::Zero()) return {};
   std::vector<double> steepest(model.joints.size(), -1.0);  // of a law [rad]
   for (const Touch& touch : touches) {
     const bool a_held = model.support_of(touch.a) != nullptr, b_held = model.support_of(touch.b) != nullptr;
     if (a_held && b_held) continue;
-    const Vec2 pull = lasting_acceleration(model, a_held ? touch.b : touch.a);
-    if (pull == Vec2::Zero()) continue;
     for (const Stretch& s : touch.facing) {
       if (!s.law.valid()) continue;
       const double slope = std::acos(std::min(1.0, std::abs(s.normal.dot(pull)) / pull.norm()));
@@ -267,22 +267,21 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
   for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
   /// How far a push into a block is turned from straight up, counter-clockwise [rad].
-  const auto turned = [&](BlockId into, const Vec2& push) {
-    const Vec2 up = -lasting_acceleration(model, into);
+  const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
     return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
   };
-  const auto carries = [&](BlockId into, const Vec2& push, const Stretch& s) {
+  const auto carries = [&](const Vec2& push, const Stretch& s) {
     if (!s.law.valid()) return false;
     const JointLaw& law = model.joints[s.law.index()];
     const bool glued = law.cohesion > 0.0 || law.tensile_strength > 0.0;
-    return glued || std::abs(turned(into, push)) <= law.friction;
+    return glued || std::abs(turned(push)) <= law.friction;
   };
   for (bool grew = true; grew;) {
     grew = false;
     for (const Touch& t : touches)
       for (const Stretch& s : t.facing) {
         const auto lift = [&](BlockId from, BlockId into, const Vec2& push) {
-          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(into, push, s)) return;
+          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(push, s)) return;
           stands[into.index()] = 1;
           grew = true;
         };
@@ -299,7 +298,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   std::vector<std::array<bool, 2>> pushed(groups.blocks.size(), {false, false});
   const auto push = [&](BlockId from, BlockId into, const Vec2& direction) {
     if (stands[from.index()] == 0 || stands[into.index()] != 0) return;
-    const double angle = turned(into, direction);
+    const double angle = turned(direction);
     if (std::abs(angle) > 0.5 * std::numbers::pi + 1e-6) return;  // from above
     pushed[static_cast<std::size_t>(groups.of[into.index()])][angle > 0.0 ? 0 : 1] = true;
   };

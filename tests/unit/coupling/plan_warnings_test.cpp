@@ -147,6 +147,13 @@ TEST(Warnings, sliding_with_less_damping_than_it_asks_for) {
   Scene statics = on_slope(35, 37, 0.0);
   statics.plan.stages[0].rest = true;
   EXPECT_TRUE(warned(statics).empty());
+  Scene pushed = on_slope(5, 37, 0.0);  // a push on one block makes no slope
+  pushed.model.body_accelerations.push_back({{BlockId{1}}, {50.0, 0.0}, {}});
+  EXPECT_TRUE(warned(pushed).empty());
+  Scene grown = on_slope(35, 37, 0.0);  // gravity as a body acceleration does
+  grown.model.body_accelerations.push_back({{}, grown.model.gravity, {}});
+  grown.model.gravity.setZero();
+  expect_one(grown, "less than sliding asks for");
   Scene weightless = on_slope(35, 37, 0.0);
   weightless.model.gravity.setZero();
   EXPECT_TRUE(warned(weightless).empty());

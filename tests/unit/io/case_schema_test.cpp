@@ -298,8 +298,8 @@ TEST(Suggest, nearest_name_is_found_or_none) {
 }
 
 TEST(Suggest, parts_of_names_are_understood) {
-  const std::vector<std::string> keys = {"friction_deg", "residual_friction_deg", "cohesion", "normal_stiffness",
-                                         "shear_stiffness", "damping"};
+  const std::vector<std::string> keys = {"friction_deg",     "residual_friction_deg", "cohesion",
+                                         "normal_stiffness", "shear_stiffness",       "damping"};
   EXPECT_EQ(nearest("fric_deg", keys), "friction_deg");
   EXPECT_EQ(nearest("friction", keys), "friction_deg");
   EXPECT_EQ(nearest("coh", keys), "cohesion");

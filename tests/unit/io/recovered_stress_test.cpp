@@ -17,9 +17,8 @@ void add_grid(StoredFrame& f, int n, double x0, int block, const std::function<d
     for (int j = 0; j < n; ++j)
       for (int half = 0; half < 2; ++half) {
         const Vec2 at(x0 + i, j);
-        const std::array<Vec2, 3> corners =
-            half == 0 ? std::array<Vec2, 3>{at, at + Vec2(1, 0), at + Vec2(1, 1)}
-                      : std::array<Vec2, 3>{at, at + Vec2(1, 1), at + Vec2(0, 1)};
+        const std::array<Vec2, 3> corners = half == 0 ? std::array<Vec2, 3>{at, at + Vec2(1, 0), at + Vec2(1, 1)}
+                                                      : std::array<Vec2, 3>{at, at + Vec2(1, 1), at + Vec2(0, 1)};
         for (const Vec2& p : corners) {
           f.connectivity.push_back(static_cast<std::int64_t>(f.position.size() / 2));
           f.position.insert(f.position.end(), {p.x(), p.y()});
