@@ -305,7 +305,7 @@ TEST(Suggest, parts_of_names_are_understood) {
   EXPECT_EQ(nearest("coh", keys), "cohesion");
   EXPECT_EQ(nearest("norm_stiff", keys), "normal_stiffness");
   EXPECT_EQ(nearest("res_fric_deg", keys), "residual_friction_deg");
-  EXPECT_EQ(nearest("stiffness", {"stiffness_a", "stiffness_b"}), "") << "two would do";
+  EXPECT_EQ(nearest("stiffness", {"stiffness_left", "stiffness_down"}), "") << "two would do";
   EXPECT_EQ(nearest("no", keys), "") << "too short to say";
   EXPECT_EQ(nearest("deg_fric", keys), "") << "another order";
 }
