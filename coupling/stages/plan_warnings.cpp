@@ -212,9 +212,12 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
     }
   }
   std::vector<std::string> out;
+  double rough = -1.0;  // steepest of those with enough friction [rad]
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const JointLaw& law = model.joints[j];
-    if (steepest[j] < needs.angle || law.friction < needs.angle || law.damping >= needs.joint_damping) continue;
+    if (steepest[j] < needs.angle || law.friction < needs.angle) continue;
+    rough = std::max(rough, steepest[j]);
+    if (law.damping >= needs.joint_damping) continue;
     out.push_back(
         fmt::format("joint '{}': damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
                     "degrees with {:.0f} "
@@ -223,6 +226,13 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
                     "out unless that is what you study",
                     law.name, law.damping, needs.joint_damping, steepest[j] * kDegrees, law.friction * kDegrees));
   }
+  for (const Stage& s : plan.stages)
+    if (rough >= 0.0 && dynamic(s) && s.sliding_damping < needs.stage_damping)
+      out.push_back(fmt::format(
+          "stage '{}': sliding_damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
+          "degrees "
+          "blocks may vibrate, lose friction and slide too far; leave the key out unless that is what you study",
+          s.name, s.sliding_damping, needs.stage_damping, rough * kDegrees));
   return out;
 }
 
