@@ -102,6 +102,12 @@ struct StageTravel {
   double farthest = 0.0;  // [m]
 };
 
+/// Something that a user should know of a run that goes on all the same.
+struct Warning {
+  double time = 0.0;  // [s]
+  std::string text;   // one line
+};
+
 enum class EventKind {
   stage_start,
   stage_step,

@@ -25,6 +25,8 @@ struct Checkpoint {
   Audit audit;
   std::vector<TransferRow> transfers;
   std::vector<StageTravel> travels;
+  std::vector<Warning> warnings;
+  std::vector<std::int64_t> rule_changes;  // a stage: changes by its rules of methods, and of sides (2 a stage)
 
   /// As State::visit().
   template <class Visitor>
@@ -125,6 +127,12 @@ void Checkpoint::visit(Visitor&& see) {
     see("travel.block", t.block.value);
     see("travel.farthest", t.farthest);
   }
+  see.size("warnings", warnings);
+  for (Warning& w : warnings) {
+    see("warning.time", w.time);
+    see("warning.text", w.text);
+  }
+  see("rule_changes", rule_changes);
 }
 
 }  // namespace scree::coupling

@@ -14,9 +14,14 @@
 #include "coupling/integrate/subcycled.h"
 #include "coupling/stages/energy_watch.h"
 #include "coupling/stages/partition.h"
+#include "coupling/stages/plan_warnings.h"
 
 namespace scree::coupling {
 namespace {
+
+// Of Checkpoint::rule_changes.
+constexpr std::size_t kRuleKinds = 2;
+constexpr int kMethodRule = 0, kSideRule = 1;
 
 /// First multiple of `every` after `now`.
 Tick next_multiple(Tick now, Tick every) {
@@ -141,6 +146,7 @@ double Driver::wall() {
 
 void Driver::event(EventKind kind, std::string text, const TransferRow* row, const StageTravel* travel) {
   const Event e{kind, seconds(state_.time), std::move(text), row, travel};
+  if (kind == EventKind::warning) warnings_.push_back({e.time, e.text});
   for (Sink* s : sinks_) s->event(e);
 }
 
@@ -217,6 +223,8 @@ void Driver::start() {
   stats_ = RunStats{};
   audit_ = Audit{};
   travels_.clear();
+  warnings_.clear();
+  rule_changes_.assign(kRuleKinds * plan_->stages.size(), 0);
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
 
@@ -282,6 +290,7 @@ void Driver::watch_rules(const Stage& stage) {
 void Driver::change_methods(const Stage& stage) {
   const std::vector<MethodChange> changes = method_rules_->look(state_, *mover_);
   if (changes.empty()) return;
+  count_rule(kMethodRule, static_cast<std::int64_t>(changes.size()));
   mover_->leave(state_);
   mover_.reset();
   state_.rules.other_method.resize(model_->blocks.size(), 0);
@@ -305,6 +314,7 @@ void Driver::change_partition(const Stage& stage) {
           "{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
           stage.subcycled() ? (sides[i] != 0 ? "fast" : "slow") : (sides[i] != 0 ? "explicit" : "implicit"));
   }
+  count_rule(kSideRule, changed);
   mover_->leave(state_);
   mover_.reset();
   state_.explicit_side = std::move(sides);
@@ -384,6 +394,8 @@ void Driver::go_on() {
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
   travels_ = std::move(c.travels);
+  warnings_ = std::move(c.warnings);
+  rule_changes_ = std::move(c.rule_changes);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ =
       std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side));
@@ -411,6 +423,8 @@ Checkpoint Driver::checkpoint() const {
   c.audit = audit_;
   c.transfers = transfers_;
   c.travels = travels_;
+  c.warnings = warnings_;
+  c.rule_changes = rule_changes_;
   return c;
 }
 
@@ -533,6 +547,8 @@ RunEnd Driver::run(std::optional<double> until) {
     go_on();
   else
     start();
+  if (!goes_on)
+    for (std::string& text : plan_warnings(*model_, *plan_)) event(EventKind::warning, std::move(text));
   const auto first = static_cast<std::size_t>(state_.stage);
   RunEnd result;
   for (std::size_t i = first; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
@@ -550,8 +566,33 @@ RunEnd Driver::run(std::optional<double> until) {
     }
   }
   if (result.status == RunEnd::Status::interrupted) keep(true);
+  if (result.status == RunEnd::Status::done) tell_idle_rules();
   finish(result);
   return result;
+}
+
+void Driver::count_rule(int kind, std::int64_t changes) {
+  rule_changes_[kRuleKinds * static_cast<std::size_t>(state_.stage) + static_cast<std::size_t>(kind)] += changes;
+}
+
+void Driver::tell_idle_rules() {
+  const bool over = ended_ || state_.time >= stage_end_;  // else the run ends before the stage does
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
+    const Stage& stage = plan_->stages[i];
+    if (stage.change.used && rule_changes_[kRuleKinds * i + kMethodRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` "
+                      "and theory.md, \"By rules\", say what they measure",
+                      stage.name));
+    if (stage.integrator == Integrator::partitioned && stage.partition.changes() &&
+        rule_changes_[kRuleKinds * i + kSideRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules of motion (explicit_speed, explicit_strain_rate) never fired: every block "
+                      "took steps of one kind throughout",
+                      stage.name));
+  }
 }
 
 void Driver::finish(const RunEnd& result) {

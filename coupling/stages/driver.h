@@ -48,6 +48,8 @@ class Driver {
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
   /// A stage that has ended: how far its blocks went.
   [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
+  /// What was warned of so far.
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   void start();
@@ -102,6 +104,10 @@ class Driver {
   RunEnd advance_to(const Stage& stage, Tick target);
   /// @param first  of the stage: what binds the step is told
   [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
+  /// Counts changes that rules of the present stage made.
+  void count_rule(int kind, std::int64_t changes);
+  /// Tells of rules of stages that have ended which changed nothing.
+  void tell_idle_rules();
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
@@ -137,6 +143,8 @@ class Driver {
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
+  std::vector<Warning> warnings_;
+  std::vector<std::int64_t> rule_changes_;  // a stage: of methods, and of sides
 };
 
 /// What is said of a block that should come to rest.

@@ -67,7 +67,9 @@ constexpr Key kKeys[] = {
     {"material.NAME.poisson", Type::number, "", kPoisson, "", true, "", "Poisson's ratio."},
     {"material.NAME.initial_stress", Type::table, "", kAny, "", false, "",
      "In-situ stress of the material in the axes of the model, tension positive: constant, or growing with depth as "
-     "stress + (level - y) gradient. For blocks that begin with the NMM."},
+     "stress + (level - y) gradient. It is in the rock from the start, whatever the method: the NMM has it as it "
+     "varies, a "
+     "block of the DDA or under a onefold cover has its mean over the block."},
     {"material.NAME.initial_stress.xx", Type::number, "Pa", kAny, "", true, "", "Stress along x, at level."},
     {"material.NAME.initial_stress.yy", Type::number, "Pa", kAny, "", true, "", "Stress along y, at level."},
     {"material.NAME.initial_stress.xy", Type::number, "Pa", kAny, "0.0", false, "", "Shear stress, at level."},
@@ -103,8 +105,12 @@ constexpr Key kKeys[] = {
      "Slip after which the joint opens no further. Goes with dilation_deg."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
-     "4G/3)/d "
-     "of the stiffer side, d the width of the block normal to the edge."},
+     "4G/3)/d of the stiffer side, d the width of the block normal to the edge. Where a mesh of the NMM divides an "
+     "edge, "
+     "a hinge of two blocks bears on the outermost piece of it alone and is softer than between blocks of the DDA, "
+     "whose "
+     "joints have two points, each with half of the length: the limit of an arch moves by about 3 %. Ten times the "
+     "automatic stiffness, or the DDA, comes nearer to rigid blocks; `scree check` warns of such arches."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",

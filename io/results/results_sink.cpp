@@ -152,7 +152,7 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
   const auto begin = [&](h5::File file, const std::string& past) {
     make_files(std::move(file), tables, model, plan);
     files_->file.attribute("/provenance", "resumed", past + go_on_->place);
-    files_->summary.go_on(go_on_->transfers, go_on_->travels, mark.wall_seconds, mark.cpu_seconds);
+    files_->summary.go_on(go_on_->transfers, go_on_->travels, go_on_->warnings, mark.wall_seconds, mark.cpu_seconds);
   };
   BesideFile unfinished{h5::File::beside(folder_.results())};
   try {

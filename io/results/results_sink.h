@@ -27,6 +27,7 @@ class ResultsSink : public coupling::Sink {
     ResultsMark mark;
     std::vector<coupling::TransferRow> transfers;
     std::vector<coupling::StageTravel> travels;
+    std::vector<coupling::Warning> warnings;
     std::string place;                             // "t = 0.5 s, step 120", for /provenance
     std::function<void(const std::string&)> warn;  // told of results that are lost
   };

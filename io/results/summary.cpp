@@ -151,6 +151,7 @@ Summary::Summary(const Model& model, const Provenance& provenance) : model_(&mod
 void Summary::event(const coupling::Event& event) {
   if (event.transfer != nullptr) transfers_.push_back(*event.transfer);
   if (event.travel != nullptr) travels_.push_back(*event.travel);
+  if (event.kind == coupling::EventKind::warning) warnings_.push_back({event.time, event.text});
 }
 
 double Summary::wall_seconds() const {
@@ -163,7 +164,8 @@ double Summary::cpu_seconds() const {
 }
 
 void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
-                    double wall_seconds, double cpu_seconds) {
+                    std::vector<coupling::Warning> warnings, double wall_seconds, double cpu_seconds) {
+  warnings_ = std::move(warnings);
   transfers_ = std::move(transfers);
   travels_ = std::move(travels);
   earlier_wall_ = wall_seconds;
@@ -179,7 +181,12 @@ std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView
   json.field("status", status_name(end.status)).field("reason", end.reason);
   json.field("final_time", last.time).field("end_time", last.end_time).field("stage", last.stage_name);
   json.field("state_hash", fmt::format("{:016x}", coupling::state_hash(*last.state)));
-  json.field("threads", provenance_.threads);
+  json.field("threads", provenance_.threads).field("command_line", provenance_.command_line);
+  json.open('[', "set");
+  for (const std::string& option : provenance_.overrides) json.item(option);
+  json.close(']').open('[', "warnings");
+  for (const coupling::Warning& w : warnings_) json.open('{').field("time", w.time).field("text", w.text).close('}');
+  json.close(']');
   write_run(json, *last.stats, wall_seconds(), cpu_seconds());
   write_ledger(json, last.state->ledger);
   write_stages(json, *model_, travels_);

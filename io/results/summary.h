@@ -23,6 +23,7 @@ namespace scree::io {
 ///           relative_closure, scheme_share = max |scheme column| / moved},
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
 ///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
+///   warnings [{time, text}] (what the run was warned of, from the start), command_line, set [key=value],
 ///   blocks [{name, method, displacement = |mean displacement of the points of its cells|}]
 class Summary {
  public:
@@ -34,7 +35,7 @@ class Summary {
   [[nodiscard]] double cpu_seconds() const;
   /// Counts on from where a run stopped.
   void go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
-             double wall_seconds, double cpu_seconds);
+             std::vector<coupling::Warning> warnings, double wall_seconds, double cpu_seconds);
   /// The document.   @pre last.mesh, last.state and last.stats are set
   [[nodiscard]] std::string text(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
@@ -43,6 +44,7 @@ class Summary {
   Provenance provenance_;
   std::vector<coupling::TransferRow> transfers_;
   std::vector<coupling::StageTravel> travels_;
+  std::vector<coupling::Warning> warnings_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double earlier_wall_ = 0.0, earlier_cpu_ = 0.0;  // before a run went on [s]
 };
