@@ -95,7 +95,7 @@ Scene anything(std::mt19937_64& random) {
   scene.add("lower", rectangle(0.0, 0.0, width, height));
   if (one_in(2)) scene.add("upper", rectangle(0.1, height, uniform(0.9, 1.6), height + uniform(0.4, 0.8)));
   if (one_in(2)) {
-    scene.add("held", rectangle(width, 0.0, width + 0.8, 0.9), true);
+    scene.add("held", rectangle(width + 0.03, 0.0, width + 0.8, 0.9), true);  // no wedge
   }
   const BlockId flying = scene.add(
       "flying", transformed(rectangle(-0.4, -0.3, 0.4, 0.3), Vec2(uniform(0.2, 2.5), uniform(2.4, 2.8)),
@@ -105,7 +105,7 @@ Scene anything(std::mt19937_64& random) {
     scene.model.cracks.push_back({Vec2(0.2, 0.5 * height), Vec2(width - 0.3, uniform(0.3, 0.7) * height), JointId{0},
                                   BlockId{1}});
   const double cover = uniform(0.22, 0.4);
-  if (one_in(2)) scene.stage("nmm", Integrator::implicit, 0.01, 1e-3, cover).rest = one_in(2);
+  if (one_in(2)) scene.stage("nmm", Integrator::implicit, 0.01, 1e-3, cover);
   Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.1, std::pow(10.0, uniform(-3.7, -3.0)), cover);
   // A corner of a turned rectangle, or a band across all.
   const Mat2 R = rotation(uniform(0.0, 6.28));
