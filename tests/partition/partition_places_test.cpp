@@ -149,7 +149,7 @@ bool run_anything(const Scene& scene, double& closure) {
 TEST(PartitionPlaces, random_regions_run_and_close) {
   // SCREE_FULL=1: a hundred; SCREE_PARTITIONS: so many.
   const char* asked = std::getenv("SCREE_PARTITIONS");
-  const int wanted = asked != nullptr ? std::atoi(asked) : std::getenv("SCREE_FULL") != nullptr ? 100 : 6;
+  const int wanted = asked != nullptr ? std::atoi(asked) : std::getenv("SCREE_FULL") != nullptr ? 100 : 3;
   const char* first = std::getenv("SCREE_SEED");
   double closure = 0.0;
   int made = 0, refused = 0;
