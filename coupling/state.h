@@ -22,9 +22,6 @@ struct ContactKey {
   void visit(Visitor&& see) const;
 };
 
-/// Age of contacts that were closed before anybody counted: no impact is on [s].
-inline constexpr double kLongClosed = 1e9;
-
 /// What a contact point remembers between steps.
 struct ContactMemory {
   ContactKey key;
@@ -41,7 +38,6 @@ struct ContactMemory {
   double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
   double water = 0.0;          // force of the water in the joint on the corner, along the outward normal [N]
   double slip = 0.0;           // accumulated |slip| [m]
-  double age = 0.0;            // how long it has been closed, since it last closed in explicit steps [s]
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
@@ -214,7 +210,6 @@ void State::visit(Visitor&& see) const {
     see("contact.fdt", c.fdt);
     see("contact.water", c.water);
     see("contact.slip", c.slip);
-    see("contact.age", c.age);
     see("contact.facing", c.facing);
     see("contact.share", c.share);
     see("contact.kn", c.kn);

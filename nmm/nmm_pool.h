@@ -91,8 +91,8 @@ class NmmPool final : public Pool {
     // Of a divided block: all elements, and those that mass_ carries.
     std::unique_ptr<CoverMesh> whole, lumped;
     // And what both halves oppose to a force, whichever acts: contacts on the other one are damped by it too.
-    CoverChart whole_chart;              // covers counted from the body's first
-    std::vector<double> whole_inverse;   // row sums of the mass, inverted; 0 for tied covers [1/kg]
+    CoverChart whole_chart;             // covers counted from the body's first
+    std::vector<double> whole_inverse;  // row sums of the mass, inverted; 0 for tied covers [1/kg]
     ReferenceShape shape;
     Formulation form;
     ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "coupling/contact/joint_strength.h"
 
@@ -19,7 +18,6 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 constexpr std::size_t kAhead = 12;    // pairs: edges on the other side are asked for so far ahead
 constexpr double kInLine = 0.5;       // of a corner's depth: more of it is that of the joint that goes on beside it
-constexpr double kImpact = 2.0 * std::numbers::pi;  // two half periods: its blocks give way too
 constexpr double kBoundMargin = 0.1;  // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
@@ -33,8 +31,6 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       known_(setup.outlines()),
       x_(setup.outlines().nodes.size()) {
   const Outlines& o = setup.outlines();
-  for (const Body& b : setup.bodies())
-    inverse_mass_.push_back(b.driven && !b.guest ? 0.0 : 1.0 / reference_shape(setup.model(), b.block).mass);
   for (std::size_t i = 0; i < o.nodes.size(); ++i) {
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
     largest_weights_ =
@@ -189,14 +185,6 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
   p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
-}
-
-bool ContactFinder::is_impact(const ContactPoint& p, const ContactMemory& m) const {
-  if (m.status == ContactStatus::open || m.segment < 0) return false;
-  const std::vector<std::int32_t>& body = setup_->outlines().node_body;
-  const double mu = inverse_mass_[static_cast<std::size_t>(body[static_cast<std::size_t>(p.node[0])])] +
-                    inverse_mass_[static_cast<std::size_t>(body[static_cast<std::size_t>(p.node[1])])];
-  return m.age * m.age * std::max(m.kn, p.springs.kn) * mu < kImpact * kImpact;
 }
 
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {

@@ -59,10 +59,6 @@ class ContactFinder {
   [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
-  /// True while a contact may be an impact, which lasts half a period of the two bodies on its springs: kind and share
-  /// stay as they were when it closed. A spring that changes under load gives or takes energy, f^2 (1/k' - 1/k)/2, and
-  /// no force goes with it.
-  [[nodiscard]] bool is_impact(const ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
   /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
@@ -105,7 +101,6 @@ class ContactFinder {
   KnownContacts known_;
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
-  std::vector<double> inverse_mass_;        // of bodies [1/kg]; 0 where nothing moves them
   std::vector<Vec2> x_;                     // outline nodes
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners

@@ -56,7 +56,7 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   const bool closed = m.status != ContactStatus::open;
   if (passed) m.joint = p.joint;
   // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds().
-  if (!closed || (!is_impact(p, m) && m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
+  if (!closed || (m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
     m.facing = static_cast<std::int32_t>(p.facing);
     m.share = p.springs.share;
     m.kn = p.springs.kn;
@@ -66,7 +66,6 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   if (at_start && old == nullptr && !p.beyond && std::abs(p.at.gap) <= touching_) {
     m.gap0 = p.at.gap;
     m.status = ContactStatus::stick;  // closed, without force
-    m.age = kLongClosed;
     m.bonded = setup_->model().joints[static_cast<std::size_t>(m.joint)].tensile_strength > 0.0 ? 1 : 0;
     m.segment = part;
     m.anchor = p.at.xi;
@@ -134,7 +133,6 @@ void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) con
     bond_like(beside, m);
   if (m.gap >= 0.0 && m.bonded == 0) return;
   m.status = ContactStatus::stick;
-  m.age = beside.age;
   m.failed = beside.failed;
   m.slip = beside.slip;
   m.stretch = beside.stretch;
@@ -209,7 +207,6 @@ void ContactFinder::interpolate(ContactList& out) const {
     ContactMemory& m = out.memory[f];
     m.status = ContactStatus::stick;
     m.failed = w < 0.5 ? a.failed : b.failed;
-    m.age = w < 0.5 ? a.age : b.age;
     m.gap0 = (1.0 - w) * a.gap0 + w * b.gap0;
     m.slip = (1.0 - w) * a.slip + w * b.slip;
     m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
@@ -231,7 +228,6 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     const bool same_kind = m.facing == static_cast<std::int32_t>(p.facing);
     if (m.status == ContactStatus::open || (same_kind && (p.facing || (m.kn == p.springs.kn && m.kt == p.springs.kt))))
       continue;
-    if (is_impact(p, m)) continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
     if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
     const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);

@@ -245,7 +245,6 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     const double gap0 = m.gap0;
     apply_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], p, motion, m);
     opened_[i] = m.gap0 - gap0;
-    m.age = m.status == ContactStatus::open ? 0.0 : m.age + h;
   }
 }
 

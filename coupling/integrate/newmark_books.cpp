@@ -122,7 +122,6 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
       m.anchor = g.xi - t.stretch / g.length;
     }
     m.status = t.status;
-    m.age = t.status == ContactStatus::open ? 0.0 : kLongClosed;
     m.fn = t.fn;
     m.fd = m.fdt = 0.0;
     m.ft = t.ft;

@@ -97,13 +97,13 @@ Scene anything(std::mt19937_64& random) {
   if (one_in(2)) {
     scene.add("held", rectangle(width + 0.03, 0.0, width + 0.8, 0.9), true);  // no wedge
   }
-  const BlockId flying = scene.add(
-      "flying", transformed(rectangle(-0.4, -0.3, 0.4, 0.3), Vec2(uniform(0.2, 2.5), uniform(2.4, 2.8)),
-                            rotation(uniform(0.0, 1.5))));
+  const BlockId flying =
+      scene.add("flying", transformed(rectangle(-0.4, -0.3, 0.4, 0.3), Vec2(uniform(0.2, 2.5), uniform(2.4, 2.8)),
+                                      rotation(uniform(0.0, 1.5))));
   scene.model.initial_velocities.push_back({flying, Vec2(uniform(-1.0, 1.0), uniform(-5.0, 0.0)), uniform(-2.0, 2.0)});
   if (one_in(2))
-    scene.model.cracks.push_back({Vec2(0.2, 0.5 * height), Vec2(width - 0.3, uniform(0.3, 0.7) * height), JointId{0},
-                                  BlockId{1}});
+    scene.model.cracks.push_back(
+        {Vec2(0.2, 0.5 * height), Vec2(width - 0.3, uniform(0.3, 0.7) * height), JointId{0}, BlockId{1}});
   const double cover = uniform(0.22, 0.4);
   if (one_in(2)) scene.stage("nmm", Integrator::implicit, 0.01, 1e-3, cover);
   Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.1, std::pow(10.0, uniform(-3.7, -3.0)), cover);

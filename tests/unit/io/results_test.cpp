@@ -370,8 +370,7 @@ TEST(Outcome, a_summary_with_a_number_that_is_not_finite_does_not_say_done) {
       const coupling::StageTravel travel{"s", BlockId{1}, planted == Planted::travel ? none : 1.0};
       sink.event({coupling::EventKind::stage_end, 0.0, "done", nullptr, &travel});
       if (planted == Planted::ledger) small.state.ledger.book(Column::friction, none);
-      const coupling::FrameView last =
-          small.frame(0.1, 0, planted == Planted::position ? none : 0.01, 0.0, 1e5);
+      const coupling::FrameView last = small.frame(0.1, 0, planted == Planted::position ? none : 0.01, 0.0, 1e5);
       sink.end({status, status == coupling::RunEnd::Status::done ? "" : "stopped"}, last);
       const std::string text = text_of(scratch.path() / "run" / "summary.json");
       const bool wrong = planted != Planted::nothing && status == coupling::RunEnd::Status::done;
