@@ -290,7 +290,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 
   coupling::RunEnd end;
   try {
-    end = driver.run(options.until);
+    (void)driver.run(options.until);
+    end = results.outcome();
   } catch (const coupling::PlanError& e) {
     fmt::print(stderr, "error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
     return kBadCase;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/ledger/ledger.h"
+#include "coupling/visit.h"
 #include "model/pool.h"
 
 namespace scree::coupling {
@@ -18,7 +19,7 @@ struct ContactKey {
   auto operator<=>(const ContactKey&) const = default;
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// What a contact point remembers between steps.
@@ -84,7 +85,7 @@ struct RuleMemory {
   Energy energy;
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 struct State {
@@ -108,9 +109,9 @@ struct State {
   RuleMemory rules;
   Ledger ledger;
 
-  /// Shows every field, in a fixed order, to see(name, value). One list serves hash, comparison and checkpoint.
+  /// Shows every field, in a fixed order, to see(name, value); visit_to_write() so that they may change.
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// 64-bit hash of every bit of the state. Equal states have equal hashes; it is promised for one binary on one
@@ -120,7 +121,7 @@ struct State {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void ContactKey::visit(Visitor&& see) {
+void ContactKey::visit(Visitor&& see) const {
   see("contact.block_p", block_p);
   see("contact.ring_p", ring_p);
   see("contact.vertex", vertex);
@@ -132,7 +133,7 @@ void ContactKey::visit(Visitor&& see) {
 
 /// A body as State::visit() shows it.
 template <class Visitor>
-void visit_body(Visitor&& see, BodyRecord& b) {
+void visit_body(Visitor&& see, const BodyRecord& b) {
   see("body.block", b.block.value);
   see("body.method", b.method);
   see("body.outline", b.shape.outline);
@@ -149,18 +150,20 @@ void visit_body(Visitor&& see, BodyRecord& b) {
   see("body.model_triangle", b.form.model_triangle);
   see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
-  Polygon region{b.form.division.region, {}};
-  see("body.explicit_region", region);
-  b.form.division.region = std::move(region.outer);
+  see.size("body.explicit_region", b.form.division.region);
+  for (const Vec2& x : b.form.division.region) {
+    see("body.explicit_region", x.x());
+    see("body.explicit_region", x.y());
+  }
 }
 
 template <class Visitor>
-void RuleMemory::visit(Visitor&& see) {
+void RuleMemory::visit(Visitor&& see) const {
   see("rules.peak", peak);
   see("rules.slow_since", slow_since);
   see("rules.balanced_since", balanced_since);
   see.size("rules.slips", slips);
-  for (Slip& s : slips) {
+  for (const Slip& s : slips) {
     see("rules.slip_a", s.a);
     see("rules.slip_b", s.b);
     see("rules.slip", s.slip);
@@ -176,14 +179,14 @@ void RuleMemory::visit(Visitor&& see) {
 }
 
 template <class Visitor>
-void State::visit(Visitor&& see) {
+void State::visit(Visitor&& see) const {
   see("time", time);
   see("step", step);
   see("stage", stage);
   see("last_step", last_step);
   see("relaxing", relaxing);
   see.size("bodies", bodies);
-  for (BodyRecord& b : bodies) visit_body(see, b);
+  for (const BodyRecord& b : bodies) visit_body(see, b);
   see("explicit_side", explicit_side);
   see("q", q);
   see("v", v);
@@ -192,7 +195,7 @@ void State::visit(Visitor&& see) {
   see("damping", damping);
   see("sliding", sliding);
   see.size("contacts", contacts);
-  for (ContactMemory& c : contacts) {
+  for (const ContactMemory& c : contacts) {
     c.key.visit(see);
     see("contact.status", c.status);
     see("contact.failed", c.failed);
@@ -220,7 +223,7 @@ void State::visit(Visitor&& see) {
   see("factored.row", factored.row);
   see("factored.value", factored.value);
   see.size("rest", rest);
-  for (Remainder& r : rest) {
+  for (const Remainder& r : rest) {
     see("rest.block", r.block.value);
     see("rest.kinetic", r.kinetic);
     see("rest.elastic", r.elastic);

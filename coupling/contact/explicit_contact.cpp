@@ -121,7 +121,8 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
     apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
   }
   state.contacts = now_.memory;
-  clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
+  // What was remembered and is not found is in the list before: the next step takes it out.
+  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 void ExplicitContact::check(std::span<const double> q, Audit& audit) const {

@@ -99,6 +99,13 @@ double Ledger::largest() const {
   return most;
 }
 
-double Ledger::relative_closure() const { return moved_ > 0.0 ? std::abs(closure()) / moved_ : 0.0; }
+double Ledger::relative_closure() const { return moved_ == 0.0 ? 0.0 : std::abs(closure()) / moved_; }
+
+std::string_view Ledger::not_finite() const {
+  for (std::size_t i = 0; i < kInfo.size(); ++i)
+    if (!std::isfinite(value_[i])) return kInfo[i].name;
+  if (!std::isfinite(moved_)) return "moved";
+  return std::isfinite(closure()) ? "" : "closure";
+}
 
 }  // namespace scree::coupling

@@ -83,11 +83,13 @@ class Ledger {
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
   [[nodiscard]] double largest() const;                  // |column|, of all [J]
-  /// |closure| / moved, 0 while nothing has moved.
+  /// |closure| / moved, 0 while nothing has moved; not a number where one of them is none.
   [[nodiscard]] double relative_closure() const;
+  /// The first number in it that is not finite: a column, "moved" or "closure"; empty: all are.
+  [[nodiscard]] std::string_view not_finite() const;
 
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("ledger.value", value_);
     see("ledger.initial", initial_);
     see("ledger.moved", moved_);

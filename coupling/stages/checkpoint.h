@@ -30,7 +30,7 @@ struct Checkpoint {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// Keeps checkpoints. As a Sink it may not change the run, but a checkpoint that cannot be written ends it.
@@ -49,7 +49,7 @@ class Keeper {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void visit(BodyTotals& t, Visitor&& see) {
+void visit(const BodyTotals& t, Visitor&& see) {
   see("totals.mass", t.mass);
   see("totals.centre", t.centre);
   see("totals.momentum", t.momentum);
@@ -59,7 +59,7 @@ void visit(BodyTotals& t, Visitor&& see) {
 }
 
 template <class Visitor>
-void visit(TransferRow& row, Visitor&& see) {
+void visit(const TransferRow& row, Visitor&& see) {
   see("row.time", row.time);
   see("row.block", row.block.value);
   see("row.from", row.from);
@@ -85,7 +85,7 @@ void visit(TransferRow& row, Visitor&& see) {
 }
 
 template <class Visitor>
-void visit(RunStats& s, Visitor&& see) {
+void visit(const RunStats& s, Visitor&& see) {
   static_assert(sizeof(RunStats) == 18 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
@@ -108,7 +108,7 @@ void visit(RunStats& s, Visitor&& see) {
 }
 
 template <class Visitor>
-void Checkpoint::visit(Visitor&& see) {
+void Checkpoint::visit(Visitor&& see) const {
   state.visit(see);
   mover.visit(see);
   see("stage_end", stage_end);
@@ -120,9 +120,9 @@ void Checkpoint::visit(Visitor&& see) {
   coupling::visit(stats, see);
   audit.visit(see);
   see.size("transfers", transfers);
-  for (TransferRow& row : transfers) coupling::visit(row, see);
+  for (const TransferRow& row : transfers) coupling::visit(row, see);
   see.size("travels", travels);
-  for (StageTravel& t : travels) {
+  for (const StageTravel& t : travels) {
     see("travel.stage", t.stage);
     see("travel.block", t.block.value);
     see("travel.farthest", t.farthest);

@@ -519,7 +519,8 @@ RunEnd Driver::run_stage(const Stage& stage, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     largest_ = 0;
     look(target == frame || target == end || ended_);
-    result = check_closure(stage);
+    result = check_finite(stage);
+    if (result.status == RunEnd::Status::done) result = check_closure(stage);
     if (result.status != RunEnd::Status::done) return result;
     keep(target == end || ended_);
   }

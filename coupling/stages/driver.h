@@ -90,6 +90,8 @@ class Driver {
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
+  /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
+  [[nodiscard]] RunEnd check_finite(const Stage& stage);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/energy_watch.h"
@@ -179,6 +180,24 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
   }
   return {};
+}
+
+RunEnd Driver::check_finite(const Stage& stage) {
+  std::string what;
+  LostPlace place = not_finite_at(*setup_, state_.q, "the position", state_.q);
+  if (place.body < 0) place = not_finite_at(*setup_, state_.v, "the velocity", state_.q);
+  if (place.body >= 0)
+    what = fmt::format("block '{}', {}",
+                       model_->blocks[setup_->bodies()[static_cast<std::size_t>(place.body)].block.index()].name,
+                       place.what);
+  else if (const std::string_view wrong = state_.ledger.not_finite(); !wrong.empty())
+    what = fmt::format("'{}' of the energy ledger is not finite", wrong);
+  if (what.empty()) return {};
+  const std::string reason =
+      fmt::format("t = {:.6g} s, stage '{}': {}; results from the last frame before on have no meaning",
+                  seconds(state_.time), stage.name, what);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::non_finite, reason};
 }
 
 RunEnd Driver::check_closure(const Stage& stage) {

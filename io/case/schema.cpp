@@ -426,7 +426,8 @@ constexpr Key kKeys[] = {
     {"stage[].explicit_region", Type::ring, "m", kCoordinate, "", false, "",
      "Partitioned stages: blocks inside take explicit steps, unless they are named. A block across its border, which "
      "takes the NMM with a mesh, is divided: elements whose centroid was first inside take explicit steps, the others "
-     "implicit ones, and forces hold the covers of both together without work."},
+     "implicit ones, and forces hold the covers of both together without work. What is held or driven takes no steps, "
+     "and is not divided."},
     {"stage[].explicit_area", Type::number, "m2", kPositive, "", false, "",
      "Partitioned stages: blocks that are smaller take explicit steps, unless they are named."},
     {"stage[].explicit_speed", Type::number, "m/s", kPositive, "", false, "",

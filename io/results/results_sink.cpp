@@ -206,10 +206,11 @@ void ResultsSink::event(const coupling::Event& event) {
 
 void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
-  files().file.attribute("/provenance", "status", status_name(end.status));  // a run that was killed has none
-  files().file.attribute("/provenance", "reason", end.reason);
+  outcome_ = files().summary.checked(end, last);
+  files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has none
+  files().file.attribute("/provenance", "reason", outcome_.reason);
   files().close();
-  write_atomically(folder_.summary(), files().summary.text(end, last));
+  write_atomically(folder_.summary(), files().summary.text(outcome_, last));
   files_.reset();
 }
 

@@ -173,6 +173,19 @@ void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<co
 }
 
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+  return document(end, last).text();
+}
+
+coupling::RunEnd Summary::checked(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+  if (end.status != coupling::RunEnd::Status::done) return end;
+  const std::string wrong = document(end, last).not_finite();
+  if (wrong.empty()) return end;
+  return {coupling::RunEnd::Status::non_finite,
+          fmt::format("t = {:.6g} s, stage '{}': '{}' of the summary is not finite, although every step was made",
+                      last.time, last.stage_name, wrong)};
+}
+
+JsonWriter Summary::document(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
   JsonWriter json;
   json.open('{').field("version", provenance_.version).field("commit", provenance_.commit);
@@ -192,7 +205,7 @@ std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView
   write_stages(json, *model_, travels_);
   write_transfers(json, *model_, transfers_);
   write_blocks(json, *model_, last);
-  return json.close('}').text();
+  return json.close('}');
 }
 
 }  // namespace scree::io

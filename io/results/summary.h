@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/sink.h"
+#include "io/results/json.h"
 #include "io/results/provenance.h"
 
 namespace scree::io {
@@ -38,8 +39,13 @@ class Summary {
              std::vector<coupling::Warning> warnings, double wall_seconds, double cpu_seconds);
   /// The document.   @pre last.mesh, last.state and last.stats are set
   [[nodiscard]] std::string text(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+  /// How the run ended, but non_finite in place of done where the document would have a number that is not finite.
+  /// @pre as of text()
+  [[nodiscard]] coupling::RunEnd checked(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
  private:
+  [[nodiscard]] JsonWriter document(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+
   const Model* model_;
   Provenance provenance_;
   std::vector<coupling::TransferRow> transfers_;
