@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "coupling/ledger/ledger.h"
@@ -19,6 +20,26 @@ struct ContactKey {
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see);
+};
+
+/// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
+/// @see contact/friction_check.h
+struct SlideMemory {
+  struct Sum {
+    double slip = 0.0;               // net [m]; of windows that are complete in elastic stretches [1]
+    double drag = 0.0, limit = 0.0;  // impulse of the tangential force, and of Coulomb's limit [N s]
+  };
+  double length = 0.0, time = 0.0;  // of the present window, and how much of it has passed [s]
+  Sum now, last, total;             // present window, the one before, the stretch without its first and last windows
+  std::int32_t windows = 0;         // complete ones of the stretch
+  double worst = std::numeric_limits<double>::infinity();  // smallest ratio of the two impulses in a long stretch
+
+  /// The stretch is over.
+  void end() {
+    const double kept = worst;
+    *this = SlideMemory{};
+    worst = kept;
+  }
 };
 
 /// What a contact point remembers between steps.
@@ -40,6 +61,7 @@ struct ContactMemory {
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
+  SlideMemory slide;
 };
 
 /// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
@@ -211,6 +233,15 @@ void State::visit(Visitor&& see) {
     see("contact.share", c.share);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
+    see("contact.slide_length", c.slide.length);
+    see("contact.slide_time", c.slide.time);
+    for (SlideMemory::Sum* sum : {&c.slide.now, &c.slide.last, &c.slide.total}) {
+      see("contact.slide_slip", sum->slip);
+      see("contact.slide_drag", sum->drag);
+      see("contact.slide_limit", sum->limit);
+    }
+    see("contact.slide_windows", c.slide.windows);
+    see("contact.slide_worst", c.slide.worst);
   }
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);

@@ -5,6 +5,7 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/run_watch.h"
 
 namespace scree::coupling {
 
@@ -25,6 +26,7 @@ struct Checkpoint {
   Audit audit;
   std::vector<TransferRow> transfers;
   std::vector<StageTravel> travels;
+  Told told;
 
   /// As State::visit().
   template <class Visitor>
@@ -84,7 +86,7 @@ void visit(TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 18 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 23 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -103,6 +105,8 @@ void visit(RunStats& s, Visitor&& see) {
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
   see("stats.element_steps", s.element_steps);
+  see("stats.friction_ratio", s.friction_ratio);
+  s.friction_key.visit(see);
 }
 
 template <class Visitor>
@@ -125,6 +129,7 @@ void Checkpoint::visit(Visitor&& see) {
     see("travel.block", t.block.value);
     see("travel.farthest", t.farthest);
   }
+  told.visit(see);
 }
 
 }  // namespace scree::coupling

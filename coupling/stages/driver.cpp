@@ -133,6 +133,7 @@ Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
     : model_(&model), plan_(&plan), methods_(&methods) {
   detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
   for (const Stage& s : plan.stages) end_ += s.duration;
+  round_off_ = energy_of_round_off(model);
 }
 
 double Driver::wall() {
@@ -216,6 +217,7 @@ void Driver::start() {
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
   audit_ = Audit{};
+  told_ = Told{};
   travels_.clear();
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
@@ -383,6 +385,7 @@ void Driver::go_on() {
   mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
+  told_ = std::move(c.told);
   travels_ = std::move(c.travels);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ =
@@ -411,6 +414,7 @@ Checkpoint Driver::checkpoint() const {
   c.audit = audit_;
   c.transfers = transfers_;
   c.travels = travels_;
+  c.told = told_;
   return c;
 }
 
@@ -505,7 +509,9 @@ RunEnd Driver::run_stage(const Stage& stage, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     largest_ = 0;
     look(target == frame || target == end || ended_);
+    warn_of_losses(stage, target == end || ended_);
     result = check_closure(stage);
+    if (result.status == RunEnd::Status::done) result = check_gain(stage, true);
     if (result.status != RunEnd::Status::done) return result;
     keep(target == end || ended_);
   }

@@ -88,6 +88,10 @@ class Driver {
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
+  /// Warns of friction that contacts have lost; `whole`: and of large columns of the scheme.
+  void warn_of_losses(const Stage& stage, bool whole);
+  /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
+  [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
@@ -137,6 +141,8 @@ class Driver {
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
+  Told told_;
+  double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 
 /// What is said of a block that should come to rest.

@@ -20,7 +20,9 @@ namespace scree::io {
 ///   factor of another matrix), audit {checks, worst} (of audited runs), wall_seconds {explicit, implicit, output,
 ///   total}, cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second,
 ///   contacts, ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
-///           relative_closure, scheme_share = max |scheme column| / moved},
+///           relative_closure, passed, passed_closure, gain (Ledger::passed and gain),
+///           scheme_share = max |scheme column| / moved, scheme_passed_share = the same of watched columns / passed},
+///   friction {worst_ratio, contact} (FrictionCheck; of runs in which a contact slid far enough),
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
 ///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
 ///   blocks [{name, method, displacement = |mean displacement of the points of its cells|}]
