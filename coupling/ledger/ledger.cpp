@@ -49,6 +49,22 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"transfer", Side::scheme, "cross terms booked when bodies change method"},
 }};
 
+/// The columns of a side, which stand together: first, and one after the last.
+struct Columns {
+  std::size_t begin = kInfo.size(), end = 0;
+};
+constexpr Columns columns_of(Side side) {
+  Columns found;
+  for (std::size_t i = 0; i < kInfo.size(); ++i) {
+    if (kInfo[i].side != side) continue;
+    found.begin = std::min(found.begin, i);
+    found.end = i + 1;
+  }
+  return found;
+}
+constexpr Columns kEnergy = columns_of(Side::energy), kWork = columns_of(Side::work);
+static_assert(kEnergy.end == kWork.begin && static_cast<std::size_t>(Column::shadow) + 1 == kEnergy.end);
+
 }  // namespace
 
 const ColumnInfo& info(Column column) { return kInfo[static_cast<std::size_t>(column)]; }
@@ -105,21 +121,22 @@ double Ledger::largest() const {
 
 double Ledger::relative_closure() const { return moved_ > 0.0 ? std::abs(closure()) / moved_ : 0.0; }
 
-double Ledger::held() const { return energy() - (*this)[Column::shadow]; }
+double Ledger::held() const {
+  double sum = 0.0;
+  for (std::size_t i = kEnergy.begin; i + 1 < kEnergy.end; ++i) sum += value_[i];  // all but the shadow
+  return sum;
+}
 
 double Ledger::given() const {
   double sum = initial_ + (*this)[Column::transfer];
-  for (std::size_t i = 0; i < kInfo.size(); ++i)
-    if (kInfo[i].side == Side::work) sum += value_[i];
+  for (std::size_t i = kWork.begin; i < kWork.end; ++i) sum += value_[i];
   return sum;
 }
 
 double Ledger::passed_now() const {
   double sum = std::abs(initial_);
-  for (std::size_t i = 0; i < kInfo.size(); ++i) {
-    if (kInfo[i].side == Side::work) sum += std::abs(value_[i]);
-    if (kInfo[i].side == Side::energy && static_cast<Column>(i) != Column::shadow) sum += std::max(0.0, -value_[i]);
-  }
+  for (std::size_t i = kEnergy.begin; i + 1 < kEnergy.end; ++i) sum += std::max(0.0, -value_[i]);
+  for (std::size_t i = kWork.begin; i < kWork.end; ++i) sum += std::abs(value_[i]);
   return sum;
 }
 

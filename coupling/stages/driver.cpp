@@ -509,7 +509,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     largest_ = 0;
     look(target == frame || target == end || ended_);
-    warn_of_losses(stage, target == end || ended_);
+    warn_of_losses(stage, true);
     result = check_closure(stage);
     if (result.status == RunEnd::Status::done) result = check_gain(stage, true);
     if (result.status != RunEnd::Status::done) return result;

@@ -88,8 +88,9 @@ class Driver {
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
-  /// Warns of friction that contacts have lost; `whole`: and of large columns of the scheme.
-  void warn_of_losses(const Stage& stage, bool whole);
+  /// Warns of friction that contacts have lost; `complete`, the ledger is up to date: and of large columns of the
+  /// scheme.
+  void warn_of_losses(const Stage& stage, bool complete);
   /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
   [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
   /// Ends a run whose ledger is open by more than the plan allows.

@@ -185,9 +185,9 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
   return {};
 }
 
-void Driver::warn_of_losses(const Stage& stage, bool whole) {
+void Driver::warn_of_losses(const Stage& stage, bool complete) {
   std::vector<std::string> lines = lost_friction(*model_, state_, stats_, told_);
-  if (whole) {
+  if (complete && state_.ledger.passed_given() > round_off_) {
     const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
     lines.insert(lines.end(), columns.begin(), columns.end());
   }

@@ -37,12 +37,17 @@ std::optional<std::string> energy_from_nowhere(const Ledger& ledger, double most
   // Not finite: gone as well.
   if (gain <= most * std::max(ledger.passed_given(), round_off)) return std::nullopt;
   const Column column = largest_scheme_column(ledger);
+  const std::string where =
+      ledger[column] > 0.5 * gain
+          ? fmt::format("the ledger's column '{}' has {:.3g} J of it", info(column).name, ledger[column])
+          : std::string("no column of the ledger has it: the time scheme itself is unstable");
   return fmt::format(
-      "the blocks hold {:.3g} J, and {:.3g} J were given to them by motion at the start, work and initial stress: "
-      "energy from nowhere ({:.3g} J in the ledger's column '{}', {:.3g} J in 'shadow'). Either the steps are too long "
-      "(force_dt, or an explicit dt above its bound: use dt = \"auto\", or a smaller safety), or contacts are far "
-      "stiffer than the blocks (normal_stiffness), or a force is wrong. run.max_gain sets what is allowed",
-      ledger.held(), ledger.given(), ledger[column], info(column).name, ledger[Column::shadow]);
+      "the blocks hold {:.3g} J, and {:.3g} J were given to them by motion at the start and work: energy from nowhere "
+      "({}). Either the steps are too long (force_dt, or safety above 0.95: use dt = \"auto\" and a smaller safety), "
+      "or "
+      "contacts are far stiffer than the blocks (normal_stiffness, penalty), or a force is wrong; run.max_gain sets "
+      "what is allowed",
+      ledger.held(), ledger.given(), where);
 }
 
 std::vector<std::string> large_scheme_columns(const Ledger& ledger, Told& told) {

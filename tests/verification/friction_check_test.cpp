@@ -109,6 +109,77 @@ TEST_P(SteadySlide, has_its_friction) {
 INSTANTIATE_TEST_SUITE_P(AllSchemes, SteadySlide, ::testing::ValuesIn(kAllSchemes),
                          [](const auto& p) { return p.param.name; });
 
+/// Blocks that take explicit and implicit steps, and steps of two sizes: every substep is seen, by whichever side has
+/// the contact.
+TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
+  for (const bool flutters : {false, true})
+    for (const int kind : {0, 1, 2}) {  // explicit wedge, shared contacts, steps of two sizes
+      Wedge scene;
+      if (!flutters) scene.model.joints[0].friction = 20.0 * kDegree, scene.model.functions[1].amplitude = 0.0;
+      const BlockId other = scene.add("other", rectangle(100, 0, 110, 10));
+      Stage& stage =
+          scene.stage("dda", Integrator::partitioned, flutters ? scene.seconds : 1.2, kind == 2 ? 5e-4 : 1e-3);
+      (kind == 1 ? stage.partition.implicit_blocks : stage.partition.explicit_blocks) = {scene.wedge};
+      if (kind == 1) stage.partition.explicit_blocks = {other};
+      stage.partition.shared_contacts = kind == 1;
+      stage.partition.others_explicit = kind == 2;
+      scene.model.body_accelerations[0].blocks = scene.model.body_accelerations[1].blocks = {scene.wedge};
+      Found found;
+      look_at(scene, scene.wedge, found);
+      std::printf("%s, kind %d: slid %.3f m, ratio %.4f\n", flutters ? "flutters" : "slides", kind, found.slid,
+                  found.ratio);
+      EXPECT_TRUE(std::isfinite(found.ratio));
+      if (flutters) EXPECT_EQ(found.of_friction(), 1U) << kind;
+    }
+}
+
+/// A vertex that passes from edge to edge in line keeps its slide: none of the edges is as long as a hundred stretches.
+TEST(FrictionCheck, goes_with_a_vertex_to_the_next_edge) {
+  for (const double piece : {100.0, 0.04}) {
+    Scene scene(1e7, 0.2, 2600.0, 20.0);
+    Polygon plane{{{-2, -2}, {8, -2}, {8, 0}}, {}};
+    for (double x = 8.0 - piece; x > -2.0; x -= piece) plane.outer.push_back({x, 0.0});
+    plane.outer.push_back({-2, 0});
+    scene.add("plane", plane, true);
+    const BlockId block = scene.add("block", rectangle(-1, 0, 1, 1));
+    scene.model.gravity = {9.81 * std::sin(25.0 * kDegree), -9.81 * std::cos(25.0 * kDegree)};
+    scene.stage("dda", Integrator::explicit_, 1.5, std::nullopt);
+    Found found;
+    look_at(scene, block, found);
+    std::printf("pieces of %g m: slid %.3f m, ratio %.6f\n", piece, found.slid, found.ratio);
+    EXPECT_TRUE(std::isfinite(found.ratio));
+    EXPECT_EQ(found.of_friction(), 0U);
+  }
+}
+
+/// What is remembered is the same after a stop: the bits of the whole state are.
+TEST(FrictionCheck, goes_on_from_a_checkpoint_in_the_same_bits) {
+  Wedge scene;
+  scene.stage("dda", Integrator::explicit_, scene.seconds, std::nullopt);
+  scene.plan.output.every = scene.plan.output.history_every = ticks(0.05);
+  struct Keep final : Keeper {
+    Checkpoint last;
+    bool due(std::int64_t step) override { return step == 700; }
+    void keep(Checkpoint c) override {
+      if (c.state.step == 700) last = std::move(c);
+    }
+  } keeper;
+  Found whole, rest;
+  Driver run(scene.model, scene.plan, methods());
+  run.set_keeper(keeper);
+  run.add_sink(whole);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  ASSERT_EQ(keeper.last.state.step, 700);
+  Driver again(scene.model, scene.plan, methods());
+  again.add_sink(rest);
+  again.continue_from(keeper.last);
+  ASSERT_EQ(again.run().status, RunEnd::Status::done);
+  EXPECT_EQ(state_hash(again.state()), state_hash(run.state()));
+  EXPECT_EQ(again.stats().friction_ratio, run.stats().friction_ratio);
+  EXPECT_EQ(whole.of_friction(), 1U);  // told once in all, before the stop or after it
+  EXPECT_LE(rest.of_friction(), 1U);
+}
+
 /// A block on a level base that is shaken to and fro: it slips and sticks in each period, one way on the whole.
 TEST(FrictionCheck, is_silent_where_a_block_really_stops) {
   for (const bool implicit : {false, true}) {
@@ -229,7 +300,7 @@ TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
   const double h = check.period(point.list.points[0]) / 39.5;
   point.slide(check, 8 * 40, h, 0.4, 0.5);  // 96 in the six windows that count
   EXPECT_TRUE(std::isinf(point.memory().slide.worst));
-  for (int k = 0; k < 20; ++k) point.slide(check, 4 * 40, h, k % 2 == 0 ? 1.0 : -1.0, 0.5);
+  for (int k = 0; k < 20; ++k) point.slide(check, 4 * 40, h, k % 2 == 0 ? -1.0 : 1.0, 0.5);
   EXPECT_TRUE(std::isinf(point.memory().slide.worst));
   point.slide(check, 8 * 40, h, 1.0, 0.5);
   EXPECT_NEAR(point.memory().slide.worst, 0.5, 1e-12);
