@@ -38,7 +38,7 @@ struct RunStats {
   double element_steps = 0.0;                                          // explicit element updates made
   // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and whose it is.
   double friction_ratio = std::numeric_limits<double>::infinity();
-  ContactKey friction_key;
+  ContactKey friction_key{};
 };
 
 /// The contact points watched at an instant, open ones too, in the order of their keys.

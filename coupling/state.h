@@ -23,20 +23,23 @@ struct ContactKey {
 };
 
 /// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
+/// 64 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
 /// @see contact/friction_check.h
 struct SlideMemory {
+  /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
   struct Sum {
-    double slip = 0.0;               // net [m]; of windows that are complete in elastic stretches [1]
-    double drag = 0.0, limit = 0.0;  // impulse of the tangential force, and of Coulomb's limit [N s]
+    float slip = 0.0F, drag = 0.0F, limit = 0.0F;
   };
-  double length = 0.0, time = 0.0;  // of the present window, and how much of it has passed [s]
-  Sum now, last, total;             // present window, the one before, the stretch without its first and last windows
-  std::int32_t windows = 0;         // complete ones of the stretch
-  double worst = std::numeric_limits<double>::infinity();  // smallest ratio of the two impulses in a long stretch
+  double slip = 0.0, drag = 0.0, limit = 0.0;            // of the present window: [m], [N s], [N s]
+  double time = 0.0;                                     // of it that has passed [s]
+  float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
+  Sum last{};                                            // the window before; the first of a stretch has no impulses
+  Sum total{};                                           // of the stretch without its first and last windows
+  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
 
   /// The stretch is over.
   void end() {
-    const double kept = worst;
+    const float kept = worst;
     *this = SlideMemory{};
     worst = kept;
   }
@@ -61,7 +64,7 @@ struct ContactMemory {
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
-  SlideMemory slide;
+  SlideMemory slide{};
 };
 
 /// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
@@ -139,6 +142,8 @@ struct State {
 [[nodiscard]] std::uint64_t state_hash(const State& state);
 
 // ---------------------------------------------------------------------------------------------------------------
+
+static_assert(sizeof(SlideMemory) == 64);
 
 template <class Visitor>
 void ContactKey::visit(Visitor&& see) {
@@ -235,12 +240,14 @@ void State::visit(Visitor&& see) {
     see("contact.kt", c.kt);
     see("contact.slide_length", c.slide.length);
     see("contact.slide_time", c.slide.time);
-    for (SlideMemory::Sum* sum : {&c.slide.now, &c.slide.last, &c.slide.total}) {
-      see("contact.slide_slip", sum->slip);
-      see("contact.slide_drag", sum->drag);
-      see("contact.slide_limit", sum->limit);
+    see("contact.slide_slip", c.slide.slip);
+    see("contact.slide_drag", c.slide.drag);
+    see("contact.slide_limit", c.slide.limit);
+    for (SlideMemory::Sum* sum : {&c.slide.last, &c.slide.total}) {
+      see("contact.slide_sum_slip", sum->slip);
+      see("contact.slide_sum_drag", sum->drag);
+      see("contact.slide_sum_limit", sum->limit);
     }
-    see("contact.slide_windows", c.slide.windows);
     see("contact.slide_worst", c.slide.worst);
   }
   see("factored.wait", factored.patience.wait);

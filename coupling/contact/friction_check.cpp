@@ -12,22 +12,20 @@ namespace {
 /// Takes a window that is complete into the stretch, or ends the stretch.
 /// @param stretch  elongation of the spring at the mean limit of the window [m]
 void close_window(double stretch, SlideMemory& s) {
-  SlideMemory::Sum window = s.now;
-  window.slip = stretch > 0.0 ? window.slip / stretch : 0.0;
-  if (!(std::abs(window.slip) >= 1.0) || window.slip * s.last.slip < 0.0) {
-    return s.end();
-  }
-  if (s.windows > 1) {
+  SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
+                          static_cast<float>(s.limit)};
+  const bool first = s.last.slip == 0.0F;
+  if (!(std::abs(window.slip) >= 1.0F) || window.slip * s.last.slip < 0.0F) return s.end();
+  if (s.last.limit > 0.0F) {
     s.total.slip += s.last.slip;
     s.total.drag += s.last.drag;
     s.total.limit += s.last.limit;
   }
   if (std::abs(s.total.slip) > FrictionCheck::kStretches)
-    s.worst = std::min(s.worst, -std::copysign(1.0, s.total.slip) * s.total.drag / s.total.limit);
+    s.worst = std::min(s.worst, -std::copysign(1.0F, s.total.slip) * s.total.drag / s.total.limit);
+  if (first) window.drag = window.limit = 0.0F;
   s.last = window;
-  s.now = {};
-  s.time = 0.0;
-  ++s.windows;
+  s.slip = s.drag = s.limit = s.time = 0.0;
 }
 
 }  // namespace
@@ -81,12 +79,12 @@ void FrictionCheck::follow(double h, const ContactPoint& p, double slip, Contact
                            : strength(setup_->model().joints[joint], tan_friction_[joint], m).friction_limit(m.fn);
   if (!std::isfinite(limit)) return;
   SlideMemory& s = m.slide;
-  if (s.length == 0.0) s.length = std::max(period(p), h);
+  if (s.length == 0.0F) s.length = static_cast<float>(std::max(period(p), h));
   s.time += h;
-  s.now.slip += slip;
-  s.now.drag += h * m.ft;
-  s.now.limit += h * limit;
-  if (s.time >= s.length) close_window(s.now.limit / (s.time * m.kt), s);
+  s.slip += slip;
+  s.drag += h * m.ft;
+  s.limit += h * limit;
+  if (s.time >= static_cast<double>(s.length)) close_window(s.limit / (s.time * m.kt), s);
 }
 
 }  // namespace scree::coupling

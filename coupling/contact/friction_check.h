@@ -25,8 +25,8 @@ namespace scree::coupling {
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
 class FrictionCheck {
  public:
-  static constexpr double kStretches = 100.0;  // elastic stretches of net slip before a ratio is taken
-  static constexpr double kLeast = 0.99;       // a smaller ratio is a loss of friction
+  static constexpr float kStretches = 100.0F;  // elastic stretches of net slip before a ratio is taken
+  static constexpr float kLeast = 0.99F;       // a smaller ratio is a loss of friction
 
   explicit FrictionCheck(const Setup& setup);
 
@@ -39,7 +39,7 @@ class FrictionCheck {
   /// @param h     the step [s]   @param slip  of the point in it, with its sign [m]
   /// @param m     forces and state at its end; its slide memory is brought up to date
   void see(double h, const ContactPoint& p, double slip, ContactMemory& m) {
-    if (slip != 0.0 || m.slide.length > 0.0) follow(h, p, slip, m);
+    if (slip != 0.0 || m.slide.length > 0.0F) follow(h, p, slip, m);
   }
   /// Ends all stretches: of a stage without the check.
   static void forget(ContactList& list);

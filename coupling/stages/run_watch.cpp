@@ -75,12 +75,13 @@ std::vector<std::string> lost_friction(const Model& model, const State& state, R
   };
   std::vector<Pair> lost;
   for (const ContactMemory& m : state.contacts) {
-    const double ratio = m.slide.worst;
+    const auto ratio = static_cast<double>(m.slide.worst);
     if (ratio < stats.friction_ratio) {
       stats.friction_ratio = ratio;
       stats.friction_key = m.key;
     }
-    if (ratio < FrictionCheck::kLeast) lost.push_back({std::minmax(m.key.block_p, m.key.block_e), ratio, m.key});
+    if (m.slide.worst < FrictionCheck::kLeast)
+      lost.push_back({std::minmax(m.key.block_p, m.key.block_e), ratio, m.key});
   }
   std::sort(lost.begin(), lost.end(), [](const Pair& a, const Pair& b) {
     return std::tie(a.blocks, a.ratio, a.key) < std::tie(b.blocks, b.ratio, b.key);
