@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "coupling/contact/joint_strength.h"
@@ -10,7 +11,7 @@ namespace scree::coupling {
 namespace {
 
 /// Takes a window that is complete into the stretch, or ends the stretch.
-/// @param stretch  elongation of the spring at the mean limit of the window [m]
+/// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
 void close_window(double stretch, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
@@ -37,12 +38,24 @@ FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
     const Block& block = model.blocks[b.block.index()];
     const Material& rock = model.materials[block.material.index()];
     const double area = moments(block.polygon).area, shear = rock.young / (2.0 * (1.0 + rock.poisson));
-    bodies_.push_back({!b.driven || b.guest, rock.density * area, 2.0 * std::sqrt(area * rock.density / shear)});
+    bodies_.push_back(
+        {!b.driven || b.guest, rock.density * area, 2.0 * std::sqrt(area * rock.density / shear), std::sqrt(area)});
   }
 }
 
 void FrictionCheck::forget(ContactList& list) {
   for (ContactMemory& m : list.memory) m.slide.end();
+}
+
+double FrictionCheck::deformation(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::int32_t b :
+       {o.vertices[static_cast<std::size_t>(p.vertex)].body, o.edges[static_cast<std::size_t>(p.edge)].body}) {
+    const Inertia& body = bodies_[static_cast<std::size_t>(b)];
+    if (body.free) least = std::min(least, body.size);
+  }
+  return std::isfinite(least) ? kStrain * least : 0.0;
 }
 
 double FrictionCheck::period(const ContactPoint& p) {
@@ -84,7 +97,7 @@ void FrictionCheck::follow(double h, const ContactPoint& p, double slip, Contact
   s.slip += slip;
   s.drag += h * m.ft;
   s.limit += h * limit;
-  if (s.time >= static_cast<double>(s.length)) close_window(s.limit / (s.time * m.kt), s);
+  if (s.time >= static_cast<double>(s.length)) close_window(std::max(s.limit / (s.time * m.kt), deformation(p)), s);
 }
 
 }  // namespace scree::coupling

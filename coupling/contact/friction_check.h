@@ -17,9 +17,10 @@ namespace scree::coupling {
 ///
 /// Points that really stop have less than the limit, and that is no loss. So time is taken in windows of one natural
 /// period of the block on its contacts, T^2 = 4 pi^2 m/sum(k_t) + T_s^2, T_s = 2 sqrt(A)/c_s its own in shear (of two
-/// free blocks the longer). A stretch goes on while every window brings at least one elastic stretch (limit/k_t) of net
-/// slip in the same direction; its first window and its last, in which it starts and stops, do not count. The ratio is
-/// taken once the windows that count have more than kStretches elastic stretches.
+/// free blocks the longer). A stretch goes on while every window brings at least one elastic stretch of net slip in the
+/// same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in which it
+/// starts and stops, do not count. The ratio is taken once the windows that count have more than kStretches elastic
+/// stretches.
 ///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
@@ -27,6 +28,10 @@ class FrictionCheck {
  public:
   static constexpr float kStretches = 100.0F;  // elastic stretches of net slip before a ratio is taken
   static constexpr float kLeast = 0.99F;       // a smaller ratio is a loss of friction
+
+  // Of a block's size: a shorter stretch is not counted as one. Blocks that settle, bend and ring move their faces on
+  // each other by some 1e-4 to 1e-3 of their size, to and fro, and that is no slide.
+  static constexpr double kStrain = 2e-5;
 
   explicit FrictionCheck(const Setup& setup);
 
@@ -46,6 +51,8 @@ class FrictionCheck {
 
   /// Natural period of the blocks of a point on their contacts, as the list has them [s].
   [[nodiscard]] double period(const ContactPoint& p);
+  /// Slip that the deformation of the smaller free block of a point may bring: kStrain of its size [m].
+  [[nodiscard]] double deformation(const ContactPoint& p) const;
 
  private:
   void follow(double h, const ContactPoint& p, double slip, ContactMemory& m);
@@ -54,6 +61,7 @@ class FrictionCheck {
     bool free = false;
     double mass = 0.0;    // [kg]
     double period = 0.0;  // of its own in shear [s]
+    double size = 0.0;    // root of its area [m]
   };
   const Setup* setup_;
   const ContactList* list_ = nullptr;

@@ -227,7 +227,7 @@ struct Point {
     p.edge = 0;
     ContactMemory m;
     m.joint = 0;
-    m.kn = m.kt = 1e9;
+    m.kn = m.kt = 1e8;  // an elastic stretch of 6e-5 of the block
     m.share = 0.5;
     m.status = ContactStatus::stick;
     m.fn = 1e4;
@@ -253,8 +253,8 @@ TEST(FrictionCheck, is_the_ratio_of_two_impulses) {
     FrictionCheck check(*point.setup);
     check.begin(point.list);
     const double T = check.period(point.list.points[0]);
-    // m = 2600 kg on k_t = 1e9 N/m, and 2 sqrt(A)/c_s.
-    EXPECT_NEAR(T, std::hypot(2.0 * std::numbers::pi * std::sqrt(2600.0 / 1e9), 2.0 * std::sqrt(2600.0 * 2.4 / 5e9)),
+    // m = 2600 kg on k_t = 1e8 N/m, and 2 sqrt(A)/c_s.
+    EXPECT_NEAR(T, std::hypot(2.0 * std::numbers::pi * std::sqrt(2600.0 / 1e8), 2.0 * std::sqrt(2600.0 * 2.4 / 5e9)),
                 1e-9 * T);
     point.slide(check, 20 * 40, T / 39.5, 1.0, part);
     EXPECT_NEAR(point.memory().slide.worst, part, 1e-6);
@@ -291,6 +291,18 @@ TEST(FrictionCheck, forgets_a_slide_that_stops) {
     point.slide(check, 3 * 40 + 17, h, 0.0, 0.1);  // sticks under little force
   }
   EXPECT_NEAR(point.memory().slide.worst, 1.0, 1e-6);
+}
+
+TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
+  for (const double part : {0.9, 1.1}) {  // of the slip that counts: 2e-3 of the block, as stiff as its springs are
+    Point point;
+    point.memory().kt = 1e11;
+    FrictionCheck check(*point.setup);
+    check.begin(point.list);
+    const double step = part * 2e-3 / (6.0 * 41.0), stretch = point.limit() / point.memory().kt;
+    point.slide(check, 8 * 41, check.period(point.list.points[0]) / 40.5, step / stretch, 0.5);
+    EXPECT_EQ(std::isinf(point.memory().slide.worst), part < 1.0) << part;
+  }
 }
 
 TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
