@@ -54,9 +54,13 @@ struct Wedge : Scene {
     add("plane", {{at(-60, -20), at(60, -20), at(60, 0), at(-60, 0)}, {}}, true);
     wedge = add("wedge", {{Vec2(0, 0), Vec2(28.563, 20), Vec2(11.547, 20)}, {}});
     model.gravity = {0.0, 0.0};
-    model.functions.push_back({.name = "ramp", .shape = TimeFunction::Shape::ramp, .duration = 0.5});
-    model.functions.push_back(
-        {.name = "pulse", .shape = TimeFunction::Shape::half_sine, .start = 1.0, .duration = 0.2});
+    TimeFunction ramp, pulse;
+    ramp.shape = TimeFunction::Shape::ramp;
+    ramp.duration = 0.5;
+    pulse.shape = TimeFunction::Shape::half_sine;
+    pulse.start = 1.0;
+    pulse.duration = 0.2;
+    model.functions = {ramp, pulse};
     model.body_accelerations.push_back({{}, {0.0, -9.81}, FunctionId{0}});
     model.body_accelerations.push_back({{}, {-3.0, 0.0}, FunctionId{1}});
     seconds = 1.2 + seconds_after;
@@ -137,7 +141,9 @@ TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
       std::printf("%s, kind %d: slid %.3f m, ratio %.4f\n", flutters ? "flutters" : "slides", kind, found.slid,
                   found.ratio);
       EXPECT_TRUE(std::isfinite(found.ratio));
-      if (flutters) EXPECT_EQ(found.of_friction(), 1U) << kind;
+      if (flutters) {
+        EXPECT_EQ(found.of_friction(), 1U) << kind;
+      }
     }
 }
 
