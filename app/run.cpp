@@ -304,8 +304,9 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()),
-               ledger.relative_closure(), ledger.moved());
+    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved, {:.1e} of {:.4g} J passed\n",
+               coupling::state_hash(driver.state()), ledger.relative_closure(), ledger.moved(), ledger.passed_closure(),
+               ledger.passed());
     if (options.audit)
       fmt::print("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n",
                  driver.stats().audit_checks, driver.stats().steps, driver.stats().audit_worst,

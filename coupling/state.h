@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "coupling/ledger/ledger.h"
@@ -20,6 +21,29 @@ struct ContactKey {
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see) const;
+};
+
+/// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
+/// 64 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
+/// @see contact/friction_check.h
+struct SlideMemory {
+  /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
+  struct Sum {
+    float slip = 0.0F, drag = 0.0F, limit = 0.0F;
+  };
+  double slip = 0.0, drag = 0.0, limit = 0.0;            // of the present window: [m], [N s], [N s]
+  double time = 0.0;                                     // of it that has passed [s]
+  float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
+  Sum last{};                                            // the window before; the first of a stretch has no impulses
+  Sum total{};                                           // of the stretch without its first and last windows
+  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
+
+  /// The stretch is over.
+  void end() {
+    const float kept = worst;
+    *this = SlideMemory{};
+    worst = kept;
+  }
 };
 
 /// What a contact point remembers between steps.
@@ -41,6 +65,7 @@ struct ContactMemory {
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
+  SlideMemory slide{};
 };
 
 /// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
@@ -119,6 +144,8 @@ struct State {
 [[nodiscard]] std::uint64_t state_hash(const State& state);
 
 // ---------------------------------------------------------------------------------------------------------------
+
+static_assert(sizeof(SlideMemory) == 64);
 
 template <class Visitor>
 void ContactKey::visit(Visitor&& see) const {
@@ -216,6 +243,17 @@ void State::visit(Visitor&& see) const {
     see("contact.share", c.share);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
+    see("contact.slide_length", c.slide.length);
+    see("contact.slide_time", c.slide.time);
+    see("contact.slide_slip", c.slide.slip);
+    see("contact.slide_drag", c.slide.drag);
+    see("contact.slide_limit", c.slide.limit);
+    for (SlideMemory::Sum* sum : {&c.slide.last, &c.slide.total}) {
+      see("contact.slide_sum_slip", sum->slip);
+      see("contact.slide_sum_drag", sum->drag);
+      see("contact.slide_sum_limit", sum->limit);
+    }
+    see("contact.slide_worst", c.slide.worst);
   }
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);

@@ -5,6 +5,7 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/run_watch.h"
 
 namespace scree::coupling {
 
@@ -27,6 +28,7 @@ struct Checkpoint {
   std::vector<StageTravel> travels;
   std::vector<Warning> warnings;
   std::vector<std::int64_t> rule_changes;  // a stage: changes by its rules of methods, and of sides (2 a stage)
+  Told told;
 
   /// As State::visit().
   template <class Visitor>
@@ -86,7 +88,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 18 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 23 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -105,6 +107,8 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
   see("stats.element_steps", s.element_steps);
+  see("stats.friction_ratio", s.friction_ratio);
+  s.friction_key.visit(see);
 }
 
 template <class Visitor>
@@ -133,6 +137,7 @@ void Checkpoint::visit(Visitor&& see) const {
     see("warning.text", w.text);
   }
   see("rule_changes", rule_changes);
+  told.visit(see);
 }
 
 }  // namespace scree::coupling

@@ -138,6 +138,7 @@ Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
     : model_(&model), plan_(&plan), methods_(&methods) {
   detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
   for (const Stage& s : plan.stages) end_ += s.duration;
+  round_off_ = energy_of_round_off(model);
 }
 
 double Driver::wall() {
@@ -222,6 +223,7 @@ void Driver::start() {
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
   audit_ = Audit{};
+  told_ = Told{};
   travels_.clear();
   warnings_.clear();
   rule_changes_.assign(kRuleKinds * plan_->stages.size(), 0);
@@ -393,6 +395,7 @@ void Driver::go_on() {
   mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
+  told_ = std::move(c.told);
   travels_ = std::move(c.travels);
   warnings_ = std::move(c.warnings);
   rule_changes_ = std::move(c.rule_changes);
@@ -425,6 +428,7 @@ Checkpoint Driver::checkpoint() const {
   c.travels = travels_;
   c.warnings = warnings_;
   c.rule_changes = rule_changes_;
+  c.told = told_;
   return c;
 }
 
@@ -519,8 +523,10 @@ RunEnd Driver::run_stage(const Stage& stage, Tick end) {
     if (result.status != RunEnd::Status::done) return result;
     largest_ = 0;
     look(target == frame || target == end || ended_);
+    warn_of_losses(stage, true);
     result = check_finite(stage);
     if (result.status == RunEnd::Status::done) result = check_closure(stage);
+    if (result.status == RunEnd::Status::done) result = check_gain(stage, true);
     if (result.status != RunEnd::Status::done) return result;
     keep(target == end || ended_);
   }

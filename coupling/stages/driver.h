@@ -92,6 +92,11 @@ class Driver {
   [[nodiscard]] Tick latest_end() const;
   /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
   [[nodiscard]] RunEnd check_finite(const Stage& stage);
+  /// Warns of friction that contacts have lost; `complete`, the ledger is up to date: and of large columns of the
+  /// scheme.
+  void warn_of_losses(const Stage& stage, bool complete);
+  /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
+  [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
@@ -147,6 +152,8 @@ class Driver {
   std::vector<StageTravel> travels_;
   std::vector<Warning> warnings_;
   std::vector<std::int64_t> rule_changes_;  // a stage: of methods, and of sides
+  Told told_;
+  double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 
 /// What is said of a block that should come to rest.

@@ -14,8 +14,9 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kLastPlaces = 1e-13;
-constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
-constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
+constexpr double kOfAllowed = 0.95;          // of the displacement allowed a step: what is planned for
+constexpr std::int64_t kFrictionEvery = 64;  // steps between looks at what contacts have lost
+constexpr double kClosure = 1e-9;            // of the energy moved: what an audit lets the ledger be open by
 
 }  // namespace
 
@@ -139,7 +140,10 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
             static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
       cuts = 0;
       attempt_cap = std::numeric_limits<Tick>::max();
+      state_.ledger.pass();
       RunEnd found = check_audit(stage);
+      if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
+      if (state_.step % kFrictionEvery == 0) warn_of_losses(stage, false);
       committed_ = stats_;
       for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
       if (found.status != RunEnd::Status::done) return found;
@@ -200,18 +204,44 @@ RunEnd Driver::check_finite(const Stage& stage) {
   return {RunEnd::Status::non_finite, reason};
 }
 
-RunEnd Driver::check_closure(const Stage& stage) {
-  if (!(plan_->max_closure > 0.0)) return {};
-  const Ledger& ledger = state_.ledger;
-  // Energies at rest may be large against what moves: their last places are no fault.
-  if (std::abs(ledger.closure()) <= plan_->max_closure * ledger.moved() + kLastPlaces * ledger.largest()) return {};
-  const std::string reason = fmt::format(
-      "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that moved; {:.2g} is "
-      "allowed (run.max_closure)",
-      seconds(state_.time), stage.name, ledger.closure(), ledger.relative_closure(), ledger.moved(),
-      plan_->max_closure);
+void Driver::warn_of_losses(const Stage& stage, bool complete) {
+  std::vector<std::string> lines = lost_friction(*model_, state_, stats_, told_);
+  if (complete && state_.ledger.passed_given() > round_off_) {
+    const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
+    lines.insert(lines.end(), columns.begin(), columns.end());
+  }
+  for (const std::string& line : lines)
+    event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, line));
+}
+
+RunEnd Driver::check_gain(const Stage& stage, bool complete) {
+  const auto gone = energy_from_nowhere(state_.ledger, plan_->max_gain, round_off_, complete);
+  if (!gone) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *gone);
   event(EventKind::not_converged, reason);
   return {RunEnd::Status::not_converged, reason};
+}
+
+RunEnd Driver::check_closure(const Stage& stage) {
+  const Ledger& ledger = state_.ledger;
+  const double open = std::abs(ledger.closure());
+  // Energies at rest may be large against what moves: their last places are no fault.
+  const auto closes = [&](double part, double energy) {
+    return !(part > 0.0) || open <= part * energy + kLastPlaces * ledger.largest();
+  };
+  const auto end = [&](double share, double energy, const char* kind, double allowed, const char* key) -> RunEnd {
+    const std::string reason = fmt::format(
+        "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that {}; {:.2g} is "
+        "allowed ({})",
+        seconds(state_.time), stage.name, ledger.closure(), share, energy, kind, allowed, key);
+    event(EventKind::not_converged, reason);
+    return {RunEnd::Status::not_converged, reason};
+  };
+  if (!closes(plan_->max_closure, ledger.moved()))
+    return end(ledger.relative_closure(), ledger.moved(), "moved", plan_->max_closure, "run.max_closure");
+  if (!closes(plan_->max_passed_closure, std::max(ledger.passed(), round_off_)))
+    return end(ledger.passed_closure(), ledger.passed(), "passed", plan_->max_passed_closure, "run.max_passed_closure");
+  return {};
 }
 
 RunEnd Driver::check_audit(const Stage& stage) {

@@ -524,6 +524,13 @@ constexpr Key kKeys[] = {
     {"run.max_closure", Type::number, "", kNotNegative, "0.0", false, "",
      "A run ends as not converged once its energy ledger is open by more than this part of the energy moved, looked at "
      "every output.history_every; 0: never. 1e-9 is what Scree promises."},
+    {"run.max_passed_closure", Type::number, "", kNotNegative, "1e-3", false, "",
+     "The same, as a part of the energy passed: the largest so far of the energy at the start and the work done, or "
+     "the "
+     "energy held now. A blow-up inflates the energy moved, not this. 0: never."},
+    {"run.max_gain", Type::number, "", kNotNegative, "1.0", false, "",
+     "A run ends as not converged once the blocks hold more energy than they were given, by more than this part of "
+     "the energy passed: a step that is too long, a force that is wrong. 0: never."},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coupling/contact/audit.h"
 #include "io/results/history_writer.h"
 #include "io/results/json.h"
 #include "model/check.h"
@@ -45,7 +46,7 @@ void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall, d
 
 void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.open('{', "ledger").open('{', "columns");
-  double scheme = 0.0;
+  double scheme = 0.0, watched = 0.0;
   for (const Side side : {Side::energy, Side::work, Side::dissipated, Side::scheme}) {
     json.open('{', side_name(side));
     for (int c = 0; c < coupling::kColumns; ++c) {
@@ -53,13 +54,23 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
       if (info(column).side != side) continue;
       json.field(info(column).name, ledger[column]);
       if (side == Side::scheme) scheme = std::max(scheme, std::abs(ledger[column]));
+      if (info(column).watched) watched = std::max(watched, std::abs(ledger[column]));
     }
     json.close('}');
   }
   json.close('}');
   json.field("energy", ledger.energy()).field("closure", ledger.closure()).field("moved", ledger.moved());
   json.field("relative_closure", ledger.relative_closure());
-  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0).close('}');
+  json.field("passed", ledger.passed()).field("passed_closure", ledger.passed_closure()).field("gain", ledger.gain());
+  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0);
+  json.field("scheme_passed_share", ledger.passed() > 0.0 ? watched / ledger.passed() : 0.0).close('}');
+}
+
+/// Of runs in which a contact has slid far enough.
+void write_friction(JsonWriter& json, const Model& model, const coupling::RunStats& stats) {
+  if (!std::isfinite(stats.friction_ratio)) return;
+  json.open('{', "friction").field("worst_ratio", stats.friction_ratio);
+  json.field("contact", coupling::contact_name(model, stats.friction_key)).close('}');
 }
 
 void write_stages(JsonWriter& json, const Model& model, const std::vector<coupling::StageTravel>& travels) {
@@ -202,6 +213,7 @@ JsonWriter Summary::document(const coupling::RunEnd& end, const coupling::FrameV
   json.close(']');
   write_run(json, *last.stats, wall_seconds(), cpu_seconds());
   write_ledger(json, last.state->ledger);
+  write_friction(json, *model_, *last.stats);
   write_stages(json, *model_, travels_);
   write_transfers(json, *model_, transfers_);
   write_blocks(json, *model_, last);

@@ -232,7 +232,9 @@ TEST(Schema, every_key_changes_the_case) {
       {"live.url", "live.url=\"file:///tmp/log\""},
       {"live.rate", "live.rate=1"},
       {"run.threads", "run.threads=1"},
-      {"run.max_closure", "run.max_closure=1e-5"}};
+      {"run.max_closure", "run.max_closure=1e-5"},
+      {"run.max_passed_closure", "run.max_passed_closure=1e-5"},
+      {"run.max_gain", "run.max_gain=0.5"}};
   // What a change needs beside it to make sense.
   const std::map<std::string, std::vector<std::string>> beside = {
       {"block[].name", {"support.1.blocks=[\"wall\"]"}},
