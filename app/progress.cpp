@@ -35,7 +35,8 @@ void Progress::event(const coupling::Event& e) {
   if (e.kind == Kind::partition && ++changes_shown_ > 5) return;
   if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
   if (e.kind == Kind::stage_end) return;
-  line(fmt::format("{:8.3f} s  {}{}", e.time, e.kind == Kind::step_cut ? "step cut: " : "", e.text));
+  const char* what = e.kind == Kind::step_cut ? "step cut: " : e.kind == Kind::warning ? "warning: " : "";
+  line(fmt::format("{:8.3f} s  {}{}", e.time, what, e.text));
   if (e.kind == Kind::step_cut && cuts_shown_ == 5) line("            (further cuts are in the results only)");
   if (e.kind == Kind::partition && changes_shown_ == 5)
     line("            (further changes of sides are in the results only)");

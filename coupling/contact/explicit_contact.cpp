@@ -95,7 +95,8 @@ void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, 
 
 }  // namespace
 
-ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {
+ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool check_friction)
+    : setup_(&setup), finder_(setup, detection), friction_check_(setup), checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
   for (ContactList* list : {&now_, &before_, &ahead_}) {
     list->points.reserve(expected);
@@ -120,8 +121,10 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
     const auto joint = static_cast<std::size_t>(m.joint);
     apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
   }
+  if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
-  clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
+  // What was remembered and is not found is in the list before: the next step takes it out.
+  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
@@ -264,6 +267,14 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
   }
 }
 
+void ExplicitContact::follow_slides(double h) {
+  friction_check_.begin(now_);
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    ContactMemory& m = now_.memory[i];
+    friction_check_.see(h, now_.points[i], m.status == ContactStatus::slip ? trial_[i] - m.stretch : 0.0, m);
+  }
+}
+
 void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
                              State& state) {
   clear_ -= farthest;
@@ -271,6 +282,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
   respond(h, v, now_);
+  if (checks_friction_) follow_slides(h);
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {

@@ -49,7 +49,7 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       damping_(damping),
       rest_(rest),
       lags_(damping.stiffness > 0.0 || damping.local > 0.0 || !setup.model().viscous_edges.empty()),
-      contact_(setup, detection),
+      contact_(setup, detection, !rest),
       chunks_(setup),
       sliding_(setup, damping.sliding),
       weights_(body_loads(setup)),

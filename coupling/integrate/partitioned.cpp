@@ -243,6 +243,7 @@ void Partitioned::join(State& state) {
              std::back_inserter(state.contacts),
              [](const ContactMemory& a, const ContactMemory& b) { return a.key < b.key; });
   whole_->prescribe(seconds(state.time), state.q, state.v);
+  base_.pass(state.ledger);
   state.ledger = Ledger::joined(base_, e.ledger, i.ledger);
 }
 
@@ -389,6 +390,7 @@ void Partitioned::update_ledger(State& state) {
   }
   explicit_->update_ledger(explicit_side_.state);
   implicit_->update_ledger(implicit_side_.state);
+  base_.pass(state.ledger);
   state.ledger = Ledger::joined(base_, explicit_side_.state.ledger, implicit_side_.state.ledger);
 }
 

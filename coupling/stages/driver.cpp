@@ -14,9 +14,14 @@
 #include "coupling/integrate/subcycled.h"
 #include "coupling/stages/energy_watch.h"
 #include "coupling/stages/partition.h"
+#include "coupling/stages/plan_warnings.h"
 
 namespace scree::coupling {
 namespace {
+
+// Of Checkpoint::rule_changes.
+constexpr std::size_t kRuleKinds = 2;
+constexpr int kMethodRule = 0, kSideRule = 1;
 
 /// True if a multiple of `every` lies after `before`, and not after `now`.
 bool passes_multiple(Tick before, Tick now, Tick every) { return every > 0 && now / every > before / every; }
@@ -131,6 +136,7 @@ Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
     : model_(&model), plan_(&plan), methods_(&methods) {
   detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
   for (const Stage& s : plan.stages) end_ += s.duration;
+  round_off_ = energy_of_round_off(model);
 }
 
 double Driver::wall() {
@@ -139,6 +145,7 @@ double Driver::wall() {
 
 void Driver::event(EventKind kind, std::string text, const TransferRow* row, const StageTravel* travel) {
   const Event e{kind, seconds(state_.time), std::move(text), row, travel};
+  if (kind == EventKind::warning) warnings_.push_back({e.time, e.text});
   for (Sink* s : sinks_) s->event(e);
 }
 
@@ -215,7 +222,10 @@ void Driver::start() {
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
   audit_ = Audit{};
+  told_ = Told{};
   travels_.clear();
+  warnings_.clear();
+  rule_changes_.assign(kRuleKinds * plan_->stages.size(), 0);
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
 
@@ -289,6 +299,7 @@ void Driver::watch_rules(const Stage& stage) {
 void Driver::change_methods(const Stage& stage) {
   const std::vector<MethodChange> changes = method_rules_->look(state_, *mover_);
   if (changes.empty()) return;
+  count_rule(kMethodRule, static_cast<std::int64_t>(changes.size()));
   mover_->leave(state_);
   mover_.reset();
   state_.rules.other_method.resize(model_->blocks.size(), 0);
@@ -312,6 +323,7 @@ void Driver::change_partition(const Stage& stage) {
           "{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
           stage.subcycled() ? (sides[i] != 0 ? "fast" : "slow") : (sides[i] != 0 ? "explicit" : "implicit"));
   }
+  count_rule(kSideRule, changed);
   mover_->leave(state_);
   mover_.reset();
   state_.explicit_side = std::move(sides);
@@ -391,7 +403,10 @@ void Driver::go_on() {
   mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
+  told_ = std::move(c.told);
   travels_ = std::move(c.travels);
+  warnings_ = std::move(c.warnings);
+  rule_changes_ = std::move(c.rule_changes);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
                                    clocks());
@@ -420,6 +435,9 @@ Checkpoint Driver::checkpoint() const {
   c.audit = audit_;
   c.transfers = transfers_;
   c.travels = travels_;
+  c.warnings = warnings_;
+  c.rule_changes = rule_changes_;
+  c.told = told_;
   return c;
 }
 
@@ -550,7 +568,13 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
     const bool over = ended_ || state_.time >= stage_end_, stopped = !over && state_.time >= stop;
     const bool frame = over || passes_multiple(before, state_.time, plan_->output.every);
     const bool looked = frame || passes_multiple(before, state_.time, plan_->output.history_every);
-    if (looked) look(frame);
+    if (looked) {
+      look(frame);
+      warn_of_losses(stage, true);
+      RunEnd found = check_finite(stage);
+      if (found.status == RunEnd::Status::done) found = check_gain(stage, true);
+      if (found.status != RunEnd::Status::done) return found;
+    }
     keep(over || stopped);
     if (stopped && !looked) look(false);  // whoever goes on from the checkpoint does without
   }
@@ -580,6 +604,8 @@ RunEnd Driver::run(std::optional<double> until) {
     go_on();
   else
     start();
+  if (!goes_on)
+    for (std::string& text : plan_warnings(*model_, *plan_)) event(EventKind::warning, std::move(text));
   const auto first = static_cast<std::size_t>(state_.stage);
   RunEnd result;
   for (std::size_t i = first; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
@@ -597,8 +623,33 @@ RunEnd Driver::run(std::optional<double> until) {
     }
   }
   if (result.status == RunEnd::Status::interrupted) keep(true);
+  if (result.status == RunEnd::Status::done) tell_idle_rules();
   finish(result);
   return result;
+}
+
+void Driver::count_rule(int kind, std::int64_t changes) {
+  rule_changes_[kRuleKinds * static_cast<std::size_t>(state_.stage) + static_cast<std::size_t>(kind)] += changes;
+}
+
+void Driver::tell_idle_rules() {
+  const bool over = ended_ || state_.time >= stage_end_;  // else the run ends before the stage does
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
+    const Stage& stage = plan_->stages[i];
+    if (stage.change.used && rule_changes_[kRuleKinds * i + kMethodRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` "
+                      "and theory.md, \"By rules\", say what they measure",
+                      stage.name));
+    if (stage.integrator == Integrator::partitioned && stage.partition.changes() &&
+        rule_changes_[kRuleKinds * i + kSideRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules of motion (explicit_speed, explicit_strain_rate) never fired: every block "
+                      "took steps of one kind throughout",
+                      stage.name));
+  }
 }
 
 void Driver::finish(const RunEnd& result) {

@@ -49,6 +49,8 @@ class Driver {
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
   /// A stage that has ended: how far its blocks went.
   [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
+  /// What was warned of so far.
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   void start();
@@ -99,6 +101,13 @@ class Driver {
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
+  /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
+  [[nodiscard]] RunEnd check_finite(const Stage& stage);
+  /// Warns of friction that contacts have lost; `complete`, the ledger is up to date: and of large columns of the
+  /// scheme.
+  void warn_of_losses(const Stage& stage, bool complete);
+  /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
+  [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
@@ -117,6 +126,10 @@ class Driver {
   [[nodiscard]] std::int64_t steps_of_stage() const { return state_.step - first_step_; }
   /// @param first  of the stage: what binds the step is told
   [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
+  /// Counts changes that rules of the present stage made.
+  void count_rule(int kind, std::int64_t changes);
+  /// Tells of rules of stages that have ended which changed nothing.
+  void tell_idle_rules();
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
@@ -153,6 +166,10 @@ class Driver {
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
+  std::vector<Warning> warnings_;
+  std::vector<std::int64_t> rule_changes_;  // a stage: of methods, and of sides
+  Told told_;
+  double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 
 /// What is said of a block that should come to rest.

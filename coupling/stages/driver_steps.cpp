@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/energy_watch.h"
@@ -14,8 +15,9 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kLastPlaces = 1e-13;
-constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
-constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
+constexpr double kOfAllowed = 0.95;          // of the displacement allowed a step: what is planned for
+constexpr std::int64_t kFrictionEvery = 64;  // steps between looks at what contacts have lost
+constexpr double kClosure = 1e-9;            // of the energy moved: what an audit lets the ledger be open by
 
 constexpr double kRested = 0.01;  // unbalanced force, of the largest: what a stage to rest may end with untold
 
@@ -174,7 +176,10 @@ void Driver::count(const StepReport& report) {
 }
 
 RunEnd Driver::after_step(const Stage& stage) {
+  state_.ledger.pass();
   RunEnd found = check_audit(stage);
+  if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
+  if (state_.step % kFrictionEvery == 0) warn_of_losses(stage, false);
   committed_ = stats_;
   for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
   if (found.status != RunEnd::Status::done) return found;
@@ -192,19 +197,64 @@ RunEnd Driver::after_step(const Stage& stage) {
   return over || steps_of_stage() % kClosureSteps == 0 ? check_closure(stage) : RunEnd();
 }
 
-RunEnd Driver::check_closure(const Stage& stage) {
-  if (!(plan_->max_closure > 0.0)) return {};
-  mover_->update_ledger(state_);
-  const Ledger& ledger = state_.ledger;
-  // Energies at rest may be large against what moves: their last places are no fault.
-  if (std::abs(ledger.closure()) <= plan_->max_closure * ledger.moved() + kLastPlaces * ledger.largest()) return {};
-  const std::string reason = fmt::format(
-      "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that moved; {:.2g} is "
-      "allowed (run.max_closure)",
-      seconds(state_.time), stage.name, ledger.closure(), ledger.relative_closure(), ledger.moved(),
-      plan_->max_closure);
+RunEnd Driver::check_finite(const Stage& stage) {
+  std::string what;
+  LostPlace place = not_finite_at(*setup_, state_.q, "the position", state_.q);
+  if (place.body < 0) place = not_finite_at(*setup_, state_.v, "the velocity", state_.q);
+  if (place.body >= 0)
+    what = fmt::format("block '{}', {}",
+                       model_->blocks[setup_->bodies()[static_cast<std::size_t>(place.body)].block.index()].name,
+                       place.what);
+  else if (const std::string_view wrong = state_.ledger.not_finite(); !wrong.empty())
+    what = fmt::format("'{}' of the energy ledger is not finite", wrong);
+  if (what.empty()) return {};
+  const std::string reason =
+      fmt::format("t = {:.6g} s, stage '{}': {}; results from the last frame before on have no meaning",
+                  seconds(state_.time), stage.name, what);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::non_finite, reason};
+}
+
+void Driver::warn_of_losses(const Stage& stage, bool complete) {
+  std::vector<std::string> lines = lost_friction(*model_, state_, stats_, told_);
+  if (complete && state_.ledger.passed_given() > round_off_) {
+    const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
+    lines.insert(lines.end(), columns.begin(), columns.end());
+  }
+  for (const std::string& line : lines)
+    event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, line));
+}
+
+RunEnd Driver::check_gain(const Stage& stage, bool complete) {
+  const auto gone = energy_from_nowhere(state_.ledger, plan_->max_gain, round_off_, complete);
+  if (!gone) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *gone);
   event(EventKind::not_converged, reason);
   return {RunEnd::Status::not_converged, reason};
+}
+
+RunEnd Driver::check_closure(const Stage& stage) {
+  if (!(plan_->max_closure > 0.0) && !(plan_->max_passed_closure > 0.0)) return {};
+  mover_->update_ledger(state_);
+  const Ledger& ledger = state_.ledger;
+  const double open = std::abs(ledger.closure());
+  // Energies at rest may be large against what moves: their last places are no fault.
+  const auto closes = [&](double part, double energy) {
+    return !(part > 0.0) || open <= part * energy + kLastPlaces * ledger.largest();
+  };
+  const auto end = [&](double share, double energy, const char* kind, double allowed, const char* key) -> RunEnd {
+    const std::string reason = fmt::format(
+        "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that {}; {:.2g} is "
+        "allowed ({})",
+        seconds(state_.time), stage.name, ledger.closure(), share, energy, kind, allowed, key);
+    event(EventKind::not_converged, reason);
+    return {RunEnd::Status::not_converged, reason};
+  };
+  if (!closes(plan_->max_closure, ledger.moved()))
+    return end(ledger.relative_closure(), ledger.moved(), "moved", plan_->max_closure, "run.max_closure");
+  if (!closes(plan_->max_passed_closure, std::max(ledger.passed(), round_off_)))
+    return end(ledger.passed_closure(), ledger.passed(), "passed", plan_->max_passed_closure, "run.max_passed_closure");
+  return {};
 }
 
 RunEnd Driver::check_audit(const Stage& stage) {

@@ -108,6 +108,7 @@ class Change {
 
   /// Measures the bodies that change, and puts their new records into the state.
   void release(const std::vector<Wish>& wish);
+  /// Those whose contacts are measured anew.
   [[nodiscard]] std::vector<char> changed() const;
   /// Unknowns of the new bodies.
   void place(const Setup& to);
@@ -220,6 +221,10 @@ std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool
 std::vector<char> Change::changed() const {
   std::vector<char> flags;
   for (const One& one : bodies_) flags.push_back(one.kind == Kind::affine || one.kind == Kind::back ? 1 : 0);
+  // Where a division comes or goes, cracks may end in other places: they cut where the covers on either side are not
+  // joined around their tip, and the border severs those too. Outlines stay as they are.
+  for (const Crack& c : model_.cracks)
+    if (bodies_[c.block.index()].kind == Kind::halved) flags[c.block.index()] = 1;
   return flags;
 }
 

@@ -152,6 +152,8 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   plan.live = read_live(root.table("live"));
   plan.threads = root.table("run").integer("threads");
   plan.max_closure = root.table("run").number("max_closure");
+  plan.max_passed_closure = root.table("run").number("max_passed_closure");
+  plan.max_gain = root.table("run").number("max_gain");
   return plan;
 }
 

@@ -70,7 +70,9 @@ constexpr Key kKeys[] = {
     {"material.NAME.poisson", Type::number, "", kPoisson, "", true, "", "Poisson's ratio."},
     {"material.NAME.initial_stress", Type::table, "", kAny, "", false, "",
      "In-situ stress of the material in the axes of the model, tension positive: constant, or growing with depth as "
-     "stress + (level - y) gradient. For blocks that begin with the NMM."},
+     "stress + (level - y) gradient. It is in the rock from the start, whatever the method: the NMM has it as it "
+     "varies, a "
+     "block of the DDA or under a onefold cover has its mean over the block."},
     {"material.NAME.initial_stress.xx", Type::number, "Pa", kAny, "", true, "", "Stress along x, at level."},
     {"material.NAME.initial_stress.yy", Type::number, "Pa", kAny, "", true, "", "Stress along y, at level."},
     {"material.NAME.initial_stress.xy", Type::number, "Pa", kAny, "0.0", false, "", "Shear stress, at level."},
@@ -106,8 +108,12 @@ constexpr Key kKeys[] = {
      "Slip after which the joint opens no further. Goes with dilation_deg."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
-     "4G/3)/d "
-     "of the stiffer side, d the width of the block normal to the edge."},
+     "4G/3)/d of the stiffer side, d the width of the block normal to the edge. Where a mesh of the NMM divides an "
+     "edge, "
+     "a hinge of two blocks bears on the outermost piece of it alone and is softer than between blocks of the DDA, "
+     "whose "
+     "joints have two points, each with half of the length: the limit of an arch moves by about 3 %. Ten times the "
+     "automatic stiffness, or the DDA, comes nearer to rigid blocks; `scree check` warns of such arches."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",
@@ -397,7 +403,7 @@ constexpr Key kKeys[] = {
     {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
      "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
      "statics."},
-    {"stage[].sliding_damping", Type::number, "", kFraction, "0.15", false, "",
+    {"stage[].sliding_damping", Type::number, "", kFraction, "1.0", false, "",
      "Damping of the deformation of free blocks that slide, a fraction of critical for the lowest frequency of the "
      "block, in proportion to the share of its contact force that slips. It slows neither slide nor spin; without it "
      "blocks on steep planes vibrate and lose friction. Not attenuation of rock; 0 gives the bare equations."},
@@ -437,7 +443,8 @@ constexpr Key kKeys[] = {
     {"stage[].explicit_region", Type::ring, "m", kCoordinate, "", false, "",
      "Partitioned stages: blocks inside take explicit steps, unless they are named. A block across its border, which "
      "takes the NMM with a mesh, is divided: elements whose centroid was first inside take explicit steps, the others "
-     "implicit ones, and forces hold the covers of both together without work."},
+     "implicit ones, and forces hold the covers of both together without work. What is held or driven takes no steps, "
+     "and is not divided."},
     {"stage[].explicit_area", Type::number, "m2", kPositive, "", false, "",
      "Partitioned stages: blocks that are smaller take explicit steps, unless they are named."},
     {"stage[].explicit_speed", Type::number, "m/s", kPositive, "", false, "",
@@ -536,6 +543,13 @@ constexpr Key kKeys[] = {
     {"run.max_closure", Type::number, "", kNotNegative, "0.0", false, "",
      "A run ends as not converged once its energy ledger is open by more than this part of the energy moved, looked at "
      "every 100 steps of a stage and where it ends; 0: never. 1e-9 is what Scree promises."},
+    {"run.max_passed_closure", Type::number, "", kNotNegative, "1e-3", false, "",
+     "The same, as a part of the energy passed: the largest so far of the energy at the start and the work done, or "
+     "the "
+     "energy held now. A blow-up inflates the energy moved, not this. 0: never."},
+    {"run.max_gain", Type::number, "", kNotNegative, "1.0", false, "",
+     "A run ends as not converged once the blocks hold more energy than they were given, by more than this part of "
+     "the energy passed: a step that is too long, a force that is wrong. 0: never."},
 };
 
 }  // namespace

@@ -145,10 +145,12 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   scene.add("plane", rectangle(-5, -2, 9, 0), true);
   const BlockId b = scene.add("block", rectangle(0, 0, 2, 1));
   scene.add("held", rectangle(4, 0, 5, 1));
-  scene.model.point_supports.push_back({.block = BlockId{2}});
+  PointSupport support;
+  support.block = BlockId{2};
+  scene.model.point_supports.push_back(support);
   const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
   const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
-  const Setup setup(scene.model, standard_methods(), records);
+  const coupling::Setup setup(scene.model, standard_methods(), records);
   SlidingDamping damping(setup, 0.7);
   ASSERT_TRUE(damping.used());
   const auto node_of = [&](std::int32_t body) {
@@ -161,7 +163,7 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
     ContactList list;
     list.memory = std::move(memory);
     list.points.resize(list.memory.size());
-    for (ContactPoint& p : list.points) p.node = {node_of(body), node_of(0), node_of(0)};
+    for (ContactPoint& p : list.points) p.node = std::array<std::int32_t, 3>{node_of(body), node_of(0), node_of(0)};
     damping.begin();
     damping.count(setup.outlines(), list);
     (void)damping.find();

@@ -116,7 +116,7 @@ const WrongLoad kWrong[] = {
      "remove the name"},
     {"stage_region_crossed", ".toml", 27, 19, "stage.0.explicit_region", "", "not a polygon", "not cross itself",
      "in their order"},
-    {"stage_region_empty", ".toml", 27, 19, "stage.0.explicit_region", "", "no block lies in the region",
+    {"stage_region_empty", ".toml", 27, 19, "stage.0.explicit_region", "", "no free block lies in the region",
      "a region with blocks", "same coordinates"},
     {"stage_region_no_mesh", ".toml", 27, 19, "stage.0.explicit_region", "", "\"slider\" lies across its border",
      "the NMM with a mesh", "explicit_blocks or implicit_blocks"},
