@@ -135,7 +135,7 @@ void Checkpoint::visit(Visitor&& see) const {
     see("travel.farthest", t.farthest);
   }
   see.size("warnings", warnings);
-  for (Warning& w : warnings) {
+  for (const Warning& w : warnings) {
     see("warning.time", w.time);
     see("warning.text", w.text);
   }

@@ -20,7 +20,7 @@ struct Told {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("told.columns", columns);
     see("told.pairs", pairs);
   }
