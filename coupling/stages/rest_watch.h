@@ -26,7 +26,7 @@ struct RestTrace {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("rest.least", least);
     see("rest.centre", centre);
   }
