@@ -250,7 +250,7 @@ void State::visit(Visitor&& see) const {
     see("contact.slide_slip", c.slide.slip);
     see("contact.slide_drag", c.slide.drag);
     see("contact.slide_limit", c.slide.limit);
-    for (SlideMemory::const Sum* sum : {&c.slide.last, &c.slide.total}) {
+    for (const SlideMemory::Sum* sum : {&c.slide.last, &c.slide.total}) {
       see("contact.slide_sum_slip", sum->slip);
       see("contact.slide_sum_drag", sum->drag);
       see("contact.slide_sum_limit", sum->limit);
