@@ -232,7 +232,7 @@ def whole_tier(folder, m, jobs):
     return failed.group(1) if failed else ("" if result.returncode == 0 else "ctest")
 
 
-def run(args, mutants):
+def run(args, every, mutants):
     log = args.scratch / "mutation.log"
     args.scratch.mkdir(parents=True, exist_ok=True)
     folder = args.scratch / "build" / "release"
@@ -241,10 +241,10 @@ def run(args, mutants):
         targets = {"all"}
     begin = time.monotonic()
     if not args.apart:
-        copy_tree(args.root, args.scratch, mutants)
+        copy_tree(args.root, args.scratch, every)
         if not build(args.scratch, targets, args.jobs, log):
             return 2
-        print(f"built {', '.join(sorted(targets))} with {len(mutants)} mutants in {time.monotonic() - begin:.0f} s",
+        print(f"built {', '.join(sorted(targets))} with {len(every)} mutants in {time.monotonic() - begin:.0f} s",
               flush=True)
     else:
         copy_tree(args.root, args.scratch, [], None)
@@ -322,9 +322,9 @@ def main():
         return 1 if wrong or len(mutants) < 80 else 0
     if wrong:
         return 2
-    if args.only:
-        mutants = [m for m in mutants if any(part in f"{m.id} {m.file} {m.program}" for part in args.only)]
-    return run(args, mutants) if mutants else sys.exit("no such mutant")
+    wanted = [m for m in mutants
+              if not args.only or any(part in f"{m.id} {m.file} {m.program}" for part in args.only)]
+    return run(args, mutants, wanted) if wanted else sys.exit("no such mutant")
 
 
 if __name__ == "__main__":

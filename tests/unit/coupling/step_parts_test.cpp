@@ -133,6 +133,45 @@ TEST(StepParts, bound_of_a_damped_contact_is_where_it_begins_to_grow) {
   }
 }
 
+TEST(StepParts, contact_with_a_stiffer_shear_spring_counts_with_that) {
+  OnATip tip(0.0);
+  tip.scene.model.joints[0].shear_penalty = 3.0 * OnATip::kPenalty;
+  const double own = lambda(one_block(1e5)), spring = OnATip::kPenalty * compliance({0.5 * kWidth, 0.5 * kHeight});
+  EXPECT_NEAR(lambda(tip.scene) / (own + 3.0 * spring), 1.0, 1e-9);
+}
+
+TEST(StepParts, two_free_blocks_on_a_spring_count_with_the_compliance_of_both) {
+  OnATip tip(0.0);
+  tip.scene.model.block_supports.clear();
+  const double tip_of_block = compliance({0.5 * kWidth, 0.5 * kHeight});
+  // The base, 6 x 1 m, is touched in the middle of its top: the ends of that edge are what the bound looks at.
+  const double mass = 6.0 * kDensity, end_of_edge = (1.0 + 12.0 * (0.25 + 0.25)) / mass;
+  EXPECT_NEAR(lambda(tip.scene) / (lambda(one_block(1e5)) + OnATip::kPenalty * (tip_of_block + end_of_edge)), 1.0,
+              1e-3);
+}
+
+/// A mesh on a spring that is far stiffer than it: stable below the bound, and not far above.
+TEST(StepParts, corner_of_a_mesh_on_a_stiff_spring_counts_with_its_covers) {
+  Scene scene(1e6, 0.2, kDensity);
+  scene.model.gravity = {0.0, 0.0};
+  scene.add("block", rectangle(0.0, 0.0, kWidth, kHeight));
+  scene.model.point_supports.push_back({BlockId{0}, {kWidth, kHeight}, true, true, 1e12});
+  scene.stage("nmm", Integrator::explicit_, 1.0, std::nullopt, 0.3);
+  const double bound = 2.0 / std::sqrt(lambda(scene));
+  const auto growth = [&](double h) {
+    ByHand hand(scene.model, scene.plan.stages[0]);
+    hand.move(0, {1e-9, 2e-9}, Mat2::Zero());
+    const double before = hand.kinetic();
+    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
+    mover.enter(hand.state);
+    for (int i = 0; i < 500; ++i)
+      if (mover.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
+    return hand.kinetic() / before;
+  };
+  EXPECT_LT(growth(0.999 * bound), 100.0);
+  EXPECT_GT(growth(1.25 * bound), 1e6);
+}
+
 TEST(StepParts, local_damping_counts_as_stiffness_and_rayleigh_damping_as_a_rate) {
   const double own = lambda(one_block(1e8)), h = 2.0 / std::sqrt(lambda(one_block(1e8), {.stiffness = 1e-4}));
   EXPECT_NEAR(h * h * own + 2.0 * h * 1e-4 * own, 4.0, 1e-9);
