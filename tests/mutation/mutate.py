@@ -43,6 +43,7 @@ SWITCH = "namespace scree::mutation { extern const int chosen; }\n#line 1\n"
 CHOSEN = """
 #include <cstdlib>
 namespace scree::mutation {
+extern const int chosen;
 const int chosen = std::getenv("SCREE_MUTANT") != nullptr ? std::atoi(std::getenv("SCREE_MUTANT")) : -1;
 }
 """
@@ -153,7 +154,7 @@ def with_all(mutants, text, root):
         old = text[begin:end]
         for m in here:
             awake = f"scree::mutation::chosen == {m.number}"
-            old = (f"if ({awake}) {{ {m.new} }} else {{ {old} }}" if statement(old)
+            old = (f"{{ if ({awake}) {{ {m.new} }} else {{ {old} }} }}" if statement(old)
                    else f"(({awake}) ? ({m.new}) : ({old}))")
         text = text[:begin] + old + text[end:]
     return text

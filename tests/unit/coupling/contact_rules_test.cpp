@@ -58,28 +58,28 @@ void close(ContactList& list, std::ptrdiff_t i, double gap) {
 
 /// A corner in the corner of another block leaves by the edge that holds it until the other is twice as near.
 TEST(CornerRules, edge_that_holds_a_corner_keeps_it_until_the_other_is_twice_as_near) {
-  Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
-  ContactList known = two.at({-0.01, -0.001});
-  const std::ptrdiff_t top = index_of(known, 1, 0, 0, 2), right = index_of(known, 1, 0, 0, 1);
-  ASSERT_GE(top, 0);
-  ASSERT_GE(right, 0);
-  for (ContactMemory& m : known.memory) {
-    m.gap0 = 0.0;
-    m.gap = 1e-4;  // just open
-  }
-  close(known, top, -0.001);
-  struct Case {
-    double other;  // depth in the right side; in the top it is 1 mm
-    bool kept;
-  };
-  for (const Case& c :
-       {Case{0.0030, true}, Case{0.0009, true}, Case{0.0006, true}, Case{0.0004, false}, Case{0.0001, false}}) {
-    const ContactList now = two.at({-c.other, -0.001}, known);
-    const std::ptrdiff_t t = index_of(now, 1, 0, 0, 2), r = index_of(now, 1, 0, 0, 1);
-    ASSERT_GE(t, 0);
-    ASSERT_GE(r, 0);
-    EXPECT_NE(now.points[static_cast<std::size_t>(t)].suppressed, c.kept) << c.other;
-    EXPECT_EQ(now.points[static_cast<std::size_t>(r)].suppressed, c.kept) << c.other;
+  constexpr std::int32_t kRight = 1, kTop = 2;
+  for (const std::int32_t holds : {kTop, kRight}) {
+    Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
+    // 1 mm deep in the edge that holds it.
+    const auto moved = [&](double other) { return holds == kTop ? Vec2(-other, -0.001) : Vec2(-0.001, -other); };
+    ContactList known = two.at(moved(0.01));
+    const std::ptrdiff_t held = index_of(known, 1, 0, 0, holds);
+    ASSERT_GE(held, 0);
+    for (ContactMemory& m : known.memory) {
+      m.gap0 = 0.0;
+      m.gap = 1e-4;  // just open
+    }
+    close(known, held, -0.001);
+    for (const double other : {0.0030, 0.0009, 0.0006, 0.0004, 0.0001}) {
+      const bool kept = other > 0.0005;
+      const ContactList now = two.at(moved(other), known);
+      const std::ptrdiff_t h = index_of(now, 1, 0, 0, holds), o = index_of(now, 1, 0, 0, holds == kTop ? kRight : kTop);
+      ASSERT_GE(h, 0);
+      ASSERT_GE(o, 0);
+      EXPECT_NE(now.points[static_cast<std::size_t>(h)].suppressed, kept) << holds << ' ' << other;
+      EXPECT_EQ(now.points[static_cast<std::size_t>(o)].suppressed, kept) << holds << ' ' << other;
+    }
   }
 }
 
@@ -111,7 +111,7 @@ TEST(CornerRules, corner_first_seen_beyond_the_middle_of_a_plate_is_not_pressed_
 
 /// A tip that was pressed far deeper than the search looks is still held by the edge that it is closed with.
 TEST(CornerRules, closed_corner_is_held_however_deep) {
-  Two two(rectangle(-2, -2, 2, 0), {{{0, 0}, {1, 2}, {-1, 2}}, {}});
+  Two two(rectangle(-2, -2, 2, 0), {{{0, 0}, {0.05, 0.1}, {-0.05, 0.1}}, {}});  // small: all of it goes so deep
   ContactList known = two.at({0.0, 0.001});
   const std::ptrdiff_t tip = index_of(known, 1, 0, 0, 2);
   ASSERT_GE(tip, 0);

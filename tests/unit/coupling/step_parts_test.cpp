@@ -47,8 +47,9 @@ TEST(StepParts, slow_step_resolves_half_a_radian_of_the_stiffest_slow_block) {
   Scene scene = one_block(1e8);
   State state;
   state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-  const Guests guests{.slow = {1}};
-  const Setup setup(scene.model, methods(), state.bodies, guests);
+  Guests guests;
+  guests.slow = {1};
+  const coupling::Setup setup(scene.model, methods(), state.bodies, guests);
   std::string binding;
   EXPECT_NEAR(slow_step(setup, &binding) * std::sqrt(12.0 * 1e8 / (kDensity * kHeight * kHeight)), 0.5, 1e-12);
   EXPECT_NE(binding.find("block 'block'"), std::string::npos) << binding;
