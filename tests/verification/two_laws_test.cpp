@@ -50,7 +50,9 @@ TEST_P(TwoLaws, block_slides_by_the_smaller_friction_whichever_side_has_it) {
     // Weight that comes at once bounces; the mean of the normal force is the weight all the same.
     EXPECT_NEAR((0.5 - t.momentum.x() / t.mass) / (kGravity * std::tan(10.0 * kDegree) * 0.1), 1.0, 0.05);
     for (const ContactMemory& m : run.state().contacts)
-      if (m.status != ContactStatus::open) EXPECT_EQ(m.joint, smooth.value);
+      if (m.status != ContactStatus::open) {
+        EXPECT_EQ(m.joint, smooth.value);
+      }
   }
 }
 
