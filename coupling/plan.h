@@ -108,6 +108,7 @@ struct Stage {
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local_damping = 0.0;      // fraction of the unbalanced force, against the velocity; explicit, 0 to 1
+  double sliding_damping = 1.0;    // of the deformation of blocks that slide, a fraction of critical
   NewmarkScheme newmark = NewmarkScheme::damped;
   TransferMode transfer = TransferMode::reservoir;  // of blocks that change method as the stage begins
   double transfer_cap = 1.1;                        // strain_rate: largest factor of the strain rates

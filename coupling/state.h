@@ -100,6 +100,7 @@ struct State {
   std::vector<double> a;         // acceleration at `time`, same layout (explicit stages; else empty)
   std::vector<double> v_before;  // velocity of the half step before, where damping lags on it (else empty)
   std::vector<double> damping;   // forces of mass-proportional damping that spares affine motion (else empty) [N]
+  std::vector<double> sliding;   // forces that damp the deformation of sliding blocks (none slides: empty) [N]
   std::vector<ContactMemory> contacts;  // sorted by key
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
@@ -189,6 +190,7 @@ void State::visit(Visitor&& see) {
   see("a", a);
   see("v_before", v_before);
   see("damping", damping);
+  see("sliding", sliding);
   see.size("contacts", contacts);
   for (ContactMemory& c : contacts) {
     c.key.visit(see);

@@ -155,6 +155,11 @@ void DdaPool::mass_solve(std::span<const double>, std::span<const double> f, std
   }
 }
 
+void DdaPool::mass_apply(int body, std::span<const double>, std::span<const double> v, std::span<double> p) const {
+  const AffineState s = load(body, v, v);
+  store(body, of(body).shape.mass * s.c, s.F * of(body).shape.second, p);
+}
+
 double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v,
                                std::span<const char> counted) const {
   double sum = 0.0;

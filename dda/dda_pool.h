@@ -29,6 +29,7 @@ class DdaPool final : public Pool {
   double internal_force(std::span<const double> q, std::span<double> f) const override;
   void body_force(const Vec2& acceleration, std::span<double> f) const override;
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
+  void mass_apply(int body, std::span<const double> q, std::span<const double> v, std::span<double> p) const override;
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
   [[nodiscard]] Fault find_fault(std::span<const double> q) const override;

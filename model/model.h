@@ -42,7 +42,7 @@ struct JointLaw {
   std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one
   std::optional<double> penalty;           // normal stiffness of a contact point [N/m]
   std::optional<double> shear_penalty;     // tangential stiffness of a contact point [N/m]; empty: as the normal one
-  double damping = 0.2;                    // of closed contacts in explicit steps, a fraction of critical
+  double damping = 0.5;                    // of closed contacts, a fraction of critical of the corner
 };
 
 /// A block: its polygon, material and joints.

@@ -221,6 +221,9 @@ class Pool {
   virtual void fold_forces(std::span<double> f) const { (void)f; }
   /// a = M^-1 f (f is not changed); the acceleration is compatible with the method's constraints.
   virtual void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const = 0;
+  /// p = M v on the nodes of one body; zero on nodes that follow others.   @param p  [kg m/s], other bodies' stay
+  virtual void mass_apply(int body, std::span<const double> q, std::span<const double> v,
+                          std::span<double> p) const = 0;
   /// 1/2 v^T M v, bodies in `counted` only (one flag a body).
   [[nodiscard]] virtual double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                               std::span<const char> counted) const = 0;

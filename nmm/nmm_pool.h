@@ -40,6 +40,9 @@ class NmmPool final : public Pool {
   void fold_forces(std::span<double> f) const override { chart_.fold_forces(f); }
   void body_force(const Vec2& acceleration, std::span<double> f) const override;
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override;
+  void mass_apply(int body, std::span<const double>, std::span<const double> v, std::span<double> p) const override {
+    apply_mass(body, v, p);
+  }
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override;
   double damp(double factor, double rate, std::span<const double> along, std::span<double> v, std::span<double> f,

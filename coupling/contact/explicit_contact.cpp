@@ -62,7 +62,9 @@ void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, 
     m.stretch = 0.0;
     m.status = ContactStatus::stick;
   }
-  const double limit = strength(law, tan_friction, m).friction_limit(m.fn);
+  // A bond fails by the force of the spring, not by that of the dashpot.
+  const double bearing = m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn;
+  const double limit = strength(law, tan_friction, m).friction_limit(bearing);
   if (m.kt * std::abs(m.stretch) > limit) {
     const bool pulled = m.bonded != 0 && m.gap >= 0.0;
     mark_failed(law, m);
@@ -132,7 +134,9 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
       // The step took its friction from the slip that there was.
       ContactMemory then = m;
       if (p.from >= 0) then.slip = before_.memory[static_cast<std::size_t>(p.from)].slip;
-      audit_law(*setup_, then, m.fn, m.ft, allowed, audit);
+      const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+      audit_law(*setup_, then, m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn, m.ft, allowed,
+                audit);
     } else if (!p.suppressed && !p.beyond) {
       audit.check(m.kn * std::max(0.0, -m.gap), allowed, [&] {
         return fmt::format("{}: open and {:.3g} m deep", contact_name(setup_->model(), m.key), -m.gap);

@@ -51,6 +51,7 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       lags_(damping.stiffness > 0.0 || damping.local > 0.0 || !setup.model().viscous_edges.empty()),
       contact_(setup, detection),
       chunks_(setup),
+      sliding_(setup, damping.sliding),
       weights_(body_loads(setup)),
       factor_(weights_.size(), 0.0),
       weight_power_(weights_.size(), 0.0),
@@ -62,6 +63,10 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
   for (auto* v : {&stress_, &total_, &q_new_, &v_half_, &v_new_, &a_new_}) v->assign(n, 0.0);
   if (damping.stiffness > 0.0) stiffness_.force.assign(n, 0.0);
   if (damping.local > 0.0) local_.force.assign(n, 0.0);
+  if (!sliding_.used()) return;
+  for (auto* v : {&rigid_x_, &rigid_y_, &rigid_turn_, &momentum_, &turn_momentum_, &unit_mass_}) v->assign(n, 0.0);
+  for (const std::size_t p : setup.own_pools())
+    setup.pool(p).body_force({1.0, 1.0}, setup.part(std::span<double>(unit_mass_), p));
 }
 
 void CentralDifference::add_term(std::unique_ptr<ForceTerm> term) { terms_.push_back(std::move(term)); }
@@ -156,12 +161,21 @@ void CentralDifference::accelerate(std::span<const double> q, std::span<double> 
     std::fill(a.begin() + static_cast<std::ptrdiff_t>(c.begin), a.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
 }
 
+double CentralDifference::forces_power(const State& state, const double* v) const {
+  double power = chunks_.sum_free([&](const Chunk& c) { return dot(c, v, total_.data()); });
+  if (!state.sliding.empty())
+    power += chunks_.sum_free([&](const Chunk& c) { return dot(c, v, state.sliding.data()); });
+  return power;
+}
+
 double CentralDifference::acceleration_energy(const State& state) const {
   const double* a = state.a.data();
   double energy = chunks_.sum_free([&](const Chunk& c) { return dot(c, a, total_.data()); });
   if (damps_rest()) energy += chunks_.sum_free([&](const Chunk& c) { return dot(c, a, state.damping.data()); });
+  if (!state.sliding.empty())
+    energy += chunks_.sum_free([&](const Chunk& c) { return dot(c, a, state.sliding.data()); });
   if (damps_all()) {  // M a = F - rate M v, so a.M.a = a.F - rate v.M a = a.F - rate (v.F - rate v.M v)
-    const double power = chunks_.sum_free([&](const Chunk& c) { return dot(c, state.v.data(), total_.data()); });
+    const double power = forces_power(state, state.v.data());
     energy -= damping_.mass * (power - 2.0 * damping_.mass * kinetic_energy(state.q, state.v));
   }
   return energy;
@@ -219,6 +233,10 @@ double CentralDifference::enter(State& state) {
   restore_stress(state);
   sum_up(lagging(state));
   accelerate(state.q, a_new_);
+  if (sliding_.used() && !goes_on) {
+    v_new_ = state.v;
+    damp_sliding(state.q, 0.0, state);
+  }
   if (damps_rest() && !goes_on) {
     state.damping.assign(state.v.size(), 0.0);
     v_new_ = state.v;
@@ -239,6 +257,7 @@ double CentralDifference::kick_off(const State& state, double h) {
     kick_and_drift(c, h, state.q.data(), v, a, stress_.data(), v_half_.data(), q_new_.data(), left.stress,
                    left.largest);
     if (damps_rest()) left.mass = dot(c, half, state.damping.data());
+    if (!state.sliding.empty()) left.sliding = dot(c, half, state.sliding.data());
     if (!stiffness_.force.empty()) left.stiffness = dot(c, half, stiffness_.force.data());
     if (!local_.force.empty()) left.local = dot(c, half, local_.force.data());
   });
@@ -247,11 +266,13 @@ double CentralDifference::kick_off(const State& state, double h) {
     all.stress += left.stress;
     all.largest = std::max(all.largest, left.largest);
     all.mass += left.mass;
+    all.sliding += left.sliding;
     all.stiffness += left.stiffness;
     all.local += left.local;
   }
   stress_left_ = all.stress;
   mass_left_ = all.mass;
+  sliding_left_ = all.sliding;
   stiffness_.left = all.stiffness;
   local_.left = all.local;
   // The largest component bounds the longest way within sqrt(2). What is not a number passes, and is found when the
@@ -317,8 +338,7 @@ void CentralDifference::leave_instant(const State& state, double h) {
   for (const auto& term : terms_) term->leave(h, v_half_);
   if (damps_all()) {
     // -rate v_{n+1/2}.M v_n with v_{n+1/2} = v_n + h/2 a_n and M a_n = F_n - rate M v_n
-    const double twice = 2.0 * kinetic_energy(state.q, state.v),
-                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, state.v.data(), total_.data()); });
+    const double twice = 2.0 * kinetic_energy(state.q, state.v), power = forces_power(state, state.v.data());
     mass_left_ = -damping_.mass * (twice * (1.0 - 0.5 * h * damping_.mass) + 0.5 * h * power);
   }
 }
@@ -376,8 +396,7 @@ void CentralDifference::damp(double h, State& state) {
       }
     });
     // -rate v_{n+1/2}.M v_{n+1} with v_{n+1/2} = v_{n+1} - h/2 a_{n+1} and M a_{n+1} = F_{n+1} - rate M v_{n+1}
-    const double twice = 2.0 * kinetic_energy(q_new_, v_new_),
-                 power = chunks_.sum_free([&](const Chunk&c) { return dot(c, v_new_.data(), total_.data()); });
+    const double twice = 2.0 * kinetic_energy(q_new_, v_new_), power = forces_power(state, v_new_.data());
     right = -rate * (twice * (1.0 + 0.5 * h * rate) - 0.5 * h * power);
   } else {
     return;
@@ -433,6 +452,14 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     state.ledger.book(weights_[i].column, 0.5 * h * (then + factor_[i]) * weight_power_[i]);
   }
   book_step(h, energy, driven_left, state.ledger);
+  if (sliding_.used()) {
+    const double left = state.sliding.empty() ? 0.0 : sliding_left_;
+    damp_sliding(q_new_, 0.5 * h, state);
+    const double right = state.sliding.empty() ? 0.0 : chunks_.sum_free([&](const Chunk& c) {
+      return dot(c, v_half_.data(), state.sliding.data());
+    });
+    if (left != 0.0 || right != 0.0) state.ledger.book(Column::deformation_damping, -0.5 * h * (left + right));
+  }
   damp(h, state);
 
   state.q.swap(q_new_);
@@ -462,7 +489,7 @@ void CentralDifference::relax(State& state) {
     return;
   }
   // Damping ends with the motion, and with it the acceleration changes at this instant.
-  const bool damped = damps_all() || damps_rest() || lags();
+  const bool damped = damps_all() || damps_rest() || lags() || !state.sliding.empty();
   const double shadow = damped ? acceleration_energy(state) : 0.0;
   state.ledger.book(Column::rest_damping, kinetic);
   std::fill(state.v.begin(), state.v.end(), 0.0);
@@ -471,6 +498,7 @@ void CentralDifference::relax(State& state) {
   if (!damped) return;
   std::fill(state.v_before.begin(), state.v_before.end(), 0.0);
   std::fill(state.damping.begin(), state.damping.end(), 0.0);
+  state.sliding.clear();
   sum_up(lagging(state));
   accelerate(state.q, state.a);
   const double h = seconds(state.last_step);
@@ -492,6 +520,7 @@ void CentralDifference::leave(State& state) {
   state.a.clear();
   state.v_before.clear();
   state.damping.clear();
+  state.sliding.clear();
 }
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {

@@ -9,6 +9,7 @@
 #include "coupling/integrate/loads.h"
 #include "coupling/integrate/mover.h"
 #include "coupling/integrate/node_chunks.h"
+#include "coupling/integrate/sliding_damping.h"
 #include "coupling/integrate/step_bound.h"
 
 namespace scree::coupling {
@@ -103,10 +104,14 @@ class CentralDifference final : public Mover {
   void accelerate(std::span<const double> q, std::span<double> a) const;
   [[nodiscard]] bool arrive(double h);
   [[nodiscard]] double damp_rest(double factor, State& state);
+  /// Velocities and accelerations of the instant at hand less what the damping of sliding blocks takes, and its forces.
+  /// @param half  half of the step that led here [s]; 0: none did
+  void damp_sliding(std::span<const double> q, double half, State& state);
   void damp(double h, State& state);
   void relax(State& state);
   [[nodiscard]] Instant lagging(const State& state) const;
 
+  [[nodiscard]] double forces_power(const State& state, const double* v) const;  // of all forces but mass damping
   [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v) const;
   void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
@@ -118,6 +123,10 @@ class CentralDifference final : public Mover {
   double outline_weights_ = 1.0;  // sum |w| of a row: how much farther than the nodes an outline may go
   ExplicitContact contact_;
   NodeChunks chunks_;
+  SlidingDamping sliding_;
+  // Scratch of damp_sliding(): rigid motions of a body, momenta of its velocity and of its rotation.
+  std::vector<double> rigid_x_, rigid_y_, rigid_turn_, momentum_, turn_momentum_;
+  std::vector<double> unit_mass_;  // M of a translation by 1
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // a weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
@@ -132,11 +141,11 @@ class CentralDifference final : public Mover {
   std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
-  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0;
+  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
   std::vector<double> weight_power_;  // a weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
-    double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, largest = 0.0;
+    double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, sliding = 0.0, largest = 0.0;
   };
   std::vector<Left> left_;  // a chunk
   struct Lead {             // the way of the guests

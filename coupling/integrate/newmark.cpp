@@ -28,7 +28,9 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       options_(options),
       finder_(setup, detection),
       system_(setup),
-      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor) {
+      contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor),
+      sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),
+      damper_(setup, system_) {
   driven_move_.resize(setup.bodies().size());
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
@@ -39,8 +41,10 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &inertia_,
                   &damped_before_.mass,
                   &damped_before_.stiffness,
+                  &damped_before_.sliding,
                   &damped_after_.mass,
                   &damped_after_.stiffness,
+                  &damped_after_.sliding,
                   &force_before_,
                   &force_,
                   &force_after_,
@@ -159,6 +163,7 @@ void Newmark::prepare(const State& state, double h) {
         b.driven ? Vec2(setup_->driven_displacement(b, t0 + h) - setup_->driven_displacement(b, t0)) : Vec2(0.0, 0.0);
   }
   system_.take_masses(q, state.v);
+  find_sliding(state, h);
   const auto to_dofs = [&](std::span<const double> nodes, std::vector<double>& out) {
     std::fill(out.begin(), out.end(), 0.0);
     system_.add_forces(nodes, q, out);
@@ -182,6 +187,15 @@ void Newmark::prepare(const State& state, double h) {
   prepare_damping(state);
 }
 
+void Newmark::find_sliding(const State& state, double h) {
+  damper_.clear();
+  if (!sliding_.used()) return;
+  sliding_.begin();
+  sliding_.count(setup_->outlines(), list_);
+  if (list_elsewhere_ != nullptr) sliding_.count(*outlines_elsewhere_, *list_elsewhere_);
+  if (sliding_.find()) damper_.find(state.q, sliding_.rates(), 2.0 / h);
+}
+
 void Newmark::prepare_damping(const State& state) {
   C_.clear();
   if (options_.stiffness_damping > 0.0) {
@@ -195,6 +209,10 @@ void Newmark::prepare_damping(const State& state) {
 void Newmark::damping_forces(const State& state, std::span<const double> rate, Damping& out) {
   std::fill(out.mass.begin(), out.mass.end(), 0.0);
   std::fill(out.stiffness.begin(), out.stiffness.end(), 0.0);
+  if (damper_.acts()) {
+    std::fill(out.sliding.begin(), out.sliding.end(), 0.0);
+    damper_.add_force(-1.0, rate, out.sliding);
+  }
   if (!C_.empty()) system_.pattern().multiply_add(-1.0, C_, rate, out.stiffness);
   if (options_.damping > 0.0) {
     system_.pattern().multiply_add(-options_.damping, system_.mass(), rate, out.mass);
@@ -290,6 +308,7 @@ void Newmark::linear_system(double h) {
     for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * C_[k];
   if (options_.damping > 0.0)
     for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * options_.damping * system_.mass()[k];
+  damper_.add_matrix(A_);
 }
 
 double Newmark::residual(const State& state, double h, double& largest) {
@@ -305,6 +324,10 @@ double Newmark::residual(const State& state, double h, double& largest) {
                       largest_of(damped_after_.stiffness), largest_of(out_)});
   for (std::size_t i = 0; i < out_.size(); ++i)
     out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
+  if (damper_.acts()) {
+    largest = std::max(largest, largest_of(damped_after_.sliding));
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += damped_after_.sliding[i];
+  }
   if (path_ != nullptr) {
     largest = std::max({largest, largest_of(pull_), largest_of(held_)});
     largest_pulled_ = largest;  // guides have forces that may be larger by far
@@ -338,7 +361,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   const bool iterative = system_.nonlinear() || spares || path_ != nullptr;
   Stiffness kind = Stiffness::exact;
   find_step_springs(state, h);
-  contacts_.begin(list_, state.q, driven_move_, springs_);
+  contacts_.begin(list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
@@ -360,6 +383,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
       for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
     if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
     if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
+    damper_.add_force(1.0, system_.rate(), rhs_);
     if (spares)
       for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += affine[i];
     if (!contacts_.solve(A_, fresh, rhs_, d_, report)) {

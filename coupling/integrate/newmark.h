@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/contact/contact_finder.h"
+#include "coupling/integrate/deformation_damping.h"
 #include "coupling/integrate/fixed_point.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
@@ -11,6 +12,7 @@
 #include "coupling/integrate/open_close.h"
 #include "coupling/integrate/path_force.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/integrate/sliding_damping.h"
 #include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
@@ -22,6 +24,7 @@ struct ImplicitOptions {
   double damping = 0.0;            // mass-proportional [1/s]
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // [s]
+  double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
   double together = 1e-9;  // of the largest force: how far a PathForce may be from what the balance was made with
   OpenClose::Factor factor = OpenClose::Factor::kept;
 };
@@ -29,7 +32,8 @@ struct ImplicitOptions {
 /// With v' = 2 d/h - v in both schemes, at the end of the step:
 ///   beta = 1/2, gamma = 1:    2 M (d - h v)/h^2      + C v' = f(x + d),  f internal, contact, supports, loads
 ///   beta = 1/4, gamma = 1/2:  4 M (d - h v)/h^2 - M a + C v' = f(x + d),  a' = 4 (d - h v)/h^2 - a
-///   C = damping M + stiffness_damping K_material + dashpots.
+///   C = damping M + stiffness_damping K_material + dashpots + damping of the deformation of sliding blocks.
+/// Closed contacts have dashpots, and sliding blocks that damping, where velocity is physical: dynamics = 1.
 /// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside,
 /// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
 /// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
@@ -52,6 +56,12 @@ class Newmark final : public Mover {
   /// A force from outside in every step from now on; null: none. It must outlive the steps.
   void pull(PathForce* force) { path_ = force; }
   [[nodiscard]] const ContactList& list() const { return list_; }
+  /// Contacts that another mover holds at bodies of this one; blocks slide on them as well. Null: none. The outlines
+  /// and the list must outlive the steps.
+  void also_touch(const Outlines* outlines, const ContactList* list) {
+    outlines_elsewhere_ = outlines;
+    list_elsewhere_ = list;
+  }
 
   [[nodiscard]] const Cholesky& cholesky() const { return contacts_.cholesky(); }
   [[nodiscard]] const ImplicitSystem& system() const { return system_; }
@@ -66,10 +76,13 @@ class Newmark final : public Mover {
   // newmark.cpp: the step's equations; newmark_pull.cpp: the force from outside
   void prepare(const State& state, double h);
   struct Damping {  // forces in the unknowns
-    std::vector<double> mass, stiffness;
+    std::vector<double> mass, stiffness, sliding;
   };
   void prepare_damping(const State& state);
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
+  /// Dashpots of contacts act, and the damping of blocks that slide.
+  [[nodiscard]] bool velocity_is_physical() const { return !trapezoidal() && options_.dynamics == 1.0; }
+  void find_sliding(const State& state, double h);
   void find_step_springs(const State& state, double h);
   // The force from outside: its mean at an iterate, and what the linear system has of it.
   void begin_pull(const State& state, double h);
@@ -123,6 +136,10 @@ class Newmark final : public Mover {
   StepSprings springs_;
   std::size_t guides_ = 0;  // the first of them that only stands for the stiffness of path_
   std::size_t seams_ = 0;   // and the first of those that do for its seams
+  SlidingDamping sliding_;
+  DeformationDamping damper_;
+  const Outlines* outlines_elsewhere_ = nullptr;
+  const ContactList* list_elsewhere_ = nullptr;
   PathForce* path_ = nullptr;
   FixedPoint pull_iteration_;
   std::vector<PointSpring> supports_;

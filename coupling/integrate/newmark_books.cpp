@@ -16,7 +16,13 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 /// True if the normal spring of a point has a force at the end of the step: pressed, or pulled and still bonded.
 bool loaded(const OpenClose::Trial& t, const ContactMemory& before) {
-  return t.fn > 0.0 || (before.bonded != 0 && t.status == ContactStatus::stick);
+  return t.status != ContactStatus::open &&
+         (t.gap < 0.0 || (before.bonded != 0 && t.status == ContactStatus::stick));
+}
+
+/// Part of a point's normal force that is its spring's; the rest is the dashpot's [N].
+double spring_force(const OpenClose::Trial& t, const ContactMemory& before) {
+  return loaded(t, before) ? -before.kn * t.gap : 0.0;
 }
 
 }  // namespace
@@ -54,6 +60,7 @@ void Newmark::book_damping(Ledger& ledger) const {
   };
   if (options_.damping > 0.0) ledger.book(Column::mass_damping, -work(damped_before_.mass, damped_after_.mass));
   if (!C_.empty()) ledger.book(Column::stiffness_damping, -work(damped_before_.stiffness, damped_after_.stiffness));
+  if (damper_.acts()) ledger.book(Column::deformation_damping, -dot(damped_after_.sliding, d_));
 }
 
 void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
@@ -78,6 +85,8 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
     // Its energy counted, at the start of the step.
     const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_.points[i].suppressed && !list_.points[i].beyond;
     const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
+    if (const double damping = t.fn - spring_force(t, m); damping != 0.0)
+      ledger.book(Column::contact_damping, -damping * dg);
     if (loaded(t, m)) {
       if (counted)
         ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
@@ -107,6 +116,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     ContactMemory& m = list_.memory[i];
     const ContactPoint& p = list_.points[i];
+    m.fd = t.fn - spring_force(t, m);
     linear[i] = 0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
                 (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
@@ -123,7 +133,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     }
     m.status = t.status;
     m.fn = t.fn;
-    m.fd = m.fdt = 0.0;
+    m.fdt = 0.0;
     m.ft = t.ft;
   }
   return linear;

@@ -83,9 +83,10 @@ void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::spa
 }
 
 void OpenClose::begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
-                      const StepSprings& springs) {
+                      const StepSprings& springs, double dashpot, std::span<const LowRank> damping) {
   list_ = &list;
   springs_ = &springs;
+  damping_ = damping;
   current_ = updated_ = false;
   keep_ = factor_ == Factor::kept && !system_->nonlinear() && cholesky_.factored() && patience_.wait == 0;
   if (keep_) cholesky_.drop_updates();
@@ -112,7 +113,12 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     add_rows(p, m, q, driven_move);
     strength_[i] = strength(law_of(i), m);
     trial_[i] = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0, m.fn};
-    trial_[i].opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;
+    Trial& t = trial_[i];
+    t.opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;
+    if (m.bonded == 0 && m.gap > 0.0) t.status = ContactStatus::open;  // its dashpot held it until now
+    // A contact that closes in this step is not damped yet: the dashpot could hold it open.
+    t.k = m.kn + (t.status != ContactStatus::open ? dashpot * p.cn : 0.0);
+    t.at = m.kn / t.k * m.gap;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
 }
@@ -134,18 +140,18 @@ double OpenClose::slip_left(std::size_t i) const {
 }
 
 OpenClose::Dilation OpenClose::dilation(std::size_t i) const {
-  // The spring is pressed by tan psi times the slip |s|, |s| = -dir e - (c + tan phi f)/k_t, so that
+  // The spring (and dashpot) is pressed by tan psi times the slip |s|, |s| = -dir e - (c + tan phi f)/k_t, so that
   //   f = -k_n g + k_n tan psi |s| has f on both sides; after the end of dilation |s| is what was left.
   const ContactMemory& m = list_->memory[i];
   const JointLaw& law = law_of(i);
-  const double slope = m.kn * std::tan(law.dilation);
-  if (!trial_[i].opens) return {m.kn, 0.0, -slope * slip_left(i)};
+  const double k = trial_[i].k, slope = k * std::tan(law.dilation);
+  if (!trial_[i].opens) return {k, 0.0, -slope * slip_left(i)};
   const double part = 1.0 / (1.0 + slope / m.kt * strength_[i].coefficient);
-  return {part * m.kn, part * slope * trial_[i].direction, part * slope * strength_[i].friction_limit(0.0) / m.kt};
+  return {part * k, part * slope * trial_[i].direction, part * slope * strength_[i].friction_limit(0.0) / m.kt};
 }
 
 double OpenClose::normal_stiffness(std::size_t i) const {
-  return trial_[i].status == ContactStatus::open ? 0.0 : list_->memory[i].kn;
+  return trial_[i].status == ContactStatus::open || trial_[i].slack ? 0.0 : trial_[i].k;
 }
 
 double OpenClose::tangential_stiffness(std::size_t i) const {
@@ -156,9 +162,8 @@ void OpenClose::take_states() {
   k_.assign(springs_->k.begin(), springs_->k.end());
   at_.assign(springs_->at.begin(), springs_->at.end());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const ContactMemory& m = list_->memory[i];
     k_.push_back(normal_stiffness(i));
-    at_.push_back(m.gap);
+    at_.push_back(trial_[i].at);
     k_.push_back(tangential_stiffness(i));
     at_.push_back(stretch_before(i));
   }
@@ -169,24 +174,27 @@ void OpenClose::take_states() {
     active_.push_back(r);
     rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
   }
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (trial_[i].slack) normal(i).add_force(slack_force(i), rhs_);
   // Coulomb's force c + tan phi f_n on what slips: with the gap, of which f_n is a multiple, and without.
   slipping_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     if (t.status != ContactStatus::slip) continue;
     t.load = 0.0;
-    const Slipping s{i, friction_per_gap(i), dilates(i), dilates(i) ? dilation(i) : Dilation{}};
+    const bool dilating = dilates(i) && !t.slack;
+    const Slipping s{i, friction_per_gap(i), dilating, dilating ? dilation(i) : Dilation{}};
     slipping_.push_back(s);
-    const double gap = list_->memory[i].gap + normal(i).known;
+    const double gap = t.at + normal(i).known;
     if (!s.dilates) {
       tangential(i).add_force(t.direction * limit(i) - s.friction_per_gap * gap, rhs_);
       continue;
     }
     const double force = -(s.dilation.per_gap * gap +
                            s.dilation.per_stretch * (stretch_before(i) + tangential(i).known) + s.dilation.constant),
-                 spring = -list_->memory[i].kn * gap;  // that it would be without, which rhs has
+                 spring = -t.k * gap;  // that it would be without, which rhs has
     normal(i).add_force(force - spring, rhs_);
-    tangential(i).add_force(t.direction * limit(i) + s.friction_per_gap / list_->memory[i].kn * force, rhs_);
+    tangential(i).add_force(t.direction * limit(i) + s.friction_per_gap / t.k * force, rhs_);
   }
 }
 
@@ -224,13 +232,22 @@ bool OpenClose::update(StepReport& report) {
 void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
   system_->pattern().multiply(A_, x, y);
   for (const std::size_t r : active_) rows_[r].add_force(k_[r] * (rows_[r].change(x) - rows_[r].known), y);
+  for (const LowRank& term : damping_) {
+    const Eigen::Map<const Eigen::MatrixX3d> Z(term.Z, static_cast<Eigen::Index>(term.count), 3);
+    const Eigen::Map<const Eigen::VectorXd> of_x(x.data() + term.first, static_cast<Eigen::Index>(term.count));
+    const Eigen::Vector3d z = term.W * (Z.transpose() * of_x);
+    for (std::size_t k = 0; k < term.count; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      y[term.first + k] -= Z(row, 0) * z(0) + Z(row, 1) * z(1) + Z(row, 2) * z(2);
+    }
+  }
   for (const Slipping& s : slipping_) {
     const double gap = normal(s.point).change(x) - normal(s.point).known;
     if (!s.dilates) {
       tangential(s.point).add_force(s.friction_per_gap * gap, y);
       continue;
     }
-    const double kn = list_->memory[s.point].kn,
+    const double kn = trial_[s.point].k,
                  loss = s.dilation.per_gap * gap +
                         s.dilation.per_stretch * (tangential(s.point).change(x) - tangential(s.point).known);
     normal(s.point).add_force(loss - kn * gap, y);
@@ -238,8 +255,14 @@ void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
   }
 }
 
+double OpenClose::bearing_force(std::size_t i) const {
+  const ContactMemory& m = list_->memory[i];
+  const Trial& t = trial_[i];
+  return m.failed == 0 && can_fail(law_of(i)) ? std::max(t.fn, -m.kn * t.gap) : t.fn;
+}
+
 double OpenClose::friction_per_gap(std::size_t i) const {
-  return trial_[i].direction * list_->memory[i].kn * strength_[i].coefficient;
+  return trial_[i].slack ? 0.0 : trial_[i].direction * trial_[i].k * strength_[i].coefficient;
 }
 
 double OpenClose::force_scale(std::span<const double> d) const {
@@ -271,7 +294,7 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   constexpr double kRough = 1e-7;   // while states still switch
   constexpr int kAtOnce = ConjugateResiduals::kDepth;
   // Friction takes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
-  rough_ = !exact_ && (keep_ || !slipping_.empty());
+  rough_ = !exact_ && (keep_ || unsymmetric());
   const double part_of = rough_ ? kRough : kExact;
   double enough = part_of * force_scale(d);
   int taken = 0;
@@ -303,11 +326,11 @@ bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
     if (!factorise_anew(report)) return false;
   }
   if (updated_) {
-    if (slipping_.empty()) cholesky_.solve(rhs_, d);
-    if (improve(slipping_.empty() ? kRefinements : kFriction, d, report) >= 0) return true;
+    if (!unsymmetric()) cholesky_.solve(rhs_, d);
+    if (improve(unsymmetric() ? kFriction : kRefinements, d, report) >= 0) return true;
     if (!factorise_anew(report)) return false;
   }
-  if (slipping_.empty()) {
+  if (!unsymmetric()) {
     rough_ = false;
     cholesky_.solve(rhs_, d);
   } else {
@@ -320,16 +343,16 @@ void OpenClose::evaluate_points(std::span<const double> d) {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
-    t.gap = m.gap + normal(i).change(d);
+    const double change = normal(i).change(d);
     t.moved = tangential(i).change(d);
     t.opened = 0.0;
-    if (t.status == ContactStatus::slip && dilates(i)) {
+    if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
       const Dilation f = dilation(i);
-      const double force = -(f.per_gap * t.gap + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
-      t.opened = t.gap + force / m.kn;
-      t.gap = -force / m.kn;
+      const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
+      t.opened = t.at + change + force / t.k;
     }
-    t.fn = t.status == ContactStatus::open ? 0.0 : -m.kn * t.gap;
+    t.gap = m.gap + change - t.opened;
+    t.fn = t.status == ContactStatus::open ? 0.0 : (t.slack ? slack_force(i) : pressed(t, change - t.opened));
     if (t.status == ContactStatus::stick) {
       t.stretch = stretch_before(i) + t.moved;
       t.ft = -m.kt * t.stretch;
@@ -366,11 +389,21 @@ double OpenClose::tolerance(std::size_t i) const {
   return 1e-9 * weight_[i] + 1e-11 * largest_force_ + list_->memory[i].kn * gap_round_off_;
 }
 
+bool OpenClose::switch_slack(std::size_t i, Wish& w) const {
+  const Trial& t = trial_[i];
+  const ContactMemory& m = list_->memory[i];
+  const double least = slack_force(i), force = pressed(t, t.gap - m.gap);
+  if (t.slack ? force <= least : force >= least) return false;
+  w.slack = !t.slack;
+  w.violation = std::abs(force - least);
+  return true;
+}
+
 OpenClose::Wish OpenClose::wish(std::size_t i) const {
   const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   const Strength& s = strength_[i];
-  Wish w{t.status, t.direction, t.opens};
+  Wish w{t.status, t.direction, t.opens, t.slack};
   if (t.status == ContactStatus::open) {
     if (t.gap >= 0.0 || !may_close(i)) return w;
     // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
@@ -379,13 +412,18 @@ OpenClose::Wish OpenClose::wish(std::size_t i) const {
     const double ft = -m.kt * (stretch_before(i) + t.moved);
     w.status = std::abs(ft) > s.friction_limit(w.violation) ? ContactStatus::slip : ContactStatus::stick;
     w.direction = ft < 0.0 ? -1.0 : 1.0;
-  } else if (t.gap > 0.0) {
+    w.slack = pressed(t, t.gap - m.gap) < 0.0;
+  } else if (const double bears = t.status == ContactStatus::stick ? s.tension : 0.0;
+             t.gap > 0.0 && (bears > 0.0 || t.slack || t.fn < 0.0 || t.k == m.kn)) {
     // A bond that sticks bears the pull, unless that or the shear under it is too much: then nothing holds it closed.
-    const double pull = m.kn * t.gap, bears = t.status == ContactStatus::stick ? s.tension : 0.0;
-    w.violation = bears > 0.0 ? std::max(pull - bears, std::abs(t.ft) - s.friction_limit(t.fn)) : pull;
+    const double pull = m.kn * t.gap;
+    w.violation = bears > 0.0 ? std::max(pull - bears, std::abs(t.ft) - s.friction_limit(-pull)) : pull;
     if (w.violation > 0.0) w.status = ContactStatus::open;
+    if (w.violation <= 0.0) (void)switch_slack(i, w);
+  } else if (switch_slack(i, w)) {
+    return w;
   } else if (t.status == ContactStatus::stick) {
-    const double cap = s.friction_limit(t.fn);
+    const double cap = s.friction_limit(bearing_force(i));
     if (std::abs(t.ft) <= cap) return w;
     w.status = ContactStatus::slip;
     w.violation = std::abs(t.ft) - cap;
@@ -410,7 +448,7 @@ int OpenClose::switch_states(bool only_worst) {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (list_->points[i].suppressed) continue;
     const Wish w = wish(i);
-    const bool other = w.status != trial_[i].status || w.opens != trial_[i].opens;
+    const bool other = w.status != trial_[i].status || w.opens != trial_[i].opens || w.slack != trial_[i].slack;
     if (other && w.violation > tolerance(i)) wishes_.emplace_back(i, w);
   }
   const auto bodies_of = [&](std::size_t i) {
@@ -441,6 +479,7 @@ int OpenClose::switch_states(bool only_worst) {
     t.status = w.status;
     t.direction = w.direction;
     t.opens = w.opens;
+    t.slack = w.slack && w.status != ContactStatus::open;
     t.load = std::max(t.fn, 0.0);
   }
   return switched;
@@ -477,7 +516,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     states_.clear();
     for (const Trial& t : trial_)
       states_.push_back(
-          static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0)) * (t.direction < 0.0 ? -1 : 1)));
+          static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) * (t.direction < 0.0 ? -1 : 1)));
     const std::size_t now = std::hash<std::string>{}(states_);
     const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
     seen_.push_back(now);
@@ -530,9 +569,11 @@ void OpenClose::check(std::span<const double> d, Audit& audit) const {
                   [&] { return fmt::format("{}: open and {:.3g} m deep", name(), -gap); });
       continue;
     }
-    audit.check(t.fn + m.kn * gap, allowed,
+    audit.check(t.fn - (t.slack ? slack_force(i) : pressed(t, gap - m.gap)), allowed,
                 [&] { return fmt::format("{}: {:.6g} N is not the force of its spring", name(), t.fn); });
-    audit_law(*setup_, m, t.fn, t.ft, allowed, audit);
+    audit.check(t.slack ? std::max(0.0, pressed(t, gap - m.gap) - t.fn) : 0.0, allowed,
+                [&] { return fmt::format("{}: slack, and its spring presses more", name()); });
+    audit_law(*setup_, m, bearing_force(i), t.ft, allowed, audit);
     const double slip = stretch_before(i) + t.moved - t.stretch;
     audit.check(t.ft * slip > 0.0 && t.status == ContactStatus::slip ? m.kt * slip : 0.0, allowed,
                 [&] { return fmt::format("{}: friction drives it, {:.3g} m", name(), slip); });

@@ -9,6 +9,7 @@
 #include "coupling/integrate/cholesky.h"
 #include "coupling/integrate/conjugate_residuals.h"
 #include "coupling/integrate/implicit_system.h"
+#include "coupling/integrate/low_rank.h"
 #include "coupling/integrate/mover.h"
 
 namespace scree::coupling {
@@ -47,6 +48,11 @@ class OpenClose {
     bool opens = false;      // it dilates while it slips: not at the end of dilation yet
     double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
     double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
+    // Normal spring and dashpot of a step h as one spring: k = k_n + c_n/h, k at = k_n g_n, so that
+    //   -k_n g - c_n (g - g_n)/h = -k (at + g - g_n).
+    double k = 0.0, at = 0.0;  // [N/m], [m]
+    // Closed, but the dashpot would pull by more than the point bears: it has the force that it bears, and no more.
+    bool slack = false;
   };
 
   struct Pass {        // of the last step, all Newton iterations
@@ -70,8 +76,10 @@ class OpenClose {
   /// Takes over the factor that a state tells of.
   void enter(const KeptFactor& kept);
   /// Begins a step with the points of a list and other springs, which must outlive it.
+  /// @param dashpot  1/h where closed contacts are damped, 0 where they are not [1/s]
+  /// @param damping  of blocks, beside the pattern; must outlive the step
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
-             const StepSprings& springs);
+             const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
   /// @param A    numbers on the system's pattern   @param fresh  they have changed since the last call
   /// @param d    a first guess; the unknowns found
   /// @return false: the report says why
@@ -123,12 +131,22 @@ class OpenClose {
   [[nodiscard]] double force_scale(std::span<const double> d) const;
   /// What round-off leaves of the forces inside the bodies [N].
   [[nodiscard]] double round_off(std::span<const double> d) const;
+  /// The factor is not that of the whole matrix: points slip, or blocks are damped beside the pattern.
+  [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }
   /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
   int improve(int most, std::span<double> d, StepReport& report);
   /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
   [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
+  /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
+  [[nodiscard]] double pressed(const Trial& t, double change) const { return -t.k * (t.at + change); }
+  /// The force of a slack point [N].
+  [[nodiscard]] double slack_force(std::size_t i) const {
+    return trial_[i].status == ContactStatus::stick ? -strength_[i].tension : 0.0;
+  }
+  /// Normal force that strength is taken from: bonds fail by the spring's force, not by the dashpot's [N].
+  [[nodiscard]] double bearing_force(std::size_t i) const;
   [[nodiscard]] double normal_stiffness(std::size_t i) const;
   [[nodiscard]] double tangential_stiffness(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
@@ -138,9 +156,11 @@ class OpenClose {
   struct Wish {
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;
-    bool opens = false;
+    bool opens = false, slack = false;
     double violation = 0.0;
   };
+  /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should switch
+  [[nodiscard]] bool switch_slack(std::size_t i, Wish& w) const;
   [[nodiscard]] Wish wish(std::size_t i) const;
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
@@ -154,6 +174,7 @@ class OpenClose {
   Control* control_of_run_ = nullptr;
   const ContactList* list_ = nullptr;
   const StepSprings* springs_ = nullptr;
+  std::span<const LowRank> damping_;
   DofRows rows_;                // springs, then gap and stretch of every point
   std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<Trial> trial_;

@@ -41,6 +41,7 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
   implicit_->pull(this);
+  implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_->contacts());
   const Setup& setup = explicit_side_.setup;
   for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
     const Row& row = setup.outlines().nodes[i];
@@ -154,6 +155,7 @@ void Partitioned::split(const State& state) {
   take(state.a, &Run::of_implicit, implicit_side_.state.a);
   take(state.v_before, &Run::of_explicit, explicit_side_.state.v_before);
   take(state.damping, &Run::of_explicit, explicit_side_.state.damping);
+  take(state.sliding, &Run::of_explicit, explicit_side_.state.sliding);
   implicit_side_.state.factored = state.factored;
 }
 
@@ -233,6 +235,7 @@ void Partitioned::join(State& state) {
   if (!i.a.empty()) copy(implicit_runs_, &Run::of_implicit, i.a, &Run::whole, state.a);
   of_explicit(e.v_before, state.v_before);
   of_explicit(e.damping, state.damping);
+  of_explicit(e.sliding, state.sliding);
   state.time = e.time;
   state.last_step = e.last_step;
   state.contacts.clear();

@@ -16,6 +16,7 @@ struct ExplicitDamping {
   bool rigid = false;      // that acts on all of the velocity, not only on the part beside the affine one
   double stiffness = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local = 0.0;      // fraction of the unbalanced force, 0 <= alpha < 1
+  double sliding = 0.0;    // of the deformation of sliding blocks, a fraction of critical
 };
 
 /// What an explicit step has to resolve, beside the bodies themselves.

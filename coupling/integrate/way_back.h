@@ -21,6 +21,7 @@ class WayBack {
     a_ = state.a;
     v_before_ = state.v_before;
     damping_ = state.damping;
+    sliding_ = state.sliding;
     ledger_ = state.ledger;
   }
   void go(CentralDifference& mover, State& state) const {
@@ -32,6 +33,7 @@ class WayBack {
     state.a = a_;
     state.v_before = v_before_;
     state.damping = damping_;
+    state.sliding = sliding_;
     state.ledger = ledger_;
     mover.go_back(state, mark_);
   }
@@ -40,7 +42,7 @@ class WayBack {
   CentralDifference::Mark mark_;
   Tick time_ = 0, last_step_ = 0;
   std::int64_t step_ = 0;
-  std::vector<double> q_, v_, a_, v_before_, damping_;
+  std::vector<double> q_, v_, a_, v_before_, damping_, sliding_;
   Ledger ledger_;
 };
 

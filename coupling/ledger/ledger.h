@@ -28,6 +28,7 @@ enum class Column : int {
   dilation,
   contact_damping,
   mass_damping,
+  deformation_damping,
   stiffness_damping,
   local_damping,
   viscous_edges,

@@ -24,7 +24,7 @@ Tick next_multiple(Tick now, Tick every) {
 }
 
 ExplicitDamping explicit_damping(const Stage& stage) {
-  return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping};
+  return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping, stage.sliding_damping};
 }
 
 /// What results say of the time scheme: blocks are told apart where some of them are implicit.
@@ -332,7 +332,7 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
   } else {
     check_implicit(stage, *setup_, state_.explicit_side);
     const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
-                                  stage.damp_rigid_motion, stage.stiffness_damping};
+                                  stage.damp_rigid_motion, stage.stiffness_damping, stage.sliding_damping};
     if (stage.integrator == Integrator::implicit)
       mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
     else

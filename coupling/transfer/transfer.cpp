@@ -250,6 +250,7 @@ void Change::place(const Setup& to) {
   state_.a.clear();
   state_.v_before.clear();
   state_.damping.clear();
+  state_.sliding.clear();
 }
 
 void Change::join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const {

@@ -63,6 +63,7 @@ void read_damping(const Section& s, coupling::Stage& stage) {
   stage.damp_rigid_motion = s.boolean("damp_rigid_motion");
   stage.stiffness_damping = s.number("stiffness_damping");
   stage.local_damping = s.number("local_damping");
+  stage.sliding_damping = s.number("sliding_damping");
   refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to act on it",
          "true beside damping", "give damping = ... [1/s], or remove the key");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.subcycled(),

@@ -119,8 +119,9 @@ constexpr Key kKeys[] = {
      "Normal stiffness of every contact point, in place of a stiffness per area."},
     {"joint.NAME.shear_penalty", Type::number, "N/m", kPositive, "", false, "",
      "Tangential stiffness of every contact point. Without it, the penalty."},
-    {"joint.NAME.damping", Type::number, "", kFraction, "0.2", false, "",
-     "Damping of closed contacts in explicit steps, a fraction of critical."},
+    {"joint.NAME.damping", Type::number, "", kFraction, "0.5", false, "",
+     "Dashpots of closed contacts, a fraction of critical for the mass at the corner. They count in the normal force "
+     "that friction is taken from. In implicit steps they are normal to the joint only, and act where dynamics = 1."},
 
     {"motion", Type::named_tables, "", kAny, "", false, "", "A recorded ground motion; supports refer to it by NAME."},
     {"motion.NAME.file", Type::text, "", kAny, "", true, "",
@@ -384,6 +385,10 @@ constexpr Key kKeys[] = {
     {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
      "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
      "statics."},
+    {"stage[].sliding_damping", Type::number, "", kFraction, "0.15", false, "",
+     "Damping of the deformation of free blocks that slide, a fraction of critical for the lowest frequency of the "
+     "block, in proportion to the share of its contact force that slips. It slows neither slide nor spin; without it "
+     "blocks on steep planes vibrate and lose friction. Not attenuation of rock; 0 gives the bare equations."},
     {"stage[].newmark", Type::choice, "", kAny, "(\"damped\", in implicit stages)", false, "damped|trapezoidal",
      "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
      "without contacts."},

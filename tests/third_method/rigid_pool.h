@@ -66,6 +66,9 @@ class RigidPool : public Pool {
       store(b, centre(b, f) / shape(b).mass, alpha * WR, a);
     }
   }
+  void mass_apply(int b, std::span<const double>, std::span<const double> v, std::span<double> p) const override {
+    store(b, shape(b).mass * centre(b, v), 0.5 * inertia(b) * gradient(b, v), p);
+  }
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v,
                                       std::span<const char> counted) const override {
     double sum = 0.0;

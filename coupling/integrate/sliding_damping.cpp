@@ -1,0 +1,92 @@
+#include "coupling/integrate/sliding_damping.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/integrate/point_springs.h"
+
+namespace scree::coupling {
+
+double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticity& law) {
+  // On D = (D11, D12, D21, D22): translations do not couple with D about the centre of mass.
+  Eigen::Matrix4d K = Eigen::Matrix4d::Zero(), M = Eigen::Matrix4d::Zero();
+  K(0, 0) = K(3, 3) = shape.area * law.p_modulus();
+  K(0, 3) = K(3, 0) = shape.area * law.lambda;
+  K(1, 1) = K(2, 2) = K(1, 2) = K(2, 1) = shape.area * law.mu;
+  M.topLeftCorner<2, 2>() = M.bottomRightCorner<2, 2>() = shape.second;
+  // The rotation is the one motion without energy.
+  return std::sqrt(
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix4d>(K, M, Eigen::EigenvaluesOnly).eigenvalues()(1));
+}
+
+SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
+  const std::size_t n = setup.bodies().size();
+  most_.assign(n, 0.0);
+  slipping_.assign(n, 0.0);
+  all_.assign(n, 0.0);
+  rate_.assign(n, 0.0);
+  if (fraction == 0.0) return;
+  const Model& model = setup.model();
+  std::vector<char> exempt(model.blocks.size(), 0);
+  for (const PointSupport& s : model.point_supports) exempt[s.block.index()] = 1;
+  for (const ViscousEdge& e : model.viscous_edges) exempt[e.span.block.index()] = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Body& b = setup.bodies()[i];
+    if (b.driven || exempt[b.block.index()] != 0 || !setup.pool_of(b).strains()) continue;
+    const ReferenceShape shape = reference_shape(model, b.block);
+    most_[i] = 2.0 * fraction * lowest_deformation_frequency(shape, model.elasticity_of(b.block));
+    used_ = true;
+  }
+}
+
+void SlidingDamping::begin() {
+  std::fill(slipping_.begin(), slipping_.end(), 0.0);
+  std::fill(all_.begin(), all_.end(), 0.0);
+}
+
+void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactMemory& m = list.memory[i];
+    if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const auto b = static_cast<std::size_t>(
+          outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
+      all_[b] += m.fn;
+      if (m.status == ContactStatus::slip) slipping_[b] += m.fn;
+    }
+  }
+}
+
+bool SlidingDamping::find() {
+  bool any = false;
+  for (std::size_t b = 0; b < rate_.size(); ++b) {
+    const double s = slipping_[b] > 0.0 ? slipping_[b] / all_[b] : 0.0;
+    const double part = std::min(1.0, 3.0 * s);
+    rate_[b] = most_[b] * part * std::sqrt(part);
+    any = any || rate_[b] > 0.0;
+  }
+  return any;
+}
+
+void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
+                   std::span<double> y, std::span<double> turn) {
+  const std::span<const double> t = setup.pool_of(body).translation(body.index);
+  Vec2 c(0.0, 0.0);
+  double sum = 0.0;
+  const auto first = 2 * static_cast<std::size_t>(body.first_node);
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    c += t[k] * Vec2(q[first + 2 * k], q[first + 2 * k + 1]);
+    sum += t[k];
+  }
+  c /= sum;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const std::size_t i = first + 2 * k;
+    x[i] = y[i + 1] = t[k];
+    x[i + 1] = y[i] = 0.0;
+    turn[i] = -(q[i + 1] - t[k] * c.y());
+    turn[i + 1] = q[i] - t[k] * c.x();
+  }
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,52 @@
+// How fast the deformation of blocks that slide is damped.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact/contact_energy.h"
+
+namespace scree::coupling {
+
+/// Coulomb friction mu N makes the stiffness of a sliding block unsymmetric: its deformation and its contacts can
+/// exchange energy with the slide, the block vibrates (flutter), hops, and loses friction on average. Rock that slides
+/// steadily is what tables and tests report, so free blocks are damped while they slide, at the rate
+///   a = 2 xi w_1 s,  s = sum of N over slipping contacts / sum of N over closed contacts of the block,
+/// on v_d = v - R (R^T M R)^-1 R^T M v, with R the three rigid motions of the block and w_1 the lowest frequency of its
+/// affine deformation, so that neither slide nor spin is slowed. The damping is mass-proportional and taken at the new
+/// velocity: the stable explicit step stays as it is. It is numerical regularisation, not attenuation of rock.
+/// Blocks that are held, driven, on point supports or on viscous edges are exempt.
+class SlidingDamping {
+ public:
+  /// @param fraction  xi, of critical; 0: none
+  SlidingDamping(const Setup& setup, double fraction);
+
+  /// False where no body of the setup can ever be damped.
+  [[nodiscard]] bool used() const { return used_; }
+  /// Rates of a set of contacts: begin(), count() once a list, find().
+  void begin();
+  /// @param outlines  that the list refers to, of a setup with the same bodies
+  void count(const Outlines& outlines, const ContactList& list);
+  /// @return true if any body is damped
+  bool find();
+  /// Per body [1/s].
+  [[nodiscard]] std::span<const double> rates() const { return rate_; }
+
+ private:
+  bool used_ = false;
+  std::vector<double> most_;                 // per body: 2 xi w_1, or 0 where it is exempt [1/s]
+  std::vector<double> slipping_, all_;       // per body: normal forces of its contacts [N]
+  std::vector<double> rate_;
+};
+
+/// Lowest frequency of affine deformation of a free body, w^2 the fourth eigenvalue of K - w^2 M on displacements
+/// u = c + D X:  K from A/2 e:C:e with e = sym D,  M from m |c|^2 + tr(D S D^T).   @return w [rad/s]
+[[nodiscard]] double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticity& law);
+
+/// The three rigid motions of a body on its nodes: translations t_k e_x, t_k e_y with the translation weights t, and
+/// the rotation W (q_k - t_k c) about a point c near its centre, W the quarter turn.
+/// @param out  3 spans of the setup's node arrays, written on the body's nodes only
+void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
+                   std::span<double> y, std::span<double> turn);
+
+}  // namespace scree::coupling
