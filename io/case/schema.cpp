@@ -85,7 +85,12 @@ constexpr Key kKeys[] = {
     {"material.NAME.initial_stress.level", Type::number, "m", kCoordinate, "", false, "",
      "y from which depth counts. Needed with a gradient."},
 
-    {"joint", Type::named_tables, "", kAny, "", false, "", "A Coulomb law of block edges; blocks refer to it by NAME."},
+    {"joint", Type::named_tables, "", kAny, "", false, "",
+     "A Coulomb law of block edges; blocks refer to it by NAME. Where two edges touch that have different laws, the "
+     "law "
+     "with the smaller friction angle holds, with all that it says of stiffness and strength; of two with the same "
+     "angle "
+     "the one whose NAME comes first in the case. An edge without a law takes that of the other edge."},
     {"joint.NAME.friction_deg", Type::number, "deg", kFriction, "", true, "", "Friction angle."},
     {"joint.NAME.residual_friction_deg", Type::number, "deg", kFriction, "(friction_deg)", false, "",
      "Friction angle that is left after failure, at most friction_deg."},
