@@ -33,6 +33,12 @@ fs::path case_library() {
   return !none && fs::exists(installed) ? installed : fs::path(SCREE_SOURCE_CASES);
 }
 
+std::vector<std::string> case_names() {
+  std::error_code none;
+  const fs::path library = case_library();
+  return fs::is_directory(library, none) ? names_in(library) : std::vector<std::string>();
+}
+
 int cases_list() {
   const fs::path library = case_library();
   for (const std::string& name : names_in(library)) fmt::print("{:<20} {}\n", name, case_title(library / name));

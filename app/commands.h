@@ -14,6 +14,7 @@ enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2, kBadCase = 3, kNotConverge
 struct RunOptions {
   std::filesystem::path case_file;
   std::filesystem::path out;  // empty: runs/<name of the case>
+  std::string name;           // in the stream; empty: that of the run folder
   bool overwrite = false, quiet = false;
   bool audit = false;               // check every step
   std::optional<std::string> live;  // stream; an empty text keeps the case's URL
@@ -28,14 +29,22 @@ struct ResumeOptions {
   std::filesystem::path run;  // folder
   bool quiet = false;
   std::optional<std::string> live;  // as of RunOptions
+  std::string name;                 // in the stream; empty: as the run was told
   int threads = 0;                  // as of RunOptions
   std::optional<double> until;      // [s]; empty: as the run was told
 };
 /// Goes on from the newest checkpoint of a run folder that is whole.
 int resume(const ResumeOptions& options);
+struct CheckOptions {
+  std::filesystem::path case_file;
+  std::vector<std::string> set;  // key=value
+  bool blocks = false;           // a line for each block
+};
 /// Validates a case and says what it holds; writes nothing.
-int check(const std::filesystem::path& case_file, const std::vector<std::string>& set);
+int check(const CheckOptions& options);
 int cases_list();
+/// Names of the cases there are; none where no library is found.
+[[nodiscard]] std::vector<std::string> case_names();
 struct VerifyCommand {
   std::vector<std::string> names;       // empty: all
   bool full = false;                    // the full tier too
@@ -83,6 +92,7 @@ struct SnapshotCommand {
   std::vector<std::string> monitors;  // of the histories; empty: all
   int width = 1680;                   // [pixels]
   bool ledger = false, history = false, labels = false;
+  bool elements = false;  // stress as stored, one colour an element
 };
 int snapshot(const SnapshotCommand& command);
 

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace scree::app {
 
-/// A script that completes commands, options and file names.   @param shell  bash, zsh or fish
-[[nodiscard]] std::string completion(const CLI::App& app, const std::string& shell);
+/// Words that options and arguments take, by where they stand: "scree snapshot --field", "scree cases verify".
+using Choices = std::map<std::string, std::vector<std::string>>;
+
+/// A script that completes commands, options, the words that they take, and file names.   @param shell  bash, zsh or
+/// fish
+[[nodiscard]] std::string completion(const CLI::App& app, const std::string& shell, const Choices& choices);
 
 }  // namespace scree::app

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -10,11 +11,62 @@
 #include "app/signals.h"
 #include "coupling/stages/driver.h"
 #include "io/case/case_error.h"
+#include "io/case/suggest.h"
 #include "io/results/file_error.h"
+#include "io/results/snapshot.h"
 
 namespace {
 
 using namespace scree::app;
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+/// Says which word is no command where one should stand, and what was probably meant; empty where all is well.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* at = &app;
+  std::string path = "scree";
+  for (int i = 1; i < argc; ++i) {
+    const std::vector<std::string> known = commands_of(*at);
+    const std::string word = argv[i];
+    if (known.empty() || word.starts_with('-')) return {};
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return fmt::format("error: {} has no command \"{}\"\n  allowed: {}\n  hint: {}\n", path, word,
+                         fmt::join(known, ", "),
+                         scree::io::did_you_mean(word, known, path + " --help says what they do"));
+    at = at->get_subcommand(word);
+    path += " " + word;
+  }
+  return {};
+}
+
+/// ". Did you mean --overwrite?" for a message that ends in an option that is not known.
+std::string nearest_option(const CLI::App& app, const std::string& message) {
+  const std::size_t from = message.rfind("--");
+  if (from == std::string::npos) return {};
+  const std::string given = message.substr(from, message.find_first_of(" =", from) - from);
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* o : at->get_options())
+    for (const std::string& name : o->get_lnames()) known.push_back("--" + name);
+  const std::string near = scree::io::nearest(given, known);
+  return near.empty() ? std::string() : ". Did you mean " + near + "?";
+}
+
+/// Words that options and arguments take, for completions.
+Choices choices() {
+  return {{"scree snapshot --field", scree::io::field_names()},
+          {"scree snapshot --arrows", {"displacement", "velocity"}},
+          {"scree snapshot --at", {"start", "end", "handover"}},
+          {"scree cases verify", case_names()},
+          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
+          {"scree completion", {"bash", "zsh", "fish"}}};
+}
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"Scree: coupled block and continuum simulation of rock slopes in two dimensions", "scree"};
@@ -27,6 +79,7 @@ int dispatch(int argc, char** argv) {
   run_command->add_option("case", options.case_file, "case file (TOML)")->required();
   run_command->add_option("--out", options.out, "run folder (default runs/<case folder>)");
   run_command->add_flag("--overwrite", options.overwrite, "replace an earlier run in that folder");
+  run_command->add_option("--name", options.name, "name of the run in the stream (default: its folder)");
   std::string live;
   CLI::Option* live_option = run_command->add_option("--live", live, "stream over LCM, to URL if one is given")
                                  ->expected(0, 1)
@@ -38,7 +91,8 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   double until = 0.0;
   CLI::Option* until_option =
-      run_command->add_option("--until", until, "stop at this simulated time [s]")->check(CLI::PositiveNumber);
+      run_command->add_option("--until", until, "stop after the first step at or past this simulated time [s]")
+          ->check(CLI::PositiveNumber);
   run_command->add_option("--set", options.set, "override a key of the case: key=value")
       ->take_all()
       ->type_name("KEY=VALUE");
@@ -55,20 +109,24 @@ int dispatch(int argc, char** argv) {
       resume_command->add_option("--live", again_live, "stream over LCM, to URL if one is given")
           ->expected(0, 1)
           ->type_name("[URL]");
+  resume_command->add_option("--name", again.name, "name of the run in the stream (default: as it had)");
   resume_command->add_option("--threads", again.threads, "threads (results do not depend on it)")
       ->check(CLI::Range(1, 1024));
   double again_until = 0.0;
   CLI::Option* again_until_option =
       resume_command
-          ->add_option("--until", again_until, "stop at this simulated time [s] (default: as the run was told)")
+          ->add_option("--until", again_until,
+                       "stop after the first step at or past this simulated time [s] (default: as the run was told)")
           ->check(CLI::PositiveNumber);
   resume_command->add_flag("--quiet", again.quiet, "print nothing but errors and warnings");
 
-  std::filesystem::path case_file;
-  std::vector<std::string> set;
+  CheckOptions looked;
   CLI::App* check_command = app.add_subcommand("check", "validate a case and say what it holds");
-  check_command->add_option("case", case_file, "case file (TOML)")->required();
-  check_command->add_option("--set", set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
+  check_command->add_option("case", looked.case_file, "case file (TOML)")->required();
+  check_command->add_option("--set", looked.set, "override a key of the case: key=value")
+      ->take_all()
+      ->type_name("KEY=VALUE");
+  check_command->add_flag("--blocks", looked.blocks, "a line for each block: name, material, area, centre");
 
   CLI::App* cases_command = app.add_subcommand("cases", "the case library");
   cases_command->require_subcommand(1);
@@ -107,7 +165,9 @@ int dispatch(int argc, char** argv) {
       ->type_name("X0 Y0 X1 Y1");
   CLI::Option* arrows_option =
       snapshot_command->add_option("--arrows", picture.arrows, "arrows on the blocks: displacement or velocity");
-  snapshot_command->add_flag("--labels", picture.labels, "names on the blocks")->excludes(arrows_option);
+  snapshot_command->add_flag("--labels", picture.labels, "names on all blocks; small ones read better with --window")
+      ->excludes(arrows_option);
+  snapshot_command->add_flag("--elements", picture.elements, "stress as it is stored, one colour an element");
   snapshot_command->add_option("--width", picture.width, "width of a PNG in pixels")->check(CLI::Range(200, 20000));
   CLI::Option* ledger_flag =
       snapshot_command->add_flag("--ledger", picture.ledger, "draw the energy ledger over time instead");
@@ -170,8 +230,20 @@ int dispatch(int argc, char** argv) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 
+  if (argc == 1) {
+    fmt::print(stderr, "error: no command given\n\n{}", app.help());
+    return kUsage;
+  }
+  if (const std::string wrong = unknown_command(app, argc, argv); !wrong.empty()) {
+    fmt::print(stderr, "{}", wrong);
+    return kUsage;
+  }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& e) {
+    fmt::print(stderr, "error: {}{}\n", e.what(), nearest_option(app, e.what()));
+    fmt::print(stderr, "Run with --help for more information.\n");
+    return kUsage;
   } catch (const CLI::ParseError& e) {
     const int code = app.exit(e);
     return code == 0 ? kDone : kUsage;
@@ -184,7 +256,7 @@ int dispatch(int argc, char** argv) {
   if (*again_live_option) again.live = again_live;
   if (*again_until_option) again.until = again_until;
   if (*resume_command) return resume(again);
-  if (*check_command) return check(case_file, set);
+  if (*check_command) return check(looked);
   if (*list_command) return cases_list();
   if (*verify_command) return cases_verify(verify);
   if (*snapshot_command) return snapshot(picture);
@@ -195,7 +267,7 @@ int dispatch(int argc, char** argv) {
   if (*replay_command) return replay(shown);
   if (*schema_command) return schema(markdown);
   if (*completion_command) {
-    fmt::print("{}", completion(app, shell));
+    fmt::print("{}", completion(app, shell, choices()));
     return kDone;
   }
   return kUsage;

@@ -29,12 +29,14 @@ void Progress::line(const std::string& text) {
 
 void Progress::event(const coupling::Event& e) {
   using Kind = coupling::EventKind;
-  if (e.kind == Kind::transfer) return;  // one a block: they are in the results
+  if (e.kind == Kind::transfer) return;       // one a block: they are in the results
+  if (e.kind == Kind::not_converged) return;  // what the run ends with is told at its end
   if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
   if (e.kind == Kind::partition && ++changes_shown_ > 5) return;
   if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
   if (e.kind == Kind::stage_end) return;
-  line(fmt::format("{:8.3f} s  {}{}", e.time, e.kind == Kind::step_cut ? "step cut: " : "", e.text));
+  const char* what = e.kind == Kind::step_cut ? "step cut: " : e.kind == Kind::warning ? "warning: " : "";
+  line(fmt::format("{:8.3f} s  {}{}", e.time, what, e.text));
   if (e.kind == Kind::step_cut && cuts_shown_ == 5) line("            (further cuts are in the results only)");
   if (e.kind == Kind::partition && changes_shown_ == 5)
     line("            (further changes of sides are in the results only)");
@@ -76,7 +78,6 @@ void Progress::frame(const coupling::FrameView& frame) {
 void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   draw(last.time, *last.stats);
   if (terminal_) fmt::print("\n");
-  if (end.status != coupling::RunEnd::Status::done) line(end.reason);
 }
 
 }  // namespace scree::app

@@ -93,7 +93,7 @@ int resume(const ResumeOptions& options) {
   if (!options.quiet)
     fmt::print("going on with {} from {}: {}\n", options.run.string(), from.path.filename().string(), place_of(state));
   return carry_out(
-      c, as, run.name, [&] { return std::move(open); }, &from);
+      c, as, options.name.empty() ? run.name : options.name, [&] { return std::move(open); }, &from);
 }
 
 }  // namespace scree::app

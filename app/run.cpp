@@ -16,6 +16,7 @@
 #include "coupling/stages/driver.h"
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
+#include "coupling/stages/plan_warnings.h"
 #include "io/case/read_case.h"
 #include "io/live/control_server.h"
 #include "io/live/live_sink.h"
@@ -36,8 +37,8 @@ class Log final : public coupling::Sink {
   /// @param from  where the run goes on, and the log with it; empty: it begins
   Log(const std::filesystem::path& file, const std::string& from)
       : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), from.empty())) {
-    if (!from.empty()) log_->info("goes on from {}", from);
     log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
+    if (!from.empty()) log_->info("goes on from {}", from);
   }
   ~Log() override { spdlog::drop(log_->name()); }
   void begin(const Model& model, const coupling::Plan&) override {
@@ -54,6 +55,14 @@ class Log final : public coupling::Sink {
 
  private:
   std::shared_ptr<spdlog::logger> log_;
+};
+
+/// What --quiet leaves: warnings, on the error stream.
+class Warnings final : public coupling::Sink {
+ public:
+  void event(const coupling::Event& e) override {
+    if (e.kind == coupling::EventKind::warning) fmt::print(stderr, "warning: {}\n", e.text);
+  }
 };
 
 /// Which blocks of a partitioned stage take explicit steps.
@@ -91,13 +100,65 @@ void print_loads(const Model& m) {
   const auto add = [&line](std::size_t count, std::string_view one, std::string_view many) {
     if (count > 0) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, count == 1 ? one : many);
   };
-  add(m.functions.size(), "function", "functions");
+  add(static_cast<std::size_t>(
+          std::count_if(m.functions.begin(), m.functions.end(), [](const TimeFunction& f) { return !f.of_load; })),
+      "function", "functions");
   add(m.point_loads.size(), "point load", "point loads");
   add(m.tractions.size(), "edge with a traction", "edges with a traction");
   add(m.body_accelerations.size(), "body acceleration", "body accelerations");
   add(m.viscous_edges.size(), "viscous edge", "viscous edges");
   add(m.cracks.size(), "straight piece of cracks", "straight pieces of cracks");
   if (!line.empty()) fmt::print("  {}\n", line);
+}
+
+/// Names of the blocks, those that are numbered from one to the last: "base-1, rock-1 to rock-76".
+std::string told_names(const Model& model) {
+  struct Run {
+    std::string stem;
+    std::int64_t first = 0, last = 0;  // stem + number; stem alone where first is negative
+  };
+  std::vector<Run> runs;
+  for (const Block& b : model.blocks) {
+    std::size_t digits = b.name.size();
+    while (digits > 0 && b.name[digits - 1] >= '0' && b.name[digits - 1] <= '9') --digits;
+    const std::string number = b.name.substr(digits);
+    if (number.empty() || number.size() > 9 || (number.size() > 1 && number[0] == '0')) {
+      runs.push_back({b.name, -1, -1});
+      continue;
+    }
+    const std::int64_t n = std::stoll(number);
+    if (!runs.empty() && runs.back().first >= 0 && runs.back().stem == b.name.substr(0, digits) &&
+        n == runs.back().last + 1)
+      runs.back().last = n;
+    else
+      runs.push_back({b.name.substr(0, digits), n, n});
+  }
+  constexpr std::size_t kMost = 60;
+  std::string out;
+  for (std::size_t i = 0; i < runs.size() && i < kMost; ++i) {
+    const Run& r = runs[i];
+    out += i == 0 ? "" : ", ";
+    out += r.first < 0 ? r.stem : fmt::format("{}{}", r.stem, r.first);
+    if (r.last > r.first) out += fmt::format("{}{}{}", r.last == r.first + 1 ? ", " : " to ", r.stem, r.last);
+  }
+  if (runs.size() > kMost) out += ", ... (--blocks lists all)";
+  return out;
+}
+
+/// A line a block; positions as the case has them.
+void print_blocks(const Model& model) {
+  std::size_t width = 5;
+  for (const Block& b : model.blocks) width = std::max(width, b.name.size());
+  fmt::print("  {:<{}}  {:>12} {:>14} {:>14}  {:<6} {}\n", "block", width, "area [m2]", "centre x [m]", "y [m]", "held",
+             "material");
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& b = model.blocks[i];
+    const Moments m = moments(b.polygon);
+    const Vec2 at = m.centroid + model.origin;
+    fmt::print("  {:<{}}  {:>12.6g} {:>14.10g} {:>14.10g}  {:<6} {}\n", b.name, width, m.area, at.x(), at.y(),
+               model.support_of(BlockId(static_cast<std::int32_t>(i))) != nullptr ? "held" : "",
+               model.materials[b.material.index()].name);
+  }
 }
 
 void print(const CuttingReport& r) {
@@ -130,7 +191,9 @@ int run(const RunOptions& options) {
     if (!lock) lock = std::make_unique<io::FolderLock>(out);
     return OpenFolder{std::move(folder), std::move(lock)};
   };
-  return carry_out(c, options, name, open_folder, nullptr);
+  const std::filesystem::path folder = std::filesystem::absolute(out).lexically_normal();
+  const std::string folder_name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  return carry_out(c, options, options.name.empty() ? folder_name : options.name, open_folder, nullptr);
 }
 
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
@@ -170,6 +233,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   provenance.commit = SCREE_COMMIT;
   provenance.case_text = c.text;
   provenance.command_line = options.command_line;
+  provenance.overrides = options.set;
   provenance.threads = threads;
   const coupling::Methods standard = coupling::standard_methods();
   coupling::Driver driver(c.model, c.plan, standard);
@@ -182,8 +246,12 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   };
   std::optional<io::ResultsSink::GoOn> go_on;
   if (from != nullptr)
-    go_on = {from->stored.results, from->stored.checkpoint.transfers, from->stored.checkpoint.travels,
-             place_of(from->stored.checkpoint.state), warn};
+    go_on = {from->stored.results,
+             from->stored.checkpoint.transfers,
+             from->stored.checkpoint.travels,
+             from->stored.checkpoint.warnings,
+             place_of(from->stored.checkpoint.state),
+             warn};
   io::ResultsSink results(folder, provenance, std::move(go_on));
   io::Checkpoints checkpoints(folder, record, results, {c.plan.output.checkpoint_every, c.plan.output.checkpoint_steps},
                               from);
@@ -197,6 +265,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
                                           from != nullptr ? &from->stored.checkpoint : nullptr);
     driver.add_sink(*progress);
   }
+  Warnings warnings;
+  if (options.quiet) driver.add_sink(warnings);
   std::unique_ptr<io::LiveSink> live;
   if (c.plan.live.enabled) {
     live = std::make_unique<io::LiveSink>(
@@ -223,7 +293,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 
   coupling::RunEnd end;
   try {
-    end = driver.run(options.until);
+    (void)driver.run(options.until);
+    end = results.outcome();
   } catch (const coupling::PlanError& e) {
     fmt::print(stderr, "error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
     return kBadCase;
@@ -236,12 +307,15 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved\n", coupling::state_hash(driver.state()),
-               ledger.relative_closure(), ledger.moved());
+    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved, {:.1e} of {:.4g} J passed\n",
+               coupling::state_hash(driver.state()), ledger.relative_closure(), ledger.moved(), ledger.passed_closure(),
+               ledger.passed());
     if (options.audit)
       fmt::print("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n",
                  driver.stats().audit_checks, driver.stats().steps, driver.stats().audit_worst,
                  driver.audit().text().empty() ? "" : ": ", driver.audit().text());
+    if (const std::size_t n = driver.warnings().size(); n > 0)
+      fmt::print("{} {}: see run.log, or \"warnings\" in summary.json\n", n, n == 1 ? "warning" : "warnings");
     fmt::print("results in {}\n", folder.path().string());
   }
   switch (end.status) {
@@ -258,22 +332,29 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   return kNotConverged;
 }
 
-int check(const std::filesystem::path& case_file, const std::vector<std::string>& set) {
+int check(const CheckOptions& options) {
   const std::vector<std::string> methods = method_names();
-  const io::Case c = io::read_case(case_file, set, methods);
-  fmt::print("{}: {}\n", case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
+  const io::Case c = io::read_case(options.case_file, options.set, methods);
+  fmt::print("{}: {}\n", options.case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
   fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
              c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  if (options.blocks)
+    print_blocks(c.model);
+  else
+    fmt::print("  blocks: {}\n", told_names(c.model));
   print_loads(c.model);
   if (const std::string text = told_origin(c.model); !text.empty()) fmt::print("  {} in the results\n", text);
   if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
+    const GroundMotion::Setting& how = m.setting();
+    const std::string stage =
+        how.stage.valid() ? fmt::format(" of stage '{}'", c.plan.stages[how.stage.index()].name) : std::string();
     fmt::print(
-        "  motion '{}': {} samples, {:.6g} s from {:g} s on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
+        "  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
         "velocity "
         "{:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
-        m.setting().name, m.times().size(), f.duration, m.setting().start, f.pga, f.pga / kStandardGravity, f.pgv,
+        how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
         f.final_velocity, f.final_displacement, f.arias);
   }
   const coupling::Methods standard = coupling::standard_methods();
@@ -292,7 +373,13 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
     if (const auto damping = coupling::stage_damping(c.model, s))
       fmt::print("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
   }
-  fmt::print("  fine\n");
+  std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
+  for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused
+    warnings.push_back(coupling::text(f, c.model));
+  for (const std::string& text : warnings) fmt::print("  warning: {}\n", text);
+  fmt::print("  {}\n", warnings.empty()       ? "fine"
+                       : warnings.size() == 1 ? "valid, with a warning"
+                                              : fmt::format("valid, with {} warnings", warnings.size()));
   return kDone;
 }
 

@@ -82,6 +82,7 @@ int choose_looks(const SnapshotCommand& command, io::SnapshotOptions& options) {
     return refuse("arrows", command.arrows, "unknown", "none, displacement, velocity");
   options.width = command.width;
   options.labels = command.labels;
+  options.smooth = !command.elements;
   const auto shown = [](const std::vector<double>& numbers) { return fmt::format("{}", fmt::join(numbers, " ")); };
   const auto rising = [](double low, double high) { return std::isfinite(low) && std::isfinite(high) && low < high; };
   if (const std::vector<double>& r = command.range; !r.empty()) {

@@ -17,6 +17,7 @@ install(FILES ${PROJECT_BINARY_DIR}/scree-config.cmake ${PROJECT_BINARY_DIR}/scr
 # Headers say "model/model.h": the folder that holds them is on the include path of whoever links.
 install(DIRECTORY model nmm dda coupling io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scree)
+install(DIRECTORY io/lcmtypes DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN "*.lcm")
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "*.1" EXCLUDE)
 install(FILES docs/scree.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
@@ -24,6 +25,8 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 # cpack -G DEB. One package: the command with what it reads, and the libraries to link with.
 set(CPACK_GENERATOR DEB)
+set(CPACK_SCREE_NATIVE ${SCREE_NATIVE})
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/portable-packages.cmake)
 set(CPACK_PACKAGE_NAME scree)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_CONTACT "The Scree authors <scree@localhost>")

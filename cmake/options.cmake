@@ -31,7 +31,13 @@ if(SCREE_WERROR)
   target_compile_options(scree_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(SCREE_NATIVE)
-  target_compile_options(scree_options INTERFACE -march=native)
+  # Not for those who link the libraries. What they see must lie in memory as in the libraries all the same: Eigen aligns
+  # small matrices, and what it allocates, to the vectors of the processor it is compiled for.
+  target_compile_options(scree_options INTERFACE $<BUILD_INTERFACE:-march=native>)
+  include(cmake/eigen_alignment.cmake)
+  target_compile_definitions(scree_options INTERFACE
+    $<INSTALL_INTERFACE:EIGEN_MAX_STATIC_ALIGN_BYTES=${scree_eigen_alignment}>
+    $<INSTALL_INTERFACE:EIGEN_MAX_ALIGN_BYTES=${scree_eigen_alignment}>)
 endif()
 if(SCREE_AUDIT)
   target_compile_definitions(scree_options INTERFACE SCREE_AUDIT=1)

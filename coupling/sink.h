@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ struct RunStats {
   std::int64_t audit_checks = 0;                                       // made so far in an audited run
   double audit_worst = 0.0;                                            // the largest value over what is allowed
   double element_steps = 0.0;                                          // explicit element updates made
+  // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and whose it is.
+  double friction_ratio = std::numeric_limits<double>::infinity();
+  ContactKey friction_key{};
 };
 
 /// The contact points watched at an instant, open ones too, in the order of their keys.
@@ -100,6 +104,12 @@ struct StageTravel {
   std::string stage;
   BlockId block;          // invalid: no block is free
   double farthest = 0.0;  // [m]
+};
+
+/// Something that a user should know of a run that goes on all the same.
+struct Warning {
+  double time = 0.0;  // [s]
+  std::string text;   // one line
 };
 
 enum class EventKind {

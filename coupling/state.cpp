@@ -64,8 +64,7 @@ class Hasher {
 
 std::uint64_t state_hash(const State& state) {
   Hasher hasher;
-  // visit() serves readers and writers alike; hashing only reads.
-  const_cast<State&>(state).visit(hasher);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  state.visit(hasher);
   return hasher.value();
 }
 

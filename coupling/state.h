@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "coupling/ledger/ledger.h"
+#include "coupling/visit.h"
 #include "model/pool.h"
 
 namespace scree::coupling {
@@ -18,7 +20,30 @@ struct ContactKey {
   auto operator<=>(const ContactKey&) const = default;
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
+};
+
+/// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
+/// 64 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
+/// @see contact/friction_check.h
+struct SlideMemory {
+  /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
+  struct Sum {
+    float slip = 0.0F, drag = 0.0F, limit = 0.0F;
+  };
+  double slip = 0.0, drag = 0.0, limit = 0.0;            // of the present window: [m], [N s], [N s]
+  double time = 0.0;                                     // of it that has passed [s]
+  float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
+  Sum last{};                                            // the window before; the first of a stretch has no impulses
+  Sum total{};                                           // of the stretch without its first and last windows
+  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
+
+  /// The stretch is over.
+  void end() {
+    const float kept = worst;
+    *this = SlideMemory{};
+    worst = kept;
+  }
 };
 
 /// What a contact point remembers between steps.
@@ -40,6 +65,7 @@ struct ContactMemory {
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
+  SlideMemory slide{};
 };
 
 /// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
@@ -84,13 +110,14 @@ struct RuleMemory {
   Energy energy;
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
+  std::vector<Tick> stage_begin;   // of each stage so far: what may be counted from them begins there
   Tick last_step = 0;              // length of the step before, for the shadow term
   double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
@@ -108,9 +135,9 @@ struct State {
   RuleMemory rules;
   Ledger ledger;
 
-  /// Shows every field, in a fixed order, to see(name, value). One list serves hash, comparison and checkpoint.
+  /// Shows every field, in a fixed order, to see(name, value); visit_to_write() so that they may change.
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// 64-bit hash of every bit of the state. Equal states have equal hashes; it is promised for one binary on one
@@ -119,8 +146,10 @@ struct State {
 
 // ---------------------------------------------------------------------------------------------------------------
 
+static_assert(sizeof(SlideMemory) == 64);
+
 template <class Visitor>
-void ContactKey::visit(Visitor&& see) {
+void ContactKey::visit(Visitor&& see) const {
   see("contact.block_p", block_p);
   see("contact.ring_p", ring_p);
   see("contact.vertex", vertex);
@@ -132,7 +161,7 @@ void ContactKey::visit(Visitor&& see) {
 
 /// A body as State::visit() shows it.
 template <class Visitor>
-void visit_body(Visitor&& see, BodyRecord& b) {
+void visit_body(Visitor&& see, const BodyRecord& b) {
   see("body.block", b.block.value);
   see("body.method", b.method);
   see("body.outline", b.shape.outline);
@@ -149,18 +178,20 @@ void visit_body(Visitor&& see, BodyRecord& b) {
   see("body.model_triangle", b.form.model_triangle);
   see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
-  Polygon region{b.form.division.region, {}};
-  see("body.explicit_region", region);
-  b.form.division.region = std::move(region.outer);
+  see.size("body.explicit_region", b.form.division.region);
+  for (const Vec2& x : b.form.division.region) {
+    see("body.explicit_region", x.x());
+    see("body.explicit_region", x.y());
+  }
 }
 
 template <class Visitor>
-void RuleMemory::visit(Visitor&& see) {
+void RuleMemory::visit(Visitor&& see) const {
   see("rules.peak", peak);
   see("rules.slow_since", slow_since);
   see("rules.balanced_since", balanced_since);
   see.size("rules.slips", slips);
-  for (Slip& s : slips) {
+  for (const Slip& s : slips) {
     see("rules.slip_a", s.a);
     see("rules.slip_b", s.b);
     see("rules.slip", s.slip);
@@ -176,14 +207,15 @@ void RuleMemory::visit(Visitor&& see) {
 }
 
 template <class Visitor>
-void State::visit(Visitor&& see) {
+void State::visit(Visitor&& see) const {
   see("time", time);
   see("step", step);
   see("stage", stage);
+  see("stage_begin", stage_begin);
   see("last_step", last_step);
   see("relaxing", relaxing);
   see.size("bodies", bodies);
-  for (BodyRecord& b : bodies) visit_body(see, b);
+  for (const BodyRecord& b : bodies) visit_body(see, b);
   see("explicit_side", explicit_side);
   see("q", q);
   see("v", v);
@@ -192,7 +224,7 @@ void State::visit(Visitor&& see) {
   see("damping", damping);
   see("sliding", sliding);
   see.size("contacts", contacts);
-  for (ContactMemory& c : contacts) {
+  for (const ContactMemory& c : contacts) {
     c.key.visit(see);
     see("contact.status", c.status);
     see("contact.failed", c.failed);
@@ -213,6 +245,17 @@ void State::visit(Visitor&& see) {
     see("contact.share", c.share);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
+    see("contact.slide_length", c.slide.length);
+    see("contact.slide_time", c.slide.time);
+    see("contact.slide_slip", c.slide.slip);
+    see("contact.slide_drag", c.slide.drag);
+    see("contact.slide_limit", c.slide.limit);
+    for (const SlideMemory::Sum* sum : {&c.slide.last, &c.slide.total}) {
+      see("contact.slide_sum_slip", sum->slip);
+      see("contact.slide_sum_drag", sum->drag);
+      see("contact.slide_sum_limit", sum->limit);
+    }
+    see("contact.slide_worst", c.slide.worst);
   }
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);
@@ -220,7 +263,7 @@ void State::visit(Visitor&& see) {
   see("factored.row", factored.row);
   see("factored.value", factored.value);
   see.size("rest", rest);
-  for (Remainder& r : rest) {
+  for (const Remainder& r : rest) {
     see("rest.block", r.block.value);
     see("rest.kinetic", r.kinetic);
     see("rest.elastic", r.elastic);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/geometry.h"
+#include "model/ids.h"
 
 namespace scree {
 
@@ -35,9 +36,10 @@ class GroundMotion {
  public:
   /// When it acts, how it runs between samples, what it is called.
   struct Setting {
-    double start = 0.0;  // simulated time of the first sample [s]
+    double start = 0.0;  // time of the first sample, on the clock below [s]
     Between between = Between::linear;
     std::string name{};
+    StageId stage{};  // its clock begins with this stage of the plan; invalid: simulated time
   };
 
   GroundMotion() = default;
@@ -48,7 +50,7 @@ class GroundMotion {
       : GroundMotion(std::move(time), std::move(acceleration), direction, Setting()) {}
   GroundMotion(std::vector<double> time, std::vector<double> acceleration, const Vec2& direction, Setting setting);
 
-  /// @param t simulated time [s]
+  /// @param t  time of its clock [s]
   [[nodiscard]] Vec2 displacement(double t) const;  // [m]
   [[nodiscard]] Vec2 velocity(double t) const;      // [m/s]
   [[nodiscard]] Vec2 acceleration(double t) const;  // [m/s2]

@@ -22,6 +22,7 @@ using MaterialId = Id<struct MaterialTag>;  // a material of the model
 using JointId = Id<struct JointTag>;        // a joint law of the model
 using MotionId = Id<struct MotionTag>;      // a ground motion of the model
 using FunctionId = Id<struct FunctionTag>;  // a time function of the model
+using StageId = Id<struct StageTag>;        // a stage of the plan, in their order
 
 /// Simulated time in whole picoseconds: stages, substeps and output times are sums of integers, so nothing drifts.
 using Tick = std::int64_t;

@@ -116,7 +116,7 @@ struct Model {
     return Elasticity::from(m.young, m.poisson, plane);
   }
   [[nodiscard]] const BlockSupport* support_of(BlockId b) const;
-  /// Value of a load's time function; 1 where it has none.
+  /// Value of a load's time function at a time of its clock; 1 where it has none.
   [[nodiscard]] double factor(FunctionId f, double t) const { return f.valid() ? functions[f.index()].value(t) : 1.0; }
   /// The water in joints of a law; nullptr: they are dry.
   [[nodiscard]] const JointWater* water_in(JointId joint) const;

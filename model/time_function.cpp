@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace scree {
@@ -29,6 +30,21 @@ double TimeFunction::value(double t) const {
   const auto next = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), s) - time.begin());
   const double fraction = (s - time[next - 1]) / (time[next] - time[next - 1]);
   return amplitude * (table[next - 1] + fraction * (table[next] - table[next - 1]));
+}
+
+double TimeFunction::begin() const { return shape == Shape::table && !time.empty() ? start + time.front() : start; }
+
+double TimeFunction::end() const {
+  switch (shape) {
+    case Shape::constant:
+      return start;
+    case Shape::sine:
+      return duration > 0.0 ? start + duration : std::numeric_limits<double>::infinity();
+    case Shape::table:
+      return time.empty() ? start : start + time.back();
+    default:
+      return start + duration;
+  }
 }
 
 }  // namespace scree

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/ids.h"
+
 namespace scree {
 
 /// value(t) = amplitude times a shape that begins at `start` [s]; zero before it.
@@ -18,13 +20,19 @@ struct TimeFunction {
   std::string name;
   Shape shape = Shape::constant;
   double amplitude = 1.0;
-  double start = 0.0;               // [s]
+  double start = 0.0;               // [s], on the clock below
   double duration = 0.0;            // [s]
   double frequency = 0.0;           // of sine [Hz]
   std::vector<double> time, table;  // of table, as many; times strictly increasing, the first >= 0 [s]
+  StageId stage;                    // its clock begins with this stage of the plan; invalid: simulated time
+  bool of_load = false;             // made for one load, which has a start of its own
 
-  /// @param t simulated time [s]
+  /// @param t  time of its clock [s]
   [[nodiscard]] double value(double t) const;
+  /// Where it first differs from zero, as far as its shape says [s].
+  [[nodiscard]] double begin() const;
+  /// After that it stays as it is, if only at zero; infinite: it never does [s].
+  [[nodiscard]] double end() const;
 };
 
 }  // namespace scree

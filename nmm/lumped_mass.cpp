@@ -38,14 +38,8 @@ std::vector<PartMoments> part_moments(const CoverMesh& mesh, const ReferenceShap
 
 }  // namespace
 
-bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind) {
-  const std::size_t covers = mesh.star.size(), begin = static_cast<std::size_t>(first);
-  const double density = shape.mass / mesh.drawn_area();
-  std::vector<double> raw(covers, 0.0);
-  std::vector<char> present(static_cast<std::size_t>(mesh.components), 0);  // parts with elements here
-  for (const auto& cover : mesh.cover)
-    present[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(cover[0])])] = 1;
-  const auto absent = [&](std::size_t cover) { return present[static_cast<std::size_t>(mesh.component[cover])] == 0; };
+std::vector<double> row_sums(const CoverMesh& mesh, double density) {
+  std::vector<double> raw(mesh.star.size(), 0.0);
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     // Weights are linear: their integral is the area times their value at the centroid.
     const std::array<double, 3> third{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
@@ -59,6 +53,17 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
     for (std::size_t k = 0; k < 3; ++k)
       lumped[static_cast<std::size_t>(t.root[k])] += t.w[k] * raw[static_cast<std::size_t>(t.cover)];
   }
+  return lumped;
+}
+
+bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind) {
+  const std::size_t covers = mesh.star.size(), begin = static_cast<std::size_t>(first);
+  const double density = shape.mass / mesh.drawn_area();
+  std::vector<char> present(static_cast<std::size_t>(mesh.components), 0);  // parts with elements here
+  for (const auto& cover : mesh.cover)
+    present[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(cover[0])])] = 1;
+  const auto absent = [&](std::size_t cover) { return present[static_cast<std::size_t>(mesh.component[cover])] == 0; };
+  const std::vector<double> lumped = row_sums(mesh, density);
   std::vector<char> tied(covers, 0);
   for (const Tie& t : mesh.ties) tied[static_cast<std::size_t>(t.cover)] = 1;
   for (std::size_t k = 0; k < covers; ++k)

@@ -10,6 +10,9 @@
 
 namespace scree::nmm {
 
+/// Row sums of the mass of a mesh's elements on its covers; those of tied covers go to their roots [kg].
+[[nodiscard]] std::vector<double> row_sums(const CoverMesh& mesh, double density);
+
 /// Row sums on the free covers. `lumped` leaves it at that (thesis 4.3.1). `affine_exact` corrects each connected part
 /// so that its mass, momentum and rotational inertia are exact:
 ///   M~^-1 = M_L^-1 + P (M_a^-1 - S^^-1) P^T,  P = [1, X - c],  M_a = diag(m, S),  S^ = P^T M_L P.

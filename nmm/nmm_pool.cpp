@@ -63,6 +63,23 @@ CoverMesh NmmPool::make_mesh(const Model& model, const BodyRecord& record, const
   return mesh;
 }
 
+void NmmPool::find_whole_inverse(Body& body) {
+  const CoverMesh& mesh = *body.whole;
+  body.whole_chart.add(mesh, 0);
+  body.whole_chart.finish();
+  body.whole_inverse = row_sums(mesh, body.shape.mass / mesh.drawn_area());
+  for (std::size_t k = 0; k < mesh.star.size(); ++k) {
+    double& mass = body.whole_inverse[k];
+    if (body.whole_chart.tied(static_cast<std::int32_t>(k))) continue;
+    if (!(mass > 0.0))
+      throw std::runtime_error(fmt::format(
+          "block '{}' cannot be divided by the explicit region: a cover of one half has no lumped mass; move the "
+          "region's border, or choose another cover_size",
+          body.name));
+    mass = 1.0 / mass;
+  }
+}
+
 void NmmPool::divide(Body& body) {
   CoverMesh& mesh = body.mesh;
   const auto refuse = [&](const char* why) {
@@ -75,6 +92,7 @@ void NmmPool::divide(Body& body) {
         "a part of one half has no element of half a triangle; move the region's border, or choose a smaller "
         "cover_size");
   body.whole = std::make_unique<CoverMesh>(mesh);
+  find_whole_inverse(body);
   const Division::Acts acts = body.form.division.acts;
   if (acts != Division::Acts::both) mesh = half_of(*body.whole, acts == Division::Acts::explicit_half);
   // A consistent mass is the implicit half's alone; explicit steps take a lumped one.
@@ -329,8 +347,15 @@ double NmmPool::damp(double factor, double rate, std::span<const double> along, 
 double NmmPool::compliance(int body, const Row& row) const {
   if (of(body).onefold) return of(body).onefold->compliance(row);
   std::vector<Share> folded;
-  chart_.fold(row, folded);
   double sum = 0.0;
+  if (of(body).whole) {
+    Row own = row;
+    for (std::int32_t& n : own.node) n -= first_node(body);
+    of(body).whole_chart.fold(own, folded);
+    for (const Share& s : folded) sum += s.w * s.w * of(body).whole_inverse[static_cast<std::size_t>(s.cover)];
+    return sum;
+  }
+  chart_.fold(row, folded);
   for (const Share& s : folded) sum += s.w * s.w * mass_.inverse()[static_cast<std::size_t>(s.cover)];
   return sum;
 }

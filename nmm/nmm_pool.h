@@ -96,6 +96,9 @@ class NmmPool final : public Pool, public FieldCarrier {
     CoverMesh mesh;  // elements that act; boundary rows and cells, and seams, count within the pool
     // Of a divided block: all elements, and those that mass_ carries.
     std::unique_ptr<CoverMesh> whole, lumped;
+    // And what both halves oppose to a force, whichever acts: contacts on the other one are damped by it too.
+    CoverChart whole_chart;             // covers counted from the body's first
+    std::vector<double> whole_inverse;  // row sums of the mass, inverted; 0 for tied covers [1/kg]
     ReferenceShape shape;
     Formulation form;
     ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact
@@ -115,6 +118,7 @@ class NmmPool final : public Pool, public FieldCarrier {
   [[nodiscard]] static CoverMesh make_mesh(const Model& model, const BodyRecord& record, const AffineMotion& to_origin);
   /// Keeps the elements of the half that acts.
   static void divide(Body& body);
+  static void find_whole_inverse(Body& body);
   /// The mass operator that the block's form asks for.
   void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
   void add_weight(int body, const Vec2& g, std::span<double> f) const;

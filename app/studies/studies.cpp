@@ -3,7 +3,7 @@
 namespace scree::app {
 
 const std::map<std::string, Study>& studies() {
-  static const std::map<std::string, Study> kAll{{"onefold", onefold}, {"sdof", sdof}, {"spring-chain", spring_chain}};
+  static const std::map<std::string, Study> kAll{{"onefold", onefold}, {"sdof", sdof}, {"sliding", sliding}, {"spring-chain", spring_chain}};
   return kAll;
 }
 

@@ -24,6 +24,8 @@ using Study = StudyResult (*)(bool full);
 /// Blocks on onefold covers: conditions of an implicit step in the stars of a model-wide triangle and in centroidal
 /// form, and that both are the same step (coupling.md 4).
 [[nodiscard]] StudyResult onefold(bool full);
+/// Blocks that slide on steep planes, by every scheme, against a rigid block.
+[[nodiscard]] StudyResult sliding(bool full);
 /// Chains of masses and springs, explicit against implicit (thesis 2.5.2).
 [[nodiscard]] StudyResult spring_chain(bool full);
 

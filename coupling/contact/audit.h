@@ -31,7 +31,7 @@ class Audit {
   [[nodiscard]] bool passed() const { return worst_ <= 1.0; }
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("audit.checks", checks_);
     see("audit.worst", worst_);
     see("audit.text", text_);

@@ -63,7 +63,7 @@ struct ContactPoint {
 
   /// Shows every field, in a fixed order, to see(name, value), as State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// Which of two edges that meet at a convex corner another corner inside leaves by: true for the edge that it is
@@ -83,7 +83,7 @@ void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& r
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void ContactPoint::visit(Visitor&& see) {
+void ContactPoint::visit(Visitor&& see) const {
   static_assert(sizeof(ContactPoint) == 256, "a field that is new here belongs in the list below");
   key.visit(see);
   see("point.vertex", vertex);
@@ -106,7 +106,7 @@ void ContactPoint::visit(Visitor&& see) {
   see("point.beyond", beyond);
   see("point.s_low", s_low);
   see("point.s_high", s_high);
-  for (std::int32_t& p : partner) see("point.partner", p);
+  for (const std::int32_t& p : partner) see("point.partner", p);
   see("point.share", springs.share);
   see("point.kn", springs.kn);
   see("point.kt", springs.kt);

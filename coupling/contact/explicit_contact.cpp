@@ -20,6 +20,7 @@ void let_go(ContactMemory& m) {
 struct Motion {
   double rate = 0.0, shear = 0.0;  // of gap and stretch [m/s]
   double per_time = 0.0;           // one over the step [1/s]; 0: it stands
+  bool damped = true;              // false: it closes on a body that is iterated for (see respond())
 };
 
 /// Opening of a point that slips further [m].
@@ -31,9 +32,10 @@ double opened_in(const JointLaw& law, const ContactMemory& m, double slip) {
 /// damping, so the limit grows with the slip:
 ///   k_t (|e| - s) = c + tan phi f(s),  f(s) = -k_n g - c_n g' + (k_n + c_n/h) tan psi s, if that is not negative
 double dilating_slip(const JointLaw& law, const ContactPoint& p, const Motion& motion, const ContactMemory& m) {
-  const double stiffness = (m.kn + p.cn * motion.per_time) * std::tan(law.dilation), e = std::abs(m.stretch),
+  const double cn = motion.damped ? p.cn : 0.0;
+  const double stiffness = (m.kn + cn * motion.per_time) * std::tan(law.dilation), e = std::abs(m.stretch),
                mu = friction_coefficient(law, m), cohesion = friction_limit(law, m, 0.0),
-               trial = -m.kn * m.gap - p.cn * motion.rate;
+               trial = -m.kn * m.gap - cn * motion.rate;
   const double left = law.dilation_slip ? std::max(0.0, *law.dilation_slip - m.slip) : e;
   double slip = (m.kt * e - cohesion - mu * trial) / (m.kt + mu * stiffness);
   if (slip > left) slip = e - (cohesion + mu * (trial + stiffness * left)) / m.kt;
@@ -53,7 +55,7 @@ void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, 
   double opened = 0.0;      // in this step
   const auto press = [&] {  // damping never pulls more than a bond bears; it acts on the spring, not on what opens
     const double spring = -m.kn * m.gap, rate = motion.rate - motion.per_time * opened;
-    m.fn = std::max(0.0 - tension_limit(law, m), spring - p.cn * rate);
+    m.fn = std::max(0.0 - tension_limit(law, m), spring - (motion.damped ? p.cn : 0.0) * rate);
     m.fd = m.fn - spring;
   };
   press();
@@ -87,13 +89,14 @@ void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, 
   if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
   const double spring_t = -m.kt * m.stretch;
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - p.ct * motion.shear, -limit, limit) : spring_t;
+  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - (motion.damped ? p.ct : 0.0) * motion.shear, -limit, limit) : spring_t;
   m.fdt = m.ft - spring_t;
 }
 
 }  // namespace
 
-ExplicitContact::ExplicitContact(const Setup& setup, double detection) : setup_(&setup), finder_(setup, detection) {
+ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool check_friction)
+    : setup_(&setup), finder_(setup, detection), friction_check_(setup), checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
   for (ContactList* list : {&now_, &before_, &ahead_}) {
     list->points.reserve(expected);
@@ -118,8 +121,10 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
     const auto joint = static_cast<std::size_t>(m.joint);
     apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
   }
+  if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
-  clear_ = now_.points.empty() ? finder_.clearance() : 0.0;
+  // What was remembered and is not found is in the list before: the next step takes it out.
+  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
@@ -231,6 +236,14 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
+bool ExplicitContact::on_guest(const ContactPoint& p) const {
+  const auto is_guest = [&](std::int32_t node) {
+    const auto b = static_cast<std::size_t>(setup_->outlines().node_body[static_cast<std::size_t>(node)]);
+    return setup_->bodies()[b].guest || setup_->bodies()[b].divided;
+  };
+  return is_guest(p.node[0]) || is_guest(p.node[1]);
+}
+
 void ExplicitContact::respond(double h, std::span<const double> v, ContactList& list) {
   trial_.resize(list.points.size());
   opened_.resize(list.points.size());
@@ -241,6 +254,9 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     trial_[i] = (p.at.xi - m.anchor) * p.at.length;
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     Motion motion{0.0, 0.0, 1.0 / h};
+    // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the guest
+    // that its own force leads to. It acts from the next step on.
+    motion.damped = m.status != ContactStatus::open || !on_guest(p);
     if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
       motion.rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
       motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
@@ -251,6 +267,14 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
   }
 }
 
+void ExplicitContact::follow_slides(double h) {
+  friction_check_.begin(now_);
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    ContactMemory& m = now_.memory[i];
+    friction_check_.see(h, now_.points[i], m.status == ContactStatus::slip ? trial_[i] - m.stretch : 0.0, m);
+  }
+}
+
 void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
                              State& state) {
   clear_ -= farthest;
@@ -258,6 +282,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
   respond(h, v, now_);
+  if (checks_friction_) follow_slides(h);
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {

@@ -6,6 +6,7 @@
 
 #include "coupling/contact/audit.h"
 #include "coupling/contact/contact_energy.h"
+#include "coupling/contact/friction_check.h"
 
 namespace scree::coupling {
 
@@ -13,7 +14,8 @@ namespace scree::coupling {
 /// arrive() with the positions reached and the velocity that brought them there.
 class ExplicitContact {
  public:
-  ExplicitContact(const Setup& setup, double detection);
+  /// @param check_friction  points that slide are followed (FrictionCheck)
+  ExplicitContact(const Setup& setup, double detection, bool check_friction = true);
 
   /// Finds the points of a state and the forces of their springs.
   /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
@@ -52,12 +54,18 @@ class ExplicitContact {
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
                                std::span<const double> v) const;
   void add(const ContactList& list, std::span<double> f) const;
+  /// True if another mover moves one of its bodies, or a half of it.
+  [[nodiscard]] bool on_guest(const ContactPoint& p) const;
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
   void respond(double h, std::span<const double> v, ContactList& list);
+  /// After respond(): the check of friction sees the points.
+  void follow_slides(double h);
   void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;
 
   const Setup* setup_;
   ContactFinder finder_;
+  FrictionCheck friction_check_;
+  bool checks_friction_;
   ContactList now_, before_, ahead_;
   double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
   std::vector<double> tan_friction_;  // a joint law

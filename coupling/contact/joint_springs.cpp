@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/touching.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -35,10 +37,7 @@ JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
 JointId JointSprings::law_of(std::int32_t edge_a, std::int32_t edge_b) const {
   const auto& edges = setup_->outlines().edges;
   const JointId a = edges[static_cast<std::size_t>(edge_a)].joint, b = edges[static_cast<std::size_t>(edge_b)].joint;
-  if (!a.valid() && !b.valid()) return setup_->model().default_joint;
-  if (!a.valid() || !b.valid()) return a.valid() ? a : b;
-  if (law(a).friction != law(b).friction) return law(a).friction < law(b).friction ? a : b;
-  return a.value < b.value ? a : b;
+  return law_between(setup_->model(), a, b);
 }
 
 bool JointSprings::per_area(JointId id) const { return !law(id).penalty; }

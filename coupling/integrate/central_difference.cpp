@@ -49,7 +49,7 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       damping_(damping),
       rest_(rest),
       lags_(damping.stiffness > 0.0 || damping.local > 0.0 || !setup.model().viscous_edges.empty()),
-      contact_(setup, detection),
+      contact_(setup, detection, !rest),
       chunks_(setup),
       sliding_(setup, damping.sliding),
       weights_(body_loads(setup)),
@@ -96,7 +96,7 @@ void CentralDifference::restore_stress(const State& state) {
 }
 
 void CentralDifference::sum_up(const Instant& at) {
-  for (std::size_t i = 0; i < weights_.size(); ++i) factor_[i] = setup_->model().factor(weights_[i].function, at.t);
+  for (std::size_t i = 0; i < weights_.size(); ++i) factor_[i] = setup_->factor(weights_[i].function, at.t);
   const std::size_t sums = weights_.size() + 1;
   chunks_.for_free([&](const Chunk& c, std::size_t index) {
     const double *v = at.v.data(), *stress = stress_.data();
@@ -191,7 +191,7 @@ void CentralDifference::add_terms(const State& state) {
   if (auto springs = point_springs(*setup_, state); !springs.empty())
     add_term(std::make_unique<PointSupports>(std::move(springs)));
   if (auto forces = point_forces(*setup_, state); !forces.empty())
-    add_term(std::make_unique<PointLoads>(setup_->model(), std::move(forces)));
+    add_term(std::make_unique<PointLoads>(*setup_, std::move(forces)));
   if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
 }
 
@@ -233,6 +233,7 @@ double CentralDifference::enter(State& state) {
   restore_stress(state);
   sum_up(lagging(state));
   accelerate(state.q, a_new_);
+  if (sliding_.used()) state.sliding.reserve(state.q.size());  // so that steps need not allocate
   if (sliding_.used() && !goes_on) {
     v_new_ = state.v;
     damp_sliding(state.q, 0.0, state);
@@ -448,7 +449,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     return report;
   }
   for (std::size_t i = 0; i < weights_.size(); ++i) {
-    const double then = setup_->model().factor(weights_[i].function, seconds(state.time));
+    const double then = setup_->factor(weights_[i].function, seconds(state.time));
     state.ledger.book(weights_[i].column, 0.5 * h * (then + factor_[i]) * weight_power_[i]);
   }
   book_step(h, energy, driven_left, state.ledger);

@@ -25,9 +25,9 @@ std::vector<LoadVector> load_vectors(const Setup& setup, const State& state) {
   return out;
 }
 
-void add_loads(const Model& model, std::span<const LoadVector> loads, double time, std::span<double> f) {
+void add_loads(const Setup& setup, std::span<const LoadVector> loads, double time, std::span<double> f) {
   for (const LoadVector& load : loads) {
-    const double factor = model.factor(load.function, time);
+    const double factor = setup.factor(load.function, time);
     if (factor == 0.0) continue;
     parallel_for(static_cast<std::int64_t>(f.size()), [&](std::int64_t i) {
       f[static_cast<std::size_t>(i)] += factor * load.f[static_cast<std::size_t>(i)];

@@ -19,6 +19,6 @@ struct LoadVector {
 [[nodiscard]] std::vector<LoadVector> load_vectors(const Setup& setup, const State& state);
 
 /// f += the loads at a time [s].
-void add_loads(const Model& model, std::span<const LoadVector> loads, double time, std::span<double> f);
+void add_loads(const Setup& setup, std::span<const LoadVector> loads, double time, std::span<double> f);
 
 }  // namespace scree::coupling

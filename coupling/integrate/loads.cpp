@@ -73,12 +73,14 @@ FunctionId load_function(const Model& model, std::int32_t load) {
   return i < points ? model.point_loads[i].function : model.tractions[i - points].function;
 }
 
-PointLoads::PointLoads(const Model& model, std::vector<PointForce> forces)
-    : model_(&model), forces_(std::move(forces)), factor_(model.point_loads.size() + model.tractions.size(), 0.0) {}
+PointLoads::PointLoads(const Setup& setup, std::vector<PointForce> forces)
+    : setup_(&setup),
+      forces_(std::move(forces)),
+      factor_(setup.model().point_loads.size() + setup.model().tractions.size(), 0.0) {}
 
 void PointLoads::add(const Instant& at, std::span<double> f) {
   for (std::size_t i = 0; i < factor_.size(); ++i)
-    factor_[i] = model_->factor(load_function(*model_, static_cast<std::int32_t>(i)), at.t);
+    factor_[i] = setup_->factor(load_function(setup_->model(), static_cast<std::int32_t>(i)), at.t);
   for (const PointForce& p : forces_) add_force(p.row, factor_[static_cast<std::size_t>(p.load)] * p.force, f);
 }
 

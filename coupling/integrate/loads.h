@@ -32,7 +32,7 @@ struct PointForce {
 /// Point loads and tractions in explicit steps.
 class PointLoads final : public ForceTerm {
  public:
-  PointLoads(const Model& model, std::vector<PointForce> forces);
+  PointLoads(const Setup& setup, std::vector<PointForce> forces);
   void add(const Instant& at, std::span<double> f) override;
   void leave(double h, std::span<const double> v) override { work_ = half_work(h, v); }
   void arrive(double h, std::span<const double> v, Ledger& ledger) override {
@@ -42,7 +42,7 @@ class PointLoads final : public ForceTerm {
  private:
   [[nodiscard]] double half_work(double h, std::span<const double> v) const;
 
-  const Model* model_;
+  const Setup* setup_;
   std::vector<PointForce> forces_;
   std::vector<double> factor_;  // a load
   double work_ = 0.0;

@@ -62,7 +62,7 @@ struct MoverMemory {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// Advances a state by whole steps. On any status but ok the state keeps every bit.
@@ -102,25 +102,25 @@ class Mover {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void MoverMemory::visit(Visitor&& see) {
+void MoverMemory::visit(Visitor&& see) const {
   see.size("points", points);
-  for (ContactPoint& p : points) p.visit(see);
+  for (const ContactPoint& p : points) p.visit(see);
   see("stress", stress);
   see("total", total);
   see("stiffness", stiffness);
   see("local", local);
   see("held", held);
   see.size("bound", bound);
-  for (Bound& b : bound) {
+  for (const Bound& b : bound) {
     b.key.visit(see);
     see("bound.stiffness", b.stiffness);
   }
   see("slow_weight", slow_weight);
   see("slow_energy", slow_energy);
   see.size("sides", sides);
-  for (MoverMemory& side : sides) side.visit(see);
+  for (const MoverMemory& side : sides) side.visit(see);
   see.size("ledgers", ledgers);
-  for (Ledger& ledger : ledgers) ledger.visit(see);
+  for (const Ledger& ledger : ledgers) ledger.visit(see);
   see("step_bound", step_bound);
   see("apart", apart);
 }

@@ -27,6 +27,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       control_(control),
       options_(options),
       finder_(setup, detection),
+      friction_check_(setup),
       system_(setup),
       contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor),
       sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),
@@ -98,6 +99,7 @@ double Newmark::enter(State& state) {
   finder_.restore(state.contacts, before_);
   finder_.find(state.q, before_, state.step == 0, list_);
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it
+  if (!checks_friction()) FrictionCheck::forget(list_);
   state.contacts = list_.memory;
   state.last_step = 0;
   if (trapezoidal()) {
@@ -171,7 +173,7 @@ void Newmark::prepare(const State& state, double h) {
   to_dofs(weight_, gravity_);
   const auto loads_at = [&](double t, std::vector<double>& out) {
     node_scratch_.assign(q.size(), 0.0);
-    add_loads(setup_->model(), loads_, t, node_scratch_);
+    add_loads(*setup_, loads_, t, node_scratch_);
     to_dofs(node_scratch_, out);
   };
   if (!loads_.empty()) {

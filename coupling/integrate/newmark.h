@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/contact/contact_finder.h"
+#include "coupling/contact/friction_check.h"
 #include "coupling/integrate/deformation_damping.h"
 #include "coupling/integrate/fixed_point.h"
 #include "coupling/integrate/load_vectors.h"
@@ -69,6 +70,8 @@ class Newmark final : public Mover {
 
  private:
   [[nodiscard]] bool trapezoidal() const { return options_.scheme == NewmarkScheme::trapezoidal; }
+  /// Slides are followed where velocities are physical.
+  [[nodiscard]] bool checks_friction() const { return options_.dynamics == 1.0; }
   [[nodiscard]] double kinetic_energy(const State& state) const;
 
   void enter_stage(const State& state);
@@ -130,6 +133,7 @@ class Newmark final : public Mover {
   StepControl control_;
   ImplicitOptions options_;
   ContactFinder finder_;
+  FrictionCheck friction_check_;
   ContactList list_, before_;
   ImplicitSystem system_;
   OpenClose contacts_;

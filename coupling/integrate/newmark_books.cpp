@@ -112,6 +112,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
   // A stick keeps its anchor in the material, a slip has its spring at the limit on the new geometry.
   const Outlines& o = setup_->outlines();
   std::vector<double> linear(contacts_.trials().size(), 0.0);
+  friction_check_.begin(list_);
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     ContactMemory& m = list_.memory[i];
@@ -121,9 +122,11 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
                 (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     if (m.bonded != 0 && t.status == ContactStatus::open) mark_failed(law, m);
+    double slip = 0.0;
     if (t.status == ContactStatus::slip) {
       const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
-      m.slip += std::abs(before + t.moved - t.stretch);
+      slip = before + t.moved - t.stretch;
+      m.slip += std::abs(slip);
       m.gap0 += t.opened;
       mark_failed(law, m);
       const ContactGeometry g = contact_geometry(position(o.nodes[static_cast<std::size_t>(p.node[0])], state.q),
@@ -135,6 +138,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     m.fn = t.fn;
     m.fdt = 0.0;
     m.ft = t.ft;
+    if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
   }
   return linear;
 }

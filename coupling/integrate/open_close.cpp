@@ -115,7 +115,6 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     trial_[i] = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0, m.fn};
     Trial& t = trial_[i];
     t.opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;
-    if (m.bonded == 0 && m.gap > 0.0) t.status = ContactStatus::open;  // its dashpot held it until now
     // A contact that closes in this step is not damped yet: the dashpot could hold it open.
     t.k = m.kn + (t.status != ContactStatus::open ? dashpot * p.cn : 0.0);
     t.at = m.kn / t.k * m.gap;
@@ -366,12 +365,27 @@ void OpenClose::evaluate_points(std::span<const double> d) {
   }
 }
 
+bool OpenClose::held_beside(std::size_t i) const {
+  // Points are sorted by their corner.
+  const auto holds = [&](std::size_t j) {
+    constexpr double kSameWay = 0.99;
+    return trial_[j].status != ContactStatus::open && list_->points[j].at.n.dot(list_->points[i].at.n) > kSameWay;
+  };
+  const std::int32_t vertex = list_->points[i].vertex;
+  for (std::size_t j = i; j-- > 0 && list_->points[j].vertex == vertex;)
+    if (holds(j)) return true;
+  for (std::size_t j = i + 1; j < trial_.size() && list_->points[j].vertex == vertex; ++j)
+    if (holds(j)) return true;
+  return false;
+}
+
 bool OpenClose::may_close(std::size_t i) const {
   // The foot must be on the edge where the step ends; of two edges at a convex corner the one that is nearer takes
   // over.
   const ContactPoint& p = list_->points[i];
   const double foot = p.at.xi * p.at.length + trial_[i].moved;
   if (foot < p.s_low || foot > p.s_high) return false;
+  if (p.beyond && held_beside(i)) return false;
   for (const std::int32_t other : p.partner) {
     if (other < 0 || list_->points[static_cast<std::size_t>(other)].suppressed) continue;
     const Trial& t = trial_[static_cast<std::size_t>(other)];

@@ -150,6 +150,9 @@ class OpenClose {
   [[nodiscard]] double normal_stiffness(std::size_t i) const;
   [[nodiscard]] double tangential_stiffness(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
+  /// True if the corner of a point is held by an edge beside it that faces the same way: once its foot has left that
+  /// edge, the contact passes over with its force.
+  [[nodiscard]] bool held_beside(std::size_t i) const;
   /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
   [[nodiscard]] double tolerance(std::size_t i) const;
   /// The state that a point's forces and motions ask for, and how far they violate the one it has, as a force [N].

@@ -26,7 +26,7 @@ std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explici
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit,
                         bool shared)
     : setup(whole.model(), methods, records(state_of_all, is_explicit),
-            guests(whole, state_of_all, is_explicit, shared)) {
+            guests(whole, state_of_all, is_explicit, shared), whole.clocks()) {
   state.bodies = state_of_all.bodies;
   state.anchors = state_of_all.anchors;
 }
@@ -243,13 +243,16 @@ void Partitioned::join(State& state) {
              std::back_inserter(state.contacts),
              [](const ContactMemory& a, const ContactMemory& b) { return a.key < b.key; });
   whole_->prescribe(seconds(state.time), state.q, state.v);
+  base_.pass(state.ledger);
   state.ledger = Ledger::joined(base_, e.ledger, i.ledger);
 }
 
 void Partitioned::find_springs() {
-  // Springs of closed contacts with an implicit body. They stretch with the way, so that their mean sees half of it.
+  // Springs of closed contacts with an implicit body. They stretch with the way u, so that their mean sees half of it;
+  // their dashpots have the rate u/H all along.
   springs_.clear();
   stiffness_ = 0.0;
+  const double H = seconds(step_);
   double turns_back = 0.0;  // bounds the part of a change of the way that comes back as another one
   const Setup& setup = explicit_side_.setup;
   const Outlines& o = setup.outlines();
@@ -259,9 +262,9 @@ void Partitioned::find_springs() {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
     const auto is_guest = [&](std::int32_t node) { return setup.on_guest(o.nodes[static_cast<std::size_t>(node)]); };
-    const auto add = [&](const ContactRow& row, double k) {
+    const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
-      s.k = 0.5 * k;
+      s.k = 0.5 * k + c / H;
       for (std::size_t n = 0; n < 3; ++n) {
         if (!is_guest(p.node[n])) continue;
         s.node[s.count] = p.node[n];
@@ -272,12 +275,11 @@ void Partitioned::find_springs() {
       springs_.push_back(s);
       stiffness_ += s.k;
     };
-    add(gap_row(p.at), m.kn);
-    if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt);
+    add(gap_row(p.at), m.kn, p.cn);
+    if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt, p.ct);
   }
   // Short steps: bodies hardly follow, and iterations without the springs end as soon.
   constexpr double kHardly = 1e-3;
-  const double H = seconds(step_);
   if (seams_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
@@ -388,6 +390,7 @@ void Partitioned::update_ledger(State& state) {
   }
   explicit_->update_ledger(explicit_side_.state);
   implicit_->update_ledger(implicit_side_.state);
+  base_.pass(state.ledger);
   state.ledger = Ledger::joined(base_, explicit_side_.state.ledger, implicit_side_.state.ledger);
 }
 

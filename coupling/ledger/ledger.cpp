@@ -6,6 +6,8 @@
 namespace scree::coupling {
 namespace {
 
+constexpr bool kWatched = true;
+
 constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"kinetic", Side::energy, "kinetic energy of the free bodies"},
     {"elastic", Side::energy, "elastic energy inside the bodies"},
@@ -21,7 +23,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"dilation", Side::dissipated, "part of it that opens the joint: less normal force times opening"},
     {"contact_damping", Side::dissipated, "damping of closed contacts"},
     {"mass_damping", Side::dissipated, "mass-proportional damping"},
-    {"deformation_damping", Side::dissipated, "damping of the deformation of sliding blocks"},
+    {"deformation_damping", Side::dissipated, "damping of the deformation of sliding blocks", kWatched},
     {"stiffness_damping", Side::dissipated, "Rayleigh damping proportional to stiffness"},
     {"local_damping", Side::dissipated, "local damping of explicit steps, a fraction of the unbalanced force"},
     {"viscous_edges", Side::dissipated, "energy that leaves through viscous edges"},
@@ -31,20 +33,38 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
      "energy taken by the implicit scheme while contacts close, open or start to slip"},
     {"springs_dropped", Side::dissipated, "springs deleted while stretched: contacts that opened or ended"},
     {"bonds_broken", Side::dissipated, "springs of bonded contacts that failed while they were pulled"},
-    {"elastic_trapezoid", Side::scheme, "elastic energy less the trapezoid work of the internal force"},
-    {"contact_transition", Side::scheme, "trapezoid work across opening and closing"},
-    {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear"},
-    {"contact_edges", Side::scheme, "contacts that change edge or end at a corner"},
-    {"contact_share", Side::scheme, "contacts whose share of a joint changes"},
-    {"support_trapezoid", Side::scheme, "support energy less the trapezoid work of its springs"},
-    {"update_kinetic", Side::scheme, "kinetic energy changed by the geometry update of implicit steps"},
-    {"update_elastic", Side::scheme, "elastic energy changed by the geometry update of implicit steps"},
-    {"update_contact", Side::scheme, "contact and support energy changed by the geometry update of implicit steps"},
-    {"waveform", Side::scheme, "explicit and implicit bodies: what the iteration between them leaves, as a kick"},
-    {"seams", Side::scheme, "explicit and implicit halves of a block: what the forces between them leave"},
+    {"elastic_trapezoid", Side::scheme, "elastic energy less the trapezoid work of the internal force", kWatched},
+    {"contact_transition", Side::scheme, "trapezoid work across opening and closing", kWatched},
+    {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear", kWatched},
+    {"contact_edges", Side::scheme, "contacts that change edge or end at a corner", kWatched},
+    {"contact_share", Side::scheme, "contacts whose share of a joint changes", kWatched},
+    {"support_trapezoid", Side::scheme, "support energy less the trapezoid work of its springs", kWatched},
+    {"update_kinetic", Side::scheme, "kinetic energy changed by the geometry update of implicit steps", kWatched},
+    {"update_elastic", Side::scheme, "elastic energy changed by the geometry update of implicit steps", kWatched},
+    {"update_contact", Side::scheme, "contact and support energy changed by the geometry update of implicit steps",
+     kWatched},
+    {"waveform", Side::scheme, "explicit and implicit bodies: what the iteration between them leaves, as a kick",
+     kWatched},
+    {"seams", Side::scheme, "explicit and implicit halves of a block: what the forces between them leave", kWatched},
     {"step_change", Side::scheme, "change of the shadow term with the step or the scheme"},
     {"transfer", Side::scheme, "cross terms booked when bodies change method"},
 }};
+
+/// The columns of a side, which stand together: first, and one after the last.
+struct Columns {
+  std::size_t begin = kInfo.size(), end = 0;
+};
+constexpr Columns columns_of(Side side) {
+  Columns found;
+  for (std::size_t i = 0; i < kInfo.size(); ++i) {
+    if (kInfo[i].side != side) continue;
+    found.begin = std::min(found.begin, i);
+    found.end = i + 1;
+  }
+  return found;
+}
+constexpr Columns kEnergy = columns_of(Side::energy), kWork = columns_of(Side::work);
+static_assert(kEnergy.end == kWork.begin && static_cast<std::size_t>(Column::shadow) + 1 == kEnergy.end);
 
 }  // namespace
 
@@ -58,7 +78,7 @@ void Ledger::open(std::span<const double> energies) {
 
 void Ledger::set(Column energy_column, double value) {
   double& now = value_[static_cast<std::size_t>(energy_column)];
-  moved_ += std::abs(value - now);
+  if (energy_column != Column::kinetic && energy_column != Column::shadow) moved_ += std::abs(value - now);
   now = value;
 }
 
@@ -74,6 +94,7 @@ Ledger Ledger::joined(const Ledger& base, const Ledger& a, const Ledger& b) {
     out.value_[i] = (kInfo[i].side == Side::energy ? 0.0 : base.value_[i]) + a.value_[i] + b.value_[i];
   }
   out.moved_ = base.moved_ + a.moved_ + b.moved_;
+  out.passed_ = std::max(base.passed_, out.passed_now());
   return out;
 }
 
@@ -99,6 +120,46 @@ double Ledger::largest() const {
   return most;
 }
 
-double Ledger::relative_closure() const { return moved_ > 0.0 ? std::abs(closure()) / moved_ : 0.0; }
+double Ledger::relative_closure() const { return moved_ == 0.0 ? 0.0 : std::abs(closure()) / moved_; }
+
+std::string_view Ledger::not_finite() const {
+  for (std::size_t i = 0; i < kInfo.size(); ++i)
+    if (!std::isfinite(value_[i])) return kInfo[i].name;
+  if (!std::isfinite(moved_)) return "moved";
+  return std::isfinite(closure()) ? "" : "closure";
+}
+
+double Ledger::held() const {
+  double sum = 0.0;
+  for (std::size_t i = kEnergy.begin; i + 1 < kEnergy.end; ++i) sum += value_[i];  // all but the shadow
+  return sum;
+}
+
+double Ledger::given() const {
+  double sum = initial_ + (*this)[Column::transfer];
+  for (std::size_t i = kWork.begin; i < kWork.end; ++i) sum += value_[i];
+  return sum;
+}
+
+double Ledger::passed_now() const {
+  double sum = std::abs(initial_);
+  for (std::size_t i = kEnergy.begin; i + 1 < kEnergy.end; ++i) sum += std::max(0.0, -value_[i]);
+  for (std::size_t i = kWork.begin; i < kWork.end; ++i) sum += std::abs(value_[i]);
+  return sum;
+}
+
+double Ledger::passed() const { return std::max(passed_given(), held()); }
+
+double Ledger::passed_closure() const {
+  const double all = passed();
+  return all > 0.0 ? std::abs(closure()) / all : 0.0;
+}
+
+double Ledger::gain() const {
+  const double all = held();
+  return all - std::min(-(*this)[Column::shadow], kMostShadow * std::abs(all)) - given();
+}
+
+double Ledger::least_gain() const { return (1.0 - kMostShadow) * (held() - (*this)[Column::kinetic]) - given(); }
 
 }  // namespace scree::coupling

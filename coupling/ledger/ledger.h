@@ -2,8 +2,12 @@
 //   closure = E - E_0 - W + D - R
 // E what the system holds, W what was done on it, D what it dissipated, R what the schemes and changes of definition
 // add of their own. No column is computed as a remainder of others.
+// A closed ledger is necessary and not sufficient: a wrong force is booked as well as a right one, and a blow-up
+// inflates the sum of increments that the closure is measured by. So the ledger also tells what was given to the
+// system, and by how much it holds more than that (gain()).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -61,15 +65,21 @@ struct ColumnInfo {
   std::string_view name;
   Side side;
   std::string_view meaning;  // one line for tables and attributes
+  // The column is an error or a regularisation of the scheme: a warning is due once it is above kSchemeShare of the
+  // energy passed.
+  bool watched = false;
 };
 [[nodiscard]] const ColumnInfo& info(Column column);
+
+inline constexpr double kSchemeShare = 0.01;  // of the energy passed: what a watched column may have without a warning
 
 /// Value type; part of the State.
 class Ledger {
  public:
   /// Sets the energy columns of the starting state; the others begin at zero.
   void open(std::span<const double> energies);
-  /// Replaces an energy column by its value now; its change counts as energy moved.
+  /// Replaces an energy column by its value now; its change counts as energy moved. Not that of kinetic energy and
+  /// shadow: explicit steps know them only where someone looks, and what they gain or lose other columns lose or gain.
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);
@@ -83,19 +93,50 @@ class Ledger {
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
   [[nodiscard]] double largest() const;                  // |column|, of all [J]
-  /// |closure| / moved, 0 while nothing has moved.
+  /// |closure| / moved, 0 while nothing has moved; not a number where one of them is none.
   [[nodiscard]] double relative_closure() const;
+  /// The first number in it that is not finite: a column, "moved" or "closure"; empty: all are.
+  [[nodiscard]] std::string_view not_finite() const;
+
+  /// Notes the present instant in passed(). Called once a step, so that it does not depend on who looks when.
+  void pass() { passed_ = std::max(passed_, passed_now()); }
+  /// Takes over what another ledger of the same run has noted.
+  void pass(const Ledger& earlier) { passed_ = std::max(passed_, earlier.passed_); }
+  /// Energy held: E without the shadow term, which belongs to the scheme [J].
+  [[nodiscard]] double held() const;
+  /// Energy given to the system: E_0 + W + the column `transfer`, each with its sign [J].
+  [[nodiscard]] double given() const;
+  /// Energy passed: the largest so far of E_0 + sum |W_c| + what energy columns below zero (initial stress) have
+  /// released, and of the energy held now [J].
+  [[nodiscard]] double passed() const;
+  /// The same without the energy held now: what can have come in so far, whatever the scheme makes of it [J].
+  [[nodiscard]] double passed_given() const { return std::max(passed_, passed_now()); }
+  /// |closure| / passed, 0 while nothing has passed.
+  [[nodiscard]] double passed_closure() const;
+  /// Energy held beyond what was given [J]. It cannot be positive but for errors of the scheme: what is dissipated
+  /// only takes. The shadow term counts as far as a stable step has one.   @pre the ledger is up to date
+  ///   gain = held - min(-shadow, kMostShadow |held|) - given
+  [[nodiscard]] double gain() const;
+  /// A bound of gain() from below at any step, without the kinetic energy (which is known where someone looks) [J].
+  ///   (1 - kMostShadow) (held - kinetic) - given
+  [[nodiscard]] double least_gain() const;
 
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("ledger.value", value_);
     see("ledger.initial", initial_);
     see("ledger.moved", moved_);
+    see("ledger.passed", passed_);
   }
 
  private:
+  /// A step at 0.95 of its bound: a shadow of Omega^2/4 = 0.9 of the energy.
+  static constexpr double kMostShadow = 0.9;
+
+  [[nodiscard]] double passed_now() const;
+
   std::array<double, kColumns> value_{};
-  double initial_ = 0.0, moved_ = 0.0;
+  double initial_ = 0.0, moved_ = 0.0, passed_ = 0.0;
 };
 
 }  // namespace scree::coupling

@@ -5,6 +5,8 @@
 
 #include "coupling/integrate/mover.h"
 #include "coupling/sink.h"
+#include "coupling/stages/rest_watch.h"
+#include "coupling/stages/run_watch.h"
 
 namespace scree::coupling {
 
@@ -17,18 +19,22 @@ struct Checkpoint {
   Tick stage_end = 0;
   std::int64_t first_step = 0;      // of the stage
   std::vector<double> stage_begin;  // x, y a body: where its centre of mass was then [m]
+  RestTrace rest;                   // how a stage to rest comes there
   bool ended = false;               // before its duration is over: at rest, or by a rule
   std::uint32_t mesh = 0;           // id of the present mesh
-  Tick largest_step = 0;            // until the next output; 0: to be found
+  Tick largest_step = 0;            // that is allowed; 0: to be found
   // What was counted.
   RunStats stats;
   Audit audit;
   std::vector<TransferRow> transfers;
   std::vector<StageTravel> travels;
+  std::vector<Warning> warnings;
+  std::vector<std::int64_t> rule_changes;  // a stage: changes by its rules of methods, and of sides (2 a stage)
+  Told told;
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 /// Keeps checkpoints. As a Sink it may not change the run, but a checkpoint that cannot be written ends it.
@@ -47,7 +53,7 @@ class Keeper {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void visit(BodyTotals& t, Visitor&& see) {
+void visit(const BodyTotals& t, Visitor&& see) {
   see("totals.mass", t.mass);
   see("totals.centre", t.centre);
   see("totals.momentum", t.momentum);
@@ -57,7 +63,7 @@ void visit(BodyTotals& t, Visitor&& see) {
 }
 
 template <class Visitor>
-void visit(TransferRow& row, Visitor&& see) {
+void visit(const TransferRow& row, Visitor&& see) {
   see("row.time", row.time);
   see("row.block", row.block.value);
   see("row.from", row.from);
@@ -83,8 +89,8 @@ void visit(TransferRow& row, Visitor&& see) {
 }
 
 template <class Visitor>
-void visit(RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 18 * 8, "a field that is new here belongs in the list below");
+void visit(const RunStats& s, Visitor&& see) {
+  static_assert(sizeof(RunStats) == 23 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -103,28 +109,38 @@ void visit(RunStats& s, Visitor&& see) {
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
   see("stats.element_steps", s.element_steps);
+  see("stats.friction_ratio", s.friction_ratio);
+  s.friction_key.visit(see);
 }
 
 template <class Visitor>
-void Checkpoint::visit(Visitor&& see) {
+void Checkpoint::visit(Visitor&& see) const {
   state.visit(see);
   mover.visit(see);
   see("stage_end", stage_end);
   see("first_step", first_step);
   see("stage_begin", stage_begin);
+  rest.visit(see);
   see("ended", ended);
   see("mesh", mesh);
   see("largest_step", largest_step);
   coupling::visit(stats, see);
   audit.visit(see);
   see.size("transfers", transfers);
-  for (TransferRow& row : transfers) coupling::visit(row, see);
+  for (const TransferRow& row : transfers) coupling::visit(row, see);
   see.size("travels", travels);
-  for (StageTravel& t : travels) {
+  for (const StageTravel& t : travels) {
     see("travel.stage", t.stage);
     see("travel.block", t.block.value);
     see("travel.farthest", t.farthest);
   }
+  see.size("warnings", warnings);
+  for (const Warning& w : warnings) {
+    see("warning.time", w.time);
+    see("warning.text", w.text);
+  }
+  see("rule_changes", rule_changes);
+  told.visit(see);
 }
 
 }  // namespace scree::coupling

@@ -15,14 +15,17 @@
 #include "coupling/stages/energy_watch.h"
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
+#include "coupling/stages/plan_warnings.h"
 
 namespace scree::coupling {
 namespace {
 
-/// First multiple of `every` after `now`.
-Tick next_multiple(Tick now, Tick every) {
-  return every > 0 ? (now / every + 1) * every : std::numeric_limits<Tick>::max();
-}
+// Of Checkpoint::rule_changes.
+constexpr std::size_t kRuleKinds = 2;
+constexpr int kMethodRule = 0, kSideRule = 1;
+
+/// True if a multiple of `every` lies after `before`, and not after `now`.
+bool passes_multiple(Tick before, Tick now, Tick every) { return every > 0 && now / every > before / every; }
 
 ExplicitDamping explicit_damping(const Stage& stage) {
   return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping, stage.sliding_damping};
@@ -134,6 +137,7 @@ Driver::Driver(const Model& model, const Plan& plan, const Methods& methods)
     : model_(&model), plan_(&plan), methods_(&methods) {
   detection_ = plan.detection > 0.0 ? plan.detection : auto_detection(model);
   for (const Stage& s : plan.stages) end_ += s.duration;
+  round_off_ = energy_of_round_off(model);
 }
 
 double Driver::wall() {
@@ -142,6 +146,7 @@ double Driver::wall() {
 
 void Driver::event(EventKind kind, std::string text, const TransferRow* row, const StageTravel* travel) {
   const Event e{kind, seconds(state_.time), std::move(text), row, travel};
+  if (kind == EventKind::warning) warnings_.push_back({e.time, e.text});
   for (Sink* s : sinks_) s->event(e);
 }
 
@@ -191,10 +196,11 @@ void Driver::look(bool frame) {
 void Driver::start() {
   state_ = State{};
   mesh_ = mesh_shown_ = 0;
+  enter_time(plan_->stages.front());
   take_sides(plan_->stages.front());
   state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies,
-                                   slow_bodies(*model_, plan_->stages.front(), state_.explicit_side));
+                                   slow_bodies(*model_, plan_->stages.front(), state_.explicit_side), clocks());
   state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
   state_.v = state_.q;
   for (const Body& b : setup_->bodies()) {
@@ -217,9 +223,19 @@ void Driver::start() {
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
   audit_ = Audit{};
+  told_ = Told{};
   travels_.clear();
+  warnings_.clear();
+  rule_changes_.assign(kRuleKinds * plan_->stages.size(), 0);
   stats_.blocks = static_cast<std::int64_t>(model_->blocks.size());
 }
+
+void Driver::enter_time(const Stage& stage) {
+  state_.stage_begin.push_back(state_.time);
+  stage_end_ = state_.time + stage.duration;  // at the latest
+}
+
+Clocks Driver::clocks() const { return clocks_of(*model_, state_.stage_begin, stage_end_); }
 
 void Driver::take_sides(const Stage& stage) {
   settled_.clear();
@@ -233,6 +249,7 @@ void Driver::change_stage(std::size_t index) {
     mover_->leave(state_);
     mover_.reset();
     take_sides(stage);
+    enter_time(stage);
     state_.rules = {};
     change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
@@ -244,7 +261,7 @@ void Driver::change_stage(std::size_t index) {
 }
 
 void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
-  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_);
+  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_, clocks());
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {
@@ -286,6 +303,7 @@ void Driver::watch_rules(const Stage& stage) {
 void Driver::change_methods(const Stage& stage) {
   const std::vector<MethodChange> changes = method_rules_->look(state_, *mover_);
   if (changes.empty()) return;
+  count_rule(kMethodRule, static_cast<std::int64_t>(changes.size()));
   mover_->leave(state_);
   mover_.reset();
   state_.rules.other_method.resize(model_->blocks.size(), 0);
@@ -309,6 +327,7 @@ void Driver::change_partition(const Stage& stage) {
           "{}'{}' {}", names.empty() ? "" : ", ", model_->blocks[i].name,
           stage.subcycled() ? (sides[i] != 0 ? "fast" : "slow") : (sides[i] != 0 ? "explicit" : "implicit"));
   }
+  count_rule(kSideRule, changed);
   mover_->leave(state_);
   mover_.reset();
   state_.explicit_side = std::move(sides);
@@ -382,15 +401,19 @@ void Driver::go_on() {
   stage_begin_.clear();
   for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
     stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
+  rest_trace_ = std::move(c.rest);
   ended_ = c.ended;
   largest_ = c.largest_step;
   mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
+  told_ = std::move(c.told);
   travels_ = std::move(c.travels);
+  warnings_ = std::move(c.warnings);
+  rule_changes_ = std::move(c.rule_changes);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  setup_ =
-      std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side));
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
+                                   clocks());
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
   stats_ = c.stats;
@@ -408,6 +431,7 @@ Checkpoint Driver::checkpoint() const {
   c.stage_end = stage_end_;
   c.first_step = first_step_;
   for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
+  c.rest = rest_trace_;
   c.ended = ended_;
   c.mesh = mesh_;
   c.largest_step = largest_;
@@ -415,6 +439,9 @@ Checkpoint Driver::checkpoint() const {
   c.audit = audit_;
   c.transfers = transfers_;
   c.travels = travels_;
+  c.warnings = warnings_;
+  c.rule_changes = rule_changes_;
+  c.told = told_;
   return c;
 }
 
@@ -475,11 +502,13 @@ BlockId Driver::unsupported_at_rest(const Stage& stage) {
 }
 
 void Driver::begin_stage(const Stage& stage) {
-  stage_end_ = state_.time + stage.duration;  // at the latest
+  refuse_missed_times();
   ended_ = false;
   first_step_ = state_.step;
   largest_ = 0;
   stage_begin_ = centres();
+  rest_trace_ = {};
+  if (stage.rest) rest_trace_.begin_part(stage_begin_);
   begin_rules(stage.end, state_);
   if (stage.subcycled()) {
     mover_->update_ledger(state_);
@@ -493,6 +522,40 @@ void Driver::begin_stage(const Stage& stage) {
   keep(state_.step == 0);
 }
 
+void Driver::refuse_missed_times() {
+  const std::span<const Tick> begins(state_.stage_begin);
+  const auto now = static_cast<std::size_t>(state_.stage);
+  const auto stage_name = [&](StageId s) { return plan_->stages[s.index()].name; };
+  // What was so before the stage that has just ended is known.
+  std::vector<TimeFault> known;
+  std::vector<StageId> met;
+  if (now > 0) {
+    const Tick planned = begins[now - 1] + plan_->stages[now - 1].duration;
+    known = time_faults(*model_, *plan_, begins.first(now), planned);
+    met = stages_met(*model_, *plan_, begins.first(now), planned);
+  }
+  for (const TimeFault& f : time_faults(*model_, *plan_, begins, stage_end_)) {
+    if (std::any_of(known.begin(), known.end(), [&](const TimeFault& k) { return k.same(f); })) continue;
+    if (f.kind == TimeFault::Kind::missed)
+      throw PlanError(fmt::format(
+          "t = {:.6g} s, stage '{}': {}{}; no stage can meet it: let it begin with a stage (start = \"{}\")",
+          seconds(state_.time), stage_name(StageId{state_.stage}), text(f, *model_),
+          now > 0 ? " because a stage before has ended early" : "", stage_name(StageId{state_.stage})));
+    event(EventKind::warning, text(f, *model_));
+  }
+  const std::vector<StageId> meets = stages_met(*model_, *plan_, begins, stage_end_);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (met[i] == meets[i]) continue;
+    const bool motion = i < model_->motions.size();
+    event(EventKind::warning,
+          fmt::format("stage '{}' has ended early: the {} '{}' begins in stage '{}', not in '{}' as planned; start = "
+                      "\"{}\" would tie it to that stage",
+                      plan_->stages[now - 1].name, motion ? "motion" : "function",
+                      motion ? model_->motions[i].setting().name : model_->functions[i - model_->motions.size()].name,
+                      stage_name(meets[i]), stage_name(met[i]), stage_name(met[i])));
+  }
+}
+
 Tick Driver::latest_end() const {
   Tick end = ended_ ? state_.time : stage_end_;
   for (std::size_t i = static_cast<std::size_t>(state_.stage) + 1; i < plan_->stages.size(); ++i)
@@ -500,27 +563,35 @@ Tick Driver::latest_end() const {
   return end;
 }
 
-RunEnd Driver::run_stage(const Stage& stage, Tick end) {
+RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   const bool to_balance = stage.rest && stage.rest_force > 0.0;
   balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
-  while (state_.time < end && !ended_) {
-    const Tick frame = next_multiple(state_.time, plan_->output.every);
-    const Tick history = next_multiple(state_.time, plan_->output.history_every);
-    const Tick target = std::min({frame, history, end});
-    RunEnd result = advance_to(stage, target);
+  // Who looks takes the first step at or after the time: steps are the stage's alone.
+  while (state_.time < std::min(stop, stage_end_) && !ended_) {
+    const Tick before = state_.time;
+    const RunEnd result = take_step(stage);
     if (result.status != RunEnd::Status::done) return result;
-    largest_ = 0;
-    look(target == frame || target == end || ended_);
-    result = check_closure(stage);
-    if (result.status != RunEnd::Status::done) return result;
-    keep(target == end || ended_);
+    const bool over = ended_ || state_.time >= stage_end_, stopped = !over && state_.time >= stop;
+    const bool frame = over || passes_multiple(before, state_.time, plan_->output.every);
+    const bool looked = frame || passes_multiple(before, state_.time, plan_->output.history_every);
+    if (looked) {
+      look(frame);
+      warn_of_losses(stage, true);
+      RunEnd found = check_finite(stage);
+      if (found.status == RunEnd::Status::done) found = check_gain(stage, true);
+      if (found.status != RunEnd::Status::done) return found;
+    }
+    keep(over || stopped);
+    if (stopped && !looked) look(false);  // whoever goes on from the checkpoint does without
   }
-  if (const BlockId loose = stage.rest && !to_balance ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
+  const bool rested = stage.rest && !to_balance && state_.time >= stage_end_;
+  if (const BlockId loose = rested ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
     const std::string reason = fmt::format("t = {:.6g} s, stage '{}', block '{}' {}", seconds(state_.time), stage.name,
                                            model_->blocks[loose.index()].name, kUnsupported);
     event(EventKind::not_converged, reason);
     return {RunEnd::Status::not_converged, reason};
   }
+  if (rested) tell_unbalanced(stage);
   travels_.push_back(travel_since(stage_begin_));
   const StageTravel& travel = travels_.back();
   event(EventKind::stage_end,
@@ -539,6 +610,8 @@ RunEnd Driver::run(std::optional<double> until) {
     go_on();
   else
     start();
+  if (!goes_on)
+    for (std::string& text : plan_warnings(*model_, *plan_)) event(EventKind::warning, std::move(text));
   const auto first = static_cast<std::size_t>(state_.stage);
   RunEnd result;
   for (std::size_t i = first; i < plan_->stages.size() && result.status == RunEnd::Status::done; ++i) {
@@ -548,7 +621,7 @@ RunEnd Driver::run(std::optional<double> until) {
     if (!within) change_stage(i);
     try {
       if (!within) begin_stage(stage);
-      result = run_stage(stage, std::min(stage_end_, stop));
+      result = run_stage(stage, stop);
     } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
       event(EventKind::not_converged, e.what());
       finish({RunEnd::Status::not_converged, e.what()});
@@ -556,8 +629,33 @@ RunEnd Driver::run(std::optional<double> until) {
     }
   }
   if (result.status == RunEnd::Status::interrupted) keep(true);
+  if (result.status == RunEnd::Status::done) tell_idle_rules();
   finish(result);
   return result;
+}
+
+void Driver::count_rule(int kind, std::int64_t changes) {
+  rule_changes_[kRuleKinds * static_cast<std::size_t>(state_.stage) + static_cast<std::size_t>(kind)] += changes;
+}
+
+void Driver::tell_idle_rules() {
+  const bool over = ended_ || state_.time >= stage_end_;  // else the run ends before the stage does
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
+    const Stage& stage = plan_->stages[i];
+    if (stage.change.used && rule_changes_[kRuleKinds * i + kMethodRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` "
+                      "and theory.md, \"By rules\", say what they measure",
+                      stage.name));
+    if (stage.integrator == Integrator::partitioned && stage.partition.changes() &&
+        rule_changes_[kRuleKinds * i + kSideRule] == 0)
+      event(
+          EventKind::warning,
+          fmt::format("stage '{}': its rules of motion (explicit_speed, explicit_strain_rate) never fired: every block "
+                      "took steps of one kind throughout",
+                      stage.name));
+  }
 }
 
 void Driver::finish(const RunEnd& result) {

@@ -13,6 +13,7 @@
 #include "coupling/stages/force_balance.h"
 #include "coupling/stages/method_rules.h"
 #include "coupling/stages/observer.h"
+#include "coupling/stages/rest_watch.h"
 #include "coupling/transfer/transfer.h"
 
 namespace scree::coupling {
@@ -48,6 +49,8 @@ class Driver {
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
   /// A stage that has ended: how far its blocks went.
   [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
+  /// What was warned of so far.
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   void start();
@@ -80,14 +83,31 @@ class Driver {
   void refuse_switching(const Stage& stage) const;
   /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
   [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
+  /// At the same place: warns of forces that nothing balances.
+  void tell_unbalanced(const Stage& stage);
+  /// What is remembered of the way to rest.   @param ratio  unbalanced force, of the largest force
+  void follow_rest(const Stage& stage, std::optional<double> ratio);
   void begin_stage(const Stage& stage);
-  RunEnd run_stage(const Stage& stage, Tick end);
+  /// A stage begins at the present time.
+  void enter_time(const Stage& stage);
+  [[nodiscard]] Clocks clocks() const;
+  /// @throws PlanError for a motion or function that no stage can meet any more; warns of those that outlast the run
+  void refuse_missed_times();
+  /// @param stop  it stops at the first step at or after this, if the stage is not over before
+  RunEnd run_stage(const Stage& stage, Tick stop);
   /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
-  [[nodiscard]] RunEnd check_rest(const Stage& stage, Tick end);
+  [[nodiscard]] RunEnd check_rest(const Stage& stage);
   /// Ends the stage where a rule of its own has come true, and moves the end of the run with it.
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
+  /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
+  [[nodiscard]] RunEnd check_finite(const Stage& stage);
+  /// Warns of friction that contacts have lost; `complete`, the ledger is up to date: and of large columns of the
+  /// scheme.
+  void warn_of_losses(const Stage& stage, bool complete);
+  /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
+  [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
@@ -99,9 +119,17 @@ class Driver {
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
   [[nodiscard]] static double wall();  // time of a steady clock [s]
-  RunEnd advance_to(const Stage& stage, Tick target);
+  /// One step, by as many attempts as it takes; and what is looked at after it.
+  [[nodiscard]] RunEnd take_step(const Stage& stage);
+  void count(const StepReport& report);
+  [[nodiscard]] RunEnd after_step(const Stage& stage);
+  [[nodiscard]] std::int64_t steps_of_stage() const { return state_.step - first_step_; }
   /// @param first  of the stage: what binds the step is told
   [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
+  /// Counts changes that rules of the present stage made.
+  void count_rule(int kind, std::int64_t changes);
+  /// Tells of rules of stages that have ended which changed nothing.
+  void tell_idle_rules();
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
@@ -129,14 +157,19 @@ class Driver {
   std::int64_t first_step_ = 0;                // of the stage
   std::vector<char> settled_;                  // sides of blocks that stay on them in the stage; empty: to be found
   std::vector<Vec2> stage_begin_;              // centres of mass then
+  RestTrace rest_trace_;                       // of stages that run to rest
   double fast_elements_ = 0.0;                 // whose internal force is met at every substep
   std::uint32_t mesh_ = 0, mesh_shown_ = 0;    // ids of the present mesh and of that which sinks have
-  Tick largest_ = 0;                           // step until the next output; 0: to be found
+  Tick largest_ = 0;                           // step that is allowed; 0: to be found
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_, committed_;  // with and without the attempts at the present step
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
+  std::vector<Warning> warnings_;
+  std::vector<std::int64_t> rule_changes_;  // a stage: of methods, and of sides
+  Told told_;
+  double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 
 /// What is said of a block that should come to rest.

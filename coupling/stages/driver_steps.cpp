@@ -5,16 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/energy_watch.h"
+#include "coupling/stages/step_grid.h"
 
 namespace scree::coupling {
 namespace {
 
 constexpr double kLastPlaces = 1e-13;
-constexpr double kOfAllowed = 0.95;  // of the displacement allowed a step: what is planned for
-constexpr double kClosure = 1e-9;    // of the energy moved: what an audit lets the ledger be open by
+constexpr double kOfAllowed = 0.95;          // of the displacement allowed a step: what is planned for
+constexpr std::int64_t kFrictionEvery = 64;  // steps between looks at what contacts have lost
+constexpr double kClosure = 1e-9;            // of the energy moved: what an audit lets the ledger be open by
+
+constexpr double kRested = 0.01;  // unbalanced force, of the largest: what a stage to rest may end with untold
+
+// Steps of a stage between two looks at what may let explicit steps grow again, as contacts that have ended; of those
+// with substeps; and between two looks at the closure of the ledger. By count: whatever is written meanwhile.
+constexpr std::int64_t kBoundSteps = 500, kBoundLongSteps = 20, kClosureSteps = 100;
 
 }  // namespace
 
@@ -94,9 +103,8 @@ Tick Driver::step_of_fastest() const {
   return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
 }
 
-RunEnd Driver::advance_to(const Stage& stage, Tick target) {
+RunEnd Driver::take_step(const Stage& stage) {
   const bool implicit = stage.has_implicit_steps();
-  if (largest_ == 0) largest_ = largest_step(stage, state_.step == first_step_);
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
@@ -111,24 +119,20 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       for (Sink* s : sinks_) s->event(*cut);
     cut.reset();
   };
-  while (state_.time < target) {
+  if (steps_of_stage() % (stage.integrator == Integrator::partitioned ? kBoundLongSteps : kBoundSteps) == 0)
+    largest_ = 0;
+  for (;;) {
     if (control_ != nullptr && control_->stop_requested()) return stopped();
-    if (stage.integrator == Integrator::partitioned && state_.step > first_step_ && cuts == 0) change_partition(stage);
-    if (method_rules_ && state_.step > first_step_ && cuts == 0) change_methods(stage);
-    if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage);
+    if (stage.integrator == Integrator::partitioned && steps_of_stage() > 0 && cuts == 0) change_partition(stage);
+    if (method_rules_ && steps_of_stage() > 0 && cuts == 0) change_methods(stage);
+    if (largest_ == 0 || !mover_->step_still_stable()) largest_ = largest_step(stage, steps_of_stage() == 0);
     Tick cap = std::min(largest_, attempt_cap);
     if (implicit) cap = std::min(cap, step_of_fastest());
-    const Tick remaining = target - state_.time;
-    const Tick h = remaining / ((remaining + cap - 1) / cap);  // equal parts of what remains
+    const Tick h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
     const double begin = wall();
     const StepReport report = mover_->step(state_, h);
     (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
-    stats_.iterations += report.iterations;
-    stats_.passes += report.passes;
-    stats_.switches += report.switches;
-    stats_.factorisations += report.factorisations;
-    stats_.updates += report.updates;
-    stats_.corrections += report.corrections;
+    count(report);
     if (report.status == StepReport::Status::given_up) return stopped();
     if (report.status == StepReport::Status::ok) {
       tell_cut();
@@ -136,25 +140,7 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
       if (!implicit)
         stats_.element_steps +=
             static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
-      cuts = 0;
-      attempt_cap = std::numeric_limits<Tick>::max();
-      RunEnd found = check_audit(stage);
-      committed_ = stats_;
-      for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
-      if (found.status != RunEnd::Status::done) return found;
-      if (balance_) {
-        RunEnd rest = check_rest(stage, stage_end_);
-        if (ended_) end_ = latest_end();
-        if (rest.status != RunEnd::Status::done || ended_) return rest;
-      }
-      if (stage.subcycled())
-        if (const auto told = watch_energy(state_))
-          event(EventKind::warning,
-                fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *told));
-      check_end(stage);
-      if (ended_) return {};
-      if (state_.time < target) keep(false);  // at the target after what is looked at there
-      continue;
+      return after_step(stage);
     }
     ++stats_.cuts;
     const std::string where =
@@ -178,21 +164,97 @@ RunEnd Driver::advance_to(const Stage& stage, Tick target) {
     const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
     attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
   }
-  return {};
+}
+
+void Driver::count(const StepReport& report) {
+  stats_.iterations += report.iterations;
+  stats_.passes += report.passes;
+  stats_.switches += report.switches;
+  stats_.factorisations += report.factorisations;
+  stats_.updates += report.updates;
+  stats_.corrections += report.corrections;
+}
+
+RunEnd Driver::after_step(const Stage& stage) {
+  state_.ledger.pass();
+  RunEnd found = check_audit(stage);
+  if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
+  if (state_.step % kFrictionEvery == 0) warn_of_losses(stage, false);
+  committed_ = stats_;
+  for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
+  if (found.status != RunEnd::Status::done) return found;
+  if (stage.rest && !balance_) follow_rest(stage, {});
+  if (balance_) {
+    RunEnd rest = check_rest(stage);
+    if (ended_) end_ = latest_end();
+    if (rest.status != RunEnd::Status::done || ended_) return rest;
+  }
+  if (stage.subcycled())
+    if (const auto told = watch_energy(state_))
+      event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *told));
+  check_end(stage);
+  const bool over = ended_ || state_.time >= stage_end_;
+  return over || steps_of_stage() % kClosureSteps == 0 ? check_closure(stage) : RunEnd();
+}
+
+RunEnd Driver::check_finite(const Stage& stage) {
+  std::string what;
+  LostPlace place = not_finite_at(*setup_, state_.q, "the position", state_.q);
+  if (place.body < 0) place = not_finite_at(*setup_, state_.v, "the velocity", state_.q);
+  if (place.body >= 0)
+    what = fmt::format("block '{}', {}",
+                       model_->blocks[setup_->bodies()[static_cast<std::size_t>(place.body)].block.index()].name,
+                       place.what);
+  else if (const std::string_view wrong = state_.ledger.not_finite(); !wrong.empty())
+    what = fmt::format("'{}' of the energy ledger is not finite", wrong);
+  if (what.empty()) return {};
+  const std::string reason =
+      fmt::format("t = {:.6g} s, stage '{}': {}; results from the last frame before on have no meaning",
+                  seconds(state_.time), stage.name, what);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::non_finite, reason};
+}
+
+void Driver::warn_of_losses(const Stage& stage, bool complete) {
+  std::vector<std::string> lines = lost_friction(*model_, state_, stats_, told_);
+  if (complete && state_.ledger.passed_given() > round_off_) {
+    const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
+    lines.insert(lines.end(), columns.begin(), columns.end());
+  }
+  for (const std::string& line : lines)
+    event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, line));
+}
+
+RunEnd Driver::check_gain(const Stage& stage, bool complete) {
+  const auto gone = energy_from_nowhere(state_.ledger, plan_->max_gain, round_off_, complete);
+  if (!gone) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *gone);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
 }
 
 RunEnd Driver::check_closure(const Stage& stage) {
-  if (!(plan_->max_closure > 0.0)) return {};
+  if (!(plan_->max_closure > 0.0) && !(plan_->max_passed_closure > 0.0)) return {};
+  mover_->update_ledger(state_);
   const Ledger& ledger = state_.ledger;
+  const double open = std::abs(ledger.closure());
   // Energies at rest may be large against what moves: their last places are no fault.
-  if (std::abs(ledger.closure()) <= plan_->max_closure * ledger.moved() + kLastPlaces * ledger.largest()) return {};
-  const std::string reason = fmt::format(
-      "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that moved; {:.2g} is "
-      "allowed (run.max_closure)",
-      seconds(state_.time), stage.name, ledger.closure(), ledger.relative_closure(), ledger.moved(),
-      plan_->max_closure);
-  event(EventKind::not_converged, reason);
-  return {RunEnd::Status::not_converged, reason};
+  const auto closes = [&](double part, double energy) {
+    return !(part > 0.0) || open <= part * energy + kLastPlaces * ledger.largest();
+  };
+  const auto end = [&](double share, double energy, const char* kind, double allowed, const char* key) -> RunEnd {
+    const std::string reason = fmt::format(
+        "t = {:.6g} s, stage '{}': the energy ledger is open by {:.3g} J, {:.2g} of the {:.3g} J that {}; {:.2g} is "
+        "allowed ({})",
+        seconds(state_.time), stage.name, ledger.closure(), share, energy, kind, allowed, key);
+    event(EventKind::not_converged, reason);
+    return {RunEnd::Status::not_converged, reason};
+  };
+  if (!closes(plan_->max_closure, ledger.moved()))
+    return end(ledger.relative_closure(), ledger.moved(), "moved", plan_->max_closure, "run.max_closure");
+  if (!closes(plan_->max_passed_closure, std::max(ledger.passed(), round_off_)))
+    return end(ledger.passed_closure(), ledger.passed(), "passed", plan_->max_passed_closure, "run.max_passed_closure");
+  return {};
 }
 
 RunEnd Driver::check_audit(const Stage& stage) {
@@ -228,11 +290,32 @@ void Driver::check_end(const Stage& stage) {
   event(EventKind::stage_rule, fmt::format("stage '{}' ends by a rule: {}", stage.name, *why));
 }
 
-RunEnd Driver::check_rest(const Stage& stage, Tick end) {
+void Driver::follow_rest(const Stage& stage, std::optional<double> ratio) {
+  double progress = static_cast<double>(state_.time - state_.stage_begin.back()) / static_cast<double>(stage.duration);
+  if (stage.rest_steps > 0)
+    progress = std::max(progress, static_cast<double>(steps_of_stage()) / static_cast<double>(stage.rest_steps));
+  if (ratio) rest_trace_.follow(*ratio);
+  if (progress < 1.0 && rest_trace_.begins_part(progress)) rest_trace_.begin_part(centres());
+}
+
+void Driver::tell_unbalanced(const Stage& stage) {
+  const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *mover_);
+  if (found.body < 0 || found.ratio <= kRested) return;
+  event(EventKind::warning,
+        fmt::format("t = {:.6g} s, stage '{}' ends before it is at rest: block '{}' has an unbalanced force of {:.3g} "
+                    "N, {:.2g} of the largest force{}; let it last longer, or give rest_force",
+                    seconds(state_.time), stage.name,
+                    model_->blocks[setup_->bodies()[static_cast<std::size_t>(found.body)].block.index()].name,
+                    found.force, found.ratio,
+                    told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
+}
+
+RunEnd Driver::check_rest(const Stage& stage) {
   const ForceBalance::Result found = balance_->measure(state_, *mover_);
+  follow_rest(stage, found.ratio);
   const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
   ended_ = found.ratio <= stage.rest_force;
-  const bool over = state_.time >= end || (stage.rest_steps > 0 && state_.step - first_step_ >= stage.rest_steps);
+  const bool over = state_.time >= stage_end_ || (stage.rest_steps > 0 && steps_of_stage() >= stage.rest_steps);
   if (!ended_ && !over) return {};
   std::string reason;
   if (const BlockId loose = unsupported_block(*setup_, state_); loose.valid())
@@ -240,10 +323,11 @@ RunEnd Driver::check_rest(const Stage& stage, Tick end) {
   else if (!ended_)
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
-        "({:.2g} allowed)",
-        state_.step - first_step_,
+        "({:.2g} allowed){}",
+        steps_of_stage(),
         found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
-        found.force, found.ratio, stage.rest_force);
+        found.force, found.ratio, stage.rest_force,
+        told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back())));
   if (reason.empty()) {
     drop_velocities();  // an oscillation may be caught as it passes the balance
     return {};

@@ -41,7 +41,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const Mover& move
     for (std::size_t p = 0; p < setup_->pools(); ++p)
       setup_->pool(p).body_force(setup_->model().gravity, setup_->part(std::span<double>(f), p));
   });
-  term([&](std::vector<double>& f) { add_loads(setup_->model(), loads_, seconds(state.time), f); });
+  term([&](std::vector<double>& f) { add_loads(*setup_, loads_, seconds(state.time), f); });
   term([&](std::vector<double>& f) {
     for (std::size_t p = 0; p < setup_->pools(); ++p)
       (void)setup_->pool(p).internal_force(setup_->part(std::span<const double>(state.q), p),

@@ -50,6 +50,9 @@ std::vector<char> settled_sides(const Model& model, const Partition& partition) 
         side[i] = of;
   for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
   for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
+  // What is held or driven takes no steps: it is on neither side, and a border through it divides nothing.
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (model.support_of(BlockId{static_cast<std::int32_t>(i)}) != nullptr) side[i] = 0;
   return side;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "dda/dda_pool.h"
 #include "nmm/nmm_pool.h"
@@ -30,8 +31,9 @@ ReferenceShape reference_shape(const Model& model, BlockId block) {
   return shape;
 }
 
-Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests)
-    : model_(&model), guests_touch_(guests.touch) {
+Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests,
+             Clocks clocks)
+    : model_(&model), guests_touch_(guests.touch), clocks_(std::move(clocks)) {
   const auto is_guest = [&](std::size_t i) { return !guests.guest.empty() && guests.guest[i] != 0; };
   const auto foreign = [&](std::size_t i) {
     return is_guest(i) || (!guests.touch && model.support_of(records[i].block) != nullptr);
@@ -226,7 +228,8 @@ std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t 
 }
 
 Vec2 Setup::driven_displacement(const Body& b, double time) const {
-  return b.motion.valid() ? model_->motions[b.motion.index()].displacement(time) : Vec2(0.0, 0.0);
+  if (!b.motion.valid()) return {0.0, 0.0};
+  return model_->motions[b.motion.index()].displacement(motion_time(b.motion, time));
 }
 
 void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
@@ -234,7 +237,7 @@ void Setup::prescribe(double time, std::span<double> q, std::span<double> v) con
     if (!b.driven || b.guest) continue;
     AffineMotion m;
     m.c = b.centre + driven_displacement(b, time);
-    if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(time);
+    if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(motion_time(b.motion, time));
     const auto p = static_cast<std::size_t>(b.pool);
     pool_of(b).place(b.index, m, part(q, p), part(v, p));
   }

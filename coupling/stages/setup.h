@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/stages/clocks.h"
 #include "coupling/state.h"
 #include "model/pool.h"
 
@@ -81,7 +82,8 @@ struct Guests {
 class Setup {
  public:
   /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
-  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests = {});
+  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests = {},
+        Clocks clocks = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
@@ -129,10 +131,18 @@ class Setup {
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
-  /// Displacement of a driven body between two times.
+  /// Displacement of a driven body at a time since the start.
   [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
+  /// Value of a load's function at a time, by the function's clock; 1 where it has none.
+  [[nodiscard]] double factor(FunctionId f, double time) const {
+    return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);
+  }
+  [[nodiscard]] const Clocks& clocks() const { return clocks_; }
 
  private:
+  [[nodiscard]] double motion_time(MotionId m, double time) const {
+    return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
+  }
   void add_outline(std::int32_t body);
   void add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node);
 
@@ -144,6 +154,7 @@ class Setup {
   std::vector<NodeKind> kind_;
   std::vector<std::vector<char>> counted_;
   bool guests_touch_;
+  Clocks clocks_;
   Outlines outlines_;
 };
 

@@ -109,6 +109,7 @@ class Change {
 
   /// Measures the bodies that change, and puts their new records into the state.
   void release(const std::vector<Wish>& wish);
+  /// Those whose contacts are measured anew.
   [[nodiscard]] std::vector<char> changed() const;
   /// Unknowns of the new bodies.
   void place(const Setup& to);
@@ -244,6 +245,10 @@ std::vector<char> Change::changed() const {
   std::vector<char> flags;
   for (const One& one : bodies_)
     flags.push_back(one.kind == Kind::affine || one.kind == Kind::back || one.kind == Kind::remeshed ? 1 : 0);
+  // Where a division comes or goes, cracks may end in other places: they cut where the covers on either side are not
+  // joined around their tip, and the border severs those too. Outlines stay as they are.
+  for (const Crack& c : model_.cracks)
+    if (bodies_[c.block.index()].kind == Kind::halved) flags[c.block.index()] = 1;
   return flags;
 }
 
@@ -386,14 +391,16 @@ void Change::book(const Setup& to) {
 
 }  // namespace
 
-HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state) {
+HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state,
+                   Clocks clocks) {
   Change change(model, methods, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<double> q = state.q;
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   HandOver out;
-  out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side));
+  out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side),
+                                      std::move(clocks));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   change.book(*out.setup);

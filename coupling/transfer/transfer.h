@@ -29,12 +29,13 @@ struct Wish {
 /// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
 /// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
 /// and cross terms are booked; one row a body that changed.
+/// @param clocks  of the new setup
 /// @source coupling.md 1
 struct HandOver {
   std::unique_ptr<Setup> setup;
   std::vector<TransferRow> rows;
 };
 [[nodiscard]] HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage,
-                                 State& state);
+                                 State& state, Clocks clocks = {});
 
 }  // namespace scree::coupling

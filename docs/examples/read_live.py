@@ -4,7 +4,8 @@
     read_live.py [--run NAME] [--group 239.255.76.67:7667] [--for SECONDS] [--timeout SECONDS] [--state FILE.json]
 
 Prints a line for every INFO and event, and ends with the run; --state then writes the last frame, monitors and ledger.
-The messages are described by the files of io/lcmtypes, which it reads (--types names another place for them)."""
+The messages are described by the files of io/lcmtypes (installed: share/scree/lcmtypes), which it reads; --types names
+another place for them."""
 import argparse
 import collections
 import json
@@ -257,7 +258,9 @@ def main():
     parser.add_argument("--for", dest="seconds", type=float, default=float("inf"), help="end after so many seconds")
     parser.add_argument("--timeout", type=float, default=10.0, help="give up after so many seconds of silence")
     parser.add_argument("--state", help="write the last frame, monitors and ledger to this file")
-    parser.add_argument("--types", default=pathlib.Path(__file__).resolve().parents[2] / "io" / "lcmtypes")
+    here = pathlib.Path(__file__).resolve().parent  # in the sources, or in PREFIX/share/doc/scree/examples
+    places = [here / "../../io/lcmtypes", here / "../../../scree/lcmtypes", pathlib.Path("/usr/share/scree/lcmtypes")]
+    parser.add_argument("--types", default=next((p for p in places if any(p.glob("*.lcm"))), places[0]))
     arguments = parser.parse_args()
     run = Run(Decoder(read_types(arguments.types)))
     name = re.escape(arguments.run) if arguments.run else "[A-Za-z0-9_-]+"

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <variant>
+#include <string_view>
+#include <utility>
 
 #include "io/case/schema.h"
 #include "io/case/suggest.h"
@@ -25,6 +30,27 @@ std::string type_name(const Value& value) {
   if (value.as<Moment>()) return "a date or time";
   if (value.as<Array>()) return "a list";
   return "a table";
+}
+
+/// The key that a symbol of the trade stands for; empty: none.
+std::string_view key_of_symbol(std::string_view symbol) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSymbols{{{"phi", "friction_deg"},
+                                                                                    {"friction_angle", "friction_deg"},
+                                                                                    {"c", "cohesion"},
+                                                                                    {"E", "young"},
+                                                                                    {"modulus", "young"},
+                                                                                    {"nu", "poisson"},
+                                                                                    {"rho", "density"},
+                                                                                    {"psi", "dilation_deg"},
+                                                                                    {"kn", "normal_stiffness"},
+                                                                                    {"ks", "shear_stiffness"},
+                                                                                    {"timestep", "dt"},
+                                                                                    {"time_step", "dt"},
+                                                                                    {"vertices", "polygon"},
+                                                                                    {"points", "polygon"}}};
+  for (const auto& [name, key] : kSymbols)
+    if (name == symbol) return key;
+  return {};
 }
 
 /// What a key holds, for hints: "density: Mass density."
@@ -72,10 +98,15 @@ class Checker {
     for (const Key& key : schema())  // the right key in the wrong table
       if (hint.empty() && last_part(key.path) == m.key)
         hint = fmt::format("a key of that name belongs to {}", key.path);
-    throw CaseError(
-        file_, m.place,
-        {fmt::format("unknown key {} {}", in_quotes(m.key), where), joined(path, m.key), shown(m.value), listed(known),
-         did_you_mean(m.key, known, hint.empty() ? "`scree schema` lists every key" : hint)});
+    if (hint.empty()) hint = "`scree schema` lists every key";
+    if (const std::string_view meant = key_of_symbol(m.key);
+        std::find(known.begin(), known.end(), meant) != known.end())
+      hint = fmt::format("did you mean {}?", in_quotes(meant));
+    else
+      hint = did_you_mean(m.key, known, hint);
+    throw CaseError(file_, m.place,
+                    {fmt::format("unknown key {} {}", in_quotes(m.key), where), joined(path, m.key), shown(m.value),
+                     listed(known), std::move(hint)});
   }
 
   [[noreturn]] void missing(const Value& in, const Key& key, const std::string& path) const {
@@ -134,6 +165,11 @@ class Checker {
       case Type::number_or_auto:
       case Type::number_or_unlimited:
         if (const auto* text = value.as<std::string>(); text && *text == word_for_number(key.type)) return;
+        return number(value, key, path);
+      case Type::number_or_stage:
+        if (const auto* text = value.as<std::string>();
+            text && std::holds_alternative<UnitFault>(in_unit(*text, key.unit)))
+          return name(value, key, path);
         return number(value, key, path);
       case Type::text:
         if (!value.as<std::string>()) wrong_type(value, key, path);

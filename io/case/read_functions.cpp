@@ -28,7 +28,7 @@ const std::array<ShapeKeys, 6> kShapes{{{"constant", Shape::constant, {}, {}},
 
 /// Each key that the shape needs is there, and none that it does not use.
 void check_keys(const Section& s, const ShapeKeys& shape) {
-  std::vector<std::string> known{"amplitude", "start"};
+  std::vector<std::string> known{"amplitude", "start", "offset"};
   for (const auto* keys : {&shape.needed, &shape.possible}) known.insert(known.end(), keys->begin(), keys->end());
   for (const char* key : {"duration", "frequency", "file", "points"})
     if (s.has(key) && std::find(known.begin(), known.end(), key) == known.end())
@@ -101,7 +101,10 @@ void read_functions(const Section& root, const std::filesystem::path& folder, Mo
     f.name = named.name;
     f.shape = shape.shape;
     f.amplitude = s.number("amplitude");
-    f.start = s.number("start");
+    if (!s.has("start")) s.settle("start", 0.0);
+    const Start start = read_start(s, root);
+    f.start = start.time;
+    f.stage = start.stage;
     if (s.has("duration")) f.duration = s.number("duration");
     if (s.has("frequency")) f.frequency = s.number("frequency");
     if (f.shape == Shape::table) read_table(s, folder, f);

@@ -13,9 +13,32 @@ namespace {
 /// Stretches that share no more than this part of an edge only touch: their ends were rounded.
 constexpr double kTouching = 1e-9;
 
-FunctionId function_of(const Section& s, const Model& model) {
-  if (!s.has("function")) return {};
-  return FunctionId{find_name(s, "function", "function", names_of(model.functions))};
+/// The function that a load names; one of its own, which begins with the load, if the load has a start.
+FunctionId function_of(const Section& s, const Section& root, std::string_view list, std::size_t index, Model& model) {
+  FunctionId named;
+  if (s.has("function")) {
+    std::vector<std::string> names;
+    for (const TimeFunction& f : model.functions)
+      if (!f.of_load) names.push_back(f.name);
+    named = FunctionId{find_name(s, "function", "function", names)};
+  }
+  if (!s.has("start")) {
+    if (s.has("offset"))
+      throw s.error("offset", "it is counted from the beginning of a stage, and there is no start",
+                    "beside start = \"STAGE\"", "name the stage in start, or remove the key");
+    return named;
+  }
+  TimeFunction f = named.valid() ? model.functions[named.index()] : TimeFunction();
+  if (f.stage.valid() || f.start != 0.0)
+    throw s.error("start", fmt::format("the function {} has a start too", in_quotes(f.name)),
+                  "the start of the load, or that of its function", "remove one of the two");
+  const Start start = read_start(s, root);
+  f.name = fmt::format("{}.{}", list, index);
+  f.start = start.time;
+  f.stage = start.stage;
+  f.of_load = true;
+  model.functions.push_back(std::move(f));
+  return FunctionId{static_cast<std::int32_t>(model.functions.size()) - 1};
 }
 
 std::string held_text(const Model& model, BlockId block) {
@@ -32,20 +55,21 @@ BlockId free_block(const Section& s, const Model& model, std::string_view what) 
   return block;
 }
 
-void read_point_load(const Section& s, Model& model) {
-  const PointLoad load{free_block(s, model, "the load"), s.point("point"), s.point("force"), function_of(s, model)};
+void read_point_load(const Section& s, const Section& root, std::size_t index, Model& model) {
+  const PointLoad load{free_block(s, model, "the load"), s.point("point"), s.point("force"),
+                       function_of(s, root, "point_load", index, model)};
   check_point(s, model, load.block, load.point);
   model.point_loads.push_back(load);
 }
 
-void read_traction(const Section& s, const Section& root, Model& model) {
+void read_traction(const Section& s, const Section& root, std::size_t index, Model& model) {
   if (s.has("traction") == s.has("pressure"))
     throw s.error(s.has("traction") ? "pressure" : "traction",
                   s.has("traction") ? "traction and pressure are both given" : "the load has no size",
                   "either traction or pressure", "write traction = [x, y], or pressure = p, which pushes if positive");
   const BlockId block = free_block(s, model, "the traction");
   const Polygon& polygon = model.blocks[block.index()].polygon;
-  const FunctionId function = function_of(s, model);
+  const FunctionId function = function_of(s, root, "traction", index, model);
   for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
     const Vec2 traction =
         s.has("traction") ? s.point("traction") : Vec2(-s.number("pressure") * outward_normal(polygon, span.edge));
@@ -74,10 +98,10 @@ std::vector<BlockId> accelerated(const Section& s, const Model& model) {
   return blocks;
 }
 
-void read_body_acceleration(const Section& s, Model& model) {
+void read_body_acceleration(const Section& s, const Section& root, std::size_t index, Model& model) {
   BodyAcceleration load;
   load.acceleration = s.point("acceleration");
-  load.function = function_of(s, model);
+  load.function = function_of(s, root, "body_acceleration", index, model);
   if (s.has("blocks")) load.blocks = accelerated(s, model);
   model.body_accelerations.push_back(std::move(load));
 }
@@ -99,9 +123,12 @@ void read_viscous_edge(const Section& s, const Section& root, Model& model) {
 }  // namespace
 
 void read_loads(const Section& root, Model& model) {
-  for (const Section& s : root.list("point_load")) read_point_load(s, model);
-  for (const Section& s : root.list("traction")) read_traction(s, root, model);
-  for (const Section& s : root.list("body_acceleration")) read_body_acceleration(s, model);
+  std::size_t index = 0;
+  for (const Section& s : root.list("point_load")) read_point_load(s, root, index++, model);
+  index = 0;
+  for (const Section& s : root.list("traction")) read_traction(s, root, index++, model);
+  index = 0;
+  for (const Section& s : root.list("body_acceleration")) read_body_acceleration(s, root, index++, model);
   for (const Section& s : root.list("viscous_edge")) read_viscous_edge(s, root, model);
 }
 

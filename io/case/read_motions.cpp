@@ -97,14 +97,19 @@ Vec2 direction_of(const Section& s) {
   return direction / length;
 }
 
-/// Simulated time until which the plan brings the model to rest: the leading stages with rest = true [s].
-double end_of_rest(const Section& root) {
+/// Without a start of its own a motion begins with the first stage after those that bring the model to rest, whenever
+/// they end.
+void settle_start(const Section& s, const Section& root) {
+  const std::vector<Section> stages = root.list("stage");
   double end = 0.0;
-  for (const Section& stage : root.list("stage")) {
-    if (!stage.boolean("rest")) break;
+  for (const Section& stage : stages) {
+    if (!stage.boolean("rest")) {
+      if (end > 0.0) return s.settle("start", stage.text("name"));
+      break;
+    }
     end += stage.number("duration");
   }
-  return end;
+  s.settle("start", end);  // after stages to rest alone: no stage meets it
 }
 
 }  // namespace
@@ -115,9 +120,10 @@ void read_motions(const Section& root, const std::filesystem::path& folder, Mode
     const Vec2 direction = direction_of(s);
     const RecordProcessing how = processing_of(s);
     Samples samples = samples_of(s, record_of(s, folder), how);
-    if (!s.has("start")) s.settle("start", end_of_rest(root));
+    if (!s.has("start")) settle_start(s, root);
+    const Start start = read_start(s, root);
     GroundMotion motion(std::move(samples.time), std::move(samples.acceleration), direction,
-                        {s.number("start"), how.between, named.name});
+                        {start.time, how.between, named.name, start.stage});
     const MotionFacts facts = motion.facts();
     for (const double fact : {facts.pga, facts.pgv, facts.final_displacement, facts.arias})
       if (!std::isfinite(fact))

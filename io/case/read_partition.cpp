@@ -92,7 +92,7 @@ void read_region(const Section& s, const Model& model, Partition& p) {
   alone.explicit_region = p.explicit_region;
   const std::vector<char> sides = coupling::first_sides(model, alone);
   if (std::all_of(sides.begin(), sides.end(), [](char side) { return side == 0; }))
-    throw s.error("explicit_region", "no block lies in the region, or across its border", "a region with blocks",
+    throw s.error("explicit_region", "no free block lies in the region, or across its border", "a region with blocks",
                   "compare it with the blocks' corners, which are in the same coordinates");
 }
 

@@ -14,6 +14,17 @@ namespace scree::io {
 
 /// Title, plane, gravity, materials and joint laws.
 void read_laws(const Section& root, Model& model);
+/// When a motion, a function or a load begins, by its keys start and offset.
+struct Start {
+  StageId stage;      // whose beginning the time counts from; invalid: it is simulated time
+  double time = 0.0;  // [s]
+};
+/// @pre start is there
+[[nodiscard]] Start read_start(const Section& s, const Section& root);
+/// Refuses motions, functions and loads that no stage meets, and stages to rest that a motion shakes.
+/// @pre all else has been read
+void check_times(const Section& root, const Model& model, const coupling::Plan& plan);
+
 /// Time functions of loads.   @param folder  that relative paths start from
 void read_functions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.

@@ -128,22 +128,6 @@ coupling::LivePlan read_live(const Section& s) {
   return {s.boolean("enabled"), url, s.number("rate")};
 }
 
-/// A stage that takes motion out while its base is told to move would report a rest that is none.
-void check_rest(const Section& s, double begin, double end, const Model& model) {
-  for (const BlockSupport& support : model.block_supports) {
-    if (!support.motion.valid()) continue;
-    const GroundMotion& motion = model.motions[support.motion.index()];
-    const double first = motion.setting().start, last = first + motion.facts().duration;
-    if (first >= end || last <= begin) continue;
-    throw s.error("rest",
-                  fmt::format("the motion '{}' moves the base from {:g} s to {:g} s, while this stage, from {:g} s to "
-                              "{:g} s, takes all motion out",
-                              motion.setting().name, first, last, begin, end),
-                  "false, or a motion at another time",
-                  fmt::format("let the motion begin later: start = {:g} in [motion.{}]", end, motion.setting().name));
-  }
-}
-
 }  // namespace
 
 coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods) {
@@ -157,7 +141,6 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
     if (!names.insert(s.text("name")).second)
       throw s.error("name", "two stages have the same name", "a name for each stage", "number the stages");
     plan.stages.push_back(read_stage(s, m, model, known, plan.stages.empty()));
-    if (plan.stages.back().rest) check_rest(s, total, total + s.number("duration"), model);
     constexpr double kLongestRun = 8e6;  // [s]; a run counts 2^63 ticks of 1 ps
     if ((total += s.number("duration")) > kLongestRun)
       throw s.error("duration", "the stages together are too long", fmt::format("at most {:g} s in all", kLongestRun),
@@ -169,6 +152,8 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   plan.live = read_live(root.table("live"));
   plan.threads = root.table("run").integer("threads");
   plan.max_closure = root.table("run").number("max_closure");
+  plan.max_passed_closure = root.table("run").number("max_passed_closure");
+  plan.max_gain = root.table("run").number("max_gain");
   return plan;
 }
 

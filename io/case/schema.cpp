@@ -51,7 +51,10 @@ constexpr Key kKeys[] = {
      "if that is given; half_sine sin(pi s/T), then 0; sine_squared sin^2(pi s/T), then 0; table straight lines "
      "through given points, zero before the first, then the last value."},
     {"function.NAME.amplitude", Type::number, "", kAny, "1.0", false, "", "Factor on the shape."},
-    {"function.NAME.start", Type::number, "s", kShift, "0.0", false, "", "Simulated time at which the shape begins."},
+    {"function.NAME.start", Type::number_or_stage, "s", kShift, "(0)", false, "",
+     "When the shape begins: simulated time, or with the stage of that name, whenever that really begins."},
+    {"function.NAME.offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to that of the shape. Goes with the name of a stage in start."},
     {"function.NAME.duration", Type::number, "s", kTime, "", false, "",
      "T of the shape. Needed for ramp, half_sine and sine_squared; may be given for sine."},
     {"function.NAME.frequency", Type::number, "Hz", kPositive, "", false, "", "Of a sine, which needs it."},
@@ -67,7 +70,9 @@ constexpr Key kKeys[] = {
     {"material.NAME.poisson", Type::number, "", kPoisson, "", true, "", "Poisson's ratio."},
     {"material.NAME.initial_stress", Type::table, "", kAny, "", false, "",
      "In-situ stress of the material in the axes of the model, tension positive: constant, or growing with depth as "
-     "stress + (level - y) gradient. For blocks that begin with the NMM."},
+     "stress + (level - y) gradient. It is in the rock from the start, whatever the method: the NMM has it as it "
+     "varies, a "
+     "block of the DDA or under a onefold cover has its mean over the block."},
     {"material.NAME.initial_stress.xx", Type::number, "Pa", kAny, "", true, "", "Stress along x, at level."},
     {"material.NAME.initial_stress.yy", Type::number, "Pa", kAny, "", true, "", "Stress along y, at level."},
     {"material.NAME.initial_stress.xy", Type::number, "Pa", kAny, "0.0", false, "", "Shear stress, at level."},
@@ -80,7 +85,12 @@ constexpr Key kKeys[] = {
     {"material.NAME.initial_stress.level", Type::number, "m", kCoordinate, "", false, "",
      "y from which depth counts. Needed with a gradient."},
 
-    {"joint", Type::named_tables, "", kAny, "", false, "", "A Coulomb law of block edges; blocks refer to it by NAME."},
+    {"joint", Type::named_tables, "", kAny, "", false, "",
+     "A Coulomb law of block edges; blocks refer to it by NAME. Where two edges touch that have different laws, the "
+     "law "
+     "with the smaller friction angle holds, with all that it says of stiffness and strength; of two with the same "
+     "angle "
+     "the one whose NAME comes first in the case. An edge without a law takes that of the other edge."},
     {"joint.NAME.friction_deg", Type::number, "deg", kFriction, "", true, "", "Friction angle."},
     {"joint.NAME.residual_friction_deg", Type::number, "deg", kFriction, "(friction_deg)", false, "",
      "Friction angle that is left after failure, at most friction_deg."},
@@ -103,8 +113,12 @@ constexpr Key kKeys[] = {
      "Slip after which the joint opens no further. Goes with dilation_deg."},
     {"joint.NAME.normal_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Normal stiffness per area; a contact point carries its share of the overlap of two edges. \"auto\" is (K + "
-     "4G/3)/d "
-     "of the stiffer side, d the width of the block normal to the edge."},
+     "4G/3)/d of the stiffer side, d the width of the block normal to the edge. Where a mesh of the NMM divides an "
+     "edge, "
+     "a hinge of two blocks bears on the outermost piece of it alone and is softer than between blocks of the DDA, "
+     "whose "
+     "joints have two points, each with half of the length: the limit of an arch moves by about 3 %. Ten times the "
+     "automatic stiffness, or the DDA, comes nearer to rigid blocks; `scree check` warns of such arches."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",
@@ -125,9 +139,13 @@ constexpr Key kKeys[] = {
      "Relative to the case file; a leading \"$SCREE_RECORDS/\" is replaced by that environment variable."},
     {"motion.NAME.unit", Type::choice, "", kAny, "(as the file says)", false, "m/s2|g|cm/s2",
      "Unit of the accelerations in the file; g is 9.80665 m/s2. Needed where the file does not say it, as .AT2 does."},
-    {"motion.NAME.start", Type::number, "s", kStart, "(end of the leading stages with rest)", false, "",
-     "Simulated time at which the first sample that is kept acts. Before it the ground rests; after the last sample it "
-     "moves on at its final velocity."},
+    {"motion.NAME.start", Type::number_or_stage, "s", kStart, "(the first stage after the leading ones with rest)",
+     false, "",
+     "When the first sample that is kept acts: simulated time, or with the stage of that name, whenever that really "
+     "begins (rest_force and end may end stages early). Before it the ground rests; after the last sample it moves on "
+     "at its final velocity."},
+    {"motion.NAME.offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to the first sample. Goes with the name of a stage in start."},
     {"motion.NAME.from", Type::number, "s", kAny, "(first sample)", false, "",
      "Where the part of the record begins that is kept, in the time of the record (.AT2 counts from 0)."},
     {"motion.NAME.until", Type::number, "s", kAny, "(last sample)", false, "",
@@ -288,6 +306,12 @@ constexpr Key kKeys[] = {
     {"point_load[].force", Type::point, "N", kAny, "", true, "", "Force for unit thickness."},
     {"point_load[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
+    {"point_load[].start", Type::number_or_stage, "s", kShift, "(always)", false, "",
+     "When the load begins: simulated time, or with the stage of that name. It does not act before; its function, "
+     "which "
+     "then has no start of its own, counts from there."},
+    {"point_load[].offset", Type::number, "s", kStart, "(0)", false, "",
+     "Time from the beginning of the stage to that of the load. Goes with the name of a stage in start."},
 
     {"traction", Type::table_list, "", kAny, "", false, "",
      "A force per length of outline as the model first has it; its direction stays (a dead load)."},
@@ -302,11 +326,15 @@ constexpr Key kKeys[] = {
     {"traction[].pressure", Type::number, "Pa", kAny, "", false, "",
      "Force per area at right angles to the outline; positive pushes into the block."},
     {"traction[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
+    {"traction[].start", Type::number_or_stage, "s", kShift, "(always)", false, "", "As point_load.start."},
+    {"traction[].offset", Type::number, "s", kStart, "(0)", false, "", "As point_load.offset."},
 
     {"body_acceleration", Type::table_list, "", kAny, "", false, "", "A force per mass on blocks, beside gravity."},
     {"body_acceleration[].acceleration", Type::point, "m/s2", kAny, "", true, "", "Force per mass."},
     {"body_acceleration[].function", Type::name, "", kAny, "(constant)", false, "",
      "Name of the function that multiplies it."},
+    {"body_acceleration[].start", Type::number_or_stage, "s", kShift, "(always)", false, "", "As point_load.start."},
+    {"body_acceleration[].offset", Type::number, "s", kStart, "(0)", false, "", "As point_load.offset."},
     {"body_acceleration[].blocks", Type::names, "", kAny, "(all)", false, "",
      "Names of the blocks; * stands for any characters. Patterns pass over blocks that are held whole."},
 
@@ -380,7 +408,7 @@ constexpr Key kKeys[] = {
     {"stage[].local_damping", Type::number, "", kBelowOne, "0.0", false, "",
      "Local damping of explicit steps: a force against the velocity, this fraction of the unbalanced force. For "
      "statics."},
-    {"stage[].sliding_damping", Type::number, "", kFraction, "0.15", false, "",
+    {"stage[].sliding_damping", Type::number, "", kFraction, "1.0", false, "",
      "Damping of the deformation of free blocks that slide, a fraction of critical for the lowest frequency of the "
      "block, in proportion to the share of its contact force that slips. It slows neither slide nor spin; without it "
      "blocks on steep planes vibrate and lose friction. Not attenuation of rock; 0 gives the bare equations."},
@@ -420,7 +448,8 @@ constexpr Key kKeys[] = {
     {"stage[].explicit_region", Type::ring, "m", kCoordinate, "", false, "",
      "Partitioned stages: blocks inside take explicit steps, unless they are named. A block across its border, which "
      "takes the NMM with a mesh, is divided: elements whose centroid was first inside take explicit steps, the others "
-     "implicit ones, and forces hold the covers of both together without work."},
+     "implicit ones, and forces hold the covers of both together without work. What is held or driven takes no steps, "
+     "and is not divided."},
     {"stage[].explicit_area", Type::number, "m2", kPositive, "", false, "",
      "Partitioned stages: blocks that are smaller take explicit steps, unless they are named."},
     {"stage[].explicit_speed", Type::number, "m/s", kPositive, "", false, "",
@@ -492,7 +521,9 @@ constexpr Key kKeys[] = {
      "Of onefold covers: a triangle around each block, or one around the whole model, whose stars all the blocks have "
      "in the same places (thesis 7.3.1). Motion and stress are the same but for round-off."},
 
-    {"output", Type::table, "", kAny, "", false, "", "What is written and how often."},
+    {"output", Type::table, "", kAny, "", false, "",
+     "What is written and how often. Nothing here changes the steps: what is due is written at the first step at or "
+     "after its time."},
     {"output.every", Type::number, "s", kTime, "(a hundredth of the run)", false, "", "Simulated time between frames."},
     {"output.history_every", Type::number, "s", kTime, "(output.every)", false, "",
      "Simulated time between samples of monitors and energies."},
@@ -516,7 +547,14 @@ constexpr Key kKeys[] = {
      "Threads; 0 takes as many as the machine has. Results do not depend on it."},
     {"run.max_closure", Type::number, "", kNotNegative, "0.0", false, "",
      "A run ends as not converged once its energy ledger is open by more than this part of the energy moved, looked at "
-     "every output.history_every; 0: never. 1e-9 is what Scree promises."},
+     "every 100 steps of a stage and where it ends; 0: never. 1e-9 is what Scree promises."},
+    {"run.max_passed_closure", Type::number, "", kNotNegative, "1e-3", false, "",
+     "The same, as a part of the energy passed: the largest so far of the energy at the start and the work done, or "
+     "the "
+     "energy held now. A blow-up inflates the energy moved, not this. 0: never."},
+    {"run.max_gain", Type::number, "", kNotNegative, "1.0", false, "",
+     "A run ends as not converged once the blocks hold more energy than they were given, by more than this part of "
+     "the energy passed: a step that is too long, a force that is wrong. 0: never."},
 };
 
 }  // namespace

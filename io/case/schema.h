@@ -17,6 +17,7 @@ enum class Type {
   number,
   number_or_auto,       // or the text "auto"
   number_or_unlimited,  // or the text "unlimited"
+  number_or_stage,      // or the name of a stage
   text,
   name,    // text that names something: not empty, printable, no slash
   choice,  // text out of a list

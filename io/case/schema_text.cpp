@@ -73,6 +73,8 @@ std::string allowed_text(const Key& key) {
     case Type::number_or_auto:
     case Type::number_or_unlimited:
       return fmt::format("\"{}\" or number{}{}", word_for_number(key.type), unit_text(key), range);
+    case Type::number_or_stage:
+      return fmt::format("number{}{}, or name of a stage", unit_text(key), range);
     case Type::text:
       return "text";
     case Type::name:

@@ -43,6 +43,7 @@ std::optional<double> Section::number_or_auto(std::string_view key) const {
 double Section::number_or_unlimited(std::string_view key) const {
   return at(key).as<std::string>() ? std::numeric_limits<double>::infinity() : number(key);
 }
+bool Section::is_text(std::string_view key) const { return at(key).as<std::string>() != nullptr; }
 const std::string& Section::text(std::string_view key) const { return *at(key).as<std::string>(); }
 std::vector<std::string> Section::texts(std::string_view key) const {
   std::vector<std::string> out;

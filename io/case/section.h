@@ -26,6 +26,7 @@ class Section {
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::optional<double> number_or_auto(std::string_view key) const;  // empty: "auto"
   [[nodiscard]] double number_or_unlimited(std::string_view key) const;            // infinite: "unlimited"
+  [[nodiscard]] bool is_text(std::string_view key) const;                          // of a number that may be a name
   [[nodiscard]] const std::string& text(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] Vec2 point(std::string_view key) const;

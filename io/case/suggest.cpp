@@ -29,6 +29,51 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+std::vector<std::string_view> parts_of(std::string_view name) {
+  std::vector<std::string_view> parts;
+  while (!name.empty()) {
+    const std::size_t end = name.find_first_of("_-. ");
+    if (end != 0) parts.push_back(name.substr(0, end));
+    if (end == std::string_view::npos) break;
+    name.remove_prefix(end + 1);
+  }
+  return parts;
+}
+
+/// True where every part of a name begins a part of the known one, in their order: fric_deg, friction_deg.
+bool abbreviates(std::string_view name, std::string_view known) {
+  constexpr std::size_t kShortest = 3;  // of the first part: shorter ones begin too many names
+  const std::vector<std::string_view> given = parts_of(name), full = parts_of(known);
+  if (given.empty() || given.front().size() < kShortest) return false;
+  std::size_t at = 0;
+  for (const std::string_view part : given) {
+    const auto begins = [&](std::string_view word) {
+      return word.size() >= part.size() &&
+             std::equal(part.begin(), part.end(), word.begin(), [](char a, char b) { return lower(a) == lower(b); });
+    };
+    while (at < full.size() && !begins(full[at])) ++at;
+    if (at == full.size()) return false;
+    ++at;
+  }
+  return true;
+}
+
+/// The shortest known name that a name abbreviates; empty where there is none, or two of that length.
+std::string abbreviated(std::string_view name, const std::vector<std::string>& known) {
+  std::string best;
+  bool two = false;
+  for (const std::string& k : known) {
+    if (k.size() > 100 || !abbreviates(name, k)) continue;
+    if (best.empty() || k.size() < best.size()) {
+      best = k;
+      two = false;
+    } else if (k.size() == best.size() && k != best) {
+      two = true;
+    }
+  }
+  return two ? std::string() : best;
+}
+
 }  // namespace
 
 std::string nearest(std::string_view name, const std::vector<std::string>& known) {
@@ -43,7 +88,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
       best = k;
     }
   }
-  return best;
+  return best.empty() ? abbreviated(name, known) : best;
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known, std::string_view otherwise) {

@@ -41,8 +41,8 @@ struct Prefix {
   std::string_view name;
   int exponent;
 };
-constexpr Prefix kPrefixes[] = {{"n", -9}, {"u", -6}, {"\u00b5", -6}, {"m", -3},
-                                {"c", -2}, {"k", 3},  {"M", 6},       {"G", 9}};
+constexpr Prefix kPrefixes[] = {{"n", -9}, {"u", -6}, {"\u00b5", -6}, {"m", -3}, {"c", -2},
+                                {"k", 3},  {"M", 6},  {"G", 9},       {"T", 12}};
 
 std::optional<Unit> named_unit(std::string_view name) {
   for (const Named& u : kUnits)
@@ -117,6 +117,27 @@ double shifted(std::string_view digits, int shift) {
   return read.ec == std::errc{} ? value : std::nan("");
 }
 
+/// A weight where a mass is wanted, such as kN/m3 for a density, or the other way round: the hint has the number.
+std::optional<UnitFault> weight_for_mass(std::string_view digits, std::string_view name, const Unit& unit,
+                                         const Unit& wanted, std::string_view base) {
+  constexpr double kG = 9.81;                           // [m/s2]
+  constexpr std::array<int, 4> kPowerOfG{0, 1, -2, 0};  // of g
+  int sign = 0;
+  for (const int s : {1, -1}) {
+    bool fits = true;
+    for (std::size_t i = 0; i < kPowerOfG.size(); ++i)
+      fits = fits && unit.power[i] - wanted.power[i] == s * kPowerOfG[i];
+    if (fits) sign = s;
+  }
+  if (sign == 0 || unit.power[0] != 1) return std::nullopt;
+  const double si = shifted(digits, unit.exponent - wanted.exponent) * (unit.ratio / wanted.ratio);
+  if (!std::isfinite(si)) return std::nullopt;
+  return UnitFault{fmt::format("the unit {} is one of {}, and this key holds a {}", in_quotes(name),
+                               sign > 0 ? "weight" : "mass", sign > 0 ? "mass" : "force"),
+                   fmt::format("{} by g: {} {} {} {:g} m/s2 = {:.4g} {}", sign > 0 ? "divide" : "multiply", digits,
+                               name, sign > 0 ? "/" : "*", kG, sign > 0 ? si / kG : si * kG, base)};
+}
+
 }  // namespace
 
 std::variant<double, UnitFault> in_unit(std::string_view text, std::string_view base) {
@@ -137,10 +158,13 @@ std::variant<double, UnitFault> in_unit(std::string_view text, std::string_view 
 
   const auto unit = parse_unit(name);
   if (!unit)
-    return UnitFault{fmt::format("the unit {} is not known", in_quotes(name)),
-                     "units are products of g t m s min h N Pa Hz rad deg with prefixes n u m c k M G, as in \"GN/m\", "
-                     "\"t/m3\", \"m/s2\""};
+    return UnitFault{
+        fmt::format("the unit {} is not known", in_quotes(name)),
+        "units are products of g t m s min h N Pa Hz rad deg with prefixes n u m c k M G T, as in \"GN/m\", "
+        "\"t/m3\", \"m/s2\""};
   const auto wanted = parse_unit(base);
+  if (wanted)
+    if (auto fault = weight_for_mass(digits, name, *unit, *wanted, base)) return *fault;
   if (!wanted || unit->power != wanted->power)
     return UnitFault{fmt::format("the unit {} does not measure what this key holds", in_quotes(name)), plain};
   value = shifted(digits, unit->exponent - wanted->exponent);

@@ -24,19 +24,12 @@ struct Head {
   std::uint32_t format = kFormat, byte_order = kByteOrder;
   std::uint64_t length = 0;
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     see("format", format);
     see("byte order", byte_order);
     see("length", length);
   }
 };
-
-template <class Visitor>
-void visit(StoredCheckpoint& c, Visitor&& see) {
-  c.run.visit(see);
-  c.results.visit(see);
-  c.checkpoint.visit(see);
-}
 
 std::string read_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -51,8 +44,7 @@ std::string read_bytes(const std::filesystem::path& path) {
 void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint) {
   std::string body;
   Packer pack(body);
-  // visit() serves readers and writers alike; packing only reads.
-  visit(const_cast<StoredCheckpoint&>(checkpoint), pack);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  checkpoint.visit(pack);
   pack("state hash", coupling::state_hash(checkpoint.checkpoint.state));
 
   std::string bytes(kMagic);
@@ -72,7 +64,7 @@ StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::s
   if (bytes.size() < kHead) refuse(fmt::format("it is cut short, {} bytes are left", bytes.size()));
   if (!bytes.starts_with(kMagic)) refuse("it does not begin as a checkpoint does");
   Head head;
-  head.visit(Unpacker(std::string_view(bytes).substr(kMagic.size(), kHead - kMagic.size())));
+  coupling::visit_to_write(head, Unpacker(std::string_view(bytes).substr(kMagic.size(), kHead - kMagic.size())));
   if (head.byte_order != kByteOrder) refuse("it is damaged, or of a machine with another byte order");
   if (head.format != kFormat)
     refuse(fmt::format("it is damaged, or of format {}; this program reads format {}", head.format, kFormat));
@@ -90,7 +82,7 @@ StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::s
     if (out.run.version != version)
       refuse(fmt::format("it is of Scree {}, and this is Scree {}", out.run.version, version));
     unpack = Unpacker(whole.substr(kHead, bytes.size() - kHead - kDigest));
-    visit(out, unpack);
+    coupling::visit_to_write(out, unpack);
     unpack("state hash", hash);
     unpack.finish();
   } catch (const ArchiveError& e) {

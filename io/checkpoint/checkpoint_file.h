@@ -24,13 +24,21 @@ struct RunRecord {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see);
+  void visit(Visitor&& see) const;
 };
 
 struct StoredCheckpoint {
   RunRecord run;
   ResultsMark results;
   coupling::Checkpoint checkpoint;
+
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see) const {
+    run.visit(see);
+    results.visit(see);
+    checkpoint.visit(see);
+  }
 };
 
 /// A file is: "SCREE-CP", format version and a word that shows the byte order (32 bits each), bytes that follow (64
@@ -47,7 +55,7 @@ void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint&
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void RunRecord::visit(Visitor&& see) {
+void RunRecord::visit(Visitor&& see) const {
   see("run.version", version);
   see("run.commit", commit);
   see("run.instruction_set", instruction_set);
@@ -57,7 +65,7 @@ void RunRecord::visit(Visitor&& see) {
   see("run.case_text", case_text);
   for (auto* list : {&overrides, &files, &file_digests}) {
     see.size("run.texts", *list);
-    for (std::string& text : *list) see("run.text", text);
+    for (const std::string& text : *list) see("run.text", text);
   }
   see("run.audit", audit);
   see("run.until", until);

@@ -112,6 +112,7 @@ void LiveReplay::Impl::offer_histories(double until) {
   energy.closure = ledger.closure[row];
   energy.moved = ledger.moved[row];
   energy.relative_closure = energy.moved > 0.0 ? std::abs(energy.closure) / energy.moved : 0.0;
+  energy.passed = ledger.passed[row];
   publisher->offer_energy(seal(energy));
   if (monitors.empty()) return;
   LiveHistory history;

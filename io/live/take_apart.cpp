@@ -159,6 +159,7 @@ Bytes encode_energy(const header_v1_t& header, const coupling::Ledger& ledger) {
   out.closure = ledger.closure();
   out.moved = ledger.moved();
   out.relative_closure = ledger.relative_closure();
+  out.passed = ledger.passed();
   return seal(out);
 }
 

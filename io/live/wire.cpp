@@ -63,7 +63,7 @@ template <> std::string_view layout<mesh_v1_t>()   { return "8" "88" "n4a4a8a8a"
 template <> std::string_view layout<topo_v1_t>()   { return "H" "444" "4" "n1a" "4"; }
 template <> std::string_view layout<state_v1_t>()  { return "H" "44444" "4n4a4a4a4a4a4a4a" "888" "4n2b2b" "4n4c" "4"; }
 template <> std::string_view layout<hist_v1_t>()   { return "H" "44" "nsa8a8a8a8a8a8a" "4"; }
-template <> std::string_view layout<energy_v1_t>() { return "H" "nsasa8a" "8888" "4"; }
+template <> std::string_view layout<energy_v1_t>() { return "H" "nsasa8a" "88888" "4"; }
 template <> std::string_view layout<event_v1_t>()  { return "H" "ss" "4ss8888" "4"; }
 template <> std::string_view layout<ctrl_v1_t>()   { return "H" "8s8" "4"; }
 template <> std::string_view layout<ack_v1_t>()    { return "H" "8ssss" "4"; }

@@ -76,6 +76,16 @@ void Canvas::frame(double x, double y, double w, double h, double width, const C
   cairo_stroke(get());
 }
 
+void Canvas::fill_piece() const {
+  if (!is_vector()) {
+    cairo_fill(get());
+    return;
+  }
+  cairo_fill_preserve(get());  // viewers smooth whatever the file says: a rim covers the paper between neighbours
+  cairo_set_line_width(get(), 0.25);
+  cairo_stroke(get());
+}
+
 void Canvas::hatch_path() const {
   cairo_save(get());
   ink(kHeld);

@@ -44,6 +44,8 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, double width, const Colour& colour) const;
   void box(double x, double y, double w, double h, const Colour& fill) const;
   void frame(double x, double y, double w, double h, double width, const Colour& colour) const;
+  /// Fills the current path, which it ends, with the present ink: one of many pieces that lie side by side.
+  void fill_piece() const;
   /// Grey with hatching over the current path, which it ends.
   void hatch_path() const;
 

@@ -42,6 +42,8 @@ std::vector<CsvFile::Column> energy_columns() {
     columns.push_back({std::string(coupling::info(static_cast<coupling::Column>(c)).name), "J"});
   for (const char* name : {"energy", "closure", "moved"}) columns.push_back({name, "J"});
   columns.push_back({"relative_closure", "1"});
+  columns.push_back({"passed", "J"});
+  columns.push_back({"passed_closure", "1"});
   return columns;
 }
 
@@ -111,8 +113,8 @@ void CsvHistories::append(const coupling::HistoryView& view) {
 
   row_.assign(1, view.time);
   for (int c = 0; c < coupling::kColumns; ++c) row_.push_back((*view.ledger)[static_cast<coupling::Column>(c)]);
-  row_.insert(row_.end(),
-              {view.ledger->energy(), view.ledger->closure(), view.ledger->moved(), view.ledger->relative_closure()});
+  row_.insert(row_.end(), {view.ledger->energy(), view.ledger->closure(), view.ledger->moved(),
+                           view.ledger->relative_closure(), view.ledger->passed(), view.ledger->passed_closure()});
   energy_.row(row_);
 }
 

@@ -38,7 +38,7 @@ class CsvFile {
 };
 
 /// history.csv: time, then <monitor>.x, .y (position), .ux, .uy (displacement), .vx, .vy (velocity) a monitor.
-/// energy.csv: time, every ledger column, energy, closure, moved, relative_closure.
+/// energy.csv: time, every ledger column, energy, closure, moved, relative_closure, passed, passed_closure.
 class CsvHistories {
  public:
   CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy, const Model& model,

@@ -73,6 +73,23 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
   return {};
 }
 
+double stress_value(const std::array<double, 3>& stress, Field field) {
+  const auto [xx, yy, xy] = stress;
+  const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
+  switch (field) {
+    case Field::sxx:
+      return xx;
+    case Field::syy:
+      return yy;
+    case Field::sxy:
+      return xy;
+    case Field::s1:
+      return mean + radius;
+    default:
+      return mean - radius;
+  }
+}
+
 Vec2 cell_middle(const StoredFrame& frame, std::size_t cell) {
   Vec2 sum = Vec2::Zero();
   for (auto i = static_cast<std::size_t>(frame.offsets[cell]); i < static_cast<std::size_t>(frame.offsets[cell + 1]);

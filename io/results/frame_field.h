@@ -1,6 +1,7 @@
 // What a snapshot shows of a frame: one number a cell, their range, and the outlines of the blocks.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -21,6 +22,9 @@ struct FieldInfo {
 /// One number a cell, in SI units (block, method, material: their number). Point fields: mean magnitude over the cell's
 /// points.
 [[nodiscard]] std::vector<double> cell_values(const StoredFrame& frame, Field field);
+
+/// A field of stress from its components xx, yy, xy.   @pre the field is one of stress
+[[nodiscard]] double stress_value(const std::array<double, 3>& stress, Field field);
 
 /// Range of colours: [0, largest] of magnitudes, [-s, s] of signed fields with |value| <= s on 99 % of the area.
 /// Cells with `skip` are left out. Never empty.

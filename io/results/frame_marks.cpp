@@ -17,7 +17,8 @@ namespace {
 constexpr double kHead = 5.0, kShortest = 3.0;                   // of arrows [pt]
 constexpr double kLeastLongest = 10.0, kMostLongest = 34.0;      // [pt]
 constexpr double kSpacing = 40.0;                                // [pt]
-constexpr std::array<double, 4> kNameSizes{7.0, 6.0, 5.0, 4.0};  // [pt]
+constexpr std::array<double, 4> kNameSizes{7.0, 6.0, 5.0, 4.0};  // that fit in [pt]
+constexpr double kSmallName = 3.0;                               // of the others [pt]
 
 /// A shaft with a filled head on a white rim, from (x, y) by (dx, dy) [pt].
 void draw_arrow(const Canvas& canvas, double x, double y, double dx, double dy) {
@@ -131,6 +132,9 @@ void draw_names(const Canvas& canvas, const PlotArea& area, const StoredFrame& f
     const Vec2 middle = block.moment / block.area;
     if (!(block.area > 0.0) || !middle.allFinite()) continue;
     const std::string& name = names[static_cast<std::size_t>(number)];
+    const Vec2 shown = middle.cwiseMax(Vec2(area.x0, area.y0)).cwiseMin(Vec2(area.x1, area.y1));
+    if (shown != middle) continue;  // outside the window
+    bool written = false;
     for (const double size : kNameSizes) {
       TextStyle style{size, 0.5, 0.5};
       const Vec2 half = 0.5 * metres * Vec2(canvas.text_width(name, style) + 1.0, size);
@@ -142,8 +146,23 @@ void draw_names(const Canvas& canvas, const PlotArea& area, const StoredFrame& f
       if (!fits || !behind) continue;
       if (lightness(colour(*behind)) < 0.5) style.colour = {1.0, 1.0, 1.0};
       canvas.text(area.px(middle.x()), area.py(middle.y()), name, style);
+      written = true;
       break;
     }
+    if (written) continue;
+    // In the cell that is nearest to the middle, if the middle lies outside of the block.
+    const std::size_t cell =
+        *std::min_element(block.cells.begin(), block.cells.end(), [&](std::size_t a, std::size_t b) {
+          return (cell_middle(frame, a) - middle).norm() < (cell_middle(frame, b) - middle).norm();
+        });
+    const Vec2 at = cell_at(frame, block.cells, middle) ? middle : cell_middle(frame, cell);
+    TextStyle style{kSmallName, 0.5, 0.5};
+    Colour ground = colour(cell);
+    if (lightness(ground) < 0.5) style.colour = {1.0, 1.0, 1.0};
+    ground.a = 0.7;
+    const double width = canvas.text_width(name, style) + 0.8;
+    canvas.box(area.px(at.x()) - 0.5 * width, area.py(at.y()) - 0.5 * kSmallName, width, kSmallName, ground);
+    canvas.text(area.px(at.x()), area.py(at.y()), name, style);
   }
 }
 

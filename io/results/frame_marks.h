@@ -31,7 +31,7 @@ class ArrowMarks {
 };
 
 /// Writes the name of each block in its middle, in black or white by what is behind it; smaller where it would not fit,
-/// and not at all where it would be too small.   @param colour  of a cell
+/// and in the smallest letters on a ground of its own where it does not fit at all.   @param colour  of a cell
 void draw_names(const Canvas& canvas, const PlotArea& area, const StoredFrame& frame,
                 const std::vector<std::string>& names, const std::function<Colour(std::size_t)>& colour);
 

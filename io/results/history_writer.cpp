@@ -60,6 +60,7 @@ HistoryWriter::HistoryWriter(const h5::File& file, const Model& model) {
   energy_ = {file, group + "energy", 1, {"J", "energy held: sum of the columns of side energy"}};
   closure_ = {file, group + "closure", 1, {"J", "E - E_0 - W + D - R: zero but for rounding"}};
   moved_ = {file, group + "moved", 1, {"J", "running sum of |increments| of all columns"}};
+  passed_ = {file, group + "passed", 1, {"J", "energy passed: the largest so far of what was given and what is held"}};
 }
 
 void HistoryWriter::append(const coupling::HistoryView& history) {
@@ -77,6 +78,7 @@ void HistoryWriter::append(const coupling::HistoryView& history) {
   energy_.append(history.ledger->energy());
   closure_.append(history.ledger->closure());
   moved_.append(history.ledger->moved());
+  passed_.append(history.ledger->passed());
   time_.append(history.time);
 }
 

@@ -16,7 +16,8 @@ namespace scree::io {
 [[nodiscard]] std::vector<std::string> monitor_names(const Model& model);
 
 /// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column,
-/// energy, closure, moved}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those sides.
+/// energy, closure, moved, passed}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those
+/// sides.
 class HistoryWriter : public SeriesGroup<HistoryWriter> {
  public:
   HistoryWriter(const h5::File& file, const Model& model);
@@ -32,11 +33,11 @@ class HistoryWriter : public SeriesGroup<HistoryWriter> {
   void each(Visitor&& see) {
     for (Monitor& m : monitors_) see(m.position), see(m.displacement), see(m.velocity), see(m.stress), see(m.time);
     for (h5::Series<double>& column : columns_) see(column);
-    see(energy_), see(closure_), see(moved_), see(time_);
+    see(energy_), see(closure_), see(moved_), see(passed_), see(time_);
   }
   std::vector<Monitor> monitors_;
   std::vector<h5::Series<double>> columns_;
-  h5::Series<double> time_, energy_, closure_, moved_;
+  h5::Series<double> time_, energy_, closure_, moved_, passed_;
 };
 
 }  // namespace scree::io

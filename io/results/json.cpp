@@ -76,6 +76,11 @@ JsonWriter& JsonWriter::raw(std::string_view key, std::string_view value) {
   return *this;
 }
 
+JsonWriter& JsonWriter::field(std::string_view key, double number) {
+  if (not_finite_.empty() && !std::isfinite(number)) not_finite_ = key.empty() ? "an item of a list" : key;
+  return raw(key, json_number(number));
+}
+
 JsonWriter& JsonWriter::open(char bracket, std::string_view key) {
   begin_value(key);
   out_ += bracket;

@@ -20,9 +20,11 @@ class JsonWriter {
   JsonWriter& close(char bracket);
   JsonWriter& field(std::string_view key, std::string_view text) { return raw(key, json_quoted(text)); }
   JsonWriter& field(std::string_view key, const char* text) { return field(key, std::string_view(text)); }
-  JsonWriter& field(std::string_view key, double number) { return raw(key, json_number(number)); }
+  JsonWriter& field(std::string_view key, double number);
   JsonWriter& field(std::string_view key, std::integral auto number) { return raw(key, std::to_string(number)); }
   JsonWriter& item(std::string_view text) { return raw({}, json_quoted(text)); }
+  /// Key of the first number that was not finite, and stands as null; empty: all were.
+  [[nodiscard]] const std::string& not_finite() const { return not_finite_; }
   /// The document with a line end.   @pre everything opened is closed
   [[nodiscard]] std::string text() const;
 
@@ -31,6 +33,7 @@ class JsonWriter {
   void begin_value(std::string_view key);
 
   std::string out_;
+  std::string not_finite_;
   std::string open_;   // brackets not closed yet
   bool first_ = true;  // nothing yet in the innermost one
 };

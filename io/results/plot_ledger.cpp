@@ -33,12 +33,21 @@ void use_dashes(cairo_t* c, const std::string& side) {
     cairo_set_dash(c, nullptr, 0, 0.0);
 }
 
+/// Columns that show: a thousandth of the largest is less than the width of a line.
 std::vector<Curve> curves_of(StoredLedger& ledger) {
+  constexpr double kShown = 1e-3;
+  double most = 0.0;
+  const auto largest = [](const std::vector<double>& values) {
+    double out = 0.0;
+    for (const double v : values) out = std::isfinite(v) ? std::max(out, std::abs(v)) : out;
+    return out;
+  };
+  for (const StoredLedger::Column& c : ledger.columns)
+    if (c.side != "scheme") most = std::max(most, largest(c.value));
   std::vector<Curve> curves;
   for (const char* side : {"energy", "work", "dissipated"})
     for (StoredLedger::Column& c : ledger.columns) {
-      const bool zero = std::all_of(c.value.begin(), c.value.end(), [](double v) { return v == 0.0; });
-      if (c.side != side || zero) continue;
+      if (c.side != side || !(largest(c.value) > kShown * most)) continue;
       std::string name = c.name;
       std::replace(name.begin(), name.end(), '_', ' ');
       curves.push_back({side, name, std::move(c.value), distinct_colour(curves.size())});
@@ -135,7 +144,7 @@ void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem:
   title.bold = true;
   const double room = kWidth - left - 8.0;
   canvas.text(left, kTop - 33.0, canvas.fitted(run.title(), room, title), title);
-  canvas.text(left, kTop - 20.0, "Energy ledger", {8.5});
+  canvas.text(left, kTop - 20.0, "Energy ledger; columns below a thousandth of the largest are left out", {8.5});
   const Ticks seconds = round_ticks(first, last, 7);
   draw_axes(canvas, upper, seconds, joules, "", "energy [" + unit.name + "]", true);
   draw_stages(canvas, upper, stages, true);

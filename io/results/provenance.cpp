@@ -60,6 +60,8 @@ void write_provenance(const h5::File& file, const Provenance& provenance) {
   file.attribute(group, "threads", std::int64_t{provenance.threads});
   const std::vector<std::string> text{provenance.case_text};
   h5::write(file, group + "/case", text, {"none", "the case file as the user wrote it"});
+  if (!provenance.overrides.empty())
+    h5::write(file, group + "/set", provenance.overrides, {"none", "keys of the case that the command line changed"});
   std::vector<std::string> names, versions;
   for (const auto& list : {known_libraries(), provenance.libraries})
     for (const auto& [name, version] : list) names.push_back(name), versions.push_back(version);

@@ -20,6 +20,7 @@ struct Provenance {
   std::string commit;     // of the source, empty when unknown
   std::string case_text;  // as the user wrote it
   std::string command_line;
+  std::vector<std::string> overrides;                          // key=value, of --set
   int threads = 1;                                             // really used
   std::vector<std::pair<std::string, std::string>> libraries;  // more name, version pairs than known_libraries()
 };
@@ -34,7 +35,7 @@ struct Provenance {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> known_libraries();
 
 /// /provenance: attributes version, commit, case_sha256, command_line, compiler, instruction_set, threads; datasets
-/// case, library, library_version.
+/// case, set (key=value of --set, where there were any), library, library_version.
 void write_provenance(const h5::File& file, const Provenance& provenance);
 
 /// Attributes title and origin of the file: x, y that every position in it is counted from [m].

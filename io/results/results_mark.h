@@ -29,10 +29,10 @@ struct ResultsMark {
 
   /// As State::visit().
   template <class Visitor>
-  void visit(Visitor&& see) {
+  void visit(Visitor&& see) const {
     for (auto* list : {&frames, &histories, &events, &contacts, &progress}) {
       see.size("results.series", *list);
-      for (SeriesMark& series : *list) {
+      for (const SeriesMark& series : *list) {
         see("results.rows", series.rows);
         see("results.hash", series.hash);
       }

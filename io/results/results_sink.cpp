@@ -152,7 +152,7 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
   const auto begin = [&](h5::File file, const std::string& past) {
     make_files(std::move(file), tables, model, plan);
     files_->file.attribute("/provenance", "resumed", past + go_on_->place);
-    files_->summary.go_on(go_on_->transfers, go_on_->travels, mark.wall_seconds, mark.cpu_seconds);
+    files_->summary.go_on(go_on_->transfers, go_on_->travels, go_on_->warnings, mark.wall_seconds, mark.cpu_seconds);
   };
   BesideFile unfinished{h5::File::beside(folder_.results())};
   try {
@@ -206,10 +206,11 @@ void ResultsSink::event(const coupling::Event& event) {
 
 void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
-  files().file.attribute("/provenance", "status", status_name(end.status));  // a run that was killed has none
-  files().file.attribute("/provenance", "reason", end.reason);
+  outcome_ = files().summary.checked(end, last);
+  files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has none
+  files().file.attribute("/provenance", "reason", outcome_.reason);
   files().close();
-  write_atomically(folder_.summary(), files().summary.text(end, last));
+  write_atomically(folder_.summary(), files().summary.text(outcome_, last));
   files_.reset();
 }
 

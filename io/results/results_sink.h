@@ -27,6 +27,7 @@ class ResultsSink : public coupling::Sink {
     ResultsMark mark;
     std::vector<coupling::TransferRow> transfers;
     std::vector<coupling::StageTravel> travels;
+    std::vector<coupling::Warning> warnings;
     std::string place;                             // "t = 0.5 s, step 120", for /provenance
     std::function<void(const std::string&)> warn;  // told of results that are lost
   };
@@ -50,6 +51,8 @@ class ResultsSink : public coupling::Sink {
   [[nodiscard]] ResultsMark mark();
 
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
+  /// How the run ended, as its summary has it (Summary::checked).   @pre after end()
+  [[nodiscard]] const coupling::RunEnd& outcome() const { return outcome_; }
 
  private:
   struct Files;
@@ -63,6 +66,7 @@ class ResultsSink : public coupling::Sink {
   Provenance provenance_;
   std::optional<GoOn> go_on_;
   std::unique_ptr<Files> files_;  // from begin() to end()
+  coupling::RunEnd outcome_;
 };
 
 }  // namespace scree::io

@@ -71,7 +71,9 @@ RunFolder RunFolder::create(const fs::path& path, bool overwrite) {
   } else if (!empty && !is_run(path)) {
     throw FileError(path, "has files in it that are not of a run; choose an empty or a new folder");
   } else if (!empty && !overwrite) {
-    throw FileError(path, "holds an earlier run; choose another folder, or allow overwriting");
+    throw FileError(path,
+                    "holds an earlier run; choose another folder (--out), replace that run (--overwrite), or go on "
+                    "with it (scree resume)");
   }
   if (::access(path.c_str(), W_OK | X_OK) != 0) fail(path, "cannot write in the run folder");
   clear_earlier_run(path);

@@ -194,8 +194,11 @@ StoredLedger RunReader::ledger() const {
   ledger.energy = column("energy");
   ledger.closure = column("closure");
   ledger.moved = column("moved");
+  const std::vector<std::string> names = h5::children(file, "/energy");
+  const bool has_passed = std::find(names.begin(), names.end(), "passed") != names.end();
+  ledger.passed = has_passed ? column("passed") : ledger.moved;
   std::vector<std::pair<std::int64_t, StoredLedger::Column>> found;
-  for (const std::string& name : h5::children(file, "/energy")) {
+  for (const std::string& name : names) {
     const std::string path = "/energy/" + name, side = h5::text_attribute(file, path, "side");
     if (side.empty()) continue;
     found.push_back({h5::integer_attribute(file, path, "order"),

@@ -35,8 +35,8 @@ struct StoredLedger {
     std::string name, side, meaning;  // side: energy, work, dissipated, scheme
     std::vector<double> value;
   };
-  std::vector<double> time, energy, closure, moved;
-  std::vector<Column> columns;  // in the order of coupling::Column
+  std::vector<double> time, energy, closure, moved, passed;  // passed: of older runs as moved
+  std::vector<Column> columns;                               // in the order of coupling::Column
 };
 
 struct StoredMonitor {

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "io/results/colour_map.h"
 #include "io/results/frame_field.h"
 #include "io/results/frame_marks.h"
 #include "io/results/plot_area.h"
+#include "io/results/recovered_stress.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -26,13 +28,15 @@ struct Scene {
   const RunReader& run;
   const SnapshotOptions& options;
   StoredFrame frame;
-  std::vector<double> values;
-  std::vector<char> held;  // a cell
-  ColourScale scale;       // for fields with a unit
+  std::vector<double> values;   // a cell
+  std::vector<double> corners;  // of smoothed stress: an entry of frame.connectivity; else empty
+  std::vector<char> held;       // a cell
+  ColourScale scale;            // for fields with a unit
 
   Scene(const RunReader& reader, const SnapshotOptions& asked);
   [[nodiscard]] bool named() const { return *info(options.field).unit == '\0'; }
   [[nodiscard]] Colour colour(std::size_t cell) const;
+  [[nodiscard]] Colour colour_of(double value) const;  // of a field with a unit
   [[nodiscard]] const std::string& name_of(std::size_t number) const;
 };
 
@@ -44,9 +48,22 @@ std::size_t chosen_frame(const RunReader& run, const SnapshotOptions& options, c
 
 Scene::Scene(const RunReader& reader, const SnapshotOptions& asked) : run(reader), options(asked) {}
 
+/// Replaces the stress of cells by that at their corners, and by its mean.
+void smooth(Scene& s) {
+  const std::vector<double> stress = recovered_stress(s.frame);
+  s.corners.resize(s.frame.connectivity.size());
+  for (std::size_t i = 0; i < s.corners.size(); ++i)
+    s.corners[i] = stress_value({stress[3 * i], stress[3 * i + 1], stress[3 * i + 2]}, s.options.field);
+  for (std::size_t c = 0; c < s.values.size(); ++c) {
+    const auto first = s.corners.begin() + s.frame.offsets[c], end = s.corners.begin() + s.frame.offsets[c + 1];
+    if (first != end) s.values[c] = std::accumulate(first, end, 0.0) / static_cast<double>(end - first);
+  }
+}
+
 void prepare(Scene& s, std::size_t index) {
   s.frame = s.run.frame(index);
   s.values = cell_values(s.frame, s.options.field);
+  if (s.options.smooth && info(s.options.field).is_signed) smooth(s);
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
   const FieldInfo& field = info(s.options.field);
@@ -71,9 +88,12 @@ void prepare(Scene& s, std::size_t index) {
 }
 
 Colour Scene::colour(std::size_t cell) const {
-  if (named()) return distinct_colour(static_cast<std::size_t>(values[cell]));
-  if (!std::isfinite(values[cell])) return {0.5, 0.5, 0.5};
-  const double shown = values[cell] / scale.unit.factor;
+  return named() ? distinct_colour(static_cast<std::size_t>(values[cell])) : colour_of(values[cell]);
+}
+
+Colour Scene::colour_of(double value) const {
+  if (!std::isfinite(value)) return {0.5, 0.5, 0.5};
+  const double shown = value / scale.unit.factor;
   return scale.colour(std::clamp((shown - scale.low) / (scale.high - scale.low), 0.0, 1.0));
 }
 
@@ -145,6 +165,63 @@ std::pair<double, double> cell_and_block_size(const PlotArea& area, const Scene&
   return {points * std::sqrt(sum / cells), points * std::sqrt(sum / static_cast<double>(blocks.size()))};
 }
 
+/// A corner of a triangle on the page, with the value there.
+struct Corner {
+  Vec2 at;
+  double value;
+};
+
+/// A triangle with values that are straight between its corners, in pieces of one colour.
+void draw_triangle(const Canvas& canvas, const Scene& s, Corner a, Corner b, Corner c) {
+  constexpr double kColours = 96.0, kSmallest = 1.2;  // shades of the bar that are told apart; side of a piece [pt]
+  const double low = std::min({a.value, b.value, c.value}), high = std::max({a.value, b.value, c.value});
+  const double shade = (s.scale.high - s.scale.low) * s.scale.unit.factor / kColours;
+  const double ab = (b.at - a.at).norm(), bc = (c.at - b.at).norm(), ca = (a.at - c.at).norm();
+  if (!(high - low > shade) || std::max({ab, bc, ca}) < kSmallest) {
+    cairo_t* page = canvas.get();
+    cairo_move_to(page, a.at.x(), a.at.y());
+    cairo_line_to(page, b.at.x(), b.at.y());
+    cairo_line_to(page, c.at.x(), c.at.y());
+    cairo_close_path(page);
+    canvas.ink(s.colour_of((a.value + b.value + c.value) / 3.0));
+    canvas.fill_piece();
+    return;
+  }
+  if (bc >= ab && bc >= ca)
+    std::swap(a, c);
+  else if (ca >= ab && ca >= bc)
+    std::swap(b, c);
+  const Corner middle{0.5 * (a.at + b.at), 0.5 * (a.value + b.value)};  // of the longest side
+  draw_triangle(canvas, s, a, middle, c);
+  draw_triangle(canvas, s, middle, b, c);
+}
+
+/// A cell whose corners have values of their own.   @return false where it has one colour, or is not convex
+bool draw_smooth(const Canvas& canvas, const PlotArea& area, const Scene& s, std::size_t cell) {
+  if (s.corners.empty()) return false;
+  std::vector<Corner> ring;
+  double low = 1e300, high = -1e300;
+  Corner middle{Vec2::Zero(), 0.0};
+  for (auto i = static_cast<std::size_t>(s.frame.offsets[cell]);
+       i < static_cast<std::size_t>(s.frame.offsets[cell + 1]); ++i) {
+    const auto p = static_cast<std::size_t>(s.frame.connectivity[i]);
+    ring.push_back({{area.px(s.frame.position[2 * p]), area.py(s.frame.position[2 * p + 1])}, s.corners[i]});
+    low = std::min(low, s.corners[i]), high = std::max(high, s.corners[i]);
+    middle.at += ring.back().at, middle.value += ring.back().value;
+  }
+  if (ring.size() < 3 || !(high > low)) return false;
+  middle.at /= static_cast<double>(ring.size()), middle.value /= static_cast<double>(ring.size());
+  const auto around = [&](std::size_t i) { return ring[i % ring.size()].at; };
+  for (std::size_t i = 0; i < ring.size(); ++i)  // y is down on the page: corners run clockwise
+    if (!(cross(around(i + 1) - around(i), around(i + 2) - around(i + 1)) <= 0.0)) return false;
+  if (ring.size() == 3) {
+    draw_triangle(canvas, s, ring[0], ring[1], ring[2]);
+    return true;
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i) draw_triangle(canvas, s, ring[i], ring[(i + 1) % ring.size()], middle);
+  return true;
+}
+
 void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_t* c = canvas.get();
   for (std::size_t cell = 0; cell < s.frame.cells(); ++cell)
@@ -153,16 +230,10 @@ void draw_cells(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
   canvas.hatch_path();
   for (std::size_t cell = 0; cell < s.frame.cells(); ++cell) {
-    if (s.held[cell]) continue;
+    if (s.held[cell] || draw_smooth(canvas, area, s, cell)) continue;
     cell_path(canvas, area, s.frame, cell);
     canvas.ink(s.colour(cell));
-    if (canvas.is_vector()) {  // viewers smooth whatever the file says: a rim covers the paper between neighbours
-      cairo_fill_preserve(c);
-      cairo_set_line_width(c, 0.25);
-      cairo_stroke(c);
-    } else {
-      cairo_fill(c);
-    }
+    canvas.fill_piece();
   }
   cairo_set_antialias(c, CAIRO_ANTIALIAS_DEFAULT);
 }

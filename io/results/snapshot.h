@@ -29,20 +29,21 @@ struct SnapshotOptions {
   std::optional<std::pair<double, double>> range;  // of the colours, in SI units, low < high; else from the values
   std::optional<Box> window;                       // what to show [m]; empty: everything
   Arrows arrows = Arrows::none;                    // one a block, more on large blocks
-  bool labels = false;                             // names of the blocks where they fit in
+  bool labels = false;                             // names of the blocks, small where they do not fit in
+  bool smooth = true;                              // stress recovered at the corners of elements; false: as stored
 };
 
 /// Draws a stored frame. Blocks that are held whole (fixed or driven) are hatched grey and take no part in the colour
 /// range, so that what moves stands out. Magnitudes in viridis from zero; stress (tension positive) from blue
-/// through white to red, the range covering 99 % of the area, the rest in the end colours.
-/// White is zero also where the range given is not about it.
+/// through white to red, recovered at the corners of elements (recovered_stress.h) and straight between them, the range
+/// covering 99 % of the area, the rest in the end colours. White is zero also where the range given is not about it.
 /// @param file  .png, .pdf or .svg   @pre the range and the window, where given, are not empty
 /// @throws FileError where the run cannot be read, there is no such frame, or the picture cannot be written
 void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& options,
               const std::filesystem::path& file);
 
-/// Draws energy, work and dissipation over time, columns that are zero throughout left out; below them |closure| over
-/// energy moved on a logarithmic axis.   @throws FileError
+/// Draws energy, work and dissipation over time, columns that stay below a thousandth of the largest left out; below
+/// them |closure| over energy moved on a logarithmic axis.   @throws FileError
 void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem::path& file);
 
 /// Draws displacement (x, y) and speed of monitors over time.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coupling/contact/audit.h"
 #include "io/results/history_writer.h"
 #include "io/results/json.h"
 #include "model/check.h"
@@ -45,7 +46,7 @@ void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall, d
 
 void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.open('{', "ledger").open('{', "columns");
-  double scheme = 0.0;
+  double scheme = 0.0, watched = 0.0;
   for (const Side side : {Side::energy, Side::work, Side::dissipated, Side::scheme}) {
     json.open('{', side_name(side));
     for (int c = 0; c < coupling::kColumns; ++c) {
@@ -53,13 +54,23 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
       if (info(column).side != side) continue;
       json.field(info(column).name, ledger[column]);
       if (side == Side::scheme) scheme = std::max(scheme, std::abs(ledger[column]));
+      if (info(column).watched) watched = std::max(watched, std::abs(ledger[column]));
     }
     json.close('}');
   }
   json.close('}');
   json.field("energy", ledger.energy()).field("closure", ledger.closure()).field("moved", ledger.moved());
   json.field("relative_closure", ledger.relative_closure());
-  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0).close('}');
+  json.field("passed", ledger.passed()).field("passed_closure", ledger.passed_closure()).field("gain", ledger.gain());
+  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0);
+  json.field("scheme_passed_share", ledger.passed() > 0.0 ? watched / ledger.passed() : 0.0).close('}');
+}
+
+/// Of runs in which a contact has slid far enough.
+void write_friction(JsonWriter& json, const Model& model, const coupling::RunStats& stats) {
+  if (!std::isfinite(stats.friction_ratio)) return;
+  json.open('{', "friction").field("worst_ratio", stats.friction_ratio);
+  json.field("contact", coupling::contact_name(model, stats.friction_key)).close('}');
 }
 
 void write_stages(JsonWriter& json, const Model& model, const std::vector<coupling::StageTravel>& travels) {
@@ -151,6 +162,7 @@ Summary::Summary(const Model& model, const Provenance& provenance) : model_(&mod
 void Summary::event(const coupling::Event& event) {
   if (event.transfer != nullptr) transfers_.push_back(*event.transfer);
   if (event.travel != nullptr) travels_.push_back(*event.travel);
+  if (event.kind == coupling::EventKind::warning) warnings_.push_back({event.time, event.text});
 }
 
 double Summary::wall_seconds() const {
@@ -163,7 +175,8 @@ double Summary::cpu_seconds() const {
 }
 
 void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
-                    double wall_seconds, double cpu_seconds) {
+                    std::vector<coupling::Warning> warnings, double wall_seconds, double cpu_seconds) {
+  warnings_ = std::move(warnings);
   transfers_ = std::move(transfers);
   travels_ = std::move(travels);
   earlier_wall_ = wall_seconds;
@@ -171,6 +184,19 @@ void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<co
 }
 
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+  return document(end, last).text();
+}
+
+coupling::RunEnd Summary::checked(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+  if (end.status != coupling::RunEnd::Status::done) return end;
+  const std::string wrong = document(end, last).not_finite();
+  if (wrong.empty()) return end;
+  return {coupling::RunEnd::Status::non_finite,
+          fmt::format("t = {:.6g} s, stage '{}': '{}' of the summary is not finite, although every step was made",
+                      last.time, last.stage_name, wrong)};
+}
+
+JsonWriter Summary::document(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
   JsonWriter json;
   json.open('{').field("version", provenance_.version).field("commit", provenance_.commit);
@@ -179,13 +205,19 @@ std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView
   json.field("status", status_name(end.status)).field("reason", end.reason);
   json.field("final_time", last.time).field("end_time", last.end_time).field("stage", last.stage_name);
   json.field("state_hash", fmt::format("{:016x}", coupling::state_hash(*last.state)));
-  json.field("threads", provenance_.threads);
+  json.field("threads", provenance_.threads).field("command_line", provenance_.command_line);
+  json.open('[', "set");
+  for (const std::string& option : provenance_.overrides) json.item(option);
+  json.close(']').open('[', "warnings");
+  for (const coupling::Warning& w : warnings_) json.open('{').field("time", w.time).field("text", w.text).close('}');
+  json.close(']');
   write_run(json, *last.stats, wall_seconds(), cpu_seconds());
   write_ledger(json, last.state->ledger);
+  write_friction(json, *model_, *last.stats);
   write_stages(json, *model_, travels_);
   write_transfers(json, *model_, transfers_);
   write_blocks(json, *model_, last);
-  return json.close('}').text();
+  return json.close('}');
 }
 
 }  // namespace scree::io

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/sink.h"
+#include "io/results/json.h"
 #include "io/results/provenance.h"
 
 namespace scree::io {
@@ -20,9 +21,12 @@ namespace scree::io {
 ///   factor of another matrix), audit {checks, worst} (of audited runs), wall_seconds {explicit, implicit, output,
 ///   total}, cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second,
 ///   contacts, ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
-///           relative_closure, scheme_share = max |scheme column| / moved},
+///           relative_closure, passed, passed_closure, gain (Ledger::passed and gain),
+///           scheme_share = max |scheme column| / moved, scheme_passed_share = the same of watched columns / passed},
+///   friction {worst_ratio, contact} (FrictionCheck; of runs in which a contact slid far enough),
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
 ///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
+///   warnings [{time, text}] (what the run was warned of, from the start), command_line, set [key=value],
 ///   blocks [{name, method, displacement = |mean displacement of the points of its cells|}]
 class Summary {
  public:
@@ -34,15 +38,21 @@ class Summary {
   [[nodiscard]] double cpu_seconds() const;
   /// Counts on from where a run stopped.
   void go_on(std::vector<coupling::TransferRow> transfers, std::vector<coupling::StageTravel> travels,
-             double wall_seconds, double cpu_seconds);
+             std::vector<coupling::Warning> warnings, double wall_seconds, double cpu_seconds);
   /// The document.   @pre last.mesh, last.state and last.stats are set
   [[nodiscard]] std::string text(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+  /// How the run ended, but non_finite in place of done where the document would have a number that is not finite.
+  /// @pre as of text()
+  [[nodiscard]] coupling::RunEnd checked(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
  private:
+  [[nodiscard]] JsonWriter document(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+
   const Model* model_;
   Provenance provenance_;
   std::vector<coupling::TransferRow> transfers_;
   std::vector<coupling::StageTravel> travels_;
+  std::vector<coupling::Warning> warnings_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double earlier_wall_ = 0.0, earlier_cpu_ = 0.0;  // before a run went on [s]
 };

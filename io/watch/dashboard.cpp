@@ -188,7 +188,9 @@ Lines energy(const Dashboard::Ledger& ledger, std::size_t width, std::size_t hei
   constexpr std::size_t kName = 21, kValue = 11;
   Lines lines{ends(fmt::format("ENERGY [J] at {:.3f} s{}", ledger.time,
                                omitted > 0 ? fmt::format(" (and {} smaller)", omitted) : ""),
-                   fmt::format("closes to {:.1e} of {:.3g} J moved", ledger.relative_closure, ledger.moved), width)};
+                   fmt::format("closes to {:.1e} of {:.3g} J moved, {:.1e} of {:.3g} J passed", ledger.relative_closure,
+                               ledger.moved, ledger.passed_closure(), ledger.passed),
+                   width)};
   for (const auto& [name, value] : rows) {
     std::string line = left(name, kName) + right(fmt::format("{:.4g}", value), kValue) + " ";
     line +=

@@ -1,6 +1,7 @@
 // What `scree watch` shows of a run, and how it looks as text. Knows neither networks nor files nor terminals.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ struct DashboardLedger {
   double closure = 0.0;              // [J]
   double moved = 0.0;                // [J]
   double relative_closure = 0.0;     // |closure| / moved
+  double passed = 0.0;               // energy passed [J]
+  /// |closure| / passed
+  [[nodiscard]] double passed_closure() const { return passed > 0.0 ? std::abs(closure) / passed : 0.0; }
 };
 
 struct DashboardContact {

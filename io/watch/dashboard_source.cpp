@@ -84,6 +84,7 @@ const Dashboard& LiveDashboard::refresh() {
     ledger.closure = energy->closure;
     ledger.moved = energy->moved;
     ledger.relative_closure = energy->relative_closure;
+    ledger.passed = energy->passed;
     now_.time = std::max(now_.time, ledger.time);
     now_.steps = std::max(*now_.steps, energy->header.step);
   }
@@ -144,6 +145,7 @@ Dashboard stored_dashboard(const std::filesystem::path& run_folder) {
     shown.closure = ledger.closure.back();
     shown.moved = ledger.moved.back();
     shown.relative_closure = shown.moved > 0.0 ? std::abs(shown.closure) / shown.moved : 0.0;
+    shown.passed = ledger.passed.back();
   }
   for (const StoredMonitor& m : reader.monitors()) {
     if (m.time.empty()) continue;

@@ -27,6 +27,25 @@ found=$(bash -c '. ./completion.bash; COMP_WORDS=(scree cases verify --f); COMP_
 found=$(bash -c '. ./completion.bash; COMP_WORDS=(scree sn); COMP_CWORD=1; _scree; echo "${COMPREPLY[@]}"')
 [ "$found" = snapshot ] || fail "bash completes 'scree sn' to '$found'"
 
+words() { bash -c '. ./completion.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _scree; echo "${COMPREPLY[*]}"' - "$@"; }
+[ "$(words scree snapshot --field sx)" = 'sxx sxy' ] || fail "bash completes no fields: $(words scree snapshot --field sx)"
+[ "$(words scree cases verify inc)" = incline ] || fail 'bash completes no names of cases'
+for word in speed incline handover; do
+  for shell in zsh fish; do grep -q "\b$word\b" "completion.$shell" || fail "the completion for $shell lacks '$word'"; done
+done
+
+# The live stream of the installed command, read by the installed example with the installed types.
+ls "$work"/usr/share/scree/lcmtypes/*.lcm >/dev/null || fail 'the types of the live stream are not installed'
+python3 "$work/usr/share/doc/scree/examples/read_live.py" --timeout 0.2 >live.log 2>&1 || true
+grep -q 'FileNotFound\|KeyError\|Traceback' live.log && { cat live.log; fail 'the installed read_live.py does not find its types'; }
+
+# Whoever links the libraries compiles for any machine, and so are packages.
+grep -rq -- '-march' "$work"/usr/lib/*/cmake/scree "$work"/usr/lib/cmake/scree 2>/dev/null && fail 'the exported targets carry -march'
+if grep -q '^SCREE_NATIVE:BOOL=ON' "$build/CMakeCache.txt"; then
+  if (cd "$build" && cpack -G DEB -B "$work/cpack" >"$work/cpack.log" 2>&1); then fail 'cpack packs a build for one machine'; fi
+  grep -q 'preset package' "$work/cpack.log" || { cat "$work/cpack.log"; fail 'cpack does not name the preset to use'; }
+fi
+
 for command in $("$scree" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]*\) .*/\1/p'); do
   grep -q "^\.B $command\b" "$work/usr/share/man/man1/scree.1" || fail "the manual does not name 'scree $command'"
 done

@@ -131,6 +131,7 @@ std::vector<Geometry> geometries() {
   // Four blocks at a corner, over the corners of two more.
   all.push_back({"four_corners",
                  [](Scene& s) {
+                   s.model.joints[0].damping = 0.0;  // round-off says which of touching corners a dashpot meets first
                    s.add("left", rectangle(-1, -1, 1, 0), true);
                    s.add("right", rectangle(1, -1, 3, 0), true);
                    for (const int row : {0, 1})

@@ -193,7 +193,7 @@ class Impacts : public testing::TestWithParam<std::tuple<Scheme, Meeting>> {};
 TEST_P(Impacts, keep_momenta_and_books_and_nothing_tunnels) {
   const auto& [scheme, meeting] = GetParam();
   for (const double speed : kSpeeds) {
-    Impact impact(meeting, kRock, speed, 0.2);
+    Impact impact(meeting, kRock, speed, scheme.implicit() ? 0.0 : 0.2);
     const std::optional<double> dt = scheme.implicit() ? std::optional<double>(0.1 / impact.rate()) : std::nullopt;
     const Outcome o = run_impact(impact, scheme, dt, 40);
     std::printf(
@@ -309,7 +309,7 @@ TEST_P(ImplicitImpact, restitution_is_that_of_the_scheme_and_tends_to_1_with_the
     for (const double speed : kSpeeds) {
       double first = 0.0, last = 0.0;
       for (const double wh : {0.2, 0.1, 0.05, 0.025}) {
-        Impact impact(meeting, kStiff, speed, 0.2);
+        Impact impact(meeting, kStiff, speed, 0.0);
         const Outcome o = run_impact(impact, scheme, wh / impact.rate());
         const double reference = restitution_by(&Oscillator::newmark, impact, 0.0, o);
         std::printf("%s %s %g m/s, w h %.3f: e %.6f, stepped %.6f, %lld cuts\n", scheme.name, name(meeting), speed, wh,
@@ -324,9 +324,28 @@ TEST_P(ImplicitImpact, restitution_is_that_of_the_scheme_and_tends_to_1_with_the
     }
 }
 
+TEST_P(ImplicitImpact, restitution_of_damped_contacts_tends_to_that_of_the_dashpot) {
+  const Scheme scheme = GetParam();
+  for (const double fraction : {0.2, 0.5}) {
+    const double xi = damping_ratio(scheme, fraction),
+                 exact = std::exp(-2.0 * xi * std::acos(xi) / std::sqrt(1.0 - xi * xi));
+    double before = 0.0;
+    for (const double wh : {0.04, 0.02, 0.01}) {
+      Impact impact(Meeting::equal_faces, kStiff, 1.0, fraction);
+      const Outcome o = run_impact(impact, scheme, wh / impact.rate());
+      const double error = exact - o.restitution;
+      std::printf("%s damping %.1f, w h %.3f: e %.5f, exact %.5f\n", scheme.name, fraction, wh, o.restitution, exact);
+      EXPECT_LT(std::abs(error), wh);
+      EXPECT_LT(o.closure, 1e-9);
+      EXPECT_LT(std::abs(error), before == 0.0 ? 1.0 : 0.7 * before);  // of first order
+      before = std::abs(error);
+    }
+  }
+}
+
 TEST_P(ImplicitImpact, steps_too_long_for_the_speed_are_made_shorter_and_nothing_tunnels) {
   const Scheme scheme = GetParam();
-  Impact impact(Meeting::equal_faces, kStiff, 50.0, 0.2);
+  Impact impact(Meeting::equal_faces, kStiff, 50.0, 0.0);
   const Outcome o = run_impact(impact, scheme, 1e-3);  // 0.05 m; 0.01 m are allowed
   const double reference = restitution_by(&Oscillator::newmark, impact, 0.0, o);
   std::printf("%s: e %.6f, stepped %.6f, %zu steps, %lld cuts\n", scheme.name, o.restitution, reference, o.steps.size(),
@@ -346,7 +365,7 @@ INSTANTIATE_TEST_SUITE_P(stiff, ImplicitImpact, testing::ValuesIn(kStiffImplicit
 class ImplicitAngular : public testing::TestWithParam<Scheme> {
  protected:
   static double defect(double young, double wh) {
-    Impact impact(Meeting::corner_past_corner, young, 10.0, 0.2);
+    Impact impact(Meeting::corner_past_corner, young, 10.0, 0.0);
     const Outcome o = run_impact(impact, GetParam(), wh / impact.rate());
     std::printf("%s E %.0e, w h %.4f: angular momentum off by %.3e of m v L\n", GetParam().name, young, wh, o.angular);
     return o.angular;

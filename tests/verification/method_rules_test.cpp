@@ -1,6 +1,7 @@
 // Blocks that change between the NMM and the DDA by their own motion: nothing is lost on the way.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -98,6 +99,8 @@ TEST_P(MethodRules, a_struck_bar_goes_to_the_nmm_and_back_and_keeps_all) {
       const double whole = row.before.kinetic + std::abs(row.before.elastic);
       EXPECT_NEAR(row.reservoir_kinetic / whole, row.measures.kinetic, 1e-9);
       EXPECT_NEAR(row.reservoir_elastic / whole, row.measures.elastic, 1e-9);
+      // A share of energy as a ratio of stresses: the root.
+      EXPECT_NEAR(row.reservoir_elastic / std::abs(row.before.elastic), std::pow(row.measures.inhomogeneity, 2), 1e-9);
     } else {
       EXPECT_GT(row.measures.acceleration, 5.0);
     }

@@ -238,6 +238,7 @@ Scene flying(const char* fast_method, const char* slow_method, double dt, double
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   scene.model.gravity = Vec2(0.0, 0.0);
   scene.model.joints[0].normal_stiffness = 2e13;
+  scene.model.joints[0].damping = 0.2;
   const BlockId left = scene.add("left", rectangle(0.5, 0.4, 1.0, 0.9)),
                 right = scene.add("right", rectangle(1.001, 0.0, 3.001, 2.0));
   scene.model.initial_velocities.push_back({left, Vec2(1.0, 0.0), 0.0});

@@ -23,6 +23,7 @@ struct Notches {
   Scene scene{1e10, 0.2, kDensity, kFriction};
   std::vector<double> factor;  // tan phi cot b of a wedge
 
+  Notches() { scene.model.joints[0].damping = 0.0; }  // the references are algebra of springs and friction
   void add(double tan_phi_cot_b, double size) {
     const double t = std::tan(kFriction * kDegree) / tan_phi_cot_b;  // tan b
     const double x = 40.0 * static_cast<double>(factor.size()), s = size, far = 1.0 + 4.0 * t;

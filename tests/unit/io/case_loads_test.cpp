@@ -50,6 +50,30 @@ TEST(Loads, point_load_names_its_block_or_finds_it) {
   EXPECT_EQ(m.factor(m.point_loads[1].function, 3.0), 1.0);
 }
 
+TEST(Loads, load_with_a_start_has_a_function_of_its_own) {
+  const Model m = read_case(kFaults + "time_offset_late.toml", {"point_load.0.offset=0.05"}, kMethods).model;
+  ASSERT_EQ(m.functions.size(), 1u);
+  EXPECT_TRUE(m.functions[0].of_load);
+  EXPECT_EQ(m.functions[0].stage, StageId{0});
+  EXPECT_EQ(m.functions[0].start, 0.05);
+  EXPECT_EQ(m.functions[0].shape, TimeFunction::Shape::constant);
+  EXPECT_EQ(m.point_loads[0].function, FunctionId{0});
+}
+
+TEST(Motions, begin_with_the_first_stage_after_the_leading_rest) {
+  const std::string file = std::string(SCREE_SOURCE_DIR) + "/tests/e2e/looks/shaken.toml";
+  const Case c = read_case(file, {}, kMethods);
+  EXPECT_EQ(c.model.motions[0].setting().stage, StageId{1});
+  EXPECT_EQ(c.model.motions[0].setting().start, 0.0);
+  EXPECT_NE(c.resolved.find("start = \"shaking\""), std::string::npos) << c.resolved;
+  const Case later = read_case(file, {"motion.quake.start=\"after\"", "motion.quake.offset=\"20 ms\""}, kMethods);
+  EXPECT_EQ(later.model.motions[0].setting().stage, StageId{2});
+  EXPECT_EQ(later.model.motions[0].setting().start, 0.02);
+  const Case by_clock = read_case(file, {"motion.quake.start=\"2.01 s\""}, kMethods);
+  EXPECT_FALSE(by_clock.model.motions[0].setting().stage.valid());
+  EXPECT_EQ(by_clock.model.motions[0].setting().start, 2.01);
+}
+
 TEST(Loads, pressure_pushes_into_the_block_and_traction_is_as_given) {
   const Model& m = full_model();
   ASSERT_EQ(m.tractions.size(), 2u);

@@ -232,7 +232,9 @@ TEST(Schema, every_key_changes_the_case) {
       {"live.url", "live.url=\"file:///tmp/log\""},
       {"live.rate", "live.rate=1"},
       {"run.threads", "run.threads=1"},
-      {"run.max_closure", "run.max_closure=1e-5"}};
+      {"run.max_closure", "run.max_closure=1e-5"},
+      {"run.max_passed_closure", "run.max_passed_closure=1e-5"},
+      {"run.max_gain", "run.max_gain=0.5"}};
   // What a change needs beside it to make sense.
   const std::map<std::string, std::vector<std::string>> beside = {
       {"block[].name", {"support.1.blocks=[\"wall\"]"}},
@@ -295,6 +297,27 @@ TEST(Suggest, nearest_name_is_found_or_none) {
   EXPECT_EQ(nearest("durtaion", {"dt", "duration"}), "duration");
   EXPECT_EQ(nearest("colour", {"density", "young"}), "");
   EXPECT_EQ(nearest("", {"a"}), "");
+}
+
+TEST(Suggest, parts_of_names_are_understood) {
+  const std::vector<std::string> keys = {"friction_deg",     "residual_friction_deg", "cohesion",
+                                         "normal_stiffness", "shear_stiffness",       "damping"};
+  EXPECT_EQ(nearest("fric_deg", keys), "friction_deg");
+  EXPECT_EQ(nearest("friction", keys), "friction_deg");
+  EXPECT_EQ(nearest("coh", keys), "cohesion");
+  EXPECT_EQ(nearest("norm_stiff", keys), "normal_stiffness");
+  EXPECT_EQ(nearest("res_fric_deg", keys), "residual_friction_deg");
+  EXPECT_EQ(nearest("stiffness", {"stiffness_left", "stiffness_down"}), "") << "two would do";
+  EXPECT_EQ(nearest("no", keys), "") << "too short to say";
+  EXPECT_EQ(nearest("deg_fric", keys), "") << "another order";
+}
+
+TEST(Suggest, symbols_of_the_trade_are_understood) {
+  for (const auto& [symbol, key] : {std::pair{"phi", "friction_deg"}, std::pair{"c", "cohesion"}}) {
+    const std::string option = fmt::format("joint.plane.{}=20", symbol);
+    const CaseError e = error_in([&] { (void)read("good_case.toml", {option}); });
+    EXPECT_NE(std::string(e.what()).find(fmt::format("did you mean \"{}\"?", key)), std::string::npos) << e.what();
+  }
 }
 
 }  // namespace

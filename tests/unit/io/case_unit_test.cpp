@@ -28,6 +28,8 @@ TEST(Unit, numbers_are_exact_as_if_written_in_the_base_unit) {
                     {"25 1/s", "Hz", 25.0},
                     {"3 m*s^-2", "m/s2", 3.0},
                     {"3 m/s/s", "m/s2", 3.0},
+                    {"0.05 TPa", "Pa", 5e10},
+                    {"2 TN/m", "N/m", 2e12},
                     {"5 \u00b5m", "m", 5e-6}};
   for (const auto& g : good) {
     const auto read = in_unit(g.text, g.base);
@@ -51,6 +53,17 @@ TEST(Unit, wrong_texts_are_refused_with_a_hint) {
     EXPECT_FALSE(std::get<UnitFault>(read).hint.empty()) << text;
   }
   EXPECT_TRUE(std::holds_alternative<UnitFault>(in_unit("0.3", "")));
+}
+
+TEST(Unit, a_weight_for_a_mass_and_back_says_what_it_would_be) {
+  const UnitFault density = std::get<UnitFault>(in_unit("26 kN/m3", "kg/m3"));
+  EXPECT_EQ(density.problem, "the unit \"kN/m3\" is one of weight, and this key holds a mass");
+  EXPECT_EQ(density.hint, "divide by g: 26 kN/m3 / 9.81 m/s2 = 2650 kg/m3");
+  const UnitFault force = std::get<UnitFault>(in_unit("2 t", "N"));
+  EXPECT_EQ(force.hint, "multiply by g: 2 t * 9.81 m/s2 = 1.962e+04 N");
+  EXPECT_EQ(std::get<UnitFault>(in_unit("26 kN", "kg/m3")).hint.find("divide"), std::string::npos);
+  EXPECT_EQ(std::get<UnitFault>(in_unit("1 m/s", "s/m")).hint.find("by g"), std::string::npos);
+  EXPECT_EQ(std::get<UnitFault>(in_unit("3 m2/s2", "m")).hint.find("by g"), std::string::npos);
 }
 
 }  // namespace

@@ -65,6 +65,18 @@ const WrongLoad kWrong[] = {
      "edge_joints"},
     {"load_stress_without_level", ".toml", 8, 1, "material.rock.initial_stress.level", "", "grows with depth",
      "number [m]", "add level"},
+    {"time_function_late", ".toml", 23, 9, "function.push.start", "0.1",
+     "begins at 0.1 s, but the run is over at 0.1 s", "a time before 0.1 s", "start = \"only\""},
+    {"time_function_over", ".toml", 23, 9, "function.push.start", "-0.2", "over at -0.1 s, before the run begins",
+     "the name of a stage", "start = \"only\""},
+    {"time_stage_unknown", ".toml", 23, 9, "function.push.start", "olny", "no stage of that name", "\"only\"",
+     "did you mean"},
+    {"time_offset_late", ".toml", 25, 9, "point_load.0.start", "only", "the load 'point_load.0' begins at 0.5 s",
+     "the name of a stage", "last longer"},
+    {"time_offset_alone", ".toml", 24, 10, "function.push.offset", "0.02", "start names none", "start = \"STAGE\"",
+     "name the stage in start"},
+    {"time_two_starts", ".toml", 30, 9, "point_load.0.start", "0.02", "\"push\" has a start too", "start of the load",
+     "remove one of the two"},
     {"stage_local_implicit", ".toml", 27, 17, "stage.0.local_damping", "0.8", "explicit steps", "0 in implicit",
      "rest = true"},
     {"stage_local_whole", ".toml", 27, 17, "stage.0.local_damping", "1.0", "out of range", "0 <= value < 1", "smaller"},
@@ -104,7 +116,7 @@ const WrongLoad kWrong[] = {
      "remove the name"},
     {"stage_region_crossed", ".toml", 27, 19, "stage.0.explicit_region", "", "not a polygon", "not cross itself",
      "in their order"},
-    {"stage_region_empty", ".toml", 27, 19, "stage.0.explicit_region", "", "no block lies in the region",
+    {"stage_region_empty", ".toml", 27, 19, "stage.0.explicit_region", "", "no free block lies in the region",
      "a region with blocks", "same coordinates"},
     {"stage_region_no_mesh", ".toml", 27, 19, "stage.0.explicit_region", "", "\"slider\" lies across its border",
      "the NMM with a mesh", "explicit_blocks or implicit_blocks"},
@@ -140,7 +152,8 @@ TEST(WrongLoads, folder_holds_no_case_without_a_test) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFaults)) {
     const std::string name = entry.path().filename().string();
-    count += entry.path().extension() == ".toml" && (name.starts_with("load_") || name.starts_with("stage_"));
+    count += entry.path().extension() == ".toml" &&
+             (name.starts_with("load_") || name.starts_with("stage_") || name.starts_with("time_"));
   }
   EXPECT_EQ(count, std::size(kWrong));
 }

@@ -73,8 +73,9 @@ TEST(MotionKeys, gap_is_bridged_by_resampling) {
 TEST(MotionKeys, start_pga_and_integration_reach_the_motion) {
   const std::string path = kFaults + "record_window.toml";
   const GroundMotion m = read_case(path,
-                                   {"motion.shake.until=0.15", "motion.shake.start=2", "motion.shake.pga=\"50 cm/s2\"",
-                                    "motion.shake.integration=\"constant\"", "motion.shake.from=\"20 ms\""},
+                                   {"stage.0.duration=3", "motion.shake.until=0.15", "motion.shake.start=2",
+                                    "motion.shake.pga=\"50 cm/s2\"", "motion.shake.integration=\"constant\"",
+                                    "motion.shake.from=\"20 ms\""},
                                    kMethods)
                              .model.motions[0];
   EXPECT_DOUBLE_EQ(m.facts().pga, 0.5);

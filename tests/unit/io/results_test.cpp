@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -353,6 +354,35 @@ TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
   EXPECT_EQ(numbers[15], 1.0 / 3.0);  // vy of the second
   EXPECT_EQ(numbers[18], 6e6);
   EXPECT_TRUE(text_of(run / "energy.csv").starts_with("time [s],kinetic [J],elastic [J],"));
+}
+
+TEST(Outcome, a_summary_with_a_number_that_is_not_finite_does_not_say_done) {
+  // Each of them planted where no step sees it; a run that ended otherwise keeps its own reason.
+  enum class Planted { nothing, travel, ledger, position };
+  for (const Planted planted : {Planted::nothing, Planted::travel, Planted::ledger, Planted::position})
+    for (const auto status : {coupling::RunEnd::Status::done, coupling::RunEnd::Status::interrupted}) {
+      const Scratch scratch;
+      SmallRun small;
+      ResultsSink sink(RunFolder::create(scratch.path() / "run", false), {});
+      sink.begin(small.model, small.plan);
+      sink.topology(small.mesh);
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      const coupling::StageTravel travel{"s", BlockId{1}, planted == Planted::travel ? none : 1.0};
+      sink.event({coupling::EventKind::stage_end, 0.0, "done", nullptr, &travel});
+      if (planted == Planted::ledger) small.state.ledger.book(Column::friction, none);
+      const coupling::FrameView last = small.frame(0.1, 0, planted == Planted::position ? none : 0.01, 0.0, 1e5);
+      sink.end({status, status == coupling::RunEnd::Status::done ? "" : "stopped"}, last);
+      const std::string text = text_of(scratch.path() / "run" / "summary.json");
+      const bool wrong = planted != Planted::nothing && status == coupling::RunEnd::Status::done;
+      EXPECT_EQ(sink.outcome().status, wrong ? coupling::RunEnd::Status::non_finite : status);
+      EXPECT_EQ(text.find("\"status\": \"non_finite\"") != std::string::npos, wrong) << text;
+      if (wrong) {
+        const char* field = planted == Planted::travel   ? "'farthest_displacement'"
+                            : planted == Planted::ledger ? "'friction'"
+                                                         : "'displacement'";
+        EXPECT_NE(sink.outcome().reason.find(field), std::string::npos) << sink.outcome().reason;
+      }
+    }
 }
 
 }  // namespace

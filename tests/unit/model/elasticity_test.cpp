@@ -102,5 +102,20 @@ TEST(Tangent, material_one_is_semi_definite_and_knows_no_rotation) {
   }
 }
 
+/// A strip that is pulled along x and free across: in plane stress it answers with E and -nu, in plane strain with
+/// E/(1 - nu^2) and -nu/(1 - nu).
+TEST(Elasticity, strip_that_is_free_across_answers_as_a_bar_or_as_a_plate) {
+  const double E = 3e9, nu = 0.3, pull = 2e6;
+  Mat2 stress = Mat2::Zero();
+  stress(0, 0) = pull;
+  const Mat2 bar = Elasticity::from(E, nu, Plane::stress).strain(stress),
+             plate = Elasticity::from(E, nu, Plane::strain).strain(stress);
+  EXPECT_NEAR(bar(0, 0) / (pull / E), 1.0, 1e-14);
+  EXPECT_NEAR(bar(1, 1) / (-nu * pull / E), 1.0, 1e-14);
+  EXPECT_NEAR(plate(0, 0) / (pull * (1.0 - nu * nu) / E), 1.0, 1e-14);
+  EXPECT_NEAR(plate(1, 1) / (-nu * (1.0 + nu) * pull / E), 1.0, 1e-14);
+  EXPECT_NEAR((Elasticity::from(E, nu, Plane::stress).stress(bar) - stress).norm(), 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace scree

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
+#include <span>
 
 #include "tests/unit/nmm/one_block.h"
 
@@ -42,6 +45,32 @@ TEST(LumpedMass, solve_inverts_apply_and_body_force_gives_g) {
   for (std::size_t k = 0; k < a.size() / 2; ++k) {
     EXPECT_NEAR(a[2 * k], 0.5, 1e-12);
     EXPECT_NEAR(a[2 * k + 1], -9.81, 1e-12);
+  }
+}
+
+TEST(LumpedMass, row_sums_add_to_the_block_and_are_bounded_by_the_mass_ratio) {
+  for (const double h : {0.7, 0.33}) {
+    One one(quadrilateral(), h);
+    const std::span<const double> lumped = one.pool.mass().lumped();
+    EXPECT_NEAR(std::accumulate(lumped.begin(), lumped.end(), 0.0), one.shape.mass, 1e-12);
+    // Affine motion is where the two masses differ: D <= theta M, and theta is no larger than it has to be.
+    const double theta = one.pool.mass_ratio(0);
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> u(-1.0, 1.0);
+    double most = 0.0;
+    for (int n = 0; n < 200; ++n) {
+      AffineMotion m;
+      m.vc = 0.1 * Vec2(u(generator), u(generator));
+      m.Fdot << u(generator), u(generator), u(generator), u(generator);
+      one.pool.place(0, m, one.q, one.v);
+      double twice = 0.0;
+      for (std::size_t k = 0; k < lumped.size(); ++k)
+        twice += lumped[k] * Vec2(one.v[2 * k], one.v[2 * k + 1]).squaredNorm();
+      most = std::max(most, 0.5 * twice / one.pool.totals(0, one.q, one.v).kinetic);
+    }
+    EXPECT_LE(most, theta * (1.0 + 1e-12)) << h;
+    EXPECT_GT(most, 1.0 + 0.5 * (theta - 1.0)) << h;
+    EXPECT_GT(theta, 1.001) << h;
   }
 }
 

@@ -61,5 +61,22 @@ TEST(RecoveredStress, is_exact_for_linear_stress_at_points_of_the_block) {
   }
 }
 
+TEST(ChartRow, of_an_outline_node_gives_linear_fields_exactly_over_ties_too) {
+  test::NmmBlock block(quadrilateral(), {.mass = MassKind::consistent, .cover_size = 0.33}, rock());
+  ASSERT_FALSE(block.mesh().ties.empty());
+  std::vector<double> star(static_cast<std::size_t>(block.pool.dofs(0)));
+  block.pool.rates(0, block.q, block.q, star);  // positions in the unknowns
+  for (const Row& row : block.pool.boundary(0).nodes) {
+    const ChartRow chart = block.pool.chart_row(0, row, block.q);
+    Vec2 x = Vec2::Zero(), expected = Vec2::Zero();
+    for (int k = 0; k < chart.n; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      x += Vec2(chart.tx[i], chart.ty[i]) * star[static_cast<std::size_t>(chart.dof[i])];
+    }
+    for (std::size_t k = 0; k < 3; ++k) expected += row.w[k] * node(block.q, row.node[k]);
+    EXPECT_NEAR((x - expected).norm(), 0.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace scree::nmm

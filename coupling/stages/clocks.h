@@ -1,0 +1,48 @@
+// When motions and functions begin that are counted from a stage, whose own beginning only the run knows.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/plan.h"
+#include "model/model.h"
+
+namespace scree::coupling {
+
+/// What the times of each motion and function of the model are counted from, in one stage [s]; infinite: it has not
+/// begun, and does not in this stage. Empty: all from t = 0.
+struct Clocks {
+  std::vector<double> motion, function;
+};
+
+/// The clocks of the last stage that has begun. A function that begins where this stage ends, or later, belongs to
+/// another stage: the step that arrives there has none of it.
+/// @param stage_begin  State::stage_begin   @param stage_end  of the last of them, at the latest
+[[nodiscard]] Clocks clocks_of(const Model& model, std::span<const Tick> stage_begin, Tick stage_end);
+
+/// A motion or a function that the stages of a run do not meet, or not to its end.
+struct TimeFault {
+  enum class Kind { missed, outlasts } kind = Kind::missed;
+  bool motion = false;            // or a function
+  std::size_t index = 0;          // into the model's motions or functions
+  double begin = 0.0, end = 0.0;  // of it [s]
+  double run_end = 0.0;           // [s]
+  /// The same fault of the same motion or function.
+  [[nodiscard]] bool same(const TimeFault& other) const {
+    return kind == other.kind && motion == other.motion && index == other.index;
+  }
+};
+
+/// @param stage_begin  of the stages so far; empty: as planned   @param stage_end  of the last of them, at the latest
+[[nodiscard]] std::vector<TimeFault> time_faults(const Model& model, const Plan& plan,
+                                                 std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
+
+/// The stage in which each begins, motions first, then functions; invalid: none. Arguments as above.
+[[nodiscard]] std::vector<StageId> stages_met(const Model& model, const Plan& plan,
+                                              std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
+
+/// "the motion 'kobe' begins at 12 s, but the run is over at 10 s"
+[[nodiscard]] std::string text(const TimeFault& fault, const Model& model);
+
+}  // namespace scree::coupling

@@ -1,0 +1,336 @@
+#include "coupling/stages/plan_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <numeric>
+
+#include "coupling/stages/lasting_loads.h"
+#include "coupling/stages/partition.h"
+#include "coupling/transfer/transfer.h"
+
+namespace scree::coupling {
+namespace {
+
+constexpr std::size_t kMostNames = 5;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// Blocks that hang together by touching.
+struct Groups {
+  std::vector<std::int32_t> of;              // a block
+  std::vector<std::vector<BlockId>> blocks;  // a group
+};
+
+Groups groups_of(std::size_t blocks, const std::vector<Touch>& touches) {
+  std::vector<std::size_t> root(blocks);
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const Touch& t : touches) {
+    const std::size_t i = find(t.a.index()), j = find(t.b.index());
+    root[std::max(i, j)] = std::min(i, j);
+  }
+  Groups out;
+  out.of.assign(blocks, -1);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t r = find(b);
+    if (r == b) {
+      out.of[b] = static_cast<std::int32_t>(out.blocks.size());
+      out.blocks.emplace_back();
+    }
+    out.of[b] = out.of[r];
+    out.blocks[static_cast<std::size_t>(out.of[b])].emplace_back(static_cast<std::int32_t>(b));
+  }
+  return out;
+}
+
+/// Axes, x and y, along which supports hold a group.
+std::vector<std::array<bool, 2>> held_axes(const Model& model, const Groups& groups) {
+  std::vector<std::array<bool, 2>> held(groups.blocks.size(), {false, false});
+  const auto at = [&](BlockId b) -> std::array<bool, 2>& {
+    return held[static_cast<std::size_t>(groups.of[b.index()])];
+  };
+  for (const BlockSupport& s : model.block_supports) at(s.block) = {true, true};
+  for (const PointSupport& s : model.point_supports) {
+    at(s.block)[0] = at(s.block)[0] || s.fix_x;
+    at(s.block)[1] = at(s.block)[1] || s.fix_y;
+  }
+  return held;
+}
+
+bool thrown(const Model& model, BlockId block) {
+  return std::any_of(model.initial_velocities.begin(), model.initial_velocities.end(), [&](const InitialVelocity& v) {
+    return v.block == block && (v.velocity != Vec2::Zero() || v.spin != 0.0);
+  });
+}
+
+/// Methods whose blocks move in an affine way only: damping that spares affine motion finds nothing in them.
+bool affine(const Wish& wish) { return wish.method == "dda" || wish.form.onefold; }
+
+/// Time acts in a stage: velocities are those of the motion.
+bool dynamic(const Stage& stage) { return !stage.rest && stage.dynamics == 1.0; }
+
+std::string group_text(const Model& model, const std::vector<BlockId>& blocks, bool held_elsewhere) {
+  const Neighbour next = nearest_other(model, blocks);
+  const std::string nearest = next.block.valid() ? fmt::format("; the nearest other one, '{}', is {:.3g} m away",
+                                                               model.blocks[next.block.index()].name, next.gap)
+                                                 : std::string();
+  if (blocks.size() == 1)
+    return fmt::format(
+        "block {} touches nothing{}: it moves off as soon as the run begins; close the gap, or give it a support",
+        named_blocks(model, blocks), nearest);
+  return fmt::format("blocks {} touch each other, but nothing that is held{}{}", named_blocks(model, blocks), nearest,
+                     held_elsewhere ? "; close the gap, or give one of them a support" : "");
+}
+
+}  // namespace
+
+std::string named_blocks(const Model& model, const std::vector<BlockId>& blocks) {
+  std::string out;
+  const std::size_t shown = blocks.size() > kMostNames + 1 ? kMostNames : blocks.size();
+  for (std::size_t i = 0; i < shown; ++i)
+    out += fmt::format("{}'{}'",
+                       i == 0                   ? ""
+                       : i + 1 == blocks.size() ? " and "
+                                                : ", ",
+                       model.blocks[blocks[i].index()].name);
+  if (shown < blocks.size()) out += fmt::format(" and {} more", blocks.size() - shown);
+  return out;
+}
+
+std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches) {
+  const Groups groups = groups_of(model.blocks.size(), touches);
+  const std::vector<std::array<bool, 2>> held = held_axes(model, groups);
+  std::vector<LastingForce> force(groups.blocks.size());
+  add_lasting_loads(model, groups.of, force);
+  const bool no_support = model.block_supports.empty() && model.point_supports.empty();
+  std::vector<std::string> out;
+  std::vector<BlockId> alone;
+  std::vector<std::string> told;
+  bool all_free = true, all_thrown = true, moved = false;
+  for (std::size_t g = 0; g < groups.blocks.size(); ++g) {
+    const std::vector<BlockId>& blocks = groups.blocks[g];
+    const bool on_its_way = std::all_of(blocks.begin(), blocks.end(), [&](BlockId b) { return thrown(model, b); });
+    all_thrown = all_thrown && on_its_way;
+    all_free = all_free && !held[g][0] && !held[g][1];
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!force[g].acts(axis) || held[g][static_cast<std::size_t>(axis)]) continue;
+      moved = true;
+      if (on_its_way || no_support) continue;
+      if (held[g][static_cast<std::size_t>(1 - axis)])
+        told.push_back(fmt::format("nothing holds {} {} along {}, where {} acts on {}: supports fix {} only",
+                                   blocks.size() == 1 ? "block" : "blocks", named_blocks(model, blocks),
+                                   axis == 0 ? 'x' : 'y', model.gravity[axis] != 0.0 ? "gravity" : "a load",
+                                   blocks.size() == 1 ? "it" : "them", axis == 0 ? 'y' : 'x'));
+      else if (blocks.size() == 1)
+        alone.push_back(blocks.front());
+      else
+        told.push_back(group_text(model, blocks, true));
+      break;
+    }
+  }
+  if (no_support && moved && !all_thrown)
+    out.push_back(
+        fmt::format("nothing holds the model: the case has no [[support]], and {} moves all of it from the beginning{}",
+                    model.gravity != Vec2::Zero() ? "gravity" : "a load that lasts",
+                    model.viscous_edges.empty() ? "" : " (viscous edges only slow it down: the model sinks on them)"));
+  out.insert(out.end(), told.begin(), told.end());
+  for (std::size_t i = 0; i < alone.size() && i < kMostNames; ++i) out.push_back(group_text(model, {alone[i]}, true));
+  if (alone.size() > kMostNames)
+    out.push_back(fmt::format("{} more blocks touch nothing: {}", alone.size() - kMostNames,
+                              named_blocks(model, {alone.begin() + kMostNames, alone.end()})));
+  return out;
+}
+
+std::vector<std::string> damping_warnings(const Model& model, const Plan& plan) {
+  std::vector<std::string> out;
+  for (const Stage& stage : plan.stages) {
+    const std::vector<Wish> wish = wishes(model, stage);
+    bool free = false, bends = stage.change.used && stage.change.back.used();
+    for (std::size_t b = 0; b < wish.size(); ++b) {
+      if (model.support_of(BlockId(static_cast<std::int32_t>(b))) != nullptr) continue;
+      free = true;
+      bends = bends || !affine(wish[b]);
+    }
+    const bool any = stage.damping > 0.0 || stage.stiffness_damping > 0.0 || stage.local_damping > 0.0;
+    if (any && !free)
+      out.push_back(fmt::format("stage '{}': its damping acts on nothing: all blocks are held", stage.name));
+    else if (stage.damping > 0.0 && !stage.damp_rigid_motion && !bends)
+      out.push_back(
+          fmt::format("stage '{}': damping = {:g} acts on nothing: it spares affine motion, and blocks of the DDA and "
+                      "under onefold "
+                      "covers have no other; stiffness_damping acts on their strain, damp_rigid_motion = true on all "
+                      "of their motion",
+                      stage.name, stage.damping));
+  }
+  return out;
+}
+
+std::vector<std::string> partition_warnings(const Model& model, const Plan& plan) {
+  std::vector<std::string> out;
+  for (const Stage& stage : plan.stages) {
+    if (stage.integrator != Integrator::partitioned) continue;
+    const auto takes = [&](const Partition& rule) {
+      const std::vector<char> sides = first_sides(model, rule);
+      for (std::size_t b = 0; b < sides.size(); ++b)
+        if (sides[b] != 0 && model.support_of(BlockId(static_cast<std::int32_t>(b))) == nullptr) return true;
+      return false;
+    };
+    Partition area, region;
+    area.explicit_area = stage.partition.explicit_area;
+    region.explicit_region = stage.partition.explicit_region;
+    if (area.explicit_area > 0.0 && !takes(area))
+      out.push_back(fmt::format("stage '{}': explicit_area = {:g} m2 makes no block explicit: no free one is smaller",
+                                stage.name, area.explicit_area));
+    if (!region.explicit_region.empty() && !takes(region))
+      out.push_back(
+          fmt::format("stage '{}': explicit_region makes no block explicit: no free one lies in it", stage.name));
+  }
+  return out;
+}
+
+std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, const std::vector<Touch>& touches) {
+  const SlidingNeeds needs;
+  const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), dynamic);
+  if (stage == plan.stages.end()) return {};
+  const Vec2 pull = weight_direction(model);
+  if (pull == Vec2::Zero()) return {};
+  std::vector<double> steepest(model.joints.size(), -1.0);  // of a law [rad]
+  for (const Touch& touch : touches) {
+    const bool a_held = model.support_of(touch.a) != nullptr, b_held = model.support_of(touch.b) != nullptr;
+    if (a_held && b_held) continue;
+    for (const Stretch& s : touch.facing) {
+      if (!s.law.valid()) continue;
+      const double slope = std::acos(std::min(1.0, std::abs(s.normal.dot(pull)) / pull.norm()));
+      steepest[s.law.index()] = std::max(steepest[s.law.index()], slope);
+    }
+  }
+  std::vector<std::string> out;
+  double rough = -1.0;  // steepest of those with enough friction [rad]
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const JointLaw& law = model.joints[j];
+    if (steepest[j] < needs.angle || law.friction < needs.angle) continue;
+    rough = std::max(rough, steepest[j]);
+    if (law.damping >= needs.joint_damping) continue;
+    out.push_back(
+        fmt::format("joint '{}': damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
+                    "degrees with {:.0f} "
+                    "degrees of friction blocks may hop on their contacts and slide too far, as undamped equations do; "
+                    "leave the key "
+                    "out unless that is what you study",
+                    law.name, law.damping, needs.joint_damping, steepest[j] * kDegrees, law.friction * kDegrees));
+  }
+  for (const Stage& s : plan.stages)
+    if (rough >= 0.0 && dynamic(s) && s.sliding_damping < needs.stage_damping)
+      out.push_back(fmt::format(
+          "stage '{}': sliding_damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
+          "degrees "
+          "blocks may vibrate, lose friction and slide too far; leave the key out unless that is what you study",
+          s.name, s.sliding_damping, needs.stage_damping, rough * kDegrees));
+  return out;
+}
+
+std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, const std::vector<Touch>& touches) {
+  const std::vector<BlockId> stones = stones_of_arches(model, touches);
+  if (stones.empty()) return {};
+  std::vector<std::string> out;
+  for (const Stage& stage : plan.stages) {
+    const std::vector<Wish> wish = wishes(model, stage);
+    // Joints of an automatic stiffness that a mesh divides.
+    const auto divided = [&](BlockId b) {
+      const Wish& w = wish[b.index()];
+      return w.method == "nmm" && !w.form.onefold && std::any_of(touches.begin(), touches.end(), [&](const Touch& t) {
+               return (t.a == b || t.b == b) && std::any_of(t.facing.begin(), t.facing.end(), [&](const Stretch& s) {
+                        const bool automatic = !s.law.valid() || (!model.joints[s.law.index()].normal_stiffness &&
+                                                                  !model.joints[s.law.index()].penalty);
+                        return automatic && s.length > w.form.cover_size;
+                      });
+             });
+    };
+    std::vector<BlockId> soft;
+    std::copy_if(stones.begin(), stones.end(), std::back_inserter(soft), divided);
+    if (soft.empty()) continue;
+    out.push_back(
+        fmt::format("stage '{}': {} {} carried by thrust alone, as a stone of an arch, on joints with normal_stiffness "
+                    "= \"auto\" that "
+                    "the NMM divides: a hinge gives way more there than at the two points that a joint of the DDA has, "
+                    "and the limit "
+                    "of an arch moves by about 3 %; a normal_stiffness ten times the automatic one, or the DDA, comes "
+                    "nearer to rigid "
+                    "blocks",
+                    stage.name, soft.size() == 1 ? "block" : "blocks",
+                    named_blocks(model, soft) + (soft.size() == 1 ? " is" : " are")));
+    break;  // later stages say no more
+  }
+  return out;
+}
+
+std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches) {
+  const std::size_t n = model.blocks.size();
+  std::vector<char> stands(n, 0);
+  for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
+  for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
+  /// How far a push into a block is turned from straight up, counter-clockwise [rad].
+  const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
+    return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
+  };
+  const auto carries = [&](const Vec2& push, const Stretch& s) {
+    if (!s.law.valid()) return false;
+    const JointLaw& law = model.joints[s.law.index()];
+    const bool glued = law.cohesion > 0.0 || law.tensile_strength > 0.0;
+    return glued || std::abs(turned(push)) <= law.friction;
+  };
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Touch& t : touches)
+      for (const Stretch& s : t.facing) {
+        const auto lift = [&](BlockId from, BlockId into, const Vec2& push) {
+          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(push, s)) return;
+          stands[into.index()] = 1;
+          grew = true;
+        };
+        lift(t.a, t.b, s.normal);
+        lift(t.b, t.a, -s.normal);
+      }
+  }
+  // What does not stand hangs together in groups; what stands may push them from the left, from the right, or both.
+  std::vector<Touch> among;
+  std::copy_if(touches.begin(), touches.end(), std::back_inserter(among), [&](const Touch& t) {
+    return stands[t.a.index()] == 0 && stands[t.b.index()] == 0 && !t.facing.empty();
+  });
+  const Groups groups = groups_of(n, among);
+  std::vector<std::array<bool, 2>> pushed(groups.blocks.size(), {false, false});
+  const auto push = [&](BlockId from, BlockId into, const Vec2& direction) {
+    if (stands[from.index()] == 0 || stands[into.index()] != 0) return;
+    const double angle = turned(direction);
+    if (std::abs(angle) > 0.5 * std::numbers::pi + 1e-6) return;  // from above
+    pushed[static_cast<std::size_t>(groups.of[into.index()])][angle > 0.0 ? 0 : 1] = true;
+  };
+  for (const Touch& t : touches)
+    for (const Stretch& s : t.facing) {
+      push(t.a, t.b, s.normal);
+      push(t.b, t.a, -s.normal);
+    }
+  std::vector<BlockId> stones;
+  for (std::size_t b = 0; b < n; ++b)
+    if (const auto& from = pushed[static_cast<std::size_t>(groups.of[b])]; stands[b] == 0 && from[0] && from[1])
+      stones.emplace_back(static_cast<std::int32_t>(b));
+  return stones;
+}
+
+std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
+  const std::vector<Touch> touches = touching_blocks(model);
+  std::vector<std::string> out = support_warnings(model, touches);
+  for (const auto& more : {damping_warnings(model, plan), partition_warnings(model, plan),
+                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches)})
+    out.insert(out.end(), more.begin(), more.end());
+  return out;
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,45 @@
+// What is allowed in a case and seldom meant: said before the first step.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/plan.h"
+#include "model/model.h"
+#include "model/touching.h"
+
+namespace scree::coupling {
+
+/// What sliding asks for: with less, modes of a block and of its slipping contacts coalesce, since friction makes their
+/// stiffness unsymmetric; the block hops on its contacts, loses friction and slides too far. The defaults of the case
+/// file are the thresholds.
+struct SlidingNeeds {
+  double joint_damping = JointLaw{}.damping;  // `damping` of a joint, fraction of critical
+  double stage_damping = 0.15;                // `sliding_damping` of a stage, likewise
+  // Where that happens: friction and slope of the joint, both at least this.
+  double angle = 25.0 * 3.14159265358979323846 / 180.0;  // [rad]
+};
+
+/// Warnings of a model and its plan, a line each: nothing holds the model, blocks touch nothing, damping acts on
+/// nothing, an area or a region of a partitioned stage holds no block, joints that may slide have less damping than
+/// that asks for, stones of an arch on joints of the NMM.
+/// @pre the model is checked
+[[nodiscard]] std::vector<std::string> plan_warnings(const Model& model, const Plan& plan);
+
+/// The parts of them. Directions in which something is missing are those of gravity and of loads that last.
+[[nodiscard]] std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches);
+[[nodiscard]] std::vector<std::string> damping_warnings(const Model& model, const Plan& plan);
+[[nodiscard]] std::vector<std::string> partition_warnings(const Model& model, const Plan& plan);
+[[nodiscard]] std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan,
+                                                        const std::vector<Touch>& touches);
+[[nodiscard]] std::vector<std::string> arch_warnings(const Model& model, const Plan& plan,
+                                                     const std::vector<Touch>& touches);
+
+/// Free blocks that only the thrust of their neighbours can carry, from both sides, as the stones of an arch: no chain
+/// of joints that are less steep than their friction leads from them down to what is held.
+[[nodiscard]] std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches);
+
+/// "'a', 'b' and 3 more".
+[[nodiscard]] std::string named_blocks(const Model& model, const std::vector<BlockId>& blocks);
+
+}  // namespace scree::coupling

@@ -1,0 +1,40 @@
+// Which blocks of a model touch where the model first has them, and along what.
+#pragma once
+
+#include <vector>
+
+#include "model/model.h"
+
+namespace scree {
+
+/// A stretch along which edges of two blocks lie against each other.
+struct Stretch {
+  Vec2 normal{0.0, 0.0};  // unit normal, outward of block a
+  double length = 0.0;    // [m]
+  JointId law;            // invalid: the model has no joints
+};
+
+/// Two blocks that touch.
+struct Touch {
+  BlockId a, b;                 // a < b
+  std::vector<Stretch> facing;  // empty: they touch at points only
+};
+
+/// The law between two edges that name laws, or none (invalid): the one that is given; of two the one with less
+/// friction, and of two with the same friction the one defined first.
+[[nodiscard]] JointId law_between(const Model& model, JointId a, JointId b);
+
+/// Gap below which two blocks count as touching: a thousandth of the root area of the smaller one [m].
+inline constexpr double kTouchingGap = 1e-3;
+
+/// Pairs of blocks that touch, ordered by a and b.
+[[nodiscard]] std::vector<Touch> touching_blocks(const Model& model);
+
+/// The block nearest to some blocks, other than they, and how far it is.
+struct Neighbour {
+  BlockId block;     // invalid: there is no other block
+  double gap = 0.0;  // [m]
+};
+[[nodiscard]] Neighbour nearest_other(const Model& model, const std::vector<BlockId>& blocks);
+
+}  // namespace scree

@@ -1,0 +1,181 @@
+// Rules of the contact search, each at the place where it decides: which edge holds a corner, what is listed, when a
+// corner becomes part of an overlap.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/contact/contact_finder.h"
+#include "tests/support/by_hand.h"
+#include "tests/support/schemes.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+/// A held block 0 and a free block 1 that can be put anywhere.
+struct Two {
+  static constexpr double kDetection = 0.02;
+  Scene scene{1e9, 0.2, 2500.0};
+  std::unique_ptr<ByHand> hand;
+  std::unique_ptr<ContactFinder> finder;
+  Two(const Polygon& held, const Polygon& free) {
+    scene.add("held", held, true);
+    scene.add("free", free);
+    scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+    hand = std::make_unique<ByHand>(scene.model, scene.plan.stages[0]);
+    finder = std::make_unique<ContactFinder>(*hand->setup, kDetection);
+  }
+  /// The list with the free block moved by u from where the model has it.
+  ContactList at(const Vec2& u, const ContactList& known) {
+    const Body& b = hand->setup->bodies()[1];
+    std::vector<double> q = hand->state.q;
+    q[2 * static_cast<std::size_t>(b.first_node)] += u.x();
+    q[2 * static_cast<std::size_t>(b.first_node) + 1] += u.y();
+    ContactList out;
+    finder->find(q, known, false, out);
+    return out;
+  }
+  ContactList at(const Vec2& u) { return at(u, {}); }
+};
+
+/// Index of the point of a vertex of block `p` against an edge of block `e`; -1: there is none.
+std::ptrdiff_t index_of(const ContactList& list, std::int32_t p, std::int32_t vertex, std::int32_t e,
+                        std::int32_t edge) {
+  const auto found = std::find_if(list.points.begin(), list.points.end(), [&](const ContactPoint& c) {
+    return c.key.block_p == p && c.key.vertex == vertex && c.key.block_e == e && c.key.edge == edge;
+  });
+  return found == list.points.end() ? -1 : found - list.points.begin();
+}
+
+void close(ContactList& list, std::ptrdiff_t i, double gap) {
+  ContactMemory& m = list.memory[static_cast<std::size_t>(i)];
+  m.status = ContactStatus::stick;
+  m.gap0 = 0.0;
+  m.gap = gap;
+}
+
+/// A corner in the corner of another block leaves by the edge that holds it until the other is twice as near.
+TEST(CornerRules, edge_that_holds_a_corner_keeps_it_until_the_other_is_twice_as_near) {
+  constexpr std::int32_t kRight = 1, kTop = 2;
+  for (const std::int32_t holds : {kTop, kRight}) {
+    Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
+    // 1 mm deep in the edge that holds it.
+    const auto moved = [&](double other) { return holds == kTop ? Vec2(-other, -0.001) : Vec2(-0.001, -other); };
+    ContactList known = two.at(moved(0.01));
+    const std::ptrdiff_t held = index_of(known, 1, 0, 0, holds);
+    ASSERT_GE(held, 0);
+    for (ContactMemory& m : known.memory) {
+      m.gap0 = 0.0;
+      m.gap = 1e-4;  // just open
+    }
+    close(known, held, -0.001);
+    for (const double other : {0.0030, 0.0009, 0.0006, 0.0004, 0.0001}) {
+      const bool kept = other > 0.0005;
+      const ContactList now = two.at(moved(other), known);
+      const std::ptrdiff_t h = index_of(now, 1, 0, 0, holds), o = index_of(now, 1, 0, 0, holds == kTop ? kRight : kTop);
+      ASSERT_GE(h, 0);
+      ASSERT_GE(o, 0);
+      EXPECT_NE(now.points[static_cast<std::size_t>(h)].suppressed, kept) << holds << ' ' << other;
+      EXPECT_EQ(now.points[static_cast<std::size_t>(o)].suppressed, kept) << holds << ' ' << other;
+    }
+  }
+}
+
+/// Neither side holds the corner yet: it leaves by the nearer one.
+TEST(CornerRules, corner_that_nothing_holds_leaves_by_the_nearer_edge) {
+  Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
+  ContactList known = two.at({-0.01, -0.001});
+  for (ContactMemory& m : known.memory) {
+    m.gap0 = 0.0;
+    m.gap = 1e-4;
+  }
+  for (const double other : {0.0009, 0.0011}) {
+    const ContactList now = two.at({-other, -0.001}, known);
+    EXPECT_EQ(now.points[static_cast<std::size_t>(index_of(now, 1, 0, 0, 2))].suppressed, other < 0.001);
+    EXPECT_EQ(now.points[static_cast<std::size_t>(index_of(now, 1, 0, 0, 1))].suppressed, other > 0.001);
+  }
+}
+
+/// What is more than half way through a plate when it is first seen has come in over its end.
+TEST(CornerRules, corner_first_seen_beyond_the_middle_of_a_plate_is_not_pressed_through) {
+  Two two(rectangle(-1, 0, 1, 0.01), rectangle(0.95, 0.01, 2, 1));
+  EXPECT_GE(index_of(two.at({0.0, -0.004}), 1, 0, 0, 2), 0);
+  EXPECT_EQ(index_of(two.at({0.0, -0.006}), 1, 0, 0, 2), -1);
+  // One that was seen before it went so far is held.
+  const ContactList before = two.at({0.0, 0.001});
+  ASSERT_GE(index_of(before, 1, 0, 0, 2), 0);
+  EXPECT_GE(index_of(two.at({0.0, -0.006}, before), 1, 0, 0, 2), 0);
+}
+
+/// A tip that was pressed far deeper than the search looks is still held by the edge that it is closed with.
+TEST(CornerRules, closed_corner_is_held_however_deep) {
+  Two two(rectangle(-2, -2, 2, 0), {{{0, 0}, {0.05, 0.1}, {-0.05, 0.1}}, {}});  // small: all of it goes so deep
+  ContactList known = two.at({0.0, 0.001});
+  const std::ptrdiff_t tip = index_of(known, 1, 0, 0, 2);
+  ASSERT_GE(tip, 0);
+  EXPECT_EQ(index_of(two.at({0.0, -0.5}, known), 1, 0, 0, 2), -1);  // open, and farther than the search looks
+  close(known, tip, -0.45);
+  const ContactList now = two.at({0.0, -0.5}, known);
+  const std::ptrdiff_t held = index_of(now, 1, 0, 0, 2);
+  ASSERT_GE(held, 0);
+  EXPECT_NEAR(now.memory[static_cast<std::size_t>(held)].gap, -0.5, 1e-12);
+}
+
+/// A corner that comes to face an edge stays a corner until its overlap is worth what it had, or half of what the
+/// vertex can have; then its springs change and its force does not.
+TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) {
+  Two two(rectangle(-2, -2, 2, 0), rectangle(0, 0, 1, 1));
+  const double stiffness = 4e8;  // per length
+  const auto adopted = [&](double had, double overlap, double largest) {
+    ContactList list;
+    ContactPoint& p = list.points.emplace_back();
+    p.facing = true;
+    p.largest_share = largest;
+    p.springs = {overlap, overlap * stiffness, overlap * stiffness};
+    p.at.length = 1.0;
+    ContactMemory& m = list.memory.emplace_back();
+    m.status = ContactStatus::stick;
+    m.share = had;
+    m.kn = had * stiffness;
+    m.kt = 0.5 * had * stiffness;
+    m.gap = -1e-4;
+    m.stretch = 3e-5;
+    const double fn = m.kn * m.gap, ft = m.kt * m.stretch,
+                 before = 0.5 * (m.kn * m.gap * m.gap + m.kt * m.stretch * m.stretch);
+    const double change = two.finder->adopt_kinds(list);
+    EXPECT_NEAR(m.kn * m.gap / fn, 1.0, 1e-12);
+    EXPECT_NEAR(m.kt * m.stretch / ft, 1.0, 1e-12);
+    EXPECT_NEAR(change, 0.5 * (m.kn * m.gap * m.gap + m.kt * m.stretch * m.stretch) - before, 1e-12 * before);
+    return m.facing == 1;
+  };
+  EXPECT_FALSE(adopted(0.1, 0.09, 1.0));  // less than the corner had
+  EXPECT_TRUE(adopted(0.1, 0.11, 1.0));
+  EXPECT_FALSE(adopted(0.4, 0.24, 0.5));  // half of the largest share is 0.25, less than the corner had
+  EXPECT_TRUE(adopted(0.4, 0.26, 0.5));
+}
+
+/// Dashpots of a corner that stands on a held edge: the law's fraction of critical, 2 sqrt(k/mu), of either spring.
+TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law_gives) {
+  const double width = 1.4, height = 1.0, mass = 2500.0 * width * height, fraction = 0.3;
+  Scene scene(1e9, 0.2, 2500.0);
+  scene.model.joints[0].penalty = 5e9;
+  scene.model.joints[0].shear_penalty = 2e9;
+  scene.model.joints[0].damping = fraction;
+  scene.add("held", rectangle(-3, -1, 3, 0), true);
+  scene.add("free", transformed(rectangle(0, 0, width, height), Vec2(0, 0), rotation(0.7)));
+  scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+  const ByHand hand(scene.model, scene.plan.stages[0]);
+  ContactFinder finder(*hand.setup, 0.02);
+  ContactList list;
+  finder.find(hand.state.q, {}, true, list);
+  ASSERT_EQ(list.points.size(), 1U);
+  // Of a corner of a rectangle: 1/m and 12 (1/4 + 1/4)/m from its two stretches; the held block gives nothing.
+  const double compliance = 7.0 / mass;
+  EXPECT_NEAR(list.points[0].cn, 2.0 * fraction * std::sqrt(5e9 / compliance), 1e-3);
+  EXPECT_NEAR(list.points[0].ct, 2.0 * fraction * std::sqrt(2e9 / compliance), 1e-3);
+}
+
+}  // namespace
+}  // namespace scree::test

@@ -1,0 +1,65 @@
+// The unbalanced force of blocks that loads push, turn and hold, by hand.
+#include "coupling/stages/force_balance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/by_hand.h"
+#include "tests/support/schemes.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+ForceBalance::Result measured(const Scene& scene) {
+  ByHand hand(scene.model, scene.plan.stages[0]);
+  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
+  mover.enter(hand.state);
+  return ForceBalance(*hand.setup, hand.state).measure(hand.state, mover);
+}
+
+Scene block(const char* method) {
+  Scene scene(1e8, 0.2, 2000.0);
+  scene.model.gravity = {0.0, 0.0};
+  scene.add("other", rectangle(10.0, 0.0, 11.0, 1.0));
+  scene.add("block", rectangle(0.0, 0.0, 2.0, 3.0));
+  scene.stage(method, Integrator::explicit_, 1.0, std::nullopt, 0.5);
+  return scene;
+}
+
+TEST(ForceBalance, force_of_an_affine_block_is_that_on_its_centre) {
+  Scene scene = block("dda");
+  scene.model.point_loads.push_back({BlockId{1}, {1.0, 1.5}, {300.0, -700.0}, {}});
+  const ForceBalance::Result r = measured(scene);
+  EXPECT_NEAR(r.force, 700.0, 1e-9);
+  EXPECT_NEAR(r.ratio, 1.0, 1e-12);
+  EXPECT_EQ(r.body, 1);
+}
+
+TEST(ForceBalance, moment_on_an_affine_block_counts_as_a_force_at_its_root_area) {
+  // A couple: 100 N at the top against 100 N at the bottom, 3 m apart. On the gradient's columns that is 300 N m.
+  Scene scene = block("dda");
+  scene.model.point_loads.push_back({BlockId{1}, {1.0, 3.0}, {100.0, 0.0}, {}});
+  scene.model.point_loads.push_back({BlockId{1}, {1.0, 0.0}, {-100.0, 0.0}, {}});
+  const ForceBalance::Result r = measured(scene);
+  EXPECT_NEAR(r.force, 300.0 / std::sqrt(6.0), 1e-9);
+  EXPECT_EQ(r.body, 1);
+}
+
+TEST(ForceBalance, what_is_left_is_measured_by_the_largest_single_force) {
+  Scene scene = block("dda");
+  scene.model.blocks.erase(scene.model.blocks.begin());
+  scene.model.gravity = {0.0, -10.0};
+  const double weight = 2000.0 * 6.0 * 10.0;
+  for (const double part : {1.0, 0.75}) {
+    scene.model.point_loads.assign(1, {BlockId{0}, {1.0, 1.5}, {0.0, part * weight}, {}});
+    const ForceBalance::Result r = measured(scene);
+    EXPECT_NEAR(r.force, (1.0 - part) * weight, 1e-9 * weight);
+    EXPECT_NEAR(r.ratio, 1.0 - part, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace scree::test

@@ -1,0 +1,24 @@
+// No case of the library is warned of before it runs.
+#include <filesystem>
+
+#include "coupling/stages/plan_warnings.h"
+#include "tests/unit/io/case_read.h"
+
+namespace scree::io::test {
+namespace {
+
+TEST(Warnings, none_in_the_case_library) {
+  int cases = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SCREE_SOURCE_DIR "/cases")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".toml" || name == "expected.toml") continue;
+    const Case c = read_case(entry.path(), {}, kMethods);
+    for (const std::string& text : coupling::plan_warnings(c.model, c.plan))
+      ADD_FAILURE() << entry.path() << ": " << text;
+    ++cases;
+  }
+  EXPECT_GE(cases, 20);
+}
+
+}  // namespace
+}  // namespace scree::io::test

@@ -1,0 +1,337 @@
+// Friction that sliding blocks lose although every step obeys the law and the ledger closes: seen where it happens,
+// silent where it does not.
+#include "coupling/contact/friction_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/schemes.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+/// The bare equations, in which steep blocks flutter: contacts of explicit steps are damped by a fifth of critical,
+/// those of implicit steps and the deformation of what slides not at all.
+void bare(Scene& scene) {
+  for (Stage& stage : scene.plan.stages) {
+    stage.sliding_damping = 0.0;
+    scene.model.joints[0].damping = stage.integrator == Integrator::implicit ? 0.0 : 0.2;
+  }
+}
+
+/// Warnings of a run, and where it went.
+struct Found final : Sink {
+  std::vector<std::string> warnings;
+  double ratio = 0.0, slid = 0.0;
+  void event(const Event& e) override {
+    if (e.kind == EventKind::warning) warnings.push_back(e.text);
+  }
+  [[nodiscard]] std::size_t of_friction() const {
+    std::size_t count = 0;
+    for (const std::string& w : warnings) count += w.find("of the friction") != std::string::npos ? 1 : 0;
+    return count;
+  }
+};
+
+/// Runs a scene and says how far a block went and what was found.
+void look_at(Scene& scene, BlockId block, Found& found) {
+  Driver run(scene.model, scene.plan, methods());
+  run.add_sink(found);
+  const RunEnd end = run.run();
+  ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
+  found.ratio = run.stats().friction_ratio;
+  found.slid = (centre_of(run, block) - run.setup().bodies()[block.index()].centre).norm();
+}
+
+/// A wedge of 20 m on a plane of 35 degrees, 2 degrees below its friction, pushed down it for 0.2 s: a rigid one slides
+/// 0.220 m.
+struct Wedge : Scene {
+  BlockId wedge;
+  explicit Wedge(double seconds_after = 1.0) : Scene(5e9, 0.2, 2600.0, 37.0) {
+    const Vec2 t(std::cos(35.0 * kDegree), std::sin(35.0 * kDegree)), n(-t.y(), t.x());
+    const auto at = [&](double s, double z) -> Vec2 { return s * t + z * n; };
+    add("plane", {{at(-60, -20), at(60, -20), at(60, 0), at(-60, 0)}, {}}, true);
+    wedge = add("wedge", {{Vec2(0, 0), Vec2(28.563, 20), Vec2(11.547, 20)}, {}});
+    model.gravity = {0.0, 0.0};
+    TimeFunction ramp, pulse;
+    ramp.shape = TimeFunction::Shape::ramp;
+    ramp.duration = 0.5;
+    pulse.shape = TimeFunction::Shape::half_sine;
+    pulse.start = 1.0;
+    pulse.duration = 0.2;
+    model.functions = {ramp, pulse};
+    model.body_accelerations.push_back({{}, {0.0, -9.81}, FunctionId{0}});
+    model.body_accelerations.push_back({{}, {-3.0, 0.0}, FunctionId{1}});
+    seconds = 1.2 + seconds_after;
+  }
+  double seconds;
+};
+
+TEST(FrictionCheck, fires_where_the_wedge_flutters_in_explicit_steps) {
+  Wedge scene;
+  scene.stage("dda", Integrator::explicit_, scene.seconds, std::nullopt);
+  bare(scene);
+  Found found;
+  look_at(scene, scene.wedge, found);
+  std::printf("slid %.3f m, ratio %.4f\n", found.slid, found.ratio);
+  EXPECT_LT(found.ratio, 0.97);
+  ASSERT_EQ(found.of_friction(), 1U);
+  EXPECT_NE(found.warnings[0].find("blocks 'wedge' and 'plane'"), std::string::npos) << found.warnings[0];
+}
+
+TEST(FrictionCheck, fires_at_implicit_steps_of_1_ms_and_not_of_5_ms) {
+  for (const double dt : {1e-3, 5e-3}) {
+    Wedge scene;
+    scene.stage("dda", Integrator::implicit, scene.seconds, dt);
+    bare(scene);
+    Found found;
+    look_at(scene, scene.wedge, found);
+    std::printf("dt %g: slid %.3f m, ratio %.4f\n", dt, found.slid, found.ratio);
+    EXPECT_EQ(found.of_friction(), dt < 2e-3 ? 1U : 0U) << dt;
+  }
+}
+
+/// A block that slides down 25 degrees at a friction of 20: steadily, and in all schemes.
+struct Slide : Scene {
+  BlockId block;
+  Slide() : Scene(1e9, 0.2, 2600.0, 20.0) {
+    const Vec2 t(std::cos(25.0 * kDegree), -std::sin(25.0 * kDegree)), n(-t.y(), t.x());
+    const auto at = [&](double s, double z) -> Vec2 { return s * t + z * n; };
+    add("plane", {{at(-2, -2), at(8, -2), at(8, 0), at(-2, 0)}, {}}, true);
+    block = add("block", {{at(-1, 0), at(1, 0), at(1, 1), at(-1, 1)}, {}});
+  }
+};
+
+class SteadySlide : public ::testing::TestWithParam<Scheme> {};
+
+TEST_P(SteadySlide, has_its_friction) {
+  Slide scene;
+  Stage& stage = scene.stage(GetParam().method, GetParam().integrator, 1.5,
+                             GetParam().implicit() ? std::optional(2e-3) : std::nullopt);
+  stage.damping = 50.0;  // the block's own, lets the start die away
+  Found found;
+  look_at(scene, scene.block, found);
+  std::printf("%s: slid %.3f m, ratio %.6f\n", GetParam().name, found.slid, found.ratio);
+  EXPECT_GT(found.ratio, 0.995);
+  EXPECT_LT(found.ratio, 1.0 + 1e-5);
+  EXPECT_EQ(found.of_friction(), 0U);
+}
+INSTANTIATE_TEST_SUITE_P(AllSchemes, SteadySlide, ::testing::ValuesIn(kAllSchemes),
+                         [](const auto& p) { return p.param.name; });
+
+/// Blocks that take explicit and implicit steps, and steps of two sizes: every substep is seen, by whichever side has
+/// the contact.
+TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
+  for (const bool flutters : {false, true})
+    for (const int kind : {0, 1, 2}) {  // explicit wedge, shared contacts, steps of two sizes
+      Wedge scene;
+      if (!flutters) scene.model.joints[0].friction = 20.0 * kDegree, scene.model.functions[1].amplitude = 0.0;
+      const BlockId other = scene.add("other", rectangle(100, 0, 110, 10));
+      Stage& stage =
+          scene.stage("dda", Integrator::partitioned, flutters ? scene.seconds : 1.2, kind == 2 ? 5e-4 : 1e-3);
+      (kind == 1 ? stage.partition.implicit_blocks : stage.partition.explicit_blocks) = {scene.wedge};
+      if (kind == 1) stage.partition.explicit_blocks = {other};
+      stage.partition.shared_contacts = kind == 1;
+      stage.partition.others_explicit = kind == 2;
+      bare(scene);
+      scene.model.body_accelerations[0].blocks = scene.model.body_accelerations[1].blocks = {scene.wedge};
+      Found found;
+      look_at(scene, scene.wedge, found);
+      std::printf("%s, kind %d: slid %.3f m, ratio %.4f\n", flutters ? "flutters" : "slides", kind, found.slid,
+                  found.ratio);
+      EXPECT_TRUE(std::isfinite(found.ratio));
+      if (flutters) {
+        EXPECT_EQ(found.of_friction(), 1U) << kind;
+      }
+    }
+}
+
+/// A vertex that passes from edge to edge in line keeps its slide: none of the edges is as long as a hundred stretches.
+TEST(FrictionCheck, goes_with_a_vertex_to_the_next_edge) {
+  for (const double piece : {100.0, 0.04}) {
+    Scene scene(1e7, 0.2, 2600.0, 20.0);
+    Polygon plane{{{-2, -2}, {8, -2}, {8, 0}}, {}};
+    for (double x = 8.0 - piece; x > -2.0; x -= piece) plane.outer.push_back({x, 0.0});
+    plane.outer.push_back({-2, 0});
+    scene.add("plane", plane, true);
+    const BlockId block = scene.add("block", rectangle(-1, 0, 1, 1));
+    scene.model.gravity = {9.81 * std::sin(25.0 * kDegree), -9.81 * std::cos(25.0 * kDegree)};
+    scene.stage("dda", Integrator::explicit_, 1.5, std::nullopt);
+    Found found;
+    look_at(scene, block, found);
+    std::printf("pieces of %g m: slid %.3f m, ratio %.6f\n", piece, found.slid, found.ratio);
+    EXPECT_TRUE(std::isfinite(found.ratio));
+    EXPECT_EQ(found.of_friction(), 0U);
+  }
+}
+
+/// What is remembered is the same after a stop: the bits of the whole state are.
+TEST(FrictionCheck, goes_on_from_a_checkpoint_in_the_same_bits) {
+  Wedge scene;
+  scene.stage("dda", Integrator::explicit_, scene.seconds, std::nullopt);
+  bare(scene);
+  scene.plan.output.every = scene.plan.output.history_every = ticks(0.05);
+  struct Keep final : Keeper {
+    Checkpoint last;
+    bool due(std::int64_t step) override { return step == 700; }
+    void keep(Checkpoint c) override {
+      if (c.state.step == 700) last = std::move(c);
+    }
+  } keeper;
+  Found whole, rest;
+  Driver run(scene.model, scene.plan, methods());
+  run.set_keeper(keeper);
+  run.add_sink(whole);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  ASSERT_EQ(keeper.last.state.step, 700);
+  Driver again(scene.model, scene.plan, methods());
+  again.add_sink(rest);
+  again.continue_from(keeper.last);
+  ASSERT_EQ(again.run().status, RunEnd::Status::done);
+  EXPECT_EQ(state_hash(again.state()), state_hash(run.state()));
+  EXPECT_EQ(again.stats().friction_ratio, run.stats().friction_ratio);
+  EXPECT_EQ(whole.of_friction(), 1U);  // told once in all, before the stop or after it
+  EXPECT_LE(rest.of_friction(), 1U);
+}
+
+/// A block on a level base that is shaken to and fro: it slips and sticks in each period, one way on the whole.
+TEST(FrictionCheck, is_silent_where_a_block_really_stops) {
+  for (const bool implicit : {false, true}) {
+    Scene scene(5e9, 0.2, 2600.0, 20.0);
+    scene.add("base", rectangle(-4, -2, 8, 0));
+    scene.model.block_supports.push_back({BlockId{0}, MotionId{0}});
+    std::vector<double> t, a;
+    for (int i = 0; i <= 800; ++i) {  // 5 Hz: strong and short one way, weak and long the other
+      t.push_back(0.0025 * i);
+      const double phase = std::fmod(5.0 * t.back(), 1.0);
+      a.push_back(t.back() >= 2.0
+                      ? 0.0
+                      : (phase < 0.25 ? 8.0 * std::sin(4.0 * std::numbers::pi * phase)
+                                      : -8.0 / 3.0 * std::sin(4.0 / 3.0 * std::numbers::pi * (phase - 0.25))));
+    }
+    scene.model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
+    const BlockId block = scene.add("block", rectangle(0, 0, 1, 1));
+    scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 2.0,
+                implicit ? std::optional(1e-3) : std::nullopt);
+    Found found;
+    look_at(scene, block, found);
+    std::printf("%s: went %.4f m, ratio %.4f\n", implicit ? "implicit" : "explicit", found.slid, found.ratio);
+    EXPECT_EQ(found.of_friction(), 0U) << found.ratio;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+
+/// One point of a block on a base, with forces given by hand.
+struct Point {
+  Scene scene{5e9, 0.2, 2600.0, 30.0};
+  Methods all = standard_methods();
+  std::unique_ptr<Setup> setup;
+  ContactList list;
+  Point() {
+    scene.add("base", rectangle(-1, -1, 2, 0), true);
+    scene.add("block", rectangle(0, 0, 1, 1));
+    scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+    setup = std::make_unique<Setup>(scene.model, all,
+                                    initial_records(scene.model, wishes(scene.model, scene.plan.stages[0])));
+    ContactPoint p;
+    const Outlines& o = setup->outlines();
+    for (std::size_t v = 0; v < o.vertices.size(); ++v)
+      if (o.vertices[v].body == 1) p.vertex = static_cast<std::int32_t>(v);
+    p.edge = 0;
+    ContactMemory m;
+    m.joint = 0;
+    m.kn = m.kt = 1e8;  // an elastic stretch of 6e-5 of the block
+    m.share = 0.5;
+    m.status = ContactStatus::stick;
+    m.fn = 1e4;
+    list.points.push_back(p);
+    list.memory.push_back(m);
+  }
+  [[nodiscard]] double limit() const { return 1e4 * std::tan(30.0 * kDegree); }
+  ContactMemory& memory() { return list.memory[0]; }
+  /// Steps in which the point slips by so many elastic stretches under a part of its limit.
+  void slide(FrictionCheck& check, int steps, double h, double stretches, double part) {
+    for (int i = 0; i < steps; ++i) {
+      check.begin(list);
+      memory().status = stretches != 0.0 ? ContactStatus::slip : ContactStatus::stick;
+      memory().ft = -part * limit();
+      check.see(h, list.points[0], stretches * limit() / memory().kt, memory());
+    }
+  }
+};
+
+TEST(FrictionCheck, is_the_ratio_of_two_impulses) {
+  for (const double part : {1.0, 0.985}) {
+    Point point;
+    FrictionCheck check(*point.setup);
+    check.begin(point.list);
+    const double T = check.period(point.list.points[0]);
+    // m = 2600 kg on k_t = 1e8 N/m, and 2 sqrt(A)/c_s.
+    EXPECT_NEAR(T, std::hypot(2.0 * std::numbers::pi * std::sqrt(2600.0 / 1e8), 2.0 * std::sqrt(2600.0 * 2.4 / 5e9)),
+                1e-9 * T);
+    point.slide(check, 20 * 40, T / 39.5, 1.0, part);
+    EXPECT_NEAR(point.memory().slide.worst, part, 1e-6);
+  }
+}
+
+TEST(FrictionCheck, counts_what_is_lost_while_a_point_is_turned_round_and_not_while_it_is_open) {
+  Point point;
+  FrictionCheck check(*point.setup);
+  check.begin(point.list);
+  const double h = check.period(point.list.points[0]) / 39.5;
+  for (int k = 0; k < 20; ++k) {  // in each period: forward, a tenth of the time back, a while open
+    point.slide(check, 18, h, 2.0, 1.0);
+    point.slide(check, 2, h, -0.5, -1.0);
+    const double fn = point.memory().fn;
+    point.memory().status = ContactStatus::open;
+    point.memory().fn = point.memory().ft = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      check.begin(point.list);
+      check.see(h, point.list.points[0], 0.0, point.memory());
+    }
+    point.memory().fn = fn;
+  }
+  EXPECT_NEAR(point.memory().slide.worst, 0.8, 1e-6);
+}
+
+TEST(FrictionCheck, forgets_a_slide_that_stops) {
+  Point point;
+  FrictionCheck check(*point.setup);
+  check.begin(point.list);
+  const double h = check.period(point.list.points[0]) / 39.5;
+  for (int k = 0; k < 50; ++k) {
+    point.slide(check, 7 * 40, h, 1.0, 1.0);
+    point.slide(check, 3 * 40 + 17, h, 0.0, 0.1);  // sticks under little force
+  }
+  EXPECT_NEAR(point.memory().slide.worst, 1.0, 1e-6);
+}
+
+TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
+  for (const double part : {0.9, 1.1}) {  // of the slip that counts: 2e-3 of the block, as stiff as its springs are
+    Point point;
+    point.memory().kt = 1e11;
+    FrictionCheck check(*point.setup);
+    check.begin(point.list);
+    const double step = part * 2e-3 / (6.0 * 41.0), stretch = point.limit() / point.memory().kt;
+    point.slide(check, 8 * 41, check.period(point.list.points[0]) / 40.5, step / stretch, 0.5);
+    EXPECT_EQ(std::isinf(point.memory().slide.worst), part < 1.0) << part;
+  }
+}
+
+TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
+  Point point;
+  FrictionCheck check(*point.setup);
+  check.begin(point.list);
+  const double h = check.period(point.list.points[0]) / 39.5;
+  point.slide(check, 8 * 40, h, 0.4, 0.5);  // 96 in the six windows that count
+  EXPECT_TRUE(std::isinf(point.memory().slide.worst));
+  for (int k = 0; k < 20; ++k) point.slide(check, 4 * 40, h, k % 2 == 0 ? -1.0 : 1.0, 0.5);
+  EXPECT_TRUE(std::isinf(point.memory().slide.worst));
+  point.slide(check, 8 * 40, h, 1.0, 0.5);
+  EXPECT_NEAR(point.memory().slide.worst, 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace scree::test
