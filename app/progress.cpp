@@ -75,7 +75,7 @@ void Progress::frame(const coupling::FrameView& frame) {
   if (frame.end_time > 0.0) end_ = std::min(end_, frame.end_time);  // stages may end before their time
 }
 
-void Progress::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
+void Progress::end(const coupling::RunEnd&, const coupling::FrameView& last) {
   draw(last.time, *last.stats);
   if (terminal_) fmt::print("\n");
 }

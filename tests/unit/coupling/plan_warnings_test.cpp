@@ -146,8 +146,8 @@ TEST(Warnings, sliding_with_less_damping_than_it_asks_for) {
   EXPECT_TRUE(warned(on_slope(35, 5, 0.0)).empty());   // hardly any friction
   Scene bare = on_slope(35, 34, usual);
   bare.plan.stages[0].sliding_damping = 0.0;
-  expect_one(bare, "sliding_damping = 0 is less than sliding asks for, 0.15");
-  bare.plan.stages[0].sliding_damping = 0.15;
+  expect_one(bare, "sliding_damping = 0 is less than sliding asks for, 1");
+  bare.plan.stages[0].sliding_damping = 1.0;
   EXPECT_TRUE(warned(bare).empty());
   bare.plan.stages[0].sliding_damping = 0.0, bare.plan.stages[0].rest = true;
   EXPECT_TRUE(warned(bare).empty());
