@@ -60,7 +60,11 @@ TEST(ImplicitDamping, stage_tells_driven_frequency_and_ten_covers_and_when_it_is
   EXPECT_FALSE(stage_damping(model, stage)->driven.has_value());
   EXPECT_NEAR(stage_damping(model, stage)->wave->frequency, 200.0, 1e-9);  // 2000 m/s over ten covers
   EXPECT_FALSE(damps_much(*stage_damping(model, stage)));                  // nothing drives it, nothing is divided
-  model.functions.push_back({"swing", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 5.0, {}, {}});
+  TimeFunction swing;
+  swing.name = "swing";
+  swing.shape = TimeFunction::Shape::sine;
+  swing.frequency = 5.0;
+  model.functions.push_back(swing);
   model.body_accelerations.push_back({{}, Vec2(1.0, 0.0), FunctionId{0}});
   EXPECT_TRUE(damps_much(*stage_damping(model, stage)));  // 22 % a second
   stage.dt = 1e-4;
