@@ -19,7 +19,7 @@ Scene loaded(bool cracks, bool stressed) {
   const BlockId block = scene.add("block", rectangle(0, 0, 80, 60));
   scene.add("top", rectangle(20, 60, 32, 66));
   Model& m = scene.model;
-  m.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, 0.02, 0.0, {}, {}});
+  m.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, 0.02, 0.0, {}, {}, {}});
   m.tractions.push_back({{block, {0, 3}, 0.0, 1.0}, {2e4, -1e3}, FunctionId{0}});
   m.point_loads.push_back({block, {60.0, 60.0}, {-1e4, -5e4}, FunctionId{0}});
   m.body_accelerations.push_back({{}, {0.5, 0.0}, FunctionId{0}});

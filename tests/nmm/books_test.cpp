@@ -17,7 +17,7 @@ Scene slope(bool stressed) {
   const BlockId lower = scene.add("lower", transformed(rectangle(0, 0, 2, 1), {0, 0}, R));
   scene.add("upper", transformed(rectangle(0.2, 1, 1.8, 2), {0, 0}, R));
   scene.add("behind", transformed(rectangle(-2.5, 0, -0.5, 1.2), {0, 0}, R));
-  m.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.2, 0.01, 0.0, {}, {}});
+  m.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.2, 0.01, 0.0, {}, {}, {}});
   m.tractions.push_back({{lower, {0, 3}, 0.0, 1.0}, {2e5, -1e4}, FunctionId{0}});
   m.viscous_edges.push_back({{lower, {0, 1}, 0.0, 1.0}});
   m.point_loads.push_back({lower, transformed(rectangle(1, 0.5, 2, 1), {0, 0}, R).outer[0], {1e3, 2e3}, FunctionId{}});

@@ -131,7 +131,7 @@ struct Bar {
     Model& model = scene.model;
     model.gravity = Vec2(0.0, 0.0);
     const BlockId bar = scene.add("bar", rectangle(0.0, 0.0, 10.0, 0.5));
-    model.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, 5e-3, 0.0, {}, {}});
+    model.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, 5e-3, 0.0, {}, {}, {}});
     model.tractions.push_back({{bar, {0, 3}, 0.0, 1.0}, Vec2(1e6, 0.0), FunctionId{0}});
     for (const double x : {2.5, 7.5}) model.monitors.push_back({std::to_string(x), bar, Vec2(x, 0.25)});
     Stage& stage = scene.stage("nmm", integrator, 0.017, dt, 0.25);
@@ -207,7 +207,7 @@ Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
   stage.duration = 400 * ticks(substeps * h);
   scene.plan.output.every = stage.duration;
   scene.plan.output.history_every = 5 * ticks(substeps * h);
-  scene.model.functions.push_back({"blow", TimeFunction::Shape::half_sine, 1.0, 0.0, 3.0 * substeps * h, 0.0, {}, {}});
+  scene.model.functions.push_back({"blow", TimeFunction::Shape::half_sine, 1.0, 0.0, 3.0 * substeps * h, 0.0, {}, {}, {}});
   scene.model.point_loads.push_back({block, outline.outer[2], Vec2(-1e5, -3e4), FunctionId{0}});
   return scene;
 }
@@ -285,7 +285,7 @@ Scene column(bool shared, double dt) {
   Scene scene(1e9, 0.2, 2600.0, 25.0);
   // Weight that grows, so that no block bounces: explicit contacts damp that, those of implicit steps do not know how.
   scene.model.gravity = Vec2(0.0, 0.0);
-  scene.model.functions.push_back({"weight", TimeFunction::Shape::ramp, 1.0, 0.0, 0.1, 0.0, {}, {}});
+  scene.model.functions.push_back({"weight", TimeFunction::Shape::ramp, 1.0, 0.0, 0.1, 0.0, {}, {}, {}});
   scene.model.body_accelerations.push_back({{}, Vec2(0.0, -9.81), FunctionId{0}});
   scene.add("base", rectangle(-2.0, -1.0, 2.0, 0.0), true);
   Stage& stage = scene.stage("dda", Integrator::partitioned, 0.5, dt, 0.5);

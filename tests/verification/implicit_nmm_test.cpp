@@ -204,7 +204,7 @@ TEST(ImplicitNmm, books_close_with_every_damping_and_load) {
     for (const bool rigid : {false, true}) {
       Scene scene = cantilever(-3e4);
       scene.model.gravity = {0.0, -9.81};
-      scene.model.functions.push_back({"beat", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 8.0, {}, {}});
+      scene.model.functions.push_back({"beat", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 8.0, {}, {}, {}});
       scene.model.tractions[0].function = FunctionId{0};
       scene.model.viscous_edges.push_back({{BlockId{0}, {0, 2}, 0.25, 1.0}});
       coupling::Stage& stage = scene.stage("nmm", Integrator::implicit, 0.2, 2e-3, 0.5);

@@ -46,7 +46,7 @@ Passed pass(const std::vector<double>& sizes, Kinematics kinematics, Integrator 
   model.gravity.setZero();
   const double speed = 5000.0;
   const BlockId bar = scene.add("bar", rectangle(0.0, 0.0, 4.0, 0.1));
-  model.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, kLength / speed, 0.0, {}, {}});
+  model.functions.push_back({"pulse", TimeFunction::Shape::sine_squared, 1.0, 0.0, kLength / speed, 0.0, {}, {}, {}});
   model.tractions.push_back({{bar, {0, 3}, 0.0, 1.0}, Vec2(1e6, 0.0), FunctionId{0}});
   model.monitors.push_back({"behind", bar, Vec2(3.0, 0.05)});
   for (std::size_t i = 0; i < sizes.size(); ++i) {

@@ -47,7 +47,7 @@ Scene swinging_block(Kinematics kinematics, const std::vector<TimeScheme>& schem
   const BlockId id = scene.add("block", {{{0, 0}, {2, 0.3}, {1.5, 1.2}, {0.2, 1}}, {}});
   for (const Vec2& x : {Vec2(0.0, 0.0), Vec2(2.0, 0.3), Vec2(0.2, 1.0)})
     scene.model.point_supports.push_back({id, x, true, true, 2e6});
-  scene.model.functions.push_back({"beat", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 15.0, {}, {}});
+  scene.model.functions.push_back({"beat", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 15.0, {}, {}, {}});
   scene.model.point_loads.push_back({id, {1.5, 1.2}, {1e4, -5e3}, FunctionId{0}});
   // Linear stages bear no turn above 0.01 rad where they begin.
   scene.model.initial_velocities.push_back({id, {0.3, -0.2}, kinematics == Kinematics::linear ? 0.1 : 2.0});

@@ -163,7 +163,7 @@ TEST(StageTimes, run_that_is_cut_by_until_ends_a_step_later_at_most) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, StageTimes, testing::ValuesIn(kAllSchemes),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace scree::test
