@@ -271,7 +271,13 @@ void ExplicitContact::follow_slides(double h) {
   friction_check_.begin(now_);
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     ContactMemory& m = now_.memory[i];
-    friction_check_.see(h, now_.points[i], m.status == ContactStatus::slip ? trial_[i] - m.stretch : 0.0, m);
+    const ContactPoint& p = now_.points[i];
+    double way = m.status == ContactStatus::slip ? trial_[i] - m.stretch : 0.0;
+    if (m.status == ContactStatus::open && m.slide.length > 0.0F && p.from >= 0) {  // it hops
+      const ContactPoint& was = before_.points[static_cast<std::size_t>(p.from)];
+      if (was.segment == p.segment) way = (p.at.xi - was.at.xi) * p.at.length;
+    }
+    friction_check_.see(h, p, way, m);
   }
 }
 

@@ -16,7 +16,7 @@ void close_window(double stretch, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
   const bool first = s.last.slip == 0.0F;
-  if (!(std::abs(window.slip) >= 1.0F) || window.slip * s.last.slip < 0.0F) return s.end();
+  if (!(std::abs(window.slip) >= FrictionCheck::kCreeps) || window.slip * s.last.slip < 0.0F) return s.end();
   if (s.last.limit > 0.0F) {
     s.total.slip += s.last.slip;
     s.total.drag += s.last.drag;
@@ -24,7 +24,7 @@ void close_window(double stretch, SlideMemory& s) {
   }
   if (std::abs(s.total.slip) > FrictionCheck::kStretches)
     s.worst = std::min(s.worst, -std::copysign(1.0F, s.total.slip) * s.total.drag / s.total.limit);
-  if (first) window.drag = window.limit = 0.0F;
+  if (first || std::abs(window.slip) < 1.0F) window.drag = window.limit = 0.0F;  // it may have stopped in between
   s.last = window;
   s.slip = s.drag = s.limit = s.time = 0.0;
 }

@@ -17,9 +17,10 @@ namespace scree::coupling {
 ///
 /// Points that really stop have less than the limit, and that is no loss. So time is taken in windows of one natural
 /// period of the block on its contacts, T^2 = 4 pi^2 m/sum(k_t) + T_s^2, T_s = 2 sqrt(A)/c_s its own in shear (of two
-/// free blocks the longer). A stretch goes on while every window brings at least one elastic stretch of net slip in the
-/// same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in which it
-/// starts and stops, do not count. The ratio is taken once the windows that count have more than kStretches elastic
+/// free blocks the longer). A stretch goes on while every window brings at least kCreeps elastic stretches of net slip in
+/// the same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in which it
+/// starts and stops, and those with less than one elastic stretch do not count. While a point hops its way counts as
+/// slip. The ratio is taken once the windows that count have more than kStretches elastic
 /// stretches.
 ///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
@@ -27,6 +28,7 @@ namespace scree::coupling {
 class FrictionCheck {
  public:
   static constexpr float kStretches = 100.0F;  // elastic stretches of net slip before a ratio is taken
+  static constexpr float kCreeps = 0.005F;     // of an elastic stretch in a window: the point still goes one way
   static constexpr float kLeast = 0.99F;       // a smaller ratio is a loss of friction
 
   // Of a block's size: a shorter stretch is not counted as one. Blocks that settle, bend and ring move their faces on

@@ -134,6 +134,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
                                                  position(o.nodes[static_cast<std::size_t>(p.node[2])], state.q));
       m.anchor = g.xi - t.stretch / g.length;
     }
+    if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // it hops
     m.status = t.status;
     m.fn = t.fn;
     m.fdt = 0.0;

@@ -53,7 +53,7 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
       const auto b = static_cast<std::size_t>(
           outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
       all_[b] += m.fn;
-      if (m.status == ContactStatus::slip) slipping_[b] += m.fn;
+      if (m.slide.last.slip != 0.0F) slipping_[b] += m.fn;
     }
   }
 }

@@ -11,10 +11,11 @@ namespace scree::coupling {
 /// Coulomb friction mu N makes the stiffness of a sliding block unsymmetric: its deformation and its contacts can
 /// exchange energy with the slide, the block vibrates (flutter), hops, and loses friction on average. Rock that slides
 /// steadily is what tables and tests report, so free blocks are damped while they slide, at the rate
-///   a = 2 xi w_1 s,  s = sum of N over slipping contacts / sum of N over closed contacts of the block,
+///   a = 2 xi w_1 min(1, 3 s)^(3/2),  s = sum of N over sliding contacts / sum of N over closed contacts of the block,
 /// on v_d = v - R (R^T M R)^-1 R^T M v, with R the three rigid motions of the block and w_1 the lowest frequency of its
 /// affine deformation, so that neither slide nor spin is slowed. The damping is mass-proportional and taken at the new
-/// velocity: the stable explicit step stays as it is. It is numerical regularisation, not attenuation of rock.
+/// velocity: the stable explicit step stays as it is. A contact slides once it has gone one way for a natural period of
+/// the block by more than its elastic stretch (FrictionCheck), so that waves which make a joint slip to and fro pass. It is numerical regularisation, not attenuation of rock.
 /// Blocks that are held, driven, on point supports or on viscous edges are exempt.
 class SlidingDamping {
  public:

@@ -137,6 +137,7 @@ ContactMemory pressed(double fn, ContactStatus status) {
   ContactMemory m;
   m.fn = fn;
   m.status = status;
+  if (status == ContactStatus::slip) m.slide.last.slip = 2.0F;  // it has gone one way for a period
   return m;
 }
 
