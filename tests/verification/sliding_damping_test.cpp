@@ -31,7 +31,7 @@ const Methods& methods() {
   return kAll;
 }
 
-class Sliding : public testing::TestWithParam<std::tuple<std::string, Integrator>> {
+class SteepSlide : public testing::TestWithParam<std::tuple<std::string, Integrator>> {
  protected:
   [[nodiscard]] std::string method() const { return std::get<0>(GetParam()); }
   [[nodiscard]] Integrator integrator() const { return std::get<1>(GetParam()); }
@@ -40,7 +40,7 @@ class Sliding : public testing::TestWithParam<std::tuple<std::string, Integrator
   }
 };
 
-TEST_P(Sliding, a_thrown_block_is_slowed_as_a_rigid_one_and_stays_where_it_stops) {
+TEST_P(SteepSlide, a_thrown_block_is_slowed_as_a_rigid_one_and_stays_where_it_stops) {
   // v' = g (sin a - cos a tan phi) < 0: it stops after v/|v'|.
   const double slows = kGravity * (std::cos(kSlope) * std::tan(42.0 * kDegree) - std::sin(kSlope)), speed = 0.3;
   Thrown thrown(method(), integrator(), dt(), speed, speed / slows + 0.3);
@@ -58,7 +58,7 @@ TEST_P(Sliding, a_thrown_block_is_slowed_as_a_rigid_one_and_stays_where_it_stops
   EXPECT_GT(run.state().ledger[Column::deformation_damping], 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(all, Sliding,
+INSTANTIATE_TEST_SUITE_P(all, SteepSlide,
                          testing::Combine(testing::Values("dda", "nmm"),
                                           testing::Values(Integrator::explicit_, Integrator::implicit)));
 
