@@ -33,6 +33,7 @@ void close_window(double stretch, SlideMemory& s) {
 
 FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
   const Model& model = setup.model();
+  stiffness_.reserve(setup.bodies().size());  // so that steps need not allocate
   for (const JointLaw& law : model.joints) tan_friction_.push_back(std::tan(law.friction));
   for (const Body& b : setup.bodies()) {
     const Block& block = model.blocks[b.block.index()];

@@ -28,13 +28,13 @@ Column largest_scheme_column(const Ledger& ledger) {
 double energy_of_round_off(const Model& model) {
   double sum = 0.0;
   for (const Block& b : model.blocks) sum += model.materials[b.material.index()].young * moments(b.polygon).area;
-  return 1e-18 * sum;
+  return 1e-14 * sum;  // strains of 1e-7
 }
 
 std::optional<std::string> energy_from_nowhere(const Ledger& ledger, double most, double round_off, bool complete) {
   if (!(most > 0.0)) return std::nullopt;
   const double gain = complete ? ledger.gain() : ledger.least_gain();
-  // Not finite: gone as well.
+  if (!std::isfinite(gain)) return std::nullopt;  // Driver::check_finite() names the number
   if (gain <= most * std::max(ledger.passed_given(), round_off)) return std::nullopt;
   const Column column = largest_scheme_column(ledger);
   const std::string where =

@@ -26,7 +26,8 @@ struct Told {
   }
 };
 
-/// Energy that round-off of strains may hold: 1e-18 E A, summed over the blocks [J]. Smaller gains mean nothing.
+/// Energy that hardly strains anything: 1e-14 E A (strains of 1e-7), summed over the blocks [J]. Smaller gains mean
+/// nothing: as a run begins, schemes hold such energies before work is booked.
 [[nodiscard]] double energy_of_round_off(const Model& model);
 
 /// Whether a run holds more energy than it was given (Ledger::gain), by more than a part of the energy passed.

@@ -28,7 +28,7 @@ receivers() {
 begin() {
   local name=$1
   shift
-  "$scree" run "$case_file" --quiet --live --out "$work/$name" "$@" > "$work/$name.out" 2> "$work/$name.err" &
+  "$scree" run "$case_file" --quiet --live --name two_stages --out "$work/$name" "$@" > "$work/$name.out" 2> "$work/$name.err" &
   run=$!
 }
 # expect CODE TEXT COMMAND...: exit code and a text on either stream

@@ -31,7 +31,7 @@ ask() {
 
 python3 "$here/live/terminal.py" "$scree" watch --timeout 20 > "$work/watch.txt" 2> "$work/watch.err" &
 viewer=$!
-"$scree" run "$case_file" --quiet --live --control --set stage.runout.duration=16 --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
+"$scree" run "$case_file" --quiet --live --name two_stages --control --set stage.runout.duration=16 --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
 run=$!
 ask pause  # it waits here for the end of the flood
 ask step 20

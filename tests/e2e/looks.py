@@ -74,7 +74,7 @@ def scree(program, *arguments):
 
 def result(run):
     summary = json.loads((run / "summary.json").read_text())
-    return summary["state_hash"], summary["steps"], summary["time"]
+    return summary["state_hash"], summary["steps"], summary["final_time"]
 
 
 def looked_at(program, case, how, folder, end, seed):
@@ -86,7 +86,7 @@ def looked_at(program, case, how, folder, end, seed):
     first = ["--until", f"{stops[0]:.9g}"] if stops else []
     scree(program, "run", HERE / f"{case}.toml", "--out", folder, *options, *first)
     for stop in [f"{s:.9g}" for s in stops[1:]] + (["1e6"] if stops else []):
-        if json.loads((folder / "summary.json").read_text())["time"] > float(stop):
+        if json.loads((folder / "summary.json").read_text())["final_time"] > float(stop):
             continue  # the step before went past it
         scree(program, "resume", folder, "--until", stop)
     return result(folder)

@@ -99,6 +99,8 @@ TEST(ThirdMethod, run_ends_where_a_force_is_hidden_from_the_ledger) {
     coupling::Stage& stage = scene.stage("rigid", Integrator::explicit_, 0.1, std::nullopt);
     stage.rules = {{{BlockId{0}, BlockId{2}}, "dda"}, {{BlockId{1}}, "nmm"}};
     scene.plan.max_closure = allowed;
+    scene.plan.max_passed_closure = 0.0;
+    scene.plan.max_gain = 0.0;
     coupling::Methods methods = with_rigid();
     if (hidden) methods["rigid"] = [] { return std::make_unique<HidesAForce>(); };
     coupling::Driver run(scene.model, scene.plan, methods);

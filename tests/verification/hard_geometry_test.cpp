@@ -212,6 +212,7 @@ TEST_P(HardGeometry, physics_is_the_same_wherever_and_however_large) {
   geometry.build(scene);
   const double dt = scheme.implicit() ? geometry.implicit_step : geometry.explicit_step;
   Stage& stage = scene.stage(scheme.method, scheme.integrator, kSteps * dt, dt, 0.45);
+  stage.sliding_damping = 0.0;  // whether a contact slides is a threshold: round-off may take it a period later
   if (hard.onefold)
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.model.blocks.size()); ++i)
       stage.rules.push_back({{BlockId{i}}, "nmm", 0.0, true});

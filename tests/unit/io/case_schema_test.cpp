@@ -234,7 +234,16 @@ TEST(Schema, every_key_changes_the_case) {
       {"run.threads", "run.threads=1"},
       {"run.max_closure", "run.max_closure=1e-5"},
       {"run.max_passed_closure", "run.max_passed_closure=1e-5"},
-      {"run.max_gain", "run.max_gain=0.5"}};
+      {"run.max_gain", "run.max_gain=0.5"},
+      {"function.NAME.offset", "function.rise.offset=0.01"},
+      {"motion.NAME.offset", "motion.pulse.offset=0.01"},
+      {"point_load[].start", "point_load.1.start=\"runout\""},
+      {"point_load[].offset", "point_load.1.offset=0.01"},
+      {"traction[].start", "traction.1.start=\"runout\""},
+      {"traction[].offset", "traction.1.offset=0.01"},
+      {"body_acceleration[].start", "body_acceleration.0.start=\"runout\""},
+      {"body_acceleration[].offset", "body_acceleration.0.offset=0.01"},
+      {"stage[].sliding_damping", "stage.0.sliding_damping=0.5"}};
   // What a change needs beside it to make sense.
   const std::map<std::string, std::vector<std::string>> beside = {
       {"block[].name", {"support.1.blocks=[\"wall\"]"}},
@@ -242,6 +251,11 @@ TEST(Schema, every_key_changes_the_case) {
       {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}"}},
       {"monitor[].block", {"monitor.0.point=[1.5, 1]"}},
       {"stage[].force_dt", {"stage.0.dt=1e-6"}},
+      {"function.NAME.offset", {"function.rise.start=\"runout\""}},
+      {"motion.NAME.offset", {"motion.pulse.start=\"runout\""}},
+      {"point_load[].offset", {"point_load.1.start=\"runout\""}},
+      {"traction[].offset", {"traction.1.start=\"runout\""}},
+      {"body_acceleration[].offset", {"body_acceleration.0.start=\"runout\""}},
       {"stage[].others", {"stage.3.shared_contacts=false"}},
       {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
 

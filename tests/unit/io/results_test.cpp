@@ -363,6 +363,7 @@ TEST(Outcome, a_summary_with_a_number_that_is_not_finite_does_not_say_done) {
     for (const auto status : {coupling::RunEnd::Status::done, coupling::RunEnd::Status::interrupted}) {
       const Scratch scratch;
       SmallRun small;
+      small.use_triangles();
       ResultsSink sink(RunFolder::create(scratch.path() / "run", false), {});
       sink.begin(small.model, small.plan);
       sink.topology(small.mesh);
