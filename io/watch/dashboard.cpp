@@ -186,10 +186,7 @@ Lines energy(const Dashboard::Ledger& ledger, std::size_t width, std::size_t hei
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
 
   constexpr std::size_t kName = 21, kValue = 11;
-  constexpr std::size_t kBothClosures = 110;
-  std::string closes = fmt::format("closes to {:.1e} of {:.3g} J moved", ledger.relative_closure, ledger.moved);
-  if (width >= kBothClosures)
-    closes += fmt::format(", {:.1e} of {:.3g} J passed", ledger.passed_closure(), ledger.passed);
+  const std::string closes = fmt::format("closes to {:.1e} of {:.3g} J moved", ledger.relative_closure, ledger.moved);
   Lines lines{ends(fmt::format("ENERGY [J] at {:.3f} s{}", ledger.time,
                                omitted > 0 ? fmt::format(" (and {} smaller)", omitted) : ""),
                    closes, width)};

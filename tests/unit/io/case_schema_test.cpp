@@ -76,7 +76,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"joint.NAME.damping", "joint.plane.damping=0.4"},
       {"motion.NAME.file", "motion.pulse.file=\"./other_pulse.csv\""},
       {"motion.NAME.unit", "motion.pulse.unit=\"m/s2\""},
-      {"motion.NAME.start", "motion.pulse.start=2.5"},
+      {"motion.NAME.start", "motion.pulse.start=2.1"},
       {"motion.NAME.from", "motion.upward.from=0.05"},
       {"motion.NAME.until", "motion.upward.until=0.25"},
       {"motion.NAME.resample", "motion.pulse.resample=0.05"},
@@ -257,7 +257,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"traction[].offset", {"traction.1.start=\"runout\""}},
       {"body_acceleration[].offset", {"body_acceleration.0.start=\"runout\""}},
       {"stage[].others", {"stage.3.shared_contacts=false"}},
-      {"stage[].rest", {"motion.pulse.start=5", "stage.1.dynamics=0"}}};
+      {"stage[].rest", {"motion.pulse.start=2.1", "stage.1.dynamics=0"}}};
 
   std::size_t keys = 0;
   for (const Key& key : schema()) {
