@@ -178,6 +178,7 @@ void Driver::count(const StepReport& report) {
 RunEnd Driver::after_step(const Stage& stage) {
   state_.ledger.pass();
   RunEnd found = check_audit(stage);
+  if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
   if (state_.step % kFrictionEvery == 0) warn_of_losses(stage, false);
   committed_ = stats_;
   for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
