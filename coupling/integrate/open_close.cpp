@@ -385,9 +385,8 @@ bool OpenClose::may_close(std::size_t i) const {
   const ContactPoint& p = list_->points[i];
   const double foot = p.at.xi * p.at.length + trial_[i].moved;
   if (foot < p.s_low || foot > p.s_high) return false;
-  constexpr double kAtJoint = 1e-9;  // a corner that rests where two edges meet is held by both
-  const bool at_joint = std::abs(p.at.xi) < kAtJoint || std::abs(p.at.xi - 1.0) < kAtJoint;
-  if (!at_joint && held_beside(i)) return false;
+  constexpr double kOver = 1e-12;  // at the start of the step the corner is not over this edge yet
+  if ((p.at.xi < -kOver || p.at.xi > 1.0 + kOver) && held_beside(i)) return false;
   for (const std::int32_t other : p.partner) {
     if (other < 0 || list_->points[static_cast<std::size_t>(other)].suppressed) continue;
     const Trial& t = trial_[static_cast<std::size_t>(other)];
