@@ -13,10 +13,10 @@ namespace {
 
 using coupling::Integrator;
 
-constexpr double kGravity = 9.81;                          // [m/s2]
-constexpr double kRamp = 0.5;                              // gravity comes on within [s]
+constexpr double kGravity = 9.81;                           // [m/s2]
+constexpr double kRamp = 0.5;                               // gravity comes on within [s]
 constexpr double kPulse = 3.0, kBegin = 1.0, kWidth = 0.2;  // horizontal half sine down the slope [m/s2], [s]
-constexpr double kEnd = 2.6;                               // [s]
+constexpr double kEnd = 2.6;                                // [s]
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 enum class Drive { steady, pulse };
@@ -42,8 +42,12 @@ struct Setting {
   bool bare = false;     // without damping of any kind
 
   [[nodiscard]] std::string name() const {
-    const std::string kind = row > 1 ? fmt::format("row of {}", row) : stack > 1 ? fmt::format("stack of {}", stack) : "alone";
-    const char* scheme = integrator == Integrator::explicit_ ? "explicit" : integrator == Integrator::implicit ? "implicit" : "partitioned";
+    const std::string kind = row > 1     ? fmt::format("row of {}", row)
+                             : stack > 1 ? fmt::format("stack of {}", stack)
+                                         : "alone";
+    const char* scheme = integrator == Integrator::explicit_  ? "explicit"
+                         : integrator == Integrator::implicit ? "implicit"
+                                                              : "partitioned";
     return fmt::format("{:<8} {:<10} {:>2} deg {:<6} {} {:<11} {}{}{}{}", shape->name, kind, slope_deg,
                        drive == Drive::steady ? "steady" : "pulse", method, scheme,
                        dt > 0.0 ? fmt::format("dt {:g} ms", 1e3 * dt) : fmt::format("{:g} of the bound", safety),
@@ -124,7 +128,8 @@ Model model_of(const Setting& s, std::vector<BlockId>& sliders) {
     model.blocks.push_back(block);
     return BlockId{static_cast<std::int32_t>(model.blocks.size()) - 1};
   };
-  const BlockId plane = add("plane", {{-40, -3}, {s.row * width + 40, -3}, {s.row * width + 40, 0}, {-40, 0}}, JointId{0});
+  const BlockId plane =
+      add("plane", {{-40, -3}, {s.row * width + 40, -3}, {s.row * width + 40, 0}, {-40, 0}}, JointId{0});
   model.block_supports.push_back({plane, MotionId{}});
   for (int i = 0; i < s.row; ++i)
     for (int j = 0; j < s.stack; ++j) {

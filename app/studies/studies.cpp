@@ -3,7 +3,8 @@
 namespace scree::app {
 
 const std::map<std::string, Study>& studies() {
-  static const std::map<std::string, Study> kAll{{"onefold", onefold}, {"sdof", sdof}, {"sliding", sliding}, {"spring-chain", spring_chain}};
+  static const std::map<std::string, Study> kAll{
+      {"onefold", onefold}, {"sdof", sdof}, {"sliding", sliding}, {"spring-chain", spring_chain}};
   return kAll;
 }
 

@@ -89,7 +89,9 @@ void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, 
   if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
   const double spring_t = -m.kt * m.stretch;
-  m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - (motion.damped ? p.ct : 0.0) * motion.shear, -limit, limit) : spring_t;
+  m.ft = m.status == ContactStatus::stick
+             ? std::clamp(spring_t - (motion.damped ? p.ct : 0.0) * motion.shear, -limit, limit)
+             : spring_t;
   m.fdt = m.ft - spring_t;
 }
 

@@ -17,11 +17,10 @@ namespace scree::coupling {
 ///
 /// Points that really stop have less than the limit, and that is no loss. So time is taken in windows of one natural
 /// period of the block on its contacts, T^2 = 4 pi^2 m/sum(k_t) + T_s^2, T_s = 2 sqrt(A)/c_s its own in shear (of two
-/// free blocks the longer). A stretch goes on while every window brings at least kCreeps elastic stretches of net slip in
-/// the same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in which it
-/// starts and stops, and those with less than one elastic stretch do not count. While a point hops its way counts as
-/// slip. The ratio is taken once the windows that count have more than kStretches elastic
-/// stretches.
+/// free blocks the longer). A stretch goes on while every window brings at least kCreeps elastic stretches of net slip
+/// in the same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in
+/// which it starts and stops, and those with less than one elastic stretch do not count. While a point hops its way
+/// counts as slip. The ratio is taken once the windows that count have more than kStretches elastic stretches.
 ///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.

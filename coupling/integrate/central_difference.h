@@ -112,7 +112,7 @@ class CentralDifference final : public Mover {
   [[nodiscard]] Instant lagging(const State& state) const;
 
   [[nodiscard]] double forces_power(const State& state, const double* v) const;  // of all forces but mass damping
-  [[nodiscard]] double acceleration_energy(const State& state) const;  // a.M.a of the free bodies
+  [[nodiscard]] double acceleration_energy(const State& state) const;            // a.M.a of the free bodies
   [[nodiscard]] double kinetic_energy(std::span<const double> q, std::span<const double> v) const;
   void change_step(State& state, double h);  // books (h^2 - h_last^2)/8 a.M.a
 

@@ -43,8 +43,10 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
                  *L = turn_momentum_.data(), *m = unit_mass_.data();
     // G = R^T M R, R = (x, y, turn).
     const double mass = dot(begin, end, x, m), lx = dot(begin, end, x, L), ly = dot(begin, end, y, L);
-    const Eigen::Matrix3d G = (Eigen::Matrix3d() << mass, 0.0, lx, 0.0, mass, ly, lx, ly, dot(begin, end, turn, L)).finished();
-    const Eigen::Vector3d rigid = G.inverse() * Eigen::Vector3d(dot(begin, end, x, P), dot(begin, end, y, P), dot(begin, end, turn, P));
+    const Eigen::Matrix3d G =
+        (Eigen::Matrix3d() << mass, 0.0, lx, 0.0, mass, ly, lx, ly, dot(begin, end, turn, L)).finished();
+    const Eigen::Vector3d rigid =
+        G.inverse() * Eigen::Vector3d(dot(begin, end, x, P), dot(begin, end, y, P), dot(begin, end, turn, P));
     // v_d <- v_d/(1 + a h/2), the force -a M v_d, and what it takes from the acceleration.
     const double factor = 1.0 / (1.0 + rate * half);
     double *v = v_new_.data(), *a = a_new_.data(), *f = state.sliding.data();

@@ -93,8 +93,7 @@ void DeformationDamping::add_force(double factor, std::span<const double> rate, 
     const double scale = factor * b.rate;
     multiply(b, scale, rate, out);
     const Eigen::Map<const Eigen::MatrixX3d> Z(&momenta_[b.momenta], static_cast<Eigen::Index>(b.count), 3);
-    const auto of_rate =
-        Eigen::Map<const Eigen::VectorXd>(rate.data() + b.first, static_cast<Eigen::Index>(b.count));
+    const auto of_rate = Eigen::Map<const Eigen::VectorXd>(rate.data() + b.first, static_cast<Eigen::Index>(b.count));
     const Eigen::Vector3d z = scale * (b.inverse * (Z.transpose() * of_rate));
     Eigen::Map<Eigen::VectorXd> y(out.data() + b.first, static_cast<Eigen::Index>(b.count));
     for (Eigen::Index k = 0; k < y.size(); ++k) y(k) -= Z(k, 0) * z(0) + Z(k, 1) * z(1) + Z(k, 2) * z(2);

@@ -36,10 +36,10 @@ class DeformationDamping {
 
  private:
   struct Damped {
-    std::size_t first = 0, count = 0;  // unknowns
-    double rate = 0.0;                 // [1/s]
-    bool full = false;                 // its pattern
-    std::size_t momenta = 0;           // into momenta_: M R, three columns
+    std::size_t first = 0, count = 0;                   // unknowns
+    double rate = 0.0;                                  // [1/s]
+    bool full = false;                                  // its pattern
+    std::size_t momenta = 0;                            // into momenta_: M R, three columns
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // (R^T M R)^-1
   };
   /// y += factor M x on the unknowns of a body.

@@ -16,8 +16,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 /// True if the normal spring of a point has a force at the end of the step: pressed, or pulled and still bonded.
 bool loaded(const OpenClose::Trial& t, const ContactMemory& before) {
-  return t.status != ContactStatus::open &&
-         (t.gap < 0.0 || (before.bonded != 0 && t.status == ContactStatus::stick));
+  return t.status != ContactStatus::open && (t.gap < 0.0 || (before.bonded != 0 && t.status == ContactStatus::stick));
 }
 
 /// Part of a point's normal force that is its spring's; the rest is the dashpot's [N].

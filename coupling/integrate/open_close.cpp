@@ -530,8 +530,8 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     if (!allowed_ && refuse(report)) return false;
     states_.clear();
     for (const Trial& t : trial_)
-      states_.push_back(
-          static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) * (t.direction < 0.0 ? -1 : 1)));
+      states_.push_back(static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
+                                          (t.direction < 0.0 ? -1 : 1)));
     const std::size_t now = std::hash<std::string>{}(states_);
     const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
     seen_.push_back(now);

@@ -50,8 +50,7 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      const auto b = static_cast<std::size_t>(
-          outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
+      const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
       all_[b] += m.fn;
       if (m.slide.last.slip != 0.0F) slipping_[b] += m.fn;
     }

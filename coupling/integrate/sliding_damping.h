@@ -15,8 +15,9 @@ namespace scree::coupling {
 /// on v_d = v - R (R^T M R)^-1 R^T M v, with R the three rigid motions of the block and w_1 the lowest frequency of its
 /// affine deformation, so that neither slide nor spin is slowed. The damping is mass-proportional and taken at the new
 /// velocity: the stable explicit step stays as it is. A contact slides once it has gone one way for a natural period of
-/// the block by more than its elastic stretch (FrictionCheck), so that waves which make a joint slip to and fro pass. It is numerical regularisation, not attenuation of rock.
-/// Blocks that are held, driven, on point supports or on viscous edges are exempt.
+/// the block by more than its elastic stretch (FrictionCheck), so that waves which make a joint slip to and fro pass.
+/// It is numerical regularisation, not attenuation of rock. Blocks that are held, driven, on point supports or on
+/// viscous edges are exempt.
 class SlidingDamping {
  public:
   /// @param fraction  xi, of critical; 0: none
@@ -35,8 +36,8 @@ class SlidingDamping {
 
  private:
   bool used_ = false;
-  std::vector<double> most_;                 // per body: 2 xi w_1, or 0 where it is exempt [1/s]
-  std::vector<double> slipping_, all_;       // per body: normal forces of its contacts [N]
+  std::vector<double> most_;            // per body: 2 xi w_1, or 0 where it is exempt [1/s]
+  std::vector<double> slipping_, all_;  // per body: normal forces of its contacts [N]
   std::vector<double> rate_;
 };
 

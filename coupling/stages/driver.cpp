@@ -354,8 +354,8 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
                                     Subcycled::Choice{explicit_damping(stage), stage.safety, stage.partition.substeps});
   } else {
     check_implicit(stage, *setup_, state_.explicit_side);
-    const ImplicitOptions options{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
-                                  stage.damp_rigid_motion, stage.stiffness_damping, stage.sliding_damping};
+    const ImplicitOptions options{stage.newmark,           stage.rest ? 0.0 : stage.dynamics, stage.damping,
+                                  stage.damp_rigid_motion, stage.stiffness_damping,           stage.sliding_damping};
     if (stage.integrator == Integrator::implicit)
       mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
     else

@@ -14,7 +14,7 @@ namespace scree::coupling {
 /// stiffness unsymmetric; the block hops on its contacts, loses friction and slides too far. The defaults of the case
 /// file are the thresholds.
 struct SlidingNeeds {
-  double joint_damping = JointLaw{}.damping;  // `damping` of a joint, fraction of critical
+  double joint_damping = JointLaw{}.damping;       // `damping` of a joint, fraction of critical
   double stage_damping = Stage{}.sliding_damping;  // `sliding_damping` of a stage, likewise
   // Where that happens: friction and slope of the joint, both at least this.
   double angle = 25.0 * 3.14159265358979323846 / 180.0;  // [rad]

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <variant>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "io/case/schema.h"
 #include "io/case/suggest.h"

@@ -8,8 +8,8 @@
 namespace scree::io {
 
 /// The known name with the fewest edits (insert, delete, replace, swap neighbours; letter case is free), if they are
-/// few for the length of the name: at most a third of it, one at least; else the shortest one whose parts begin with the
-/// parts of the name (fric_deg: friction_deg). Empty: none is near.
+/// few for the length of the name: at most a third of it, one at least; else the shortest one whose parts begin with
+/// the parts of the name (fric_deg: friction_deg). Empty: none is near.
 [[nodiscard]] std::string nearest(std::string_view name, const std::vector<std::string>& known);
 
 /// "did you mean "density"?", or the other text where no name is near.

@@ -424,7 +424,8 @@ Scene thrown(const Mat2& R, const char* method, Integrator integrator) {
   const bool implicit = integrator == Integrator::implicit;
   scene.model.joints[0].damping = 0.2;
   // Whether a contact slides is a threshold: round-off may take it a period later.
-  scene.stage(method, integrator, 0.3, implicit ? std::optional<double>(1e-3) : std::nullopt, 0.5).sliding_damping = 0.0;
+  scene.stage(method, integrator, 0.3, implicit ? std::optional<double>(1e-3) : std::nullopt, 0.5).sliding_damping =
+      0.0;
   return scene;
 }
 

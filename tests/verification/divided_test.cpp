@@ -207,7 +207,8 @@ Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
   stage.duration = 400 * ticks(substeps * h);
   scene.plan.output.every = stage.duration;
   scene.plan.output.history_every = 5 * ticks(substeps * h);
-  scene.model.functions.push_back({"blow", TimeFunction::Shape::half_sine, 1.0, 0.0, 3.0 * substeps * h, 0.0, {}, {}, {}});
+  scene.model.functions.push_back(
+      {"blow", TimeFunction::Shape::half_sine, 1.0, 0.0, 3.0 * substeps * h, 0.0, {}, {}, {}});
   scene.model.point_loads.push_back({block, outline.outer[2], Vec2(-1e5, -3e4), FunctionId{0}});
   return scene;
 }

@@ -79,7 +79,9 @@ TEST(FrictionCheck, fires_where_the_wedge_flutters_in_explicit_steps) {
   std::printf("slid %.3f m, ratio %.4f\n", found.slid, found.ratio);
   EXPECT_LT(found.ratio, 0.97);
   ASSERT_EQ(found.of_friction(), 1U);
-  const auto names_pair = [](const std::string& w) { return w.find("blocks 'wedge' and 'plane'") != std::string::npos; };
+  const auto names_pair = [](const std::string& w) {
+    return w.find("blocks 'wedge' and 'plane'") != std::string::npos;
+  };
   EXPECT_TRUE(std::any_of(found.warnings.begin(), found.warnings.end(), names_pair));
 }
 

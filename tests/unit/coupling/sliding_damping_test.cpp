@@ -40,7 +40,8 @@ TEST(SlidingDamping, lowest_frequency_of_a_triangle_is_that_of_six_unknowns) {
   }
   Eigen::Matrix<double, 3, 6> B;
   B << 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0;
-  const Eigen::Matrix3d C = (Eigen::Matrix3d() << lambda + 2 * mu, lambda, 0, lambda, lambda + 2 * mu, 0, 0, 0, mu).finished();
+  const Eigen::Matrix3d C =
+      (Eigen::Matrix3d() << lambda + 2 * mu, lambda, 0, lambda, lambda + 2 * mu, 0, 0, 0, mu).finished();
   K = area * B.transpose() * C * B;
   const double w2 = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(K, M).eigenvalues()(3);
   EXPECT_NEAR(lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b)),
@@ -159,7 +160,8 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
         std::find(setup.outlines().node_body.begin(), setup.outlines().node_body.end(), body) -
         setup.outlines().node_body.begin());
   };
-  const double most = 2.0 * 0.7 * lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b));
+  const double most =
+      2.0 * 0.7 * lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b));
   const auto rate = [&](std::vector<ContactMemory> memory, std::int32_t body) {
     ContactList list;
     list.memory = std::move(memory);
