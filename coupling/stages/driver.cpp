@@ -569,7 +569,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   // Who looks takes the first step at or after the time: steps are the stage's alone.
   while (state_.time < std::min(stop, stage_end_) && !ended_) {
     const Tick before = state_.time;
-    const RunEnd result = take_step(stage);
+    RunEnd result = take_step(stage);
     if (result.status != RunEnd::Status::done) return result;
     const bool over = ended_ || state_.time >= stage_end_, stopped = !over && state_.time >= stop;
     const bool frame = over || passes_multiple(before, state_.time, plan_->output.every);
