@@ -358,7 +358,8 @@ int check(const CheckOptions& options) {
         f.final_velocity, f.final_displacement, f.arias);
   }
   const coupling::Methods standard = coupling::standard_methods();
-  for (const coupling::Stage& s : c.plan.stages) {
+  for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
+    const coupling::Stage& s = c.plan.stages[i];
     const coupling::Setup setup(c.model, standard, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
     std::int64_t cells = 0, unknowns = 0;
     for (std::size_t p = 0; p < setup.pools(); ++p) {
@@ -370,7 +371,7 @@ int check(const CheckOptions& options) {
     fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
                seconds(s.duration), cells, unknowns);
     if (s.integrator == coupling::Integrator::partitioned) fmt::print("    {}\n", told_sides(c.model, s.partition));
-    if (const auto damping = coupling::stage_damping(c.model, s))
+    if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i)))
       fmt::print("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);

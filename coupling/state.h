@@ -65,6 +65,7 @@ struct ContactMemory {
   std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
   double share = 0.0;          // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
+  double impact = 0.0;         // time for which it still keeps the springs it closed with [s] (explicit steps)
   SlideMemory slide{};
 };
 
@@ -245,6 +246,7 @@ void State::visit(Visitor&& see) const {
     see("contact.share", c.share);
     see("contact.kn", c.kn);
     see("contact.kt", c.kt);
+    see("contact.impact", c.impact);
     see("contact.slide_length", c.slide.length);
     see("contact.slide_time", c.slide.time);
     see("contact.slide_slip", c.slide.slip);

@@ -23,6 +23,7 @@ constexpr MeasureKey kComponent{Kind::text, "component", true, ""};
 constexpr MeasureKey kFrom{Kind::number, "from", false, ""}, kUntil{Kind::number, "until", false, ""};
 const std::vector<std::string> kStatistics{"end", "peak", "max", "min"};
 const std::string kImplicit = "implicit";
+const std::vector<std::string> kParts{"transmitted", "reflected", "absorbed"};
 // Periods between samples: the trapezoidal rule errs by (2 pi 0.05)^2/12, 0.8 %, at a jump.
 constexpr double kMostPeriods = 0.05;
 
@@ -35,8 +36,7 @@ struct Samples {
   std::vector<double> time, value;
 };
 
-Samples samples(const Quantity& q, const RunRecord& run, const std::string& monitor) {
-  const std::string& component = q.text("component");
+Samples samples(const Quantity& q, const RunRecord& run, const std::string& monitor, const std::string& component) {
   const std::vector<double> all = run.monitor(monitor)->component(component);
   constexpr double kInf = std::numeric_limits<double>::infinity();
   const double from = q.number("from").value_or(-kInf), until = q.number("until").value_or(kInf);
@@ -52,6 +52,10 @@ Samples samples(const Quantity& q, const RunRecord& run, const std::string& moni
   if (s.time.empty())
     throw q.error("from", "the run has no samples in the window", fmt::format("within 0 to {:g} s", run.time.back()));
   return s;
+}
+
+Samples samples(const Quantity& q, const RunRecord& run, const std::string& monitor) {
+  return samples(q, run, monitor, q.text("component"));
 }
 
 double largest(const std::vector<double>& values) {
@@ -151,6 +155,39 @@ double harmonic(const Quantity& q, const std::string& variant, const RunRecords&
   return std::abs(sum);
 }
 
+/// Energy of the waves that pass a monitor along and against the axis, over the impedance.
+struct Passing {
+  double along = 0.0, against = 0.0;
+};
+
+Passing passing(const Quantity& q, const RunRecord& run, const std::string& monitor) {
+  const Samples v = samples(q, run, monitor), s = samples(q, run, monitor, q.text("stress"));
+  const double impedance = *q.number("impedance");
+  Passing sum;
+  Vec2 before = Vec2::Zero();
+  for (std::size_t i = 0; i < v.time.size(); ++i) {
+    const double along = 0.5 * (v.value[i] - s.value[i] / impedance), against = v.value[i] - along;
+    const Vec2 now(along * along, against * against);
+    if (i > 0) {
+      const Vec2 part = 0.5 * (v.time[i] - v.time[i - 1]) * (before + now);
+      sum.along += part.x();
+      sum.against += part.y();
+    }
+    before = now;
+  }
+  return sum;
+}
+
+/// Root of the part of the energy that arrives at an interface which crosses it, comes back, or stays there. A wave
+/// that goes along the axis has v = -stress/z, one against it v = stress/z.
+double crossing(const Quantity& q, const RunRecord& run) {
+  const Passing near = passing(q, run, q.text("of")), far = passing(q, run, q.text("behind"));
+  if (!(near.along > 0.0)) throw q.error("of", "no wave arrives there in the window", "a monitor before the interface");
+  if (q.text("part") == "transmitted") return std::sqrt(far.along / near.along);
+  if (q.text("part") == "reflected") return std::sqrt(near.against / near.along);
+  return std::sqrt(std::max(0.0, 1.0 + (far.against - near.against - far.along) / near.along));
+}
+
 double transfer_energy_error(const RunRecord& run) {
   // Of a whole hand-over: a block that hardly carries any energy has nothing but round-off of its positions to show.
   std::map<double, std::pair<double, double>> handed;  // time: errors and energies summed [J]
@@ -225,6 +262,7 @@ double on_variant(const Quantity& q, const std::string& variant, const RunRecord
   if (m == "history_error") return history_error(q, variant, runs, plots);
   if (m == "profile_error") return profile_error(q, variant, runs, plots);
   if (m == "harmonic") return harmonic(q, variant, runs);
+  if (m == "crossing") return crossing(q, run);
   if (m == "blocks_moved_above") return count([&](double d) { return d > *q.number("of"); });
   if (m == "blocks_moved_below") return count([&](double d) { return d < *q.number("of"); });
   if (m == "blocks_difference") return blocks_difference(q, run, runs);
@@ -275,6 +313,17 @@ const std::vector<MeasureInfo>& measures() {
        "|int x exp(-2 pi i f t) dt|, x a component of a monitor; with minus, of its difference to another variant's, "
        "while over divides by that of the whole history",
        {kMonitor, kComponent, {Kind::number, "frequency", true, ""}, {Kind::text, "minus", false, ""}, kFrom, kUntil}},
+      {"crossing",
+       "of the wave that arrives at an interface between two monitors, the second farther along the axis: the root of "
+       "the part of its energy that is transmitted, reflected or absorbed; v and stress are those of its motion",
+       {kMonitor,
+        {Kind::text, "behind", true, ""},
+        {Kind::text, "part", true, ""},
+        kComponent,
+        {Kind::text, "stress", true, ""},
+        {Kind::number, "impedance", true, ""},
+        kFrom,
+        kUntil}},
       {"profile_error",
        "largest difference to a table of values at monitors, over the largest of them",
        {kComponent,
@@ -329,8 +378,15 @@ void check_names(const Quantity& q, const Model& model, const coupling::Plan& pl
   for (const coupling::Stage& s : plan.stages) stages.push_back(s.name);
   if (q.texts.count("component") > 0) check("component", "component", components());
   if (q.texts.count("statistic") > 0) check("statistic", "statistic", kStatistics);
-  if (q.measure == "monitor" || q.measure == "history_error" || q.measure == "harmonic")
+  if (q.measure == "monitor" || q.measure == "history_error" || q.measure == "harmonic" || q.measure == "crossing")
     check("of", "monitor", monitors);
+  if (q.measure == "crossing") {
+    check("behind", "monitor", monitors);
+    check("stress", "component", components());
+    check("part", "part", kParts);
+    if (!(*q.number("impedance") > 0.0))
+      throw q.error("impedance", fmt::format("an impedance of {:g} Pa s/m", *q.number("impedance")), "> 0 Pa s/m");
+  }
   if (q.measure == "harmonic" && !(*q.number("frequency") > 0.0))
     throw q.error("frequency", fmt::format("a frequency of {:g} Hz", *q.number("frequency")), "> 0 Hz");
   if (q.measure == "drift_in_stage") check("of", "stage", stages);

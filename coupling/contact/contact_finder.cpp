@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "coupling/contact/joint_strength.h"
 
@@ -16,9 +18,10 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
-constexpr std::size_t kAhead = 12;    // pairs: edges on the other side are asked for so far ahead
-constexpr double kInLine = 0.5;       // of a corner's depth: more of it is that of the joint that goes on beside it
-constexpr double kBoundMargin = 0.1;  // of a point's largest share, so that the step bound outlives small changes
+constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are asked for so far ahead
+constexpr double kClearly = 1.0 - 1e-6;  // of a depth: at equal ones a corner does not go to and fro
+constexpr double kInLine = 0.5;          // of a corner's depth: more of it is that of the joint that goes on beside it
+constexpr double kBoundMargin = 0.1;     // of a point's largest share, so that the step bound outlives small changes
 
 }  // namespace
 
@@ -174,13 +177,37 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
   return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
 }
 
+double ContactFinder::compliance(const ContactPoint& p) const {
+  const auto of = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
+  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
+  const double xi = std::clamp(p.at.xi, 0.0, 1.0);
+  return of(p.node[0]) + (1.0 - xi) * of(p.node[1]) + xi * of(p.node[2]);
+}
+
+void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const {
+  constexpr double kPeriods = 4.0, kSwings = 10.0;
+  Springs springs{m.share, m.kn, m.kt};
+  if (p.facing) {
+    const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
+    const JointId law{m.joint};
+    const double length = std::min(springs_.corner_length(law, own, p.edge), p.full_share);
+    const Springs corner = springs_.springs(law, own, p.edge, length);
+    if (m.kn < corner.kn) springs = corner;
+  }
+  const double rate = std::sqrt(springs.kn * compliance(p));
+  if (speed < touching_ * rate || speed * rate < kSwings * setup_->model().gravity.norm()) return;
+  const std::int32_t beside = neighbour(p, false);
+  if (beside >= 0 && known_.list().memory[static_cast<std::size_t>(beside)].impact == 0.0) return;
+  m.share = springs.share;
+  m.kn = springs.kn;
+  m.kt = springs.kt;
+  m.impact = kPeriods * 2.0 * std::numbers::pi / rate;
+}
+
 void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
   if (fraction == 0.0) return;
-  const auto compliance = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
-  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
-  const double xi = std::clamp(p.at.xi, 0.0, 1.0);
-  const double mu = compliance(p.node[0]) + (1.0 - xi) * compliance(p.node[1]) + xi * compliance(p.node[2]);
+  const double mu = compliance(p);
   // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
   const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
@@ -188,13 +215,12 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
 }
 
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
-  if (to.facing || to.beyond) return false;
+  if ((to.facing && !in_impact(from)) || to.beyond) return false;
   const Outlines& o = setup_->outlines();
   const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
                        &b = o.edges[static_cast<std::size_t>(to.edge)];
   // Over a convex corner: where both gaps are equal.
   if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
-    constexpr double kClearly = 1.0 - 1e-6;  // so that it does not go to and fro
     return from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
   }
   // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
@@ -203,21 +229,118 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
          from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
 }
 
+bool ContactFinder::in_impact(const ContactPoint& p) const {
+  return p.from >= 0 && known_.list().memory[static_cast<std::size_t>(p.from)].impact > 0.0;
+}
+
 bool ContactFinder::was_closed(const ContactPoint& p) const {
   return p.from >= 0 && known_.closed(static_cast<std::size_t>(p.from));
 }
 
 void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
   for (ContactPoint& from : points) {
-    if (from.facing || !was_closed(from) || known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
+    if ((from.facing && !in_impact(from)) || !was_closed(from) ||
+        known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
       continue;
     for (ContactPoint& to : points) {
       if (&to == &from || was_closed(to) || !goes_over(from, to)) continue;
       std::swap(from.from, to.from);
+      if (in_impact(to)) from.from = -1;  // what it had found deep there is not of this edge
       set_range(from, false);
       set_range(to, true);
       break;
     }
+  }
+}
+
+bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const ContactPoint> of_corner,
+                                  const ContactPoint& to, std::span<const ContactPoint> of_tip) const {
+  const Outlines::Vertex& corner = setup_->outlines().vertices[static_cast<std::size_t>(from.vertex)];
+  if ((to.edge != corner.edge_in && to.edge != corner.edge_out) || to.beyond || was_closed(to)) return false;
+  if (to.facing && -pairs_.direction(from.edge).dot(pairs_.direction(to.edge)) > kStillFaces) return false;
+  if (to.at.gap >= 0.0 || to.at.gap <= kClearly * from.at.gap) return false;
+  const auto goes_on = [this](const ContactPoint& p, std::span<const ContactPoint> of_vertex) {
+    return std::any_of(of_vertex.begin(), of_vertex.end(), [&](const ContactPoint& other) {
+      return other.edge != p.edge && pairs_.in_line(other.edge, p.edge);
+    });
+  };
+  return !goes_on(from, of_corner) && !goes_on(to, of_tip);
+}
+
+void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
+  const Outlines& o = setup_->outlines();
+  const auto of_vertex = [&out](std::int32_t vertex) {
+    const auto before = [](const ContactPoint& p, std::int32_t wanted) { return p.vertex < wanted; };
+    const auto begin = std::lower_bound(out.points.begin(), out.points.end(), vertex, before),
+               end = std::lower_bound(begin, out.points.end(), vertex + 1, before);
+    return std::span(begin, end);
+  };
+  for (ContactPoint& from : out.points) {
+    const double depth = -from.at.gap, s = from.at.xi * from.at.length;
+    if (from.facing || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
+    const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
+    // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
+    const bool at_first = edge.convex_start && part == 0 && s < depth,
+               at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
+    if (!at_first && !at_last) continue;
+    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(at_first ? edge.first_segment : edge.end_vertex);
+    for (ContactPoint& to : of_tip) {
+      if (!goes_over_tip(from, of_corner, to, of_tip)) continue;
+      to.from = std::exchange(from.from, -1);
+      to.suppressed = false;
+      for (ContactPoint* p : {&from, &to}) {
+        set_range(*p, p == &to);
+        const auto index = static_cast<std::size_t>(p - out.points.data());
+        out.memory[index] = {};
+        remember(index, at_start, out);
+      }
+      break;
+    }
+  }
+}
+
+void ContactFinder::pass_energy_on(bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  const auto bodies = [&](std::int32_t vertex, std::int32_t edge) {
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
+    return std::pair(
+        std::minmax({o.edges[static_cast<std::size_t>(s.edge)].body, o.edges[static_cast<std::size_t>(edge)].body}));
+  };
+  for (std::size_t g = 0; g < known_.size(); ++g) {
+    if (gone_[g] == 0 || !known_.closed(g)) continue;
+    const ContactMemory& was = known_.list().memory[g];
+    if (was.impact == 0.0 || was.gap >= 0.0) continue;
+    const auto pair = bodies(known_.vertex(g), known_.edge(g));
+    const Vec2& at = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(g))].node)];
+    ContactPoint* successor = nullptr;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (ContactPoint& p : out.points) {
+      if (p.at.gap >= 0.0 || p.beyond || (was_closed(p) && (p.suppressed || !in_impact(p))) ||
+          bodies(p.vertex, p.edge) != pair)
+        continue;
+      const double d = (x_[static_cast<std::size_t>(p.node[0])] - at).norm();
+      if (d > nearest || (d == nearest && p.at.gap < successor->at.gap)) continue;
+      nearest = d;
+      successor = &p;
+    }
+    if (successor == nullptr) continue;
+    const auto index = static_cast<std::size_t>(successor - out.points.data());
+    ContactMemory& m = out.memory[index];
+    if (was_closed(*successor)) {
+      const double held = std::min(m.gap, 0.0);
+      m.gap = -std::sqrt(held * held + was.kn / m.kn * was.gap * was.gap);
+      merged_ += 0.5 * was.kn * was.gap * was.gap;
+    } else {
+      successor->from = static_cast<std::int32_t>(g);
+      successor->suppressed = false;
+      gone_[g] = 0;
+      set_range(*successor, true);
+      m = {};
+      remember(index, at_start, out);
+      m.gap = was.gap;  // see ExplicitContact::hand_over()
+    }
+    m.gap0 = successor->at.gap - m.gap;
   }
 }
 
@@ -298,6 +421,11 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
       const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
       if (!inside && !loaded) continue;
+      if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
+        if (loaded && mb.impact == 0.0) b.suppressed = true;
+        if (loaded && ma.impact == 0.0) a.suppressed = true;
+        continue;
+      }
       const double depth_a = entry_depth(a), depth_b = entry_depth(b);
       // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
       if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
@@ -350,6 +478,8 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   p.first_gap0 = std::min(p.at.gap, 0.0);
   if (was == nullptr || (!closed && was->gap < 0.0)) {
     p.beside = neighbour(p, false);
+    // In an impact the points that there were keep what they have, and a new one has nothing yet.
+    if (p.beside >= 0 && known_.list().memory[static_cast<std::size_t>(p.beside)].impact > 0.0) p.beside = -1;
     if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
   }
   return true;
@@ -360,6 +490,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   known_.index(known);
+  merged_ = 0.0;
   gone_.assign(known_.size(), 1);
   fresh_.clear();
   corners_.clear();
@@ -402,6 +533,8 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   else
     for (const std::int32_t i : fresh_) remember(static_cast<std::size_t>(i), at_start, out);
   interpolate(out);
+  pass_tips(at_start, out);
+  pass_energy_on(at_start, out);
   suppress_second_edges(out);
   if (!setup_->model().waters.empty()) fill_with_water(out);
 }

@@ -28,6 +28,8 @@ class ContactFinder {
   /// other bodies makes of them
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
             ContactPairs::Of of = ContactPairs::Of::all);
+  /// Of find(): energy of springs that ended and that other closed ones have taken over [J].
+  [[nodiscard]] double merged() const { return merged_; }
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
   /// candidates now.
   [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
@@ -35,6 +37,14 @@ class ContactFinder {
   /// stiffness of their new kind; force and state stay, gap0 and anchor move.
   /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
+  /// A point that closes fast where nothing rests on the joint yet keeps its springs, whatever becomes of share, kind
+  /// and edge, for four periods of its corner on its spring: an impact is over by then (face to face half a period of
+  /// the block, sqrt(7/2) of the corner's, is the longest of two blocks), and what is still closed rests. An overlap
+  /// that is worth less than a corner begins as one. Where the law has a force the gap is 0 still. Fast: with w =
+  /// sqrt(k mu) the depth v/w is above what counts as touching, and v w ten times gravity. A joint that rests and
+  /// swings, where a load comes on or a block beside it slides, is no impact and follows the geometry.
+  /// @param speed  v at which the gap closes [m/s]
+  void begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const;
 
  private:
   /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
@@ -55,6 +65,8 @@ class ContactFinder {
   [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
   [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
+  /// 1/m that a force on a contact feels: of corner and foot.
+  [[nodiscard]] double compliance(const ContactPoint& p) const;
   /// Completes a point that has its segment and `from`.   @return false: it is none
   [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   void set_range(ContactPoint& p, bool closed) const;
@@ -64,10 +76,24 @@ class ContactFinder {
   /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
   /// they left begin anew.
   void pass_corners(std::span<ContactPoint> points) const;
+  /// True if two wedges that overlap leave each other by the side of `to`, the shorter way, where `from` is a closed
+  /// corner P near the convex end V of an edge, and `to` that V against a side of P. Not where a joint goes on over
+  /// either end in line: there the corner passes along it.
+  /// @param of_corner,of_tip  all points of P and of V
+  [[nodiscard]] bool goes_over_tip(const ContactPoint& from, std::span<const ContactPoint> of_corner,
+                                   const ContactPoint& to, std::span<const ContactPoint> of_tip) const;
+  /// Corners in an impact that slide over the end of an edge: the tip there takes their memory where the gaps of both
+  /// are equal, so that the energy goes on, as over a convex corner (goes_over()).
+  void pass_tips(bool at_start, ContactList& out) const;
+  /// A point of an impact that ends under load while its bodies overlap: the nearest point between the same bodies
+  /// takes over its memory if it is open, and the energy of its spring if it is in an impact itself (merged()).
+  void pass_energy_on(bool at_start, ContactList& out);
   /// All that concerns the points of one vertex alone, while they are at hand (to go through a long list again takes as
   /// long as to make it); lists them for what comes after.
   /// @param first  of the vertex, whose points are the last of the list
   void settle_vertex(std::size_t first, bool at_start, ContactList& out);
+  /// True if it keeps the springs it closed with (ContactMemory::impact).
+  [[nodiscard]] bool in_impact(const ContactPoint& p) const;
   [[nodiscard]] bool was_closed(const ContactPoint& p) const;
   /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
   void cover_corners(ContactList& out) const;
@@ -99,6 +125,7 @@ class ContactFinder {
   JointSprings springs_;
   ContactPairs pairs_;
   KnownContacts known_;
+  double merged_ = 0.0;                     // see merged()
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
   std::vector<Vec2> x_;                     // outline nodes

@@ -55,8 +55,10 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   p.key = m.key;
   const bool closed = m.status != ContactStatus::open;
   if (passed) m.joint = p.joint;
-  // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds().
-  if (!closed || (m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
+  if (m.segment < 0) m.impact = 0.0;  // a body was made anew
+  // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds(). In an
+  // impact a point keeps all of it.
+  if (!closed || (m.impact == 0.0 && m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
     m.facing = static_cast<std::int32_t>(p.facing);
     m.share = p.springs.share;
     m.kn = p.springs.kn;
@@ -226,10 +228,13 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
     const bool same_kind = m.facing == static_cast<std::int32_t>(p.facing);
-    if (m.status == ContactStatus::open || (same_kind && (p.facing || (m.kn == p.springs.kn && m.kt == p.springs.kt))))
+    if (m.status == ContactStatus::open || m.impact > 0.0 ||
+        (same_kind && m.kn == p.springs.kn && m.kt == p.springs.kt))
       continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
-    if (p.facing && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
+    if (p.facing && !same_kind && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
+    // A share that has become smaller in an impact is followed from the next step on, as in sliding: see fill().
+    if (p.facing && same_kind && p.springs.share < m.share) continue;
     const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
     const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
     if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);

@@ -115,6 +115,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
 
 void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   finder_.restore(state.contacts, before_);
+  for (std::size_t i = 0; i < before_.memory.size() && !goes_on; ++i) before_.memory[i].impact = 0.0;
   finder_.find(state.q, before_, at_start, now_);
   (void)finder_.adopt_kinds(now_);  // the energy returned below has it
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
@@ -264,8 +265,32 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
       motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
     }
     const double gap0 = m.gap0;
+    // Stages to rest have no velocities of their own.
+    if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
+      finder_.begin_impact(p, -row_rate(setup_->outlines(), p, gap_row(p.at), v), m);
     apply_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], p, motion, m);
     opened_[i] = m.gap0 - gap0;
+    if (m.status == ContactStatus::open)
+      m.impact = 0.0;
+    else
+      m.impact = std::max(0.0, m.impact - h);
+  }
+}
+
+void ExplicitContact::hand_over(double h, std::span<const double> v) {
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    const ContactPoint& p = now_.points[i];
+    ContactMemory& m = now_.memory[i];
+    if (p.from < 0 || m.impact == 0.0) continue;
+    const auto from = static_cast<std::size_t>(p.from);
+    const ContactPoint& was = before_.points[from];
+    if (was.vertex == p.vertex && was.edge == p.edge) continue;
+    const double left = normal_energy(was, before_.memory[from]) - left_[from].normal;
+    if (left <= 0.0) continue;
+    const double half_way = 0.5 * h * row_rate(setup_->outlines(), p, gap_row(p.at), v);
+    const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
+    m.gap0 += m.gap - gap;
+    m.gap = gap;
   }
 }
 
@@ -289,6 +314,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   std::swap(now_, before_);
   if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
+  hand_over(h, v);
   respond(h, v, now_);
   if (checks_friction_) follow_slides(h);
   Ledger& ledger = state.ledger;
@@ -317,6 +343,9 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
     ledger.book(Column::springs_dropped,
                 normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
   }
+  // Those that closed points have taken over: booked as dropped, and where the others changed.
+  ledger.book(Column::springs_dropped, -finder_.merged());
+  ledger.book(Column::contact_geometry, -finder_.merged());
   // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
   anchor_.resize(now_.memory.size());
   for (std::size_t i = 0; i < anchor_.size(); ++i) anchor_[i] = now_.memory[i].anchor;

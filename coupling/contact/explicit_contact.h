@@ -56,6 +56,11 @@ class ExplicitContact {
   void add(const ContactList& list, std::span<double> f) const;
   /// True if another mover moves one of its bodies, or a half of it.
   [[nodiscard]] bool on_guest(const ContactPoint& p) const;
+  /// In an impact a spring that passes to another edge or tip there holds what the work of its force in the step leaves
+  /// of its energy, whatever the gap at which it passes:
+  ///   k g^2/2 = E - h/2 f_n g'_n - h/2 f g',  f = -k g
+  /// The direction of the force jumps within the step: the gap alone would be off by an error of first order.
+  void hand_over(double h, std::span<const double> v);
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
   void respond(double h, std::span<const double> v, ContactList& list);
   /// After respond(): the check of friction sees the points.

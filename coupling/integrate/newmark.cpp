@@ -97,6 +97,7 @@ MoverMemory Newmark::memory() const {
 double Newmark::enter(State& state) {
   enter_stage(state);
   finder_.restore(state.contacts, before_);
+  for (ContactMemory& m : before_.memory) m.impact = 0.0;  // springs follow the joint from step to step
   finder_.find(state.q, before_, state.step == 0, list_);
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it
   if (!checks_friction()) FrictionCheck::forget(list_);

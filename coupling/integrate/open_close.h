@@ -129,7 +129,7 @@ class OpenClose {
   [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
   /// The largest force that a solution is made of [N].
   [[nodiscard]] double force_scale(std::span<const double> d) const;
-  /// What round-off leaves of the forces inside the bodies [N].
+  /// What round-off leaves of the forces inside the bodies and of the springs between them [N].
   [[nodiscard]] double round_off(std::span<const double> d) const;
   /// The factor is not that of the whole matrix: points slip, or blocks are damped beside the pattern.
   [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/contact/joint_strength.h"
 #include "coupling/integrate/point_springs.h"
 
 namespace scree::coupling {
@@ -26,8 +27,10 @@ SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
   slipping_.assign(n, 0.0);
   all_.assign(n, 0.0);
   rate_.assign(n, 0.0);
-  if (fraction == 0.0) return;
   const Model& model = setup.model();
+  joints_ = &model.joints;
+  for (const JointLaw& law : model.joints) tan_friction_.push_back(std::tan(law.friction));
+  if (fraction == 0.0) return;
   std::vector<char> exempt(model.blocks.size(), 0);
   for (const PointSupport& s : model.point_supports) exempt[s.block.index()] = 1;
   for (const ViscousEdge& e : model.viscous_edges) exempt[e.span.block.index()] = 1;
@@ -49,12 +52,22 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
+    const double slides = m.slide.last.slip != 0.0F ? m.fn * sliding_part(m) : 0.0;
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
       const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
       all_[b] += m.fn;
-      if (m.slide.last.slip != 0.0F) slipping_[b] += m.fn;
+      slipping_[b] += slides;
     }
   }
+}
+
+double SlidingDamping::sliding_part(const ContactMemory& m) const {
+  const auto joint = static_cast<std::size_t>(m.joint);
+  const Strength now = strength((*joints_)[joint], tan_friction_[joint], m);
+  const double friction = now.coefficient * m.fn, limit = now.cohesion + friction;
+  const bool back = m.slide.slip * static_cast<double>(m.slide.last.slip) < 0.0;
+  if (back && std::abs(m.slide.slip) * m.kt > limit) return 0.0;
+  return limit > 0.0 ? friction / limit : 1.0;  // without any strength: as with a little friction
 }
 
 bool SlidingDamping::find() {

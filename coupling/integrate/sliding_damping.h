@@ -11,11 +11,14 @@ namespace scree::coupling {
 /// Coulomb friction mu N makes the stiffness of a sliding block unsymmetric: its deformation and its contacts can
 /// exchange energy with the slide, the block vibrates (flutter), hops, and loses friction on average. Rock that slides
 /// steadily is what tables and tests report, so free blocks are damped while they slide, at the rate
-///   a = 2 xi w_1 min(1, 3 s)^(3/2),  s = sum of N over sliding contacts / sum of N over closed contacts of the block,
+///   a = 2 xi w_1 min(1, 3 s)^(3/2),
+///   s = sum of N mu N/(c A + mu N) over sliding contacts / sum of N over closed contacts of the block,
 /// on v_d = v - R (R^T M R)^-1 R^T M v, with R the three rigid motions of the block and w_1 the lowest frequency of its
 /// affine deformation, so that neither slide nor spin is slowed. The damping is mass-proportional and taken at the new
 /// velocity: the stable explicit step stays as it is. A contact slides once it has gone one way for a natural period of
-/// the block by more than its elastic stretch (FrictionCheck), so that waves which make a joint slip to and fro pass.
+/// the block by more than its elastic stretch (FrictionCheck), until it turns round, so that waves which make a joint
+/// slip to and fro pass. What slips against cohesion has no such stiffness, and counts by the part that friction has in
+/// its strength.
 /// It is numerical regularisation, not attenuation of rock. Blocks that are held, driven, on point supports or on
 /// viscous edges are exempt.
 class SlidingDamping {
@@ -35,7 +38,12 @@ class SlidingDamping {
   [[nodiscard]] std::span<const double> rates() const { return rate_; }
 
  private:
+  /// Part of a sliding point's strength that is friction; 0 once it has turned round.
+  [[nodiscard]] double sliding_part(const ContactMemory& m) const;
+
   bool used_ = false;
+  const std::vector<JointLaw>* joints_ = nullptr;
+  std::vector<double> tan_friction_;    // of a joint law
   std::vector<double> most_;            // per body: 2 xi w_1, or 0 where it is exempt [1/s]
   std::vector<double> slipping_, all_;  // per body: normal forces of its contacts [N]
   std::vector<double> rate_;

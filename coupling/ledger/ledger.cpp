@@ -23,7 +23,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"dilation", Side::dissipated, "part of it that opens the joint: less normal force times opening"},
     {"contact_damping", Side::dissipated, "damping of closed contacts"},
     {"mass_damping", Side::dissipated, "mass-proportional damping"},
-    {"deformation_damping", Side::dissipated, "damping of the deformation of sliding blocks"},
+    {"deformation_damping", Side::dissipated, "damping of the deformation of sliding blocks", kWatched},
     {"stiffness_damping", Side::dissipated, "Rayleigh damping proportional to stiffness"},
     {"local_damping", Side::dissipated, "local damping of explicit steps, a fraction of the unbalanced force"},
     {"viscous_edges", Side::dissipated, "energy that leaves through viscous edges"},

@@ -36,11 +36,11 @@ bool fades(const TimeFunction& f) {
 
 /// A motion or a function: when it acts, on its clock.
 struct Timed {
-  bool motion;
-  std::size_t index;
+  bool motion = false;
+  std::size_t index = 0;
   StageId stage;
-  double begin, end;  // [s]
-  bool fades;
+  double begin = 0.0, end = 0.0;  // [s]
+  bool fades = false;
 };
 
 template <class See>
@@ -111,6 +111,20 @@ std::vector<StageId> stages_met(const Model& model, const Plan& plan, std::span<
       for (std::size_t i = 0; i < course.begin.size(); ++i)
         if (reaches(at, course.begin[i])) met = StageId{static_cast<std::int32_t>(i)};
     out.push_back(met);
+  });
+  return out;
+}
+
+std::vector<char> acts_in(const Model& model, const Plan& plan, std::size_t stage, std::span<const Tick> stage_begin,
+                          Tick stage_end) {
+  const Course course(plan, stage_begin, stage_end);
+  const Tick begin = course.begin[stage], end = stage + 1 < course.begin.size() ? course.begin[stage + 1] : course.end;
+  std::vector<char> out;
+  for_all(model, [&](const Timed& t) {
+    const Tick from = origin(t.stage, course.begin);
+    const bool to_come = reaches(sum(from, bounded_ticks(t.begin)), end),
+               over = std::isfinite(t.end) && reaches(begin, sum(from, bounded_ticks(t.end)));
+    out.push_back(to_come || over ? 0 : 1);
   });
   return out;
 }

@@ -42,6 +42,10 @@ struct TimeFault {
 [[nodiscard]] std::vector<StageId> stages_met(const Model& model, const Plan& plan,
                                               std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
 
+/// Which of them act in a stage: not over when it begins, nor yet to come when it ends. Order and arguments as above.
+[[nodiscard]] std::vector<char> acts_in(const Model& model, const Plan& plan, std::size_t stage,
+                                        std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
+
 /// "the motion 'kobe' begins at 12 s, but the run is over at 10 s"
 [[nodiscard]] std::string text(const TimeFault& fault, const Model& model);
 

@@ -393,102 +393,6 @@ bool Driver::takes_explicit_steps(const Stage& stage, const Body& b) const {
   return stage.integrator == Integrator::partitioned && state_.explicit_side[b.block.index()] != 0;
 }
 
-void Driver::go_on() {
-  Checkpoint& c = *from_;
-  state_ = std::move(c.state);
-  stage_end_ = c.stage_end;
-  first_step_ = c.first_step;
-  stage_begin_.clear();
-  for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
-    stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
-  rest_trace_ = std::move(c.rest);
-  ended_ = c.ended;
-  largest_ = c.largest_step;
-  mesh_ = c.mesh;
-  audit_ = std::move(c.audit);
-  transfers_ = std::move(c.transfers);
-  told_ = std::move(c.told);
-  travels_ = std::move(c.travels);
-  warnings_ = std::move(c.warnings);
-  rule_changes_ = std::move(c.rule_changes);
-  const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
-                                   clocks());
-  mover_ = make_mover(stage);
-  mover_->resume(state_, c.mover);
-  stats_ = c.stats;
-  end_ = latest_end();
-  observe();
-  show_mesh();
-  watch_rules(stage);
-  from_.reset();
-}
-
-Checkpoint Driver::checkpoint() const {
-  Checkpoint c;
-  c.state = state_;
-  c.mover = mover_->memory();
-  c.stage_end = stage_end_;
-  c.first_step = first_step_;
-  for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
-  c.rest = rest_trace_;
-  c.ended = ended_;
-  c.mesh = mesh_;
-  c.largest_step = largest_;
-  c.stats = stats_;
-  c.audit = audit_;
-  c.transfers = transfers_;
-  c.travels = travels_;
-  c.warnings = warnings_;
-  c.rule_changes = rule_changes_;
-  c.told = told_;
-  return c;
-}
-
-void Driver::keep(bool in_any_case) {
-  if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
-  const double begin = wall();
-  keeper_->keep(checkpoint());
-  stats_.wall_output += wall() - begin;
-}
-
-void Driver::keep_checkpoint() {
-  // Whoever goes on from here makes all attempts at the present step again.
-  RunStats attempts = std::exchange(stats_, committed_);
-  keep(true);
-  attempts.wall_output = committed_.wall_output = stats_.wall_output;
-  stats_ = attempts;
-}
-
-void Driver::refuse_switching(const Stage& stage) const {
-  if (!stage.change.used) return;
-  const auto refuse = [&](const char* why) {
-    throw PlanError(fmt::format("stage '{}': blocks cannot change method during it: {}", stage.name, why));
-  };
-  if (stage.rest) refuse("it runs to rest, and takes the motion away that decides");
-  if (stage.kinematics == Kinematics::linear) refuse("linear kinematics cannot take back a block that has turned");
-  if (stage.newmark == NewmarkScheme::trapezoidal) refuse("the trapezoidal scheme cannot take blocks of the DDA");
-}
-
-void Driver::refuse_turned_blocks(const Stage& stage) const {
-  if (stage.kinematics != Kinematics::linear) return;
-  constexpr double kMost = 0.01;  // [rad]; a rotation r reads as a strain r^2/2
-  for (const Body& b : setup_->bodies()) {
-    if (b.driven || setup_->pool_of(b).method() != "nmm") continue;
-    const auto p = static_cast<std::size_t>(b.pool);
-    const Mat2 R = polar_rotation(setup_->pool_of(b)
-                                      .release(b.index, setup_->part(std::span<const double>(state_.q), p),
-                                               setup_->part(std::span<const double>(state_.v), p))
-                                      .motion.F);
-    const double turn = std::atan2(R(1, 0), R(0, 0));
-    if (std::abs(turn) <= kMost) continue;
-    throw PlanError(
-        fmt::format("t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, which takes "
-                    "rotations for strains, bears {:g} rad; use kinematics = \"corotational\"",
-                    seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
-  }
-}
-
 BlockId Driver::unsupported_at_rest(const Stage& stage) {
   const BlockId loose = unsupported_block(*setup_, state_);
   // Contacts of explicit steps open for an instant while blocks still swing: without a criterion of rest that is told.
@@ -516,44 +420,12 @@ void Driver::begin_stage(const Stage& stage) {
   }
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
                                             name(stage.integrator), seconds(stage.duration)));
-  if (const auto damping = stage_damping(*model_, stage))
+  const std::vector<char> acts =
+      acts_in(*model_, *plan_, static_cast<std::size_t>(state_.stage), state_.stage_begin, stage_end_);
+  if (const auto damping = stage_damping(*model_, stage, acts))
     event(damps_much(*damping) ? EventKind::warning : EventKind::stage_step, text(*damping));
   look(true);
   keep(state_.step == 0);
-}
-
-void Driver::refuse_missed_times() {
-  const std::span<const Tick> begins(state_.stage_begin);
-  const auto now = static_cast<std::size_t>(state_.stage);
-  const auto stage_name = [&](StageId s) { return plan_->stages[s.index()].name; };
-  // What was so before the stage that has just ended is known.
-  std::vector<TimeFault> known;
-  std::vector<StageId> met;
-  if (now > 0) {
-    const Tick planned = begins[now - 1] + plan_->stages[now - 1].duration;
-    known = time_faults(*model_, *plan_, begins.first(now), planned);
-    met = stages_met(*model_, *plan_, begins.first(now), planned);
-  }
-  for (const TimeFault& f : time_faults(*model_, *plan_, begins, stage_end_)) {
-    if (std::any_of(known.begin(), known.end(), [&](const TimeFault& k) { return k.same(f); })) continue;
-    if (f.kind == TimeFault::Kind::missed)
-      throw PlanError(fmt::format(
-          "t = {:.6g} s, stage '{}': {}{}; no stage can meet it: let it begin with a stage (start = \"{}\")",
-          seconds(state_.time), stage_name(StageId{state_.stage}), text(f, *model_),
-          now > 0 ? " because a stage before has ended early" : "", stage_name(StageId{state_.stage})));
-    event(EventKind::warning, text(f, *model_));
-  }
-  const std::vector<StageId> meets = stages_met(*model_, *plan_, begins, stage_end_);
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    if (met[i] == meets[i]) continue;
-    const bool motion = i < model_->motions.size();
-    event(EventKind::warning,
-          fmt::format("stage '{}' has ended early: the {} '{}' begins in stage '{}', not in '{}' as planned; start = "
-                      "\"{}\" would tie it to that stage",
-                      plan_->stages[now - 1].name, motion ? "motion" : "function",
-                      motion ? model_->motions[i].setting().name : model_->functions[i - model_->motions.size()].name,
-                      stage_name(meets[i]), stage_name(met[i]), stage_name(met[i])));
-  }
 }
 
 Tick Driver::latest_end() const {

@@ -40,7 +40,7 @@ template <class At>
 double bandwidth(double from, double to, std::size_t samples, At&& at) {
   std::size_t n = 64;
   while (n < 4 * samples && n < (std::size_t{1} << 18U)) n *= 2;
-  const double step = (to - from) / static_cast<double>(n / 2);  // the rest is zero: lines lie close enough
+  const double step = 2.0 * (to - from) / static_cast<double>(n);  // the rest is zero: lines lie close enough
   if (!(step > 0.0)) return 0.0;
   std::vector<std::complex<double>> a(n, 0.0);
   for (std::size_t i = 0; i < n / 2; ++i) a[i] = at(from + (static_cast<double>(i) + 0.5) * step);
@@ -90,16 +90,18 @@ double step_that_damps(double frequency, double per_second) {
   return 0.5 * (low + high);
 }
 
-double driven_frequency(const Model& model) {
+double driven_frequency(const Model& model, std::span<const char> acts) {
   double most = 0.0;
+  const auto counts = [&](std::size_t i) { return acts.empty() || acts[i] != 0; };
   for (const BlockSupport& s : model.block_supports) {
-    if (!s.motion.valid()) continue;
+    if (!s.motion.valid() || !counts(s.motion.index())) continue;
     const GroundMotion& m = model.motions[s.motion.index()];
     most = std::max(most, bandwidth(m.times().front() + m.setting().start, m.times().back() + m.setting().start,
                                     m.times().size(), [&](double t) { return m.direction().dot(m.acceleration(t)); }));
   }
   const auto see = [&](FunctionId f) {
-    if (f.valid()) most = std::max(most, frequency_of(model.functions[f.index()]));
+    if (f.valid() && counts(model.motions.size() + f.index()))
+      most = std::max(most, frequency_of(model.functions[f.index()]));
   };
   for (const PointLoad& load : model.point_loads) see(load.function);
   for (const EdgeTraction& load : model.tractions) see(load.function);
@@ -107,7 +109,7 @@ double driven_frequency(const Model& model) {
   return most;
 }
 
-std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage) {
+std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage, std::span<const char> acts) {
   if (!stage.has_implicit_steps() || !stage.dt || stage.rest || stage.dynamics < 1.0 ||
       stage.newmark == NewmarkScheme::trapezoidal)
     return std::nullopt;
@@ -115,7 +117,7 @@ std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage
   out.stage = stage.name;
   out.dt = *stage.dt;
   out.divided = stage.integrator == Integrator::partitioned && !stage.partition.explicit_region.empty();
-  if (const double f = driven_frequency(model); f > 0.0) out.driven = numerical_damping(f, out.dt);
+  if (const double f = driven_frequency(model, acts); f > 0.0) out.driven = numerical_damping(f, out.dt);
   double highest = 0.0;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const BlockId id{static_cast<std::int32_t>(i)};

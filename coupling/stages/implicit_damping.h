@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct NumericalDamping {
 /// The highest frequency that drives a model [Hz]; 0: nothing that swings does. Of a motion, or a function that is a
 /// table, that below which 95 % of the energy of its accelerations, or of its slopes, lies; of sine its frequency; of
 /// half_sine 1/(2 T), of sine_squared 1/T.
-[[nodiscard]] double driven_frequency(const Model& model);
+/// @param acts  of motions, then functions, those that count (acts_in()); empty: all
+[[nodiscard]] double driven_frequency(const Model& model, std::span<const char> acts = {});
 
 /// What the implicit steps of a stage damp; empty for stages that have none, whose scheme damps nothing, or in which
 /// velocity is not physical (rest, dynamics below 1).
@@ -37,7 +39,9 @@ struct StageDamping {
   std::optional<NumericalDamping> driven;  // empty: nothing drives the model
   std::optional<NumericalDamping> wave;    // of ten covers of the finest mesh, as P wave; empty: no mesh
 };
-[[nodiscard]] std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage);
+/// @param acts  what drives in the stage, as above
+[[nodiscard]] std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage,
+                                                        std::span<const char> acts = {});
 
 inline constexpr double kDampsMuch = 0.05;  // a second
 /// True where the driven frequency, or in a divided block a wave of ten covers, loses more than kDampsMuch a second.

@@ -58,11 +58,14 @@ std::vector<std::string> large_scheme_columns(const Ledger& ledger, Told& told) 
     if (!info(column).watched || std::abs(ledger[column]) <= kSchemeShare * passed) continue;
     if (std::find(told.columns.begin(), told.columns.end(), c) != told.columns.end()) continue;
     told.columns.push_back(c);
+    const char* what = column == Column::deformation_damping
+                           ? "it regularises sliding and is no property of the rock; compare with another "
+                             "sliding_damping of the stage"
+                           : "the scheme itself gives or takes it; take shorter steps (safety, dt) and compare";
     lines.push_back(fmt::format(
-        "the ledger's column '{}' ({}) has {:.3g} J, {:.2g} of the {:.3g} J that passed: the scheme itself gives or "
-        "takes more than {:g} of it; take shorter steps (safety, dt) and compare",
+        "the ledger's column '{}' ({}) has {:.3g} J, {:.2g} of the {:.3g} J that passed, more than {:g}: {}",
         info(column).name, info(column).meaning, ledger[column], std::abs(ledger[column]) / passed, passed,
-        kSchemeShare));
+        kSchemeShare, what));
   }
   return lines;
 }

@@ -28,7 +28,7 @@ RUNS = {
     "blocks that change sides": (
         E2E / "resume/sides.toml",
         {"stage.0.duration": 0.006, "stage.1.duration": 0.05, "stage.2.duration": 0.01, "stage.3.duration": 0.002,
-         "stage.4.duration": 0.002}),
+         "stage.4.duration": 0.002, "function.push.start": 0.02}),
     "stages of both methods": (E2E / "resume/staged.toml", {}),
     "blocks that change method by a rule": (E2E / "resume/rules.toml", {}),
     "motion of the base": (E2E / "resume/motion.toml", {}),

@@ -34,7 +34,9 @@ def expect(what, holds, shown=""):
 
 def rows(folder, name):
     with open(folder / name) as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+        table = csv.reader(line for line in file if not line.startswith("#"))
+        names = [name.split(" [")[0] for name in next(table)]  # without units
+        return [dict(zip(names, row)) for row in table]
 
 
 def stage_begins(folder):

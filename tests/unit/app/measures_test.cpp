@@ -110,6 +110,25 @@ TEST_F(Measures, harmonic_is_the_size_of_the_fourier_integral) {
   EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nvariant=\"four\""), 2.0, 1e-12);
 }
 
+TEST_F(Measures, crossing_divides_the_energy_of_the_waves_at_an_interface) {
+  // 1 arrives, 0.6 of it comes back, 0.5 goes on, and 0.3 comes from behind; z = 2.
+  RunRecord& run = runs_.at("one");
+  for (std::size_t i = 0; i < run.time.size(); ++i) {
+    const double phase = 2.0 * std::numbers::pi * run.time[i], in = std::sin(phase), back = 0.6 * std::cos(phase),
+                 on = 0.5 * std::sin(phase + 1.0), again = 0.3 * std::cos(phase + 2.0);
+    run.monitors[0].velocity[i].y() = in + back;
+    run.monitors[0].stress[i].z() = 2.0 * (back - in);
+    run.monitors[1].velocity[i].y() = on + again;
+    run.monitors[1].stress[i].z() = 2.0 * (again - on);
+  }
+  const std::string base =
+      "measure=\"crossing\"\nof=\"a\"\nbehind=\"b\"\ncomponent=\"vy\"\nstress=\"sxy\"\nimpedance=2\npart=";
+  EXPECT_NEAR(value(base + "\"transmitted\""), 0.5, 1e-12);
+  EXPECT_NEAR(value(base + "\"reflected\""), 0.6, 1e-12);
+  EXPECT_NEAR(value(base + "\"absorbed\""), std::sqrt(1.0 + 0.09 - 0.36 - 0.25), 1e-12);
+  EXPECT_NEAR(value(base + "\"reflected\"\nfrom=0.25\nuntil=0.75"), 0.6, 1e-12);
+}
+
 TEST_F(Measures, harmonic_counts_the_window_only) {
   // |int sin w e^(-iwt)| over the first half second is 1/4; the phase of the rest must not come in.
   EXPECT_NEAR(value(std::string(kHarmonic) + "frequency=1\nuntil=0.5"), 0.25, 1e-3);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/stages/clocks.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -86,6 +88,27 @@ TEST(ImplicitDamping, record_of_a_sine_drives_with_its_frequency) {
   model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
   model.block_supports.push_back({BlockId{0}, MotionId{0}});
   EXPECT_NEAR(driven_frequency(model), 3.0, 0.2);
+}
+
+TEST(ImplicitDamping, what_is_over_or_to_come_does_not_drive_a_stage) {
+  Model model;
+  TimeFunction pulse;
+  pulse.name = "pulse";
+  pulse.shape = TimeFunction::Shape::half_sine;
+  pulse.duration = 0.1;  // 5 Hz
+  pulse.stage = StageId{1};
+  model.functions.push_back(pulse);
+  model.body_accelerations.push_back({{}, Vec2(1.0, 0.0), FunctionId{0}});
+  Plan plan;
+  for (int i = 0; i < 4; ++i) plan.stages.emplace_back().duration = ticks(0.05);
+  const double expected[] = {0.0, 5.0, 5.0, 0.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::vector<char> acts = acts_in(model, plan, i);
+    EXPECT_EQ(driven_frequency(model, acts), expected[i]) << i;
+  }
+  // The second stage ended early, as a rule may have it: the pulse goes on into the last.
+  const std::vector<Tick> begins{0, ticks(0.05), ticks(0.07), ticks(0.12)};
+  EXPECT_EQ(driven_frequency(model, acts_in(model, plan, 3, begins, ticks(0.17))), 5.0);
 }
 
 }  // namespace

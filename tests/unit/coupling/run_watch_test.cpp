@@ -107,6 +107,10 @@ TEST(RunWatch, large_columns_of_the_scheme_are_told_once) {
   const std::vector<std::string> lines = large_scheme_columns(ledger, told);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("'contact_share'"), std::string::npos) << lines[0];
+  ledger.book(Column::deformation_damping, 2.0);  // what regularises sliding counts among them
+  const std::vector<std::string> more = large_scheme_columns(ledger, told);
+  ASSERT_EQ(more.size(), 1U);
+  EXPECT_NE(more[0].find("sliding_damping"), std::string::npos) << more[0];
   EXPECT_TRUE(large_scheme_columns(ledger, told).empty());
 }
 
@@ -169,7 +173,7 @@ TEST(RunWatch, step_above_the_bound_ends_the_run_before_numbers_do) {
 }
 
 /// Rigid blocks on springs to where they began, by a force that is `factor` times what their energy says.
-template <int kPercent>
+template <int Percent>
 class Sprung final : public RigidPool {
  public:
   double internal_force(std::span<const double> q, std::span<double> f) const override {
@@ -179,7 +183,7 @@ class Sprung final : public RigidPool {
       for (std::size_t d = 0; d < 2; ++d) {
         const std::size_t i = 6 * static_cast<std::size_t>(b) + d;
         const double u = q[i] - 0.5;
-        f[i] -= 0.01 * kPercent * k * u;
+        f[i] -= 0.01 * Percent * k * u;
         energy += 0.5 * k * u * u;
       }
     return energy;
@@ -187,7 +191,7 @@ class Sprung final : public RigidPool {
 };
 
 /// A block on such springs, swinging; `allowed` is Plan::max_gain.
-template <int kPercent>
+template <int Percent>
 RunEnd swing(double allowed, Warnings& warnings, double* held = nullptr) {
   Scene scene(1e9, 0.2, 2000.0);
   scene.model.gravity = {0.0, 0.0};
@@ -196,10 +200,10 @@ RunEnd swing(double allowed, Warnings& warnings, double* held = nullptr) {
   scene.stage("sprung", Integrator::explicit_, 0.4, 1e-3);
   scene.plan.max_gain = allowed;
   Methods all = standard_methods();
-  all["sprung"] = [] { return std::make_unique<Sprung<kPercent>>(); };
+  all["sprung"] = [] { return std::make_unique<Sprung<Percent>>(); };
   Driver run(scene.model, scene.plan, all);
   run.add_sink(warnings);
-  const RunEnd end = run.run();
+  RunEnd end = run.run();
   if (held != nullptr) *held = run.state().ledger.held() / run.state().ledger.given();
   return end;
 }

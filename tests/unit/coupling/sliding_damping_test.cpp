@@ -43,7 +43,7 @@ TEST(SlidingDamping, lowest_frequency_of_a_triangle_is_that_of_six_unknowns) {
   const Eigen::Matrix3d C =
       (Eigen::Matrix3d() << lambda + 2 * mu, lambda, 0, lambda, lambda + 2 * mu, 0, 0, 0, mu).finished();
   K = area * B.transpose() * C * B;
-  const double w2 = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(K, M).eigenvalues()(3);
+  const double w2 = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, M).eigenvalues()(3);
   EXPECT_NEAR(lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b)),
               std::sqrt(w2), 1e-6 * std::sqrt(w2));
 }
@@ -138,6 +138,8 @@ ContactMemory pressed(double fn, ContactStatus status) {
   ContactMemory m;
   m.fn = fn;
   m.status = status;
+  m.joint = 0;
+  m.kt = 1e3;
   if (status == ContactStatus::slip) m.slide.last.slip = 2.0F;  // it has gone one way for a period
   return m;
 }
@@ -180,6 +182,39 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   EXPECT_NEAR(rate({pressed(1.0, slip), pressed(99.0, stick)}, 1), std::pow(0.03, 1.5), 1e-14);
   EXPECT_EQ(rate({pressed(1.0, slip)}, 2), 0.0);  // exempt: on a point support
   EXPECT_FALSE(SlidingDamping(setup, 0.0).used());
+  // Back by less than the elastic stretch tan(30 deg)/1e3 m it still slides; farther it does not.
+  ContactMemory back = pressed(1.0, slip);
+  back.slide.slip = -0.5e-3;
+  EXPECT_NEAR(rate({back}, 1), 1.0, 1e-14);
+  back.slide.slip = -0.6e-3;
+  EXPECT_EQ(rate({back}, 1), 0.0);
+  back.slide.slip = 0.6e-3;
+  EXPECT_NEAR(rate({back}, 1), 1.0, 1e-14);
+  // Against cohesion only the part of friction counts: tan(30 deg) of 9 tan(30 deg) + tan(30 deg).
+  scene.model.joints[0].cohesion = 9.0 * std::tan(30.0 * test::kDegree);
+  ContactMemory bound = pressed(1.0, slip);
+  bound.share = 1.0;
+  EXPECT_NEAR(rate({bound}, 1), std::pow(0.3, 1.5), 1e-14);
+  bound.failed = 1;  // its cohesion is gone
+  EXPECT_NEAR(rate({bound}, 1), 1.0, 1e-14);
+}
+
+TEST(SlidingDamping, cohesion_alone_brings_none) {
+  Scene scene(5e9, 0.2, 2600.0, 0.0);
+  scene.model.joints[0].cohesion = scene.model.joints[0].residual_cohesion = 1e5;
+  scene.add("plane", rectangle(-5, -2, 9, 0), true);
+  scene.add("block", rectangle(0, 0, 2, 1));
+  const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+  const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  const coupling::Setup setup(scene.model, standard_methods(), records);
+  SlidingDamping damping(setup, 1.0);
+  ContactList list;
+  list.memory = {pressed(1.0, ContactStatus::slip)};
+  list.memory[0].share = 1.0;
+  list.points.resize(1);
+  damping.begin();
+  damping.count(setup.outlines(), list);
+  EXPECT_FALSE(damping.find());
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+// The linear systems of the open-close iteration: of given contact states, with the friction of those that slide.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "coupling/integrate/open_close.h"
+
+namespace scree::coupling {
+
+void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
+  system_->pattern().multiply(A_, x, y);
+  for (const std::size_t r : active_) rows_[r].add_force(k_[r] * (rows_[r].change(x) - rows_[r].known), y);
+  for (const LowRank& term : damping_) {
+    const Eigen::Map<const Eigen::MatrixX3d> Z(term.Z, static_cast<Eigen::Index>(term.count), 3);
+    const Eigen::Map<const Eigen::VectorXd> of_x(x.data() + term.first, static_cast<Eigen::Index>(term.count));
+    const Eigen::Vector3d z = term.W * (Z.transpose() * of_x);
+    for (std::size_t k = 0; k < term.count; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      y[term.first + k] -= Z(row, 0) * z(0) + Z(row, 1) * z(1) + Z(row, 2) * z(2);
+    }
+  }
+  for (const Slipping& s : slipping_) {
+    const double gap = normal(s.point).change(x) - normal(s.point).known;
+    if (!s.dilates) {
+      tangential(s.point).add_force(s.friction_per_gap * gap, y);
+      continue;
+    }
+    const double kn = trial_[s.point].k,
+                 loss = s.dilation.per_gap * gap +
+                        s.dilation.per_stretch * (tangential(s.point).change(x) - tangential(s.point).known);
+    normal(s.point).add_force(loss - kn * gap, y);
+    tangential(s.point).add_force(s.friction_per_gap / kn * loss, y);
+  }
+}
+
+double OpenClose::force_scale(std::span<const double> d) const {
+  double size = 0.0;
+  const auto unit = system_->unit();
+  for (std::size_t i = 0; i < rhs_.size(); ++i)
+    size = std::max({size, std::abs(rhs_[i]) / unit[i], std::abs(base_[i]) / unit[i]});
+  for (const std::size_t r : active_) size = std::max(size, k_[r] * std::abs(at_[r] + rows_[r].change(d)));
+  return size;
+}
+
+double OpenClose::round_off(std::span<const double> d) const {
+  const SymmetricPattern& p = system_->pattern();
+  std::vector<double> size(d.size(), 0.0);
+  for (std::int32_t c = 0; c < p.n; ++c)
+    for (std::int32_t k = p.column_start[static_cast<std::size_t>(c)];
+         k < p.column_start[static_cast<std::size_t>(c) + 1]; ++k) {
+      const auto at = static_cast<std::size_t>(k), row = static_cast<std::size_t>(p.row[at]),
+                 column = static_cast<std::size_t>(c);
+      size[row] += std::abs(A_[at] * d[column]);
+      if (row != column) size[column] += std::abs(A_[at] * d[row]);
+    }
+  // Of a stiff spring what is left of large displacements that cancel in its elongation: seams of small halves.
+  for (const std::size_t r : active_) {
+    const DofRow row = rows_[r];
+    double length = std::abs(at_[r]);
+    for (std::size_t j = 0; j < row.dof.size(); ++j)
+      length += std::abs(row.h[j] * d[static_cast<std::size_t>(row.dof[j])]);
+    for (std::size_t j = 0; j < row.dof.size(); ++j)
+      size[static_cast<std::size_t>(row.dof[j])] += k_[r] * length * std::abs(row.h[j]);
+  }
+  for (std::size_t i = 0; i < size.size(); ++i) size[i] /= system_->unit()[i];
+  return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
+}
+
+int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
+  constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
+  constexpr double kRough = 1e-7;   // while states still switch
+  constexpr int kAtOnce = ConjugateResiduals::kDepth;
+  // Friction takes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
+  rough_ = !exact_ && (keep_ || unsymmetric());
+  const double part_of = rough_ ? kRough : kExact;
+  double enough = part_of * force_scale(d);
+  int taken = 0;
+  for (bool looked = false;;) {
+    const int part = std::min(most - taken, kAtOnce);
+    const int more = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
+                                      [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
+                                      rhs_, system_->unit(), enough, part, d);
+    taken += more >= 0 ? more : part;
+    if (more >= 0 || (looked && taken >= most)) {
+      report.corrections += taken;
+      return more >= 0 ? taken : -1;
+    }
+    // Static steps of stiff meshes: forces inside are far larger than those on the blocks, and so is what they leave.
+    enough = std::max(part_of * force_scale(d), round_off(d));
+    looked = true;
+  }
+}
+
+bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
+  constexpr int kRefinements = 6, kFriction = 200;
+  friction_settled_ = true;
+  if (keep_) {
+    const int taken = improve(corrections_left_, d, report);
+    corrections_left_ -= std::max(taken, 0);
+    if (taken >= 0) return true;
+    constexpr std::int32_t kLongest = 15;
+    patience_.wait = patience_.next_wait = std::min(2 * patience_.next_wait + 1, kLongest);
+    if (!factorise_anew(report)) return false;
+  }
+  if (updated_) {
+    if (!unsymmetric()) cholesky_.solve(rhs_, d);
+    if (improve(unsymmetric() ? kFriction : kRefinements, d, report) >= 0) return true;
+    if (!factorise_anew(report)) return false;
+  }
+  if (!unsymmetric()) {
+    rough_ = false;
+    cholesky_.solve(rhs_, d);
+  } else {
+    friction_settled_ = improve(kFriction, d, report) >= 0;
+  }
+  return true;
+}
+
+}  // namespace scree::coupling

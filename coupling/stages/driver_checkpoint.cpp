@@ -1,0 +1,76 @@
+// What a run goes on from: the driver's checkpoint, written and read back.
+#include <utility>
+
+#include "coupling/stages/driver.h"
+#include "coupling/stages/partition.h"
+
+namespace scree::coupling {
+
+void Driver::go_on() {
+  Checkpoint& c = *from_;
+  state_ = std::move(c.state);
+  stage_end_ = c.stage_end;
+  first_step_ = c.first_step;
+  stage_begin_.clear();
+  for (std::size_t i = 0; i + 1 < c.stage_begin.size(); i += 2)
+    stage_begin_.emplace_back(c.stage_begin[i], c.stage_begin[i + 1]);
+  rest_trace_ = std::move(c.rest);
+  ended_ = c.ended;
+  largest_ = c.largest_step;
+  mesh_ = c.mesh;
+  audit_ = std::move(c.audit);
+  transfers_ = std::move(c.transfers);
+  told_ = std::move(c.told);
+  travels_ = std::move(c.travels);
+  warnings_ = std::move(c.warnings);
+  rule_changes_ = std::move(c.rule_changes);
+  const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
+  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
+                                   clocks());
+  mover_ = make_mover(stage);
+  mover_->resume(state_, c.mover);
+  stats_ = c.stats;
+  end_ = latest_end();
+  observe();
+  show_mesh();
+  watch_rules(stage);
+  from_.reset();
+}
+
+Checkpoint Driver::checkpoint() const {
+  Checkpoint c;
+  c.state = state_;
+  c.mover = mover_->memory();
+  c.stage_end = stage_end_;
+  c.first_step = first_step_;
+  for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
+  c.rest = rest_trace_;
+  c.ended = ended_;
+  c.mesh = mesh_;
+  c.largest_step = largest_;
+  c.stats = stats_;
+  c.audit = audit_;
+  c.transfers = transfers_;
+  c.travels = travels_;
+  c.warnings = warnings_;
+  c.rule_changes = rule_changes_;
+  c.told = told_;
+  return c;
+}
+
+void Driver::keep(bool in_any_case) {
+  if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
+  const double begin = wall();
+  keeper_->keep(checkpoint());
+  stats_.wall_output += wall() - begin;
+}
+
+void Driver::keep_checkpoint() {
+  // Whoever goes on from here makes all attempts at the present step again.
+  RunStats attempts = std::exchange(stats_, committed_);
+  keep(true);
+  attempts.wall_output = committed_.wall_output = stats_.wall_output;
+  stats_ = attempts;
+}
+
+}  // namespace scree::coupling
