@@ -32,7 +32,6 @@ void Driver::go_on() {
   stats_ = c.stats;
   end_ = latest_end();
   observe();
-  show_mesh();
   watch_rules(stage);
   from_.reset();
 }

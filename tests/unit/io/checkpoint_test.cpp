@@ -1,8 +1,10 @@
 // A run that goes on from a checkpoint is the run that never stopped; a checkpoint that is not whole is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <set>
 
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
@@ -56,7 +58,9 @@ class Witness final : public coupling::Sink {
     pack("", h.ledger->moved());
   }
   void event(const coupling::Event& e) override { text += std::string(coupling::name(e.kind)) + e.text; }
+  void topology(const coupling::MeshView& mesh) override { meshes.insert(mesh.id); }
   std::string text;
+  std::set<std::uint32_t> meshes;
 };
 
 struct Outcome {
@@ -64,6 +68,7 @@ struct Outcome {
   std::int64_t steps = 0, cuts = 0, factorisations = 0;
   std::size_t transfers = 0, travels = 0;
   std::string shown;
+  std::set<std::uint32_t> meshes;  // that are shown
   auto operator<=>(const Outcome&) const = default;
 };
 
@@ -75,7 +80,8 @@ Outcome outcome(const coupling::Driver& driver, const Witness& witness) {
           s.factorisations,
           driver.transfers().size(),
           driver.travels().size(),
-          witness.text};
+          witness.text,
+          witness.meshes};
 }
 
 Outcome run(const Case& c, coupling::Keeper* keeper) {
@@ -102,8 +108,11 @@ Outcome go_on(const Case& c, coupling::Checkpoint from, coupling::Keeper* keeper
 /// Ends as the whole run did, and shows what that showed after it.
 void expect_same_end(const Outcome& part, const Outcome& whole, std::int64_t from_step) {
   EXPECT_TRUE(whole.shown.ends_with(part.shown)) << "from step " << from_step;
+  EXPECT_TRUE(std::includes(whole.meshes.begin(), whole.meshes.end(), part.meshes.begin(), part.meshes.end()))
+      << "from step " << from_step << ": a mesh that the whole run does not show";
   Outcome other = part;
   other.shown = whole.shown;
+  other.meshes = whole.meshes;
   EXPECT_EQ(other.hash, whole.hash) << "from step " << from_step;
   EXPECT_TRUE(other == whole) << "from step " << from_step << ": statistics";
 }
@@ -164,6 +173,41 @@ TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
     driver.set_control(control);
     driver.set_keeper(keeper);
     if (driver.run().status == coupling::RunEnd::Status::done) continue;
+    ++stops;
+    const coupling::Checkpoint last = keeper.kept.back();
+    expect_same_end(go_on(c, stored(last, scratch)), whole, last.state.step);
+  }
+  EXPECT_GE(stops, 3);
+}
+
+/// Stops a run in the step before which the n-th block changes its method by a rule.
+class StopAtChange final : public coupling::Control, public coupling::Sink {
+ public:
+  explicit StopAtChange(int n) : left_(n) {}
+  void event(const coupling::Event& e) override {
+    if (e.transfer != nullptr && e.transfer->by_rule) --left_;
+  }
+  bool stop_requested() override { return left_ <= 0; }
+  bool give_up_step() override { return left_ <= 0; }
+
+ private:
+  int left_;
+};
+
+TEST(ResumeCases, that_stop_between_a_change_of_method_and_its_step_end_as_the_unbroken_run) {
+  const Case c = resume_case("rules");
+  const Scratch scratch;
+  const Outcome whole = run(c, nullptr);
+  const coupling::Methods methods = coupling::standard_methods();
+  int stops = 0;
+  for (int n = 1; n < 20; ++n) {
+    coupling::Driver driver(c.model, c.plan, methods);
+    StopAtChange control(n);
+    Every keeper(0);
+    driver.add_sink(control);
+    driver.set_control(control);
+    driver.set_keeper(keeper);
+    if (driver.run().status == coupling::RunEnd::Status::done) break;
     ++stops;
     const coupling::Checkpoint last = keeper.kept.back();
     expect_same_end(go_on(c, stored(last, scratch)), whole, last.state.step);
