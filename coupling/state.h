@@ -24,7 +24,7 @@ struct ContactKey {
 };
 
 /// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
-/// 64 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
+/// 72 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
 /// @see contact/friction_check.h
 struct SlideMemory {
   /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
@@ -35,7 +35,8 @@ struct SlideMemory {
   double time = 0.0;                                     // of it that has passed [s]
   float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
   Sum last{};                                            // the window before; the first of a stretch has no impulses
-  Sum total{};                                           // of the stretch without its first and last windows
+  Sum total{};                                           // of the windows below
+  std::int32_t losing = 0, keeping = 0;                  // windows in succession, by their friction
   float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
 
   /// The stretch is over.
@@ -147,7 +148,7 @@ struct State {
 
 // ---------------------------------------------------------------------------------------------------------------
 
-static_assert(sizeof(SlideMemory) == 64);
+static_assert(sizeof(SlideMemory) == 72);
 
 template <class Visitor>
 void ContactKey::visit(Visitor&& see) const {
@@ -257,6 +258,8 @@ void State::visit(Visitor&& see) const {
       see("contact.slide_sum_drag", sum->drag);
       see("contact.slide_sum_limit", sum->limit);
     }
+    see("contact.slide_losing", c.slide.losing);
+    see("contact.slide_keeping", c.slide.keeping);
     see("contact.slide_worst", c.slide.worst);
   }
   see("factored.wait", factored.patience.wait);

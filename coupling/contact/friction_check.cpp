@@ -10,20 +10,38 @@
 namespace scree::coupling {
 namespace {
 
+float ratio(const SlideMemory::Sum& sum) { return -std::copysign(1.0F, sum.slip) * sum.drag / sum.limit; }
+
+/// Adds a window to those in succession that lose friction, or that keep it.
+void add(const SlideMemory::Sum& window, SlideMemory& s) {
+  const bool loses = ratio(window) < FrictionCheck::kLeast;
+  if (s.losing == 0 ? loses : !loses && s.keeping >= FrictionCheck::kBetween) {
+    s.total = {};
+    s.losing = s.keeping = 0;
+  }
+  s.total.slip += window.slip;
+  s.total.drag += window.drag;
+  s.total.limit += window.limit;
+  ++(loses ? s.losing : s.keeping);
+  if (std::abs(s.total.slip) > FrictionCheck::kStretches && (s.losing == 0 || s.losing >= FrictionCheck::kLosing))
+    s.worst = std::min(s.worst, ratio(s.total));
+}
+
 /// Takes a window that is complete into the stretch, or ends the stretch.
 /// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
 void close_window(double stretch, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
+  const float pace = s.last.slip == 0.0F ? 0.0F : window.slip / s.last.slip;
   const bool first = s.last.slip == 0.0F;
-  if (!(std::abs(window.slip) >= FrictionCheck::kCreeps) || window.slip * s.last.slip < 0.0F) return s.end();
-  if (s.last.limit > 0.0F) {
-    s.total.slip += s.last.slip;
-    s.total.drag += s.last.drag;
-    s.total.limit += s.last.limit;
+  if (!(std::abs(window.slip) >= FrictionCheck::kCreeps) || pace < 0.0F) return s.end();
+  const bool steady = pace <= FrictionCheck::kPace && pace * FrictionCheck::kPace >= 1.0F;
+  if (s.last.limit > 0.0F && steady) {
+    add(s.last, s);
+  } else {
+    s.total = {};
+    s.losing = s.keeping = 0;
   }
-  if (std::abs(s.total.slip) > FrictionCheck::kStretches)
-    s.worst = std::min(s.worst, -std::copysign(1.0F, s.total.slip) * s.total.drag / s.total.limit);
   if (first || std::abs(window.slip) < 1.0F) window.drag = window.limit = 0.0F;  // it may have stopped in between
   s.last = window;
   s.slip = s.drag = s.limit = s.time = 0.0;

@@ -20,7 +20,11 @@ namespace scree::coupling {
 /// free blocks the longer). A stretch goes on while every window brings at least kCreeps elastic stretches of net slip
 /// in the same direction, limit/k_t or 2e-5 of the block's size if that is more; its first window and its last, in
 /// which it starts and stops, and those with less than one elastic stretch do not count. While a point hops its way
-/// counts as slip. The ratio is taken once the windows that count have more than kStretches elastic stretches.
+/// counts as slip. Blocks in a heap start and stop many times in a window, and have lost nothing: their way in a window
+/// is now ten times, now a tenth of that in the window before. A block that flutters keeps its pace, and loses in
+/// almost every window. So windows count in succession, each with between 1/kPace and kPace times the net slip of the
+/// one after it, that keep their friction, or that lose it with at most kBetween among them that do not. The ratio is
+/// theirs, taken once they have more than kStretches elastic stretches and, where they lose, kLosing of them do.
 ///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
@@ -29,6 +33,9 @@ class FrictionCheck {
   static constexpr float kStretches = 100.0F;  // elastic stretches of net slip before a ratio is taken
   static constexpr float kCreeps = 0.005F;     // of an elastic stretch in a window: the point still goes one way
   static constexpr float kLeast = 0.99F;       // a smaller ratio is a loss of friction
+  static constexpr float kPace = 2.0F;         // of a window to the one before: at most, or one over it
+  static constexpr std::int32_t kLosing = 6;   // windows that lose friction before they are told
+  static constexpr std::int32_t kBetween = 1;  // windows among them that do not
 
   // Of a block's size: a shorter stretch is not counted as one. Blocks that settle, bend and ring move their faces on
   // each other by some 1e-4 to 1e-3 of their size, to and fro, and that is no slide.

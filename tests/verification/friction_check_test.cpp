@@ -325,6 +325,39 @@ TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
   }
 }
 
+TEST(FrictionCheck, takes_uneven_ways_for_stops_and_even_ones_for_flutter) {
+  for (const double faster : {1.0, 1.9, 2.1, 10.0}) {  // every other window
+    Point point;
+    FrictionCheck check(*point.setup);
+    check.begin(point.list);
+    const double h = check.period(point.list.points[0]) / 39.5;
+    for (int k = 0; k < 10; ++k) {
+      point.slide(check, 40, h, 1.0, 0.5);
+      point.slide(check, 40, h, faster, 0.5);
+    }
+    EXPECT_EQ(std::isinf(point.memory().slide.worst), faster > 2.0) << faster;
+  }
+}
+
+TEST(FrictionCheck, tells_what_is_lost_in_six_windows_with_one_among_them_that_keeps) {
+  for (const int keeping : {0, 1, 2})
+    for (const int losing : {5, 6}) {
+      Point point;
+      FrictionCheck check(*point.setup);
+      check.begin(point.list);
+      const double h = check.period(point.list.points[0]) / 39.5;
+      const auto window = [&](double part) { point.slide(check, 40, h, 1.0, part); };
+      for (int k = 0; k < 5; ++k) window(1.0);
+      for (int k = 0; k < losing; ++k) {
+        if (k >= 4 && k < 4 + keeping) window(1.0);
+        window(0.8);
+      }
+      for (int k = 0; k < 5; ++k) window(1.0);
+      EXPECT_EQ(point.memory().slide.worst < FrictionCheck::kLeast, losing == 6 && keeping < 2)
+          << keeping << ", " << losing << ": " << point.memory().slide.worst;
+    }
+}
+
 TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
   Point point;
   FrictionCheck check(*point.setup);
