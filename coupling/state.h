@@ -84,6 +84,8 @@ struct KeptFactor {
   /// Steps make a factor of their own while `wait` is above 0, and wait the longer the less a kept one was worth.
   struct Patience {
     std::int32_t wait = 0, next_wait = 0;
+    std::int32_t least = -1;  // corrections of a step with this factor; -1: of none yet
+    std::int32_t excess = 0;  // of its steps so far, above that and one more
   };
   Patience patience;
   std::vector<std::int32_t> column_start, row;  // the matrix it is of: lower triangle; empty: there is none
@@ -264,6 +266,8 @@ void State::visit(Visitor&& see) const {
   }
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);
+  see("factored.least", factored.patience.least);
+  see("factored.excess", factored.patience.excess);
   see("factored.column_start", factored.column_start);
   see("factored.row", factored.row);
   see("factored.value", factored.value);

@@ -49,8 +49,8 @@ void DeformationDamping::find(std::span<const double> q, std::span<const double>
     b.momenta = momenta_.size();
     momenta_.resize(b.momenta + 3 * b.count, 0.0);
     rigid_motions(*setup_, body, q, x_, y_, turn_);
-    Eigen::Matrix3d G;
-    Eigen::MatrixX3d R(static_cast<Eigen::Index>(b.count), 3);
+    motion_.resize(std::max(motion_.size(), 3 * b.count));
+    Eigen::Map<Eigen::MatrixX3d> R(motion_.data(), static_cast<Eigen::Index>(b.count), 3);
     const std::array motions{&x_, &y_, &turn_};
     for (std::size_t j = 0; j < 3; ++j) {
       const auto rate = std::span(rates_).subspan(b.first, b.count);
@@ -63,7 +63,7 @@ void DeformationDamping::find(std::span<const double> q, std::span<const double>
                   momenta_.begin() + static_cast<std::ptrdiff_t>(b.momenta + j * b.count));
     }
     const Eigen::Map<const Eigen::MatrixX3d> Z(&momenta_[b.momenta], static_cast<Eigen::Index>(b.count), 3);
-    G = R.transpose() * Z;
+    const Eigen::Matrix3d G = R.transpose() * Z;
     b.inverse = G.inverse();
     bodies_.push_back(b);
   }
@@ -80,11 +80,14 @@ void DeformationDamping::add_matrix(std::span<double> A) const {
     for (std::size_t k = begin; k < end; ++k) A[k] += scale * system_->mass()[k];
     if (!b.full) continue;
     const Eigen::Map<const Eigen::MatrixX3d> Z(&momenta_[b.momenta], static_cast<Eigen::Index>(b.count), 3);
-    const Eigen::MatrixXd rigid = Z * b.inverse * Z.transpose();
-    for (std::size_t c = 0; c < b.count; ++c)
+    for (std::size_t c = 0; c < b.count; ++c) {
+      const Eigen::Vector3d w = scale * (b.inverse * Z.row(static_cast<Eigen::Index>(c)).transpose());
       for (auto k = static_cast<std::size_t>(p.column_start[b.first + c]);
-           k < static_cast<std::size_t>(p.column_start[b.first + c + 1]); ++k)
-        A[k] -= scale * rigid(p.row[k] - static_cast<Eigen::Index>(b.first), static_cast<Eigen::Index>(c));
+           k < static_cast<std::size_t>(p.column_start[b.first + c + 1]); ++k) {
+        const auto r = p.row[k] - static_cast<Eigen::Index>(b.first);
+        A[k] -= Z(r, 0) * w(0) + Z(r, 1) * w(1) + Z(r, 2) * w(2);
+      }
+    }
   }
 }
 

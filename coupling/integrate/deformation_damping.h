@@ -51,7 +51,7 @@ class DeformationDamping {
   std::vector<Damped> bodies_;
   std::vector<double> momenta_;
   std::vector<LowRank> terms_;
-  std::vector<double> x_, y_, turn_, field_, rates_, product_;  // scratch
+  std::vector<double> x_, y_, turn_, rates_, product_, motion_;  // scratch
 };
 
 }  // namespace scree::coupling

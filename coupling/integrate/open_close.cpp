@@ -51,9 +51,18 @@ void OpenClose::accept(KeptFactor& kept) {
     kept.row = matrix.pattern.row;
     kept.value = matrix.value;
     made_ = false;
+    patience_.least = -1;
+    patience_.excess = 0;
   }
-  if (keep_) patience_.next_wait = 0;
   if (patience_.wait > 0) --patience_.wait;
+  if (keep_) {
+    // What the factor costs beyond what it did when it was new has paid for another one, sooner or later.
+    patience_.next_wait = 0;
+    const int taken = kCorrectionsPerFactor - corrections_left_;
+    if (patience_.least < 0 || taken < patience_.least) patience_.least = taken;
+    patience_.excess += std::max(0, taken - patience_.least - 1);
+    if (patience_.excess >= kCorrectionsPerFactor) patience_.wait = 1;
+  }
   kept.patience = patience_;
 }
 
