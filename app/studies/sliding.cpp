@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <numbers>
 
 #include "app/studies/studies.h"
@@ -285,30 +284,11 @@ StudyResult sliding(bool full) {
   const std::vector<Shape> all = shapes();
   double worst_steady = 0.0, worst_pulse = 0.0, closure = 0.0;
   const std::vector<Setting> settings = table(all, full);
-  std::vector<Outcome> outcomes(settings.size());
-  std::size_t done = 0;
-  std::exception_ptr thrown;
-  // The runs are small: each has a thread, and is the same on any number of them.
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    std::exception_ptr error;
-    try {
-      outcomes[i] = slide(settings[i]);
-    } catch (...) {
-      error = std::current_exception();
-    }
-#pragma omp critical(sliding_progress)
-    {
-      if (error) thrown = error;
-      if (++done; full)  // it takes hours: what is known so far
-        fmt::print(stderr, "{:>5} of {}  {}: {:+.3f} %\n", done, settings.size(), settings[i].name(),
-                   100.0 * outcomes[i].error);
-    }
-  }
-  if (thrown) std::rethrow_exception(thrown);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];
-    const Outcome& o = outcomes[i];
+    const Outcome o = slide(s);
+    if (full)  // it takes hours: what is known so far
+      fmt::print(stderr, "{:>5} of {}  {}: {:+.3f} %\n", i + 1, settings.size(), s.name(), 100.0 * o.error);
     double& worst = s.drive == Drive::steady ? worst_steady : worst_pulse;
     worst = std::max(worst, std::abs(o.error));
     closure = std::max(closure, o.closure);
