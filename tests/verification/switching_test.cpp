@@ -2,7 +2,9 @@
 // and sliding, and nothing about them jumps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <map>
 
 #include "tests/support/schemes.h"
@@ -110,9 +112,10 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
   Watch watch;
   const double weight = 2600.0 * 9.81 * 2.0;
   Jump worst;
-  double closure = 0.0;
+  double closure = 0.0, stiffest = 0.0;
   watch.see = [&](const FrameView& view) {
     Instant now = look(view, R.col(0));
+    for (const auto& [key, m] : now.points) stiffest = std::max({stiffest, m.kn, m.kt});
     closure = std::max(closure, view.state->ledger.relative_closure());
     if (before.stage >= 1 && now.stage != before.stage) {
       ASSERT_EQ(now.time, before.time);
@@ -144,8 +147,11 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
   ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
   std::printf("closure %.1e, lower block went %.3f m\n", closure, centre_of(run, lower).norm());
   EXPECT_LT(closure, 1e-9);
-  EXPECT_LT(worst.normal, 1e-10);
-  EXPECT_LT(worst.shear, 1e-10);
+  // Positions of up to 4 m are known to their last place, and springs make forces of that.
+  const double last_place = stiffest * 4.0 * std::numeric_limits<double>::epsilon() / weight;
+  std::printf("springs of %.1e N/m: a last place of a position is %.1e of the weight\n", stiffest, last_place);
+  EXPECT_LT(worst.normal, 2.0 * last_place);
+  EXPECT_LT(worst.shear, 2.0 * last_place);
   EXPECT_LT(worst.gap, 1e-13);
   EXPECT_LT(worst.stretch, 1e-13);
   EXPECT_LT(worst.slip, 1e-14);
