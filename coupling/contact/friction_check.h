@@ -33,7 +33,8 @@ class FrictionCheck {
   static constexpr float kStretches = 100.0F;  // elastic stretches of net slip before a ratio is taken
   static constexpr float kCreeps = 0.005F;     // of an elastic stretch in a window: the point still goes one way
   static constexpr float kLeast = 0.99F;       // a smaller ratio is a loss of friction
-  static constexpr float kPace = 2.0F;         // of a window to the one before: at most, or one over it
+  static constexpr float kPace =
+      2.0F;  // net slip of a window over that of its neighbour: at most, and at least the inverse
   static constexpr std::int32_t kLosing = 6;   // windows that lose friction before they are told
   static constexpr std::int32_t kBetween = 1;  // windows among them that do not
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -165,23 +166,31 @@ class StopAt final : public coupling::Control {
   std::int64_t left_;
 };
 
+/// Runs until the control stops it.   @return its last checkpoint; nothing if it was done before
+std::optional<coupling::Checkpoint> last_of_stopped(const Case& c, coupling::Control& control,
+                                                    coupling::Sink* sink = nullptr) {
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver driver(c.model, c.plan, methods);
+  Every keeper(0);
+  if (sink != nullptr) driver.add_sink(*sink);
+  driver.set_control(control);
+  driver.set_keeper(keeper);
+  if (driver.run().status == coupling::RunEnd::Status::done) return std::nullopt;
+  return keeper.kept.back();
+}
+
 TEST_P(Resume, after_a_stop_at_any_moment_ends_as_the_unbroken_run) {
   const Case c = resume_case(GetParam());
   const Scratch scratch;
   const Outcome whole = run(c, nullptr);
-  const coupling::Methods methods = coupling::standard_methods();
   std::mt19937 random(7);
   int stops = 0;
   for (int i = 0; i < (full() ? 60 : kStops); ++i) {
-    coupling::Driver driver(c.model, c.plan, methods);
     StopAt control(1 + static_cast<std::int64_t>(random() % 1200));
-    Every keeper(0);
-    driver.set_control(control);
-    driver.set_keeper(keeper);
-    if (driver.run().status == coupling::RunEnd::Status::done) continue;
+    const auto last = last_of_stopped(c, control);
+    if (!last) continue;
     ++stops;
-    const coupling::Checkpoint last = keeper.kept.back();
-    expect_same_end(go_on(c, stored(last, scratch)), whole, last.state.step);
+    expect_same_end(go_on(c, stored(*last, scratch)), whole, last->state.step);
   }
   EXPECT_GE(stops, kStops / 3);
 }
@@ -204,19 +213,13 @@ TEST(ResumeCases, that_stop_between_a_change_of_method_and_its_step_end_as_the_u
   const Case c = resume_case("rules");
   const Scratch scratch;
   const Outcome whole = run(c, nullptr);
-  const coupling::Methods methods = coupling::standard_methods();
   int stops = 0;
   for (int n = 1; n < 20; ++n) {
-    coupling::Driver driver(c.model, c.plan, methods);
     StopAtChange control(n);
-    Every keeper(0);
-    driver.add_sink(control);
-    driver.set_control(control);
-    driver.set_keeper(keeper);
-    if (driver.run().status == coupling::RunEnd::Status::done) break;
+    const auto last = last_of_stopped(c, control, &control);
+    if (!last) break;
     ++stops;
-    const coupling::Checkpoint last = keeper.kept.back();
-    expect_same_end(go_on(c, stored(last, scratch)), whole, last.state.step);
+    expect_same_end(go_on(c, stored(*last, scratch)), whole, last->state.step);
   }
   EXPECT_GE(stops, 3);
 }
