@@ -1,10 +1,17 @@
 // Blocks that slide on steep planes, by every scheme, against a rigid block.
 #include <fmt/format.h>
 
+#include <omp.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <random>
+#include <thread>
 
 #include "app/studies/studies.h"
 #include "coupling/stages/driver.h"
@@ -207,37 +214,69 @@ Outcome slide(const Setting& s) {
   return out;
 }
 
-/// All settings of the table, or those of the quick tier.
-std::vector<Setting> table(const std::vector<Shape>& all, bool full) {
+/// Every scheme that the blocks of `s` are tried with.
+std::vector<Setting> every_scheme(Setting s) {
   std::vector<Setting> out;
-  const auto every_scheme = [&](Setting s) {
-    const bool small = s.row == 1 && s.stack == 1;
-    for (const char* method : {"dda", "nmm"}) {
-      const bool nmm = std::string(method) == "nmm";
-      s.method = method;
-      s.integrator = Integrator::explicit_;
-      s.dt = 0.0;
-      for (const double covers : {4.0, 8.0}) {
-        if (!nmm && covers > 4.0) continue;
-        s.covers = covers;
-        for (const double safety : {0.8, 0.2, 0.05}) {
-          if (safety < 0.5 && !small) continue;
-          s.safety = safety;
-          out.push_back(s);
-        }
-      }
-      s.covers = 4.0;
-      s.integrator = Integrator::implicit;
-      for (const double dt : {5e-3, 1e-3, 2e-4, 5e-5, 2e-5}) {
-        if (dt < 1e-4 && (nmm || !small)) continue;
-        s.dt = dt;
+  const bool small = s.row == 1 && s.stack == 1;
+  for (const char* method : {"dda", "nmm"}) {
+    const bool nmm = std::string(method) == "nmm";
+    s.method = method;
+    s.integrator = Integrator::explicit_;
+    s.dt = 0.0;
+    for (const double covers : {4.0, 8.0}) {
+      if (!nmm && covers > 4.0) continue;
+      s.covers = covers;
+      for (const double safety : {0.8, 0.2, 0.05}) {
+        if (safety < 0.5 && !small) continue;
+        s.safety = safety;
         out.push_back(s);
       }
-      if (small && s.shape->ring.size() == 3) continue;
-      s.integrator = Integrator::partitioned;
-      s.dt = 1e-3;
+    }
+    s.covers = 4.0;
+    s.integrator = Integrator::implicit;
+    for (const double dt : {5e-3, 1e-3, 2e-4, 5e-5, 2e-5}) {
+      if (dt < 1e-4 && (nmm || !small)) continue;
+      s.dt = dt;
       out.push_back(s);
     }
+    if (small && s.shape->ring.size() == 3) continue;
+    s.integrator = Integrator::partitioned;
+    s.dt = 1e-3;
+    out.push_back(s);
+  }
+  return out;
+}
+
+/// Deals schemes as from a shuffled pack, which is shuffled anew when it is used up: each scheme is dealt as often as any
+/// other, and next to no scheme misses a slope, a shape or a drive.
+class Pack {
+ public:
+  [[nodiscard]] std::size_t deal(std::size_t schemes) {
+    if (left_.empty() || size_ != schemes) {
+      size_ = schemes;
+      for (std::size_t i = 0; i < schemes; ++i) left_.push_back(i);
+      std::shuffle(left_.begin(), left_.end(), random_);
+    }
+    const std::size_t next = left_.back();
+    left_.pop_back();
+    return next;
+  }
+
+ private:
+  std::mt19937_64 random_{20261122};
+  std::vector<std::size_t> left_;
+  std::size_t size_ = 0;
+};
+
+/// Blocks, slope, drive and contacts of the whole table; each meets `kSchemes` schemes. All schemes of all of them would
+/// be 4,600 runs and take hours.
+constexpr std::size_t kSchemes = 4;
+std::vector<Setting> whole_table(const std::vector<Shape>& all) {
+  std::vector<Setting> out;
+  std::map<std::size_t, Pack> packs;  // by the number of schemes
+  const auto deal = [&](const Setting& s) {
+    const std::vector<Setting> schemes = every_scheme(s);
+    for (std::size_t i = 0; i < kSchemes; ++i) out.push_back(schemes[packs[schemes.size()].deal(schemes.size())]);
   };
   for (const Shape& shape : all)
     for (const double slope : {15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0})
@@ -248,32 +287,62 @@ std::vector<Setting> table(const std::vector<Shape>& all, bool full) {
           s.slope_deg = slope;
           s.drive = drive;
           s.stiffer = stiffer;
-          if (!full) {
-            // One slope a shape, the steepest, by explicit DDA, and by one other scheme.
-            const bool steepest = stands(shape, 1, slope) && (slope == 45.0 || !stands(shape, 1, slope + 5.0));
-            if (!steepest) continue;
-            out.push_back(s);
-            s.integrator = Integrator::implicit;
-            s.dt = drive == Drive::steady ? 1e-3 : 2e-4;
-            out.push_back(s);
-            s.integrator = Integrator::explicit_;
-            s.dt = 0.0;
-            s.method = "nmm";
-            s.covers = 2.0;
-            if (drive == Drive::pulse && shape.box().hi.x() > 5.0) out.push_back(s);
-            continue;
-          }
-          if (stands(shape, 1, slope)) every_scheme(s);
+          if (!stands(shape, 1, slope)) continue;
+          deal(s);
+          if (shape.ring.size() == 3) continue;
           s.row = 5;
-          if (shape.ring.size() == 4 && stands(shape, 1, slope)) every_scheme(s);
+          deal(s);
           s.row = 1;
-          for (const int stack : {3, 2})
-            if (shape.ring.size() == 4 && stands(shape, stack, slope)) {
-              s.stack = stack;
-              every_scheme(s);
-              break;
-            }
+          s.stack = stands(shape, 3, slope) ? 3 : 2;
+          if (stands(shape, s.stack, slope)) deal(s);
         }
+  return out;
+}
+
+/// Of the quick tier: each shape on the steepest slope on which it stands, by explicit DDA, implicit DDA and, where it is
+/// not small, explicit NMM.
+std::vector<Setting> short_table(const std::vector<Shape>& all) {
+  std::vector<Setting> out;
+  for (const Shape& shape : all)
+    for (const Drive drive : {Drive::steady, Drive::pulse})
+      for (const double stiffer : {1.0, 10.0}) {
+        Setting s;
+        s.shape = &shape;
+        s.slope_deg = 45.0;
+        while (!stands(shape, 1, s.slope_deg)) s.slope_deg -= 5.0;
+        s.drive = drive;
+        s.stiffer = stiffer;
+        out.push_back(s);
+        s.integrator = Integrator::implicit;
+        s.dt = drive == Drive::steady ? 1e-3 : 2e-4;
+        out.push_back(s);
+        s.integrator = Integrator::explicit_;
+        s.dt = 0.0;
+        s.method = "nmm";
+        s.covers = 2.0;
+        if (drive == Drive::pulse && shape.box().hi.x() > 5.0) out.push_back(s);
+      }
+  return out;
+}
+
+/// The runs of `settings`, as many at a time as there are threads, each on one.
+std::vector<Outcome> slide_all(const std::vector<Setting>& settings, bool tell) {
+  std::vector<Outcome> out(settings.size());
+  std::atomic<std::size_t> next = 0;
+  std::mutex telling;
+  const auto work = [&] {
+    omp_set_num_threads(1);
+    for (std::size_t i = next++; i < settings.size(); i = next++) {
+      out[i] = slide(settings[i]);
+      if (!tell) continue;
+      const std::scoped_lock lock(telling);
+      fmt::print(stderr, "{:>4} of {}  {}: {:+.3f} %\n", i + 1, settings.size(), settings[i].name(),
+                 100.0 * out[i].error);
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < omp_get_max_threads(); ++i) workers.emplace_back(work);
+  for (std::jthread& worker : workers) worker.join();
   return out;
 }
 
@@ -283,12 +352,11 @@ StudyResult sliding(bool full) {
   StudyResult result;
   const std::vector<Shape> all = shapes();
   double worst_steady = 0.0, worst_pulse = 0.0, closure = 0.0;
-  const std::vector<Setting> settings = table(all, full);
+  const std::vector<Setting> settings = full ? whole_table(all) : short_table(all);
+  const std::vector<Outcome> outcomes = slide_all(settings, full);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];
-    const Outcome o = slide(s);
-    if (full)  // it takes hours: what is known so far
-      fmt::print(stderr, "{:>5} of {}  {}: {:+.3f} %\n", i + 1, settings.size(), s.name(), 100.0 * o.error);
+    const Outcome& o = outcomes[i];
     double& worst = s.drive == Drive::steady ? worst_steady : worst_pulse;
     worst = std::max(worst, std::abs(o.error));
     closure = std::max(closure, o.closure);
