@@ -9,6 +9,7 @@
 #include "app/session.h"
 #include "io/results/provenance.h"
 #include "io/results/sha256.h"
+#include "io/results/undo_log.h"
 
 namespace scree::app {
 namespace {
@@ -67,6 +68,7 @@ std::string place_of(const coupling::State& state) {
 int resume(const ResumeOptions& options) {
   OpenFolder open{io::RunFolder::reopen(options.run), nullptr};
   open.lock = std::make_unique<io::FolderLock>(options.run);
+  io::UndoLog::roll_back(open.folder.results());  // to what it was at the last checkpoint
   const io::FoundCheckpoint from = io::newest_checkpoint(open.folder, SCREE_VERSION, warn);
   const io::RunRecord& run = from.stored.run;
   const coupling::State& state = from.stored.checkpoint.state;

@@ -1,7 +1,10 @@
 #include "io/results/csv.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -49,19 +52,15 @@ std::vector<CsvFile::Column> energy_columns() {
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns, std::int64_t keep)
-    : path_(std::move(path)), bytes_(keep) {
-  if (keep > 0) {
+CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns, const TableMark& keep)
+    : path_(std::move(path)), bytes_(keep.bytes), hash_(keep.bytes > 0 ? ByteHash(keep.hash) : ByteHash()) {
+  if (keep.bytes > 0) {
     std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path_, error);
-    if (error) throw FileError(path_, "cannot go on with the table: " + error.message());
-    if (size < static_cast<std::uintmax_t>(keep))
-      throw FileError(path_, fmt::format("cannot go on with the table: {} bytes of {} are left", size, keep));
-    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(keep), error);
+    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(keep.bytes), error);
     if (error) throw FileError(path_, "cannot go on with the table: " + error.message());
   }
-  out_.open(path_, std::ios::binary | (keep > 0 ? std::ios::app : std::ios::trunc));
-  if (keep == 0) {
+  out_.open(path_, std::ios::binary | (keep.bytes > 0 ? std::ios::app : std::ios::trunc));
+  if (keep.bytes == 0) {
     std::string header;
     for (const Column& c : columns) header += (header.empty() ? "" : ",") + field(c.name + " [" + c.units + "]");
     put(header + '\n');
@@ -72,6 +71,21 @@ CsvFile::CsvFile(std::filesystem::path path, std::span<const Column> columns, st
 void CsvFile::put(std::string_view line) {
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   bytes_ += static_cast<std::int64_t>(line.size());
+  hash_.add(line.data(), line.size());
+}
+
+std::string CsvFile::lacks(const std::filesystem::path& file, const TableMark& mark) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return "is missing";
+  ByteHash hash;
+  std::array<char, 64 * 1024> part{};
+  for (std::int64_t left = mark.bytes; left > 0;) {
+    in.read(part.data(), std::min<std::int64_t>(left, part.size()));
+    if (in.gcount() == 0) return "is shorter than it was";
+    hash.add(part.data(), static_cast<std::size_t>(in.gcount()));
+    left -= in.gcount();
+  }
+  return hash.value() == mark.hash ? std::string() : "holds other bytes than were written";
 }
 
 void CsvFile::row(std::span<const double> values) {
@@ -88,6 +102,15 @@ void CsvFile::flush() {
   check();
 }
 
+void CsvFile::sync() {
+  flush();
+  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && ::fdatasync(descriptor) == 0;
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!synced) throw FileError(path_, std::string("cannot write to the disk: ") + std::strerror(error));
+}
+
 void CsvFile::close() {
   if (!out_.is_open()) return;
   out_.close();
@@ -99,7 +122,7 @@ void CsvFile::check() const {
 }
 
 CsvHistories::CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy,
-                           const Model& model, const std::array<std::int64_t, 2>& keep)
+                           const Model& model, const std::array<TableMark, 2>& keep)
     : history_(history, history_columns(model), keep[0]), energy_(energy, energy_columns(), keep[1]) {}
 
 void CsvHistories::append(const coupling::HistoryView& view) {
@@ -121,6 +144,11 @@ void CsvHistories::append(const coupling::HistoryView& view) {
 void CsvHistories::flush() {
   history_.flush();
   energy_.flush();
+}
+
+void CsvHistories::sync() {
+  history_.sync();
+  energy_.sync();
 }
 
 void CsvHistories::close() {

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "coupling/sink.h"
+#include "io/results/byte_hash.h"
+#include "io/results/results_mark.h"
 
 namespace scree::io {
 
@@ -20,14 +22,18 @@ class CsvFile {
   struct Column {
     std::string name, units;
   };
-  /// @param keep  goes on after so many bytes of an older file; 0: a new one
-  /// @throws FileError, as all of it, also where the older file is shorter
-  CsvFile(std::filesystem::path path, std::span<const Column> columns, std::int64_t keep = 0);
+  /// @param keep  goes on after so many bytes of an older file, which holds(); none: a new one
+  /// @throws FileError, as all of it
+  CsvFile(std::filesystem::path path, std::span<const Column> columns, const TableMark& keep = {});
   void row(std::span<const double> values);
   void flush();
+  /// Everything so far to the disk.
+  void sync();
   void close();
   /// Written so far.
-  [[nodiscard]] std::int64_t bytes() const { return bytes_; }
+  [[nodiscard]] TableMark mark() const { return {bytes_, hash_.value()}; }
+  /// What a file lacks that it had at a mark, as the end of a sentence; empty where it begins with those very bytes.
+  [[nodiscard]] static std::string lacks(const std::filesystem::path& file, const TableMark& mark);
 
  private:
   void put(std::string_view line);
@@ -35,6 +41,7 @@ class CsvFile {
   std::filesystem::path path_;
   std::ofstream out_;
   std::int64_t bytes_ = 0;
+  ByteHash hash_;
 };
 
 /// history.csv: time, then <monitor>.x, .y (position), .ux, .uy (displacement), .vx, .vy (velocity) a monitor.
@@ -42,11 +49,12 @@ class CsvFile {
 class CsvHistories {
  public:
   CsvHistories(const std::filesystem::path& history, const std::filesystem::path& energy, const Model& model,
-               const std::array<std::int64_t, 2>& keep = {});
+               const std::array<TableMark, 2>& keep = {});
   void append(const coupling::HistoryView& view);
   void flush();
+  void sync();
   void close();
-  [[nodiscard]] std::array<std::int64_t, 2> bytes() const { return {history_.bytes(), energy_.bytes()}; }
+  [[nodiscard]] std::array<TableMark, 2> marks() const { return {history_.mark(), energy_.mark()}; }
 
  private:
   CsvFile history_, energy_;

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/results/h5_driver.h"
+
 namespace scree::io::h5 {
 
 namespace fs = std::filesystem;
@@ -113,21 +115,21 @@ Handle text_type(const fs::path& path) {
   return type;
 }
 
-File File::create(const fs::path& path) {
+File File::make(const fs::path& where, const fs::path& path) {
   quiet();
   File file;
   file.path_ = path;
+  file.undo_ = std::make_unique<UndoLog>(path);
   const Handle access = access_list(path);
-  file.handle_ =
-      Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
+  write_through(access.get(), *file.undo_, path);
+  file.handle_ = Handle(
+      check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
   return file;
 }
 
-File File::create_beside(const fs::path& path) {
-  File file = create(beside(path));
-  file.path_ = path;
-  return file;
-}
+File File::create(const fs::path& path) { return make(path, path); }
+
+File File::create_beside(const fs::path& path) { return make(beside(path), path); }
 
 File File::open(const fs::path& path) {
   quiet();
@@ -206,12 +208,21 @@ void File::attribute_pair(const std::string& name, const std::string& key, std::
 
 void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
 
-void File::sync() const {
-  flush();
+int File::descriptor() const {
   void* handle = nullptr;
   check(H5Fget_vfd_handle(id(), H5P_DEFAULT, &handle), path_, "write to the disk");
-  if (::fdatasync(*static_cast<int*>(handle)) != 0)
+  return *static_cast<int*>(handle);
+}
+
+void File::sync() const {
+  flush();
+  if (::fdatasync(descriptor()) != 0)
     throw FileError(path_, std::string("cannot write to the disk: ") + std::strerror(errno));
+}
+
+void File::keep() {
+  sync();
+  undo_->start(descriptor());
 }
 
 void File::put_in_place() {
@@ -222,6 +233,7 @@ void File::put_in_place() {
 
 void File::close() {
   if (!handle_.close()) fail(path_, "close the file");
+  if (undo_) undo_->remove();
 }
 
 }  // namespace scree::io::h5

@@ -6,10 +6,12 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "io/results/file_error.h"
+#include "io/results/undo_log.h"
 
 namespace scree::io::h5 {
 
@@ -102,13 +104,20 @@ class File {
   void flush() const;
   /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
   void sync() const;
+  /// The same, and from now on the file can be brought back to what it is now, until it is closed or this is called
+  /// again (UndoLog).   @pre the file was made by create(), or create_beside() and put in place   @throws FileError
+  void keep();
   /// Puts a file of create_beside() in place of the old one.   @throws FileError
   void put_in_place();
+  /// @throws FileError; the file can be brought back then
   void close();
 
  private:
   void put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const;
+  [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path);
+  [[nodiscard]] int descriptor() const;
   std::filesystem::path path_;
+  std::unique_ptr<UndoLog> undo_;  // outlives the handle
   Handle handle_;
 };
 

@@ -15,11 +15,18 @@ struct SeriesMark {
   bool operator==(const SeriesMark&) const = default;
 };
 
+/// A table: its length, and a hash of its bytes.
+struct TableMark {
+  std::int64_t bytes = 0;
+  std::uint64_t hash = 0;
+  bool operator==(const TableMark&) const = default;
+};
+
 /// Rows of every dataset and lengths of the tables: what comes after is written again by a run that goes on from there.
 struct ResultsMark {
   std::vector<SeriesMark> frames, histories, events, contacts,
-      progress;                          // in the order in which their writers have them
-  std::array<std::int64_t, 2> tables{};  // bytes of history.csv and energy.csv
+      progress;                       // in the order in which their writers have them
+  std::array<TableMark, 2> tables{};  // history.csv and energy.csv
   // Of the frames: their number; id of the mesh stored last (-1: none yet); 1 once time schemes of its cells have been
   // stored, else 0; and where that mesh is.
   std::int64_t frame_count = 0, mesh = -1, schemes = 0;
@@ -37,7 +44,10 @@ struct ResultsMark {
         see("results.hash", series.hash);
       }
     }
-    see("results.tables", tables);
+    for (const TableMark& table : tables) {
+      see("results.table_bytes", table.bytes);
+      see("results.table_hash", table.hash);
+    }
     see("results.frame_count", frame_count);
     see("results.mesh", mesh);
     see("results.schemes", schemes);

@@ -32,8 +32,8 @@ struct ResultsSink::Files {
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
 
-  Files(h5::File results, const RunFolder& folder, const std::array<std::int64_t, 2>& keep,
-        const Provenance& provenance, const Model& model, bool with_contacts)
+  Files(h5::File results, const RunFolder& folder, const std::array<TableMark, 2>& keep, const Provenance& provenance,
+        const Model& model, bool with_contacts)
       : file(std::move(results)),
         frames(file),
         xdmf(file, folder.xdmf()),
@@ -106,14 +106,13 @@ struct BesideFile {  // goes, unless it was put in place
   }
 };
 
-/// Puts a table aside that has lost rows that it had; says so. Empty: it has them all.
-std::string set_aside_shorter(const std::filesystem::path& table, std::int64_t bytes) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(table, error);
-  if (!error && size >= static_cast<std::uintmax_t>(bytes)) return {};
-  if (error) return table.string() + ": is missing; its earlier rows are lost";
+/// Puts a table aside that is not what it was; says so. Empty: it is.
+std::string set_aside_changed(const std::filesystem::path& table, const TableMark& mark) {
+  const std::string lacks = CsvFile::lacks(table, mark);
+  if (lacks.empty()) return lacks;
   const std::filesystem::path aside = RunFolder::set_aside(table);
-  return table.string() + ": is shorter than it was; what there was of it is now in " + aside.string();
+  return table.string() + ": " + lacks + (aside.empty() ? "" : "; what there was of it is now in " + aside.string()) +
+         "; its earlier rows are in run.vtkhdf";
 }
 
 }  // namespace
@@ -124,14 +123,16 @@ ResultsSink::Files& ResultsSink::files() {
 }
 
 void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
-  if (go_on_)
+  if (go_on_) {
     take_up(model, plan);
-  else
+    files_->file.keep();  // until the next checkpoint the run may come back to where it goes on
+  } else {
     make_files(h5::File::create(folder_.results()), {}, model, plan);
-  files_->file.flush();
+    files_->file.flush();
+  }
 }
 
-void ResultsSink::make_files(h5::File file, const std::array<std::int64_t, 2>& tables, const Model& model,
+void ResultsSink::make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,
                              const coupling::Plan& plan) {
   files_ = std::make_unique<Files>(std::move(file), folder_, tables, provenance_, model, plan.output.contacts);
   write_provenance(files_->file, provenance_);
@@ -142,12 +143,12 @@ void ResultsSink::make_files(h5::File file, const std::array<std::int64_t, 2>& t
 
 void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
   const ResultsMark& mark = go_on_->mark;
-  std::array<std::int64_t, 2> tables = mark.tables;
+  std::array<TableMark, 2> tables = mark.tables;
   for (std::size_t i = 0; i < tables.size(); ++i)
-    if (const std::string lost = set_aside_shorter(i == 0 ? folder_.history() : folder_.energy(), tables[i]);
+    if (const std::string lost = set_aside_changed(i == 0 ? folder_.history() : folder_.energy(), tables[i]);
         !lost.empty()) {
       go_on_->warn(lost);
-      tables[i] = 0;
+      tables[i] = {};
     }
   const auto begin = [&](h5::File file, const std::string& past) {
     make_files(std::move(file), tables, model, plan);
@@ -175,14 +176,15 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
 ResultsMark ResultsSink::mark() {
   Files& f = files();
   f.flush();
-  f.file.sync();
+  f.tables.sync();
+  f.file.keep();
   ResultsMark mark;
   f.frames.mark(mark);
   mark.histories = f.histories.marks();
   mark.events = f.events.marks();
   if (f.contacts) mark.contacts = f.contacts->marks();
   mark.progress = f.progress.marks();
-  mark.tables = f.tables.bytes();
+  mark.tables = f.tables.marks();
   mark.stored_tick = f.stored.first;
   mark.stored_stage = f.stored.second;
   mark.wall_seconds = f.summary.wall_seconds();

@@ -47,7 +47,8 @@ class ResultsSink : public coupling::Sink {
   /// Stores the last instant too, unless it was a frame, closes the files and writes the summary.
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
 
-  /// Brings everything so far to the disk and says how much it is.   @pre between begin() and end()
+  /// Brings everything so far to the disk and says how much it is. Whatever becomes of the run from then on, run.vtkhdf
+  /// can be brought back to it (UndoLog).   @pre between begin() and end()
   [[nodiscard]] ResultsMark mark();
 
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
@@ -58,7 +59,7 @@ class ResultsSink : public coupling::Sink {
   struct Files;
   [[nodiscard]] Files& files();
   /// Makes the files, with the heads that never change.
-  void make_files(h5::File file, const std::array<std::int64_t, 2>& tables, const Model& model,
+  void make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,
                   const coupling::Plan& plan);
   void take_up(const Model& model, const coupling::Plan& plan);
 

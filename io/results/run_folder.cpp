@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -21,14 +22,16 @@ namespace {
 constexpr std::array<std::string_view, 6> kNames{"run.vtkhdf", "run.xmf",      "history.csv",
                                                  "energy.csv", "summary.json", "run.log"};
 constexpr std::string_view kCheckpoint = "checkpoint";  // all checkpoints begin with it
-constexpr std::string_view kBeside = "run.vtkhdf.new";  // run.vtkhdf while it is written anew
-constexpr std::string_view kDamaged = ".damaged";       // in names of files that were put aside
+// run.vtkhdf while it is written anew, and what it was at the last checkpoint (UndoLog).
+constexpr std::array<std::string_view, 3> kBeside{"run.vtkhdf.new", "run.vtkhdf.undo", "run.vtkhdf.undo.tmp"};
+constexpr std::string_view kDamaged = ".damaged";  // in names of files that were put aside
 
 bool belongs_to_runs(const fs::path& file) {
   const std::string name = file.filename().string();
   for (const std::string_view known : kNames)
     if (name == known) return true;
-  if (name.find(kDamaged) != std::string::npos || name == kBeside) return true;
+  if (name.find(kDamaged) != std::string::npos || std::find(kBeside.begin(), kBeside.end(), name) != kBeside.end())
+    return true;
   return name.starts_with(kCheckpoint);
 }
 

@@ -11,6 +11,7 @@ namespace scree::io {
 ///   run.vtkhdf    frames, histories, ledger, events, provenance     run.xmf   its frames for ParaView
 ///   history.csv   monitors    energy.csv   ledger    summary.json   what the run ended with    run.log   messages
 ///   checkpoint.<n>.scree   the last two checkpoints (io/checkpoint)
+///   run.vtkhdf.undo        while it runs, or was killed: what run.vtkhdf was at the last checkpoint (undo_log.h)
 class RunFolder {
  public:
   /// Makes the folder and its parents. An empty folder is used as it is; an earlier run is cleared of the files that

@@ -61,5 +61,22 @@ TEST(ForceBalance, what_is_left_is_measured_by_the_largest_single_force) {
   }
 }
 
+TEST(ForceBalance, loads_are_those_of_the_present_time) {
+  Scene scene = block("dda");
+  TimeFunction ramp;
+  ramp.name = "ramp";
+  ramp.shape = TimeFunction::Shape::ramp;
+  ramp.duration = 2.0;
+  scene.model.functions.push_back(ramp);
+  scene.model.point_loads.push_back({BlockId{1}, {1.0, 1.5}, {800.0, 0.0}, FunctionId{0}});
+  for (const double t : {0.0, 0.5, 2.0}) {
+    ByHand hand(scene.model, scene.plan.stages[0]);
+    hand.state.time = ticks(t);
+    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
+    mover.enter(hand.state);
+    EXPECT_NEAR(ForceBalance(*hand.setup, hand.state).measure(hand.state, mover).force, 400.0 * t, 1e-9) << t << " s";
+  }
+}
+
 }  // namespace
 }  // namespace scree::test

@@ -359,7 +359,7 @@ TEST(CheckpointFile, keeps_every_bit) {
   written.run.audit = true;
   written.run.until = 0.25;
   written.results.frames = {{3, 1}, {4, 15}};
-  written.results.tables = {15, 92};
+  written.results.tables = {{{15, 7}, {92, 8}}};
   write_checkpoint(file, written);
   const StoredCheckpoint read = read_checkpoint(file, "1");
   EXPECT_EQ(read.run.overrides, written.run.overrides);

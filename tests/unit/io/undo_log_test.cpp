@@ -1,0 +1,139 @@
+// Files that are brought back to what they were, at any instant of what is written on.
+#include "io/results/undo_log.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "io/results/h5_read.h"
+#include "io/results/h5_series.h"
+#include "tests/unit/io/results_run.h"
+
+namespace scree::test {
+namespace {
+
+namespace fs = std::filesystem;
+using io::UndoLog;
+
+void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+/// A file of some pages that is overwritten here and there, and grows.
+class OverwrittenFile : public testing::Test {
+ protected:
+  io::test::Scratch folder;
+  fs::path file = folder.path() / "file", log = UndoLog::path_of(file), copy = folder.path() / "copy";
+  std::string before;
+  std::mt19937 random{7};
+
+  void SetUp() override {
+    for (int i = 0; i < 41'000; ++i) before += static_cast<char>(random());
+    put(file, before);
+  }
+  void overwrite(UndoLog& undo, int fd, std::uint64_t at, std::size_t size) {
+    std::string other;
+    for (std::size_t i = 0; i < size; ++i) other += static_cast<char>(random());
+    undo.save(at, size);
+    ASSERT_EQ(::pwrite(fd, other.data(), size, static_cast<off_t>(at)), static_cast<ssize_t>(size));
+  }
+};
+
+TEST_F(OverwrittenFile, is_as_it_was) {
+  const int fd = ::open(file.c_str(), O_RDWR);
+  UndoLog undo(file);
+  undo.start(fd);
+  for (int i = 0; i < 30; ++i) {
+    overwrite(undo, fd, random() % 60'000, 1 + random() % 9'000);
+    put(copy, io::test::text_of(file)), put(UndoLog::path_of(copy), io::test::text_of(log));
+    EXPECT_TRUE(UndoLog::roll_back(copy));
+    EXPECT_EQ(io::test::text_of(copy), before);
+    EXPECT_FALSE(fs::exists(UndoLog::path_of(copy)));
+  }
+  EXPECT_LT(fs::file_size(log), 41'000U + 12 * 32 + 100) << "every page once";
+  ::close(fd);
+}
+
+TEST_F(OverwrittenFile, stretch_that_was_not_stored_whole_was_not_overwritten) {
+  const int fd = ::open(file.c_str(), O_RDWR);
+  UndoLog undo(file);
+  undo.start(fd);
+  overwrite(undo, fd, 100, 50);
+  const std::string now = io::test::text_of(file);
+  const auto size = fs::file_size(log);
+  undo.save(9'000, 10);  // and killed within
+  const std::string logged = io::test::text_of(log);
+  for (std::size_t n = size; n < logged.size(); n += 97) {
+    put(file, now), put(log, logged.substr(0, n));
+    EXPECT_TRUE(UndoLog::roll_back(file));
+    EXPECT_EQ(io::test::text_of(file), before) << n;
+  }
+  ::close(fd);
+}
+
+TEST_F(OverwrittenFile, log_of_a_later_start_holds_for_that_one) {
+  const int fd = ::open(file.c_str(), O_RDWR);
+  UndoLog undo(file);
+  undo.start(fd);
+  overwrite(undo, fd, 5'000, 50'000);
+  undo.start(fd);
+  const std::string later = io::test::text_of(file);
+  overwrite(undo, fd, 100, 10);
+  EXPECT_TRUE(UndoLog::roll_back(file));
+  EXPECT_EQ(io::test::text_of(file), later);
+  EXPECT_FALSE(UndoLog::roll_back(file)) << "there is none any more";
+  EXPECT_EQ(io::test::text_of(file), later);
+  ::close(fd);
+}
+
+TEST_F(OverwrittenFile, log_that_says_nothing_is_not_followed) {
+  for (const std::string& text : {std::string(), std::string("SCRUNDO1"), std::string(24, 'x')}) {
+    put(log, text);
+    EXPECT_TRUE(UndoLog::roll_back(file));
+    EXPECT_EQ(io::test::text_of(file), before);
+  }
+}
+
+/// Results whose file is killed anywhere: the copies are what a killed program leaves.
+TEST(KeptResults, rows_up_to_the_instant_are_there_whatever_was_written_since) {
+  const io::test::Scratch folder;
+  const fs::path path = folder.path() / "run.vtkhdf", copy = folder.path() / "copy.vtkhdf";
+  io::h5::File file = io::h5::File::create(path);
+  io::h5::Series<double> series(file, "/group/numbers", 3, {"m", "numbers"});
+  io::h5::TextSeries texts(file, "/group/texts", {"none", "texts"});
+  double next = 0.0;
+  const auto grow = [&](int rows) {
+    for (int i = 0; i < rows; ++i, next += 1.0) series.append(std::array{next, -next, 0.5});
+    texts.append(std::string(static_cast<std::size_t>(rows % 500), 'a'));
+    file.group("/of/" + std::to_string(static_cast<int>(next)));
+    series.flush(), texts.flush();
+    file.flush();
+  };
+  for (int k = 0; k < 40; ++k) {
+    grow(700);
+    file.keep();
+    const std::string kept = io::test::text_of(path);
+    const io::SeriesMark mark = series.mark(), words = texts.mark();
+    grow(k % 2 == 0 ? 90 : 9'000);
+    grow(10);
+    fs::copy_file(path, copy, fs::copy_options::overwrite_existing);
+    fs::copy_file(UndoLog::path_of(path), UndoLog::path_of(copy), fs::copy_options::overwrite_existing);
+    ASSERT_NE(io::test::text_of(copy), kept);
+    ASSERT_TRUE(UndoLog::roll_back(copy));
+    ASSERT_EQ(io::test::text_of(copy), kept);
+    // What is brought back is whole, and holds the rows.
+    io::h5::File other = io::h5::File::create(folder.path() / "other.vtkhdf");
+    io::h5::Series<double> taken(other, "/group/numbers", 3, {"m", "numbers"});
+    io::h5::TextSeries taken_texts(other, "/group/texts", {"none", "texts"});
+    const io::h5::File old = io::h5::File::open(copy);
+    ASSERT_NO_THROW(taken.take(old, mark));
+    ASSERT_NO_THROW(taken_texts.take(old, words));
+  }
+  series.close(), texts.close();
+  file.close();
+  EXPECT_FALSE(fs::exists(UndoLog::path_of(path)));
+}
+
+}  // namespace
+}  // namespace scree::test
