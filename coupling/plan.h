@@ -149,7 +149,9 @@ struct Plan {
   double max_closure = 0.0;  // a run ends once its ledger is open by more than this part of the energy moved; 0: never
   double max_passed_closure = 1e-3;  // the same, of the energy passed (Ledger::passed)
   double max_gain = 1.0;  // a run ends once it holds more than it was given by this part of the energy passed; 0: never
-  bool audit = false;     // every step is checked, and a run ends where one is wrong
+  // A partitioned stage ends once it has taken more than so many times the effort of implicit steps; 0: never (Pace)
+  double max_slowdown = 20.0;
+  bool audit = false;  // every step is checked, and a run ends where one is wrong
 };
 
 }  // namespace scree::coupling

@@ -31,6 +31,8 @@ struct StepReport {
   std::int32_t body = -1;     // where it went wrong, index into Setup::bodies
   std::string cause;          // for a status other than ok: what, where, likely cause
   std::int32_t substeps = 1;  // explicit ones in it, that fast bodies have taken (Subcycled)
+  // Explicit steps that were made for a partitioned one, which repeats them in every iteration.
+  std::int64_t explicit_steps = 0;
   int passes = 0;             // open-close passes
   int switches = 0;           // of contact states in them
   int factorisations = 0;

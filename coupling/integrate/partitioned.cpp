@@ -369,6 +369,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   for (std::size_t k = 0; k < seam_mass_.size(); ++k) seam_factor_[k] = scale * seam_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
+  report.explicit_steps = static_cast<std::int64_t>(repeats_) * substeps_;
   if (report.status != StepReport::Status::ok) {
     if (gone_) rewind();
     return report;

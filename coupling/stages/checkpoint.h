@@ -90,7 +90,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 23 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 25 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -109,6 +109,8 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
   see("stats.element_steps", s.element_steps);
+  see("stats.effort", s.effort);
+  see("stats.effort_before", s.effort_before);
   see("stats.friction_ratio", s.friction_ratio);
   s.friction_key.visit(see);
 }

@@ -245,6 +245,7 @@ void Driver::take_sides(const Stage& stage) {
 
 void Driver::change_stage(std::size_t index) {
   const Stage& stage = plan_->stages[index];
+  stats_.effort_before = stats_.effort;
   if (index > 0) {
     mover_->leave(state_);
     mover_.reset();
@@ -374,7 +375,7 @@ void Driver::observe() {
   observer_ = std::make_unique<Observer>(*setup_, state_, mesh_, plan_->output.contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   fast_elements_ = 0.0;
-  if (stage.subcycled())
+  if (stage.subcycled() || stage.integrator == Integrator::partitioned)
     for (const std::int32_t b : observer_->mesh().cell_block)
       fast_elements_ += state_.explicit_side[static_cast<std::size_t>(b)] != 0 ? 1.0 : 0.0;
   stats_.unknowns = 0;

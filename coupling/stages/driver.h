@@ -108,6 +108,9 @@ class Driver {
   void warn_of_losses(const Stage& stage, bool complete);
   /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
   [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
+  /// Ends a partitioned stage that does not get on (pace.h).   @param cause  why its last step failed; empty: it did
+  /// not
+  [[nodiscard]] RunEnd check_pace(const Stage& stage, const std::string& cause);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
   /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long

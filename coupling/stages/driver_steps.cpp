@@ -9,6 +9,7 @@
 #include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/energy_watch.h"
+#include "coupling/stages/pace.h"
 #include "coupling/stages/step_grid.h"
 
 namespace scree::coupling {
@@ -142,6 +143,7 @@ RunEnd Driver::take_step(const Stage& stage) {
     (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
     count(report);
     if (report.status == StepReport::Status::given_up) return stopped();
+    if (stage.integrator == Integrator::partitioned) stats_.effort += effort(report, stats_, fast_elements_);
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
@@ -168,6 +170,10 @@ RunEnd Driver::take_step(const Stage& stage) {
       event(EventKind::not_converged, reason);
       return {status, reason};
     }
+    if (const RunEnd slow = check_pace(stage, text); slow.status != RunEnd::Status::done) {
+      tell_cut();
+      return slow;
+    }
     if (cuts == 1) cut = Event{EventKind::step_cut, seconds(state_.time), text, nullptr, nullptr};
     const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
     attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
@@ -187,6 +193,7 @@ RunEnd Driver::after_step(const Stage& stage) {
   state_.ledger.pass();
   RunEnd found = check_audit(stage);
   if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
+  if (found.status == RunEnd::Status::done) found = check_pace(stage, {});
   if (state_.step % kFrictionEvery == 0) warn_of_losses(stage, false);
   committed_ = stats_;
   for (Sink* s : sinks_) s->step(seconds(state_.time), stats_, state_.ledger);
@@ -237,6 +244,17 @@ RunEnd Driver::check_gain(const Stage& stage, bool complete) {
   const auto gone = energy_from_nowhere(state_.ledger, plan_->max_gain, round_off_, complete);
   if (!gone) return {};
   const std::string reason = fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *gone);
+  event(EventKind::not_converged, reason);
+  return {RunEnd::Status::not_converged, reason};
+}
+
+RunEnd Driver::check_pace(const Stage& stage, const std::string& cause) {
+  if (stage.integrator != Integrator::partitioned) return {};
+  const double steps = seconds(state_.time - state_.stage_begin.back()) / *stage.dt;
+  const auto slow = too_slow(stats_, steps, plan_->max_slowdown);
+  if (!slow) return {};
+  const std::string reason = fmt::format("t = {:.6g} s, stage '{}': {}{}{}", seconds(state_.time), stage.name, *slow,
+                                         cause.empty() ? "" : "; the last step failed: ", cause);
   event(EventKind::not_converged, reason);
   return {RunEnd::Status::not_converged, reason};
 }

@@ -154,6 +154,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   plan.max_closure = root.table("run").number("max_closure");
   plan.max_passed_closure = root.table("run").number("max_passed_closure");
   plan.max_gain = root.table("run").number("max_gain");
+  plan.max_slowdown = root.table("run").number("max_slowdown");
   return plan;
 }
 

@@ -555,6 +555,9 @@ constexpr Key kKeys[] = {
     {"run.max_gain", Type::number, "", kNotNegative, "1.0", false, "",
      "A run ends as not converged once the blocks hold more energy than they were given, by more than this part of "
      "the energy passed: a step that is too long, a force that is wrong. 0: never."},
+    {"run.max_slowdown", Type::number, "", kNotNegative, "20.0", false, "",
+     "A run ends as not converged once a partitioned stage has taken more than so many times the effort that implicit "
+     "steps of its dt would have taken, counted in operations, with 20 steps at its beginning for free. 0: never."},
 };
 
 }  // namespace

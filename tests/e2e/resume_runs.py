@@ -41,11 +41,16 @@ def summary(run):
 
 
 def datasets(path):
+    """Every dataset and attribute but those of /provenance."""
     out = {}
     with h5py.File(path) as file:
         def visit(name, item):
-            if isinstance(item, h5py.Dataset) and not name.startswith("provenance"):
+            if name.startswith("provenance"):
+                return
+            if isinstance(item, h5py.Dataset):
                 out[name] = item[...]
+            for key, value in item.attrs.items():
+                out[f"{name}@{key}"] = np.asarray(value)
         file.visititems(visit)
     return out
 

@@ -250,6 +250,40 @@ INSTANTIATE_TEST_SUITE_P(schemes, Rocking,
                                          Scheme{"dda_implicit", "dda", Integrator::implicit}),
                          [](const auto& of) { return std::string(of.param.name); });
 
+// ---- Corners beside the end of an edge --------------------------------------------------------------------------
+
+class NarrowFoot : public testing::TestWithParam<Scheme> {};
+
+/// A wedge with a foot of 4 cm on the very corner of its base, as joints at a sharp angle cut it: the corner of the
+/// foot stands on the top of the base, 4 cm behind the line of its side, and a corner of the base as far behind a side
+/// of the wedge. Nothing is in anything.
+TEST_P(NarrowFoot, stands_without_force_as_the_run_begins) {
+  const Scheme scheme = GetParam();
+  Scene scene(5e9, 0.2, 2600.0, 35.0);
+  scene.add("base", rectangle(0, 0, 6, 1), true);
+  scene.add("wedge", Ring{{0, 1}, {0.04, 1}, {0.8, 6.8}, {0, 6.8}});
+  scene.add("beside", Ring{{0.04, 1}, {3, 1}, {3, 6.8}, {0.8, 6.8}});
+  scene.stage(scheme.method, scheme.integrator, 0.01, scheme.implicit() ? std::optional<double>(1e-3) : std::nullopt,
+              1.0);
+  Driver run(scene.model, scene.plan, methods());
+  double springs = -1.0, edges = 0.0;
+  Watch watch;
+  watch.see = [&](const FrameView& view) {
+    if (springs < 0.0) springs = view.state->ledger[Column::contact_springs];
+    edges = std::max(edges, std::abs(view.state->ledger[Column::contact_edges]));
+  };
+  run.add_sink(watch);
+  ASSERT_EQ(run.run().status, RunEnd::Status::done);
+  EXPECT_EQ(springs, 0.0);
+  EXPECT_LT(edges, 1e-3 * run.state().ledger[Column::kinetic]);
+  EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
+}
+INSTANTIATE_TEST_SUITE_P(schemes, NarrowFoot,
+                         testing::Values(Scheme{"nmm", "nmm", Integrator::explicit_},
+                                         Scheme{"dda", "dda", Integrator::explicit_},
+                                         Scheme{"dda_implicit", "dda", Integrator::implicit}),
+                         [](const auto& of) { return std::string(of.param.name); });
+
 // ---- Corners that meet exactly ----------------------------------------------------------------------------------
 
 class FourCorners : public testing::TestWithParam<Scheme> {};

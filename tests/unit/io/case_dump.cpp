@@ -93,8 +93,8 @@ void dump_water(Dump& d, const Model& m) {
 }
 
 void dump_plan(Dump& d, const coupling::Plan& p) {
-  d.line("detection {} threads {} closure {} passed {} gain {}", p.detection, p.threads, p.max_closure,
-         p.max_passed_closure, p.max_gain);
+  d.line("detection {} threads {} closure {} passed {} gain {} slowdown {}", p.detection, p.threads, p.max_closure,
+         p.max_passed_closure, p.max_gain, p.max_slowdown);
   for (const coupling::Stage& s : p.stages) {
     d.line("stage {} {} {} dt {} safety {} duration {} cover {} passes {} displacement {} damping {} rest {}", s.name,
            s.method, coupling::name(s.integrator), Dump::of(s.dt), s.safety, s.duration, s.cover_size,

@@ -235,6 +235,7 @@ TEST(Schema, every_key_changes_the_case) {
       {"run.max_closure", "run.max_closure=1e-5"},
       {"run.max_passed_closure", "run.max_passed_closure=1e-5"},
       {"run.max_gain", "run.max_gain=0.5"},
+      {"run.max_slowdown", "run.max_slowdown=5"},
       {"function.NAME.offset", "function.rise.offset=0.01"},
       {"motion.NAME.offset", "motion.pulse.offset=0.01"},
       {"point_load[].start", "point_load.1.start=\"runout\""},

@@ -1,0 +1,145 @@
+// Loaded before a program (LD_PRELOAD): lets one write, fsync, truncation or rename in a folder fail, or the program
+// die there.
+//   SCREE_FAULT_FOLDER  folder; calls on files elsewhere go through and are not counted
+//   SCREE_FAULT_AT      number of the call, from 1 on; 0: none, calls are only counted
+//   SCREE_FAULT_KIND    eio, enospc: it fails so, and every later one; short: half of a write is done, then enospc;
+//                       kill: half of a write is done, other calls not, and the program is killed; killed: after the
+//                       call
+//   SCREE_FAULT_COUNT   file that is told the number of calls as the program ends
+// What the C library writes through its own streams (run.log) does not come through here.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+namespace {
+
+const char* setting(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+struct Faults {
+  std::string folder = setting("SCREE_FAULT_FOLDER"), kind = setting("SCREE_FAULT_KIND");
+  std::string count_file = setting("SCREE_FAULT_COUNT");
+  long at = std::atol(setting("SCREE_FAULT_AT")), calls = 0;
+
+  ~Faults() {
+    if (count_file.empty()) return;
+    if (std::FILE* f = std::fopen(count_file.c_str(), "w")) {
+      std::fprintf(f, "%ld\n", calls);
+      std::fclose(f);
+    }
+  }
+  bool within(const char* path) const {
+    return !folder.empty() && std::strncmp(path, folder.c_str(), folder.size()) == 0;
+  }
+  bool within(int fd) const {
+    char link[64], path[PATH_MAX];
+    std::snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+    const ssize_t n = ::readlink(link, path, sizeof path - 1);
+    if (n <= 0) return false;
+    path[n] = '\0';
+    return within(path);
+  }
+};
+
+Faults& faults() {
+  static Faults f;
+  return f;
+}
+
+[[noreturn]] void die() {
+  ::raise(SIGKILL);
+  std::abort();
+}
+
+template <class F>
+F real(const char* name) {
+  return reinterpret_cast<F>(::dlsym(RTLD_NEXT, name));
+}
+
+/// What `call` gives, or what the fault makes of it; `half` does half of it.
+template <class Result, class Call, class Half>
+Result go(bool counts, Call&& call, Half&& half) {
+  Faults& f = faults();
+  if (!counts) return call();
+  const long now = ++f.calls;
+  if (f.at == 0 || now < f.at) return call();
+  if (f.kind == "killed") {
+    if (now == f.at) (void)call(), die();
+    return call();
+  }
+  if (f.kind == "kill") (void)half(), die();
+  if (f.kind == "short" && now == f.at) return half();
+  errno = f.kind == "eio" ? EIO : ENOSPC;
+  return -1;
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int fd, const void* data, size_t size) {
+  static const auto next = real<ssize_t (*)(int, const void*, size_t)>("write");
+  return go<ssize_t>(
+      fd > 2 && faults().within(fd), [&] { return next(fd, data, size); }, [&] { return next(fd, data, size / 2); });
+}
+
+ssize_t writev(int fd, const struct iovec* parts, int count) {
+  static const auto next = real<ssize_t (*)(int, const struct iovec*, int)>("writev");
+  return go<ssize_t>(
+      fd > 2 && faults().within(fd), [&] { return next(fd, parts, count); }, [&] { return next(fd, parts, 1); });
+}
+
+ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
+  static const auto next = real<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
+  return go<ssize_t>(
+      faults().within(fd), [&] { return next(fd, data, size, at); }, [&] { return next(fd, data, size / 2, at); });
+}
+
+ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
+  static const auto next = real<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
+  return go<ssize_t>(
+      faults().within(fd), [&] { return next(fd, data, size, at); }, [&] { return next(fd, data, size / 2, at); });
+}
+
+int fsync(int fd) {
+  static const auto next = real<int (*)(int)>("fsync");
+  return go<int>(
+      faults().within(fd), [&] { return next(fd); }, [] { return 0; });
+}
+
+int fdatasync(int fd) {
+  static const auto next = real<int (*)(int)>("fdatasync");
+  return go<int>(
+      faults().within(fd), [&] { return next(fd); }, [] { return 0; });
+}
+
+int ftruncate(int fd, off_t size) {
+  static const auto next = real<int (*)(int, off_t)>("ftruncate");
+  return go<int>(
+      faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
+}
+
+int ftruncate64(int fd, off64_t size) {
+  static const auto next = real<int (*)(int, off64_t)>("ftruncate64");
+  return go<int>(
+      faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
+}
+
+int rename(const char* from, const char* to) {
+  static const auto next = real<int (*)(const char*, const char*)>("rename");
+  return go<int>(
+      faults().within(to), [&] { return next(from, to); }, [] { return 0; });
+}
+
+}  // extern "C"
