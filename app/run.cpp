@@ -171,6 +171,16 @@ void print(const CuttingReport& r) {
              r.least_angle * 180.0 / std::numbers::pi);
 }
 
+/// What the last line says of the ledger.
+std::string closing_words(const coupling::Ledger& ledger) {
+  const double moved = ledger.moved(), passed = ledger.passed();
+  if (ledger.next_to_nothing(moved))
+    return fmt::format("ledger open by {:.1e} J, of next to nothing: {:.4g} J moved, {:.1e} J are round-off",
+                       ledger.closure(), moved, ledger.last_places());
+  return fmt::format("ledger closes to {:.1e} of {:.4g} J moved, {:.1e} of {:.4g} J passed", ledger.relative_closure(),
+                     moved, ledger.passed_closure(), passed);
+}
+
 }  // namespace
 
 std::vector<std::string> method_names() {
@@ -307,9 +317,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    fmt::print("state {:016x}  ledger closes to {:.1e} of {:.4g} J moved, {:.1e} of {:.4g} J passed\n",
-               coupling::state_hash(driver.state()), ledger.relative_closure(), ledger.moved(), ledger.passed_closure(),
-               ledger.passed());
+    fmt::print("state {:016x}  {}\n", coupling::state_hash(driver.state()), closing_words(ledger));
     if (options.audit)
       fmt::print("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n",
                  driver.stats().audit_checks, driver.stats().steps, driver.stats().audit_worst,

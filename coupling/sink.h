@@ -35,9 +35,10 @@ struct RunStats {
   double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]
   std::int64_t audit_checks = 0;                                       // made so far in an audited run
   double audit_worst = 0.0;                                            // the largest value over what is allowed
-  double element_steps = 0.0;                                          // explicit element updates made
   // Of partitioned stages, steps that failed too (Pace): so far, and as the present stage began.
   double effort = 0.0, effort_before = 0.0;
+  double left_work = 0.0;      // of forces that round-off leaves in implicit steps [J]
+  double element_steps = 0.0;  // explicit element updates made
   // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and whose it is.
   double friction_ratio = std::numeric_limits<double>::infinity();
   ContactKey friction_key{};

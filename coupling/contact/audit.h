@@ -18,6 +18,7 @@ class Audit {
   template <class What>
   void check(double value, double allowed, What&& what) {
     ++checks_;
+    if (value == 0.0) return;  // and `allowed` may be 0: nothing moves, nothing weighs
     const double ratio = std::abs(value) / allowed;
     if (ratio <= worst_) return;
     worst_ = std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;

@@ -41,6 +41,7 @@ struct StepReport {
   int iterations = 0;         // of Newton's method
   double residual = 0.0;      // it left, over the largest force
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there
+  double left_work = 0.0;     // of what it left, as far as that is round-off, on the step's way [J]
 };
 
 /// What a mover knows at an instant beside the state: results of the step that led here which cannot be had from the

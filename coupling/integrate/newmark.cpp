@@ -358,6 +358,17 @@ Newmark::RoundOff Newmark::round_off(const State& state) const {
   return out;
 }
 
+Newmark::LeftOver Newmark::left_over(const State& state) const {
+  const double most = round_off(state).system;
+  LeftOver out;
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    const double force = std::min(std::abs(out_[i]), most);
+    out.force = std::max(out.force, force);
+    out.work += force * std::abs(d_[i]);
+  }
+  return out;
+}
+
 bool Newmark::balance(const State& state, double h, StepReport& report) {
   const auto mask = system_.nonlinear_dofs();
   const bool spares = options_.damping > 0.0 && !options_.damp_rigid_motion;
@@ -524,8 +535,11 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
   StepReport report;
   const double h = seconds(ticks_of_step);
   prepare(state, h);
-  if (!balance(state, h, report) || !reach(state, ticks_of_step, report)) return report;
-  if (audit_ != nullptr) contacts_.check(d_, *audit_);
+  if (!balance(state, h, report)) return report;
+  const LeftOver left = left_over(state);
+  report.left_work = left.work;
+  if (!reach(state, ticks_of_step, report)) return report;
+  if (audit_ != nullptr) contacts_.check(d_, left.force, *audit_);
   accept(state, ticks_of_step);
   if (audit_ != nullptr) audit_geometry(*setup_, list_, state.q, finder_.detection(), *audit_);
   return report;

@@ -113,6 +113,12 @@ class Newmark final : public Mover {
     double bodies = 0.0;  // of forces inside the bodies, which come from positions [N]
   };
   [[nodiscard]] RoundOff round_off(const State& state) const;
+  /// What balance() left as far as it is round_off(): the largest force, and the work of all of them along d.
+  struct LeftOver {
+    double force = 0.0;  // [N]
+    double work = 0.0;   // StepReport::left_work [J]
+  };
+  [[nodiscard]] LeftOver left_over(const State& state) const;
   [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
   /// The report of a step that ends in a state without a meaning.
   [[nodiscard]] static StepReport lost(const StepReport& report, const LostPlace& place, const State& state, double h);

@@ -481,12 +481,13 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   return false;
 }
 
-void OpenClose::check(std::span<const double> d, Audit& audit) const {
+void OpenClose::check(std::span<const double> d, double unbalanced, Audit& audit) const {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const Trial& t = trial_[i];
     const ContactMemory& m = list_->memory[i];
     if (list_->points[i].suppressed) continue;
-    const double allowed = 2.0 * tolerance(i), gap = m.gap + normal(i).change(d) - t.opened;
+    const double allowed = 2.0 * tolerance(i) + 8.0 * m.kn * gap_round_off_ + unbalanced,
+                 gap = m.gap + normal(i).change(d) - t.opened;
     const auto name = [&] { return contact_name(setup_->model(), m.key); };
     if (t.status == ContactStatus::open) {
       audit.check(may_close(i) ? m.kn * std::max(0.0, -gap) : 0.0, allowed,

@@ -86,7 +86,8 @@ class OpenClose {
   [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                            StepReport& report);
   /// Checks unknowns found against states, laws and balance; before accept().
-  void check(std::span<const double> d, Audit& audit) const;
+  /// @param unbalanced  force that round-off leaves on a body: contacts are known to no better [N]
+  void check(std::span<const double> d, double unbalanced, Audit& audit) const;
   /// Called once the step is taken: what the next one begins with.
   void accept(KeptFactor& kept);
   /// out += forces of springs and contacts, of the water in them too, at the unknowns last found; also the largest of

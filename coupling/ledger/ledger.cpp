@@ -120,7 +120,14 @@ double Ledger::largest() const {
   return most;
 }
 
-double Ledger::relative_closure() const { return moved_ == 0.0 ? 0.0 : std::abs(closure()) / moved_; }
+bool Ledger::next_to_nothing(double energy) const {
+  const double open = std::abs(closure());
+  return open > kCloses * energy && open <= last_places_;
+}
+
+double Ledger::closure_of(double energy) const {
+  return energy == 0.0 || next_to_nothing(energy) ? 0.0 : std::abs(closure()) / energy;
+}
 
 std::string_view Ledger::not_finite() const {
   for (std::size_t i = 0; i < kInfo.size(); ++i)
@@ -149,11 +156,6 @@ double Ledger::passed_now() const {
 }
 
 double Ledger::passed() const { return std::max(passed_given(), held()); }
-
-double Ledger::passed_closure() const {
-  const double all = passed();
-  return all > 0.0 ? std::abs(closure()) / all : 0.0;
-}
 
 double Ledger::gain() const {
   const double all = held();

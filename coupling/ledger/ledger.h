@@ -71,6 +71,7 @@ struct ColumnInfo {
 };
 [[nodiscard]] const ColumnInfo& info(Column column);
 
+inline constexpr double kCloses = 1e-9;       // of the energy moved: what a ledger closes to
 inline constexpr double kSchemeShare = 0.01;  // of the energy passed: what a watched column may have without a warning
 
 /// Value type; part of the State.
@@ -93,8 +94,14 @@ class Ledger {
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
   [[nodiscard]] double largest() const;                  // |column|, of all [J]
-  /// |closure| / moved, 0 while nothing has moved; not a number where one of them is none.
-  [[nodiscard]] double relative_closure() const;
+  /// |closure| / moved, 0 where it is of next to nothing; not a number where one of them is none.
+  [[nodiscard]] double relative_closure() const { return closure_of(moved_); }
+  /// What numbers of the run end at (round_off.h) [J].
+  void set_last_places(double energy) { last_places_ = energy; }
+  [[nodiscard]] double last_places() const { return last_places_; }
+  /// True where an energy is so little that the ledger is open by more than kCloses of it, though by no more than the
+  /// last places of the numbers: as a part of it that says nothing.
+  [[nodiscard]] bool next_to_nothing(double energy) const;
   /// The first number in it that is not finite: a column, "moved" or "closure"; empty: all are.
   [[nodiscard]] std::string_view not_finite() const;
 
@@ -111,8 +118,8 @@ class Ledger {
   [[nodiscard]] double passed() const;
   /// The same without the energy held now: what can have come in so far, whatever the scheme makes of it [J].
   [[nodiscard]] double passed_given() const { return std::max(passed_, passed_now()); }
-  /// |closure| / passed, 0 while nothing has passed.
-  [[nodiscard]] double passed_closure() const;
+  /// |closure| / passed, 0 where it is of next to nothing.
+  [[nodiscard]] double passed_closure() const { return closure_of(passed()); }
   /// Energy held beyond what was given [J]. It cannot be positive but for errors of the scheme: what is dissipated
   /// only takes. The shadow term counts as far as a stable step has one.   @pre the ledger is up to date
   ///   gain = held - min(-shadow, kMostShadow |held|) - given
@@ -134,9 +141,11 @@ class Ledger {
   static constexpr double kMostShadow = 0.9;
 
   [[nodiscard]] double passed_now() const;
+  [[nodiscard]] double closure_of(double energy) const;
 
   std::array<double, kColumns> value_{};
   double initial_ = 0.0, moved_ = 0.0, passed_ = 0.0;
+  double last_places_ = 0.0;  // of the model and the rest of the state: found again by whoever looks
 };
 
 }  // namespace scree::coupling

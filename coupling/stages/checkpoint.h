@@ -90,7 +90,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 25 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 26 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -108,6 +108,7 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.wall_output", s.wall_output);
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
+  see("stats.left_work", s.left_work);
   see("stats.element_steps", s.element_steps);
   see("stats.effort", s.effort);
   see("stats.effort_before", s.effort_before);

@@ -12,6 +12,7 @@
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/partitioned.h"
 #include "coupling/integrate/subcycled.h"
+#include "coupling/ledger/round_off.h"
 #include "coupling/stages/energy_watch.h"
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
@@ -174,9 +175,14 @@ StageTravel Driver::travel_since(const std::vector<Vec2>& begin) const {
   return travel;
 }
 
+void Driver::complete_ledger() {
+  mover_->update_ledger(state_);
+  state_.ledger.set_last_places(stats_.left_work + energy_of_last_places(*model_, state_));
+}
+
 void Driver::look(bool frame) {
   const double begin = wall();
-  mover_->update_ledger(state_);
+  complete_ledger();
   stats_.contacts = std::count_if(state_.contacts.begin(), state_.contacts.end(),
                                   [](const ContactMemory& m) { return m.status != ContactStatus::open; });
   const HistoryView history = observer_->history(state_, stats_);
@@ -416,7 +422,7 @@ void Driver::begin_stage(const Stage& stage) {
   if (stage.rest) rest_trace_.begin_part(stage_begin_);
   begin_rules(stage.end, state_);
   if (stage.subcycled()) {
-    mover_->update_ledger(state_);
+    complete_ledger();
     begin_energy_watch(state_);
   }
   event(EventKind::stage_start, fmt::format("stage '{}': {}, {}, {:.6g} s", stage.name, stage.method,
@@ -532,7 +538,7 @@ void Driver::tell_idle_rules() {
 }
 
 void Driver::finish(const RunEnd& result) {
-  mover_->update_ledger(state_);
+  complete_ledger();
   show_mesh();
   FrameView last = observer_->frame(state_, stats_);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];

@@ -136,6 +136,8 @@ class Driver {
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
+  /// Brings the ledger up to date, for whoever looks at its closure.
+  void complete_ledger();
   void look(bool frame);
   /// Hands the last state to the sinks.
   void finish(const RunEnd& result);

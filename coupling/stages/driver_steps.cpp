@@ -15,10 +15,8 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kLastPlaces = 1e-13;
 constexpr double kOfAllowed = 0.95;          // of the displacement allowed a step: what is planned for
 constexpr std::int64_t kFrictionEvery = 64;  // steps between looks at what contacts have lost
-constexpr double kClosure = 1e-9;            // of the energy moved: what an audit lets the ledger be open by
 
 constexpr double kRested = 0.01;  // unbalanced force, of the largest: what a stage to rest may end with untold
 
@@ -50,15 +48,16 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
             fmt::format("stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are forced above the certified "
                         "stable one, {:.4g} s, bound by {}",
                         stage.name, *stage.dt / m, m, bound, binding));
-    else if (first)
+    else if (first) {
+      const double fine = m > 0 ? *stage.dt / m : std::min(*stage.dt, stage.safety * bound);
       event(
           EventKind::stage_step,
           std::isfinite(bound)
-              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s; certified are {:.4g} s, "
-                            "bound by {}",
-                            stage.name, *stage.dt, m > 0 ? *stage.dt / m : std::min(*stage.dt, stage.safety * bound),
-                            bound, binding)
+              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s; certified are {:.4g} "
+                            "s, bound by {}",
+                            stage.name, *stage.dt, fine, bound, binding)
               : fmt::format("stage '{}': steps of {:.4g} s; no block is explicit yet", stage.name, *stage.dt));
+    }
     return ticks(*stage.dt);
   }
   if (stage.dt) {
@@ -147,6 +146,7 @@ RunEnd Driver::take_step(const Stage& stage) {
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
+      stats_.left_work += report.left_work;
       if (!implicit)
         stats_.element_steps +=
             static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
@@ -261,12 +261,11 @@ RunEnd Driver::check_pace(const Stage& stage, const std::string& cause) {
 
 RunEnd Driver::check_closure(const Stage& stage) {
   if (!(plan_->max_closure > 0.0) && !(plan_->max_passed_closure > 0.0)) return {};
-  mover_->update_ledger(state_);
+  complete_ledger();
   const Ledger& ledger = state_.ledger;
   const double open = std::abs(ledger.closure());
-  // Energies at rest may be large against what moves: their last places are no fault.
   const auto closes = [&](double part, double energy) {
-    return !(part > 0.0) || open <= part * energy + kLastPlaces * ledger.largest();
+    return !(part > 0.0) || open <= part * energy + ledger.last_places();
   };
   const auto end = [&](double share, double energy, const char* kind, double allowed, const char* key) -> RunEnd {
     const std::string reason = fmt::format(
@@ -276,20 +275,19 @@ RunEnd Driver::check_closure(const Stage& stage) {
     event(EventKind::not_converged, reason);
     return {RunEnd::Status::not_converged, reason};
   };
-  if (!closes(plan_->max_closure, std::max(ledger.moved(), round_off_)))
+  if (!closes(plan_->max_closure, ledger.moved()))
     return end(ledger.relative_closure(), ledger.moved(), "moved", plan_->max_closure, "run.max_closure");
-  if (!closes(plan_->max_passed_closure, std::max(ledger.passed(), round_off_)))
+  if (!closes(plan_->max_passed_closure, ledger.passed()))
     return end(ledger.passed_closure(), ledger.passed(), "passed", plan_->max_passed_closure, "run.max_passed_closure");
   return {};
 }
 
 RunEnd Driver::check_audit(const Stage& stage) {
   if (!plan_->audit) return {};
-  mover_->update_ledger(state_);
-  // Where nothing happens yet, what round-off moves is no measure.
+  complete_ledger();
   const Ledger& ledger = state_.ledger;
-  audit_.check(std::abs(ledger.closure()), kClosure * std::max(ledger.moved(), round_off_), [&] {
-    return fmt::format("the energy ledger is open by {:.2g} of the energy moved", ledger.relative_closure());
+  audit_.check(std::abs(ledger.closure()), kCloses * ledger.moved() + ledger.last_places(), [&] {
+    return fmt::format("the energy ledger is open by {:.2g} J of the {:.2g} J moved", ledger.closure(), ledger.moved());
   });
   stats_.audit_checks = audit_.checks();
   stats_.audit_worst = audit_.worst();
@@ -301,7 +299,7 @@ RunEnd Driver::check_audit(const Stage& stage) {
 }
 
 void Driver::drop_velocities() {
-  mover_->update_ledger(state_);
+  complete_ledger();
   const double kinetic = state_.ledger[Column::kinetic];
   state_.ledger.book(Column::rest_damping, kinetic);
   state_.ledger.set(Column::kinetic, 0.0);

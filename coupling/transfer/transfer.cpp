@@ -131,6 +131,9 @@ class Change {
     std::ptrdiff_t row = -1;  // into rows
   };
   void release_one(std::size_t i, const Wish& wish);
+  /// False where a block that has a mesh with the mass that it had goes on a onefold cover with that of `form`, or the
+  /// other way round: which of them a narrow block has is a matter of the step that its mass allows.
+  [[nodiscard]] bool keeps_fields(std::size_t i, const Formulation& form) const;
   /// The row of a body that changes; `before` is measured.
   TransferRow& begin_row(std::size_t i, const Wish& wish);
   /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
@@ -153,7 +156,7 @@ class Change {
 void Change::release(const std::vector<Wish>& wish) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyRecord& record = state_.bodies[i];
-    if (record.method != wish[i].method || !record.form.same_covers(wish[i].form)) {
+    if (record.method != wish[i].method || !record.form.same_covers(wish[i].form) || !keeps_fields(i, wish[i].form)) {
       release_one(i, wish[i]);
     } else if (record.form != wish[i].form) {
       bodies_[i].kind = record.form.same_mesh(wish[i].form) ? Kind::reformed : Kind::halved;
@@ -161,6 +164,18 @@ void Change::release(const std::vector<Wish>& wish) {
       record.form = wish[i].form;
     }
   }
+}
+
+bool Change::keeps_fields(std::size_t i, const Formulation& form) const {
+  const BodyRecord& record = state_.bodies[i];
+  const Body& b = from_.bodies()[i];
+  if (b.driven || record.form.mass == form.mass) return true;
+  BodyRecord other = record;
+  other.form = form;
+  const std::unique_ptr<Pool> made = methods_.at(record.method)();
+  made->add(model_, other);
+  made->finish();
+  return has_fields(*made, 0) == has_fields(from_.pool_of(b), b.index);
 }
 
 void Change::release_one(std::size_t i, const Wish& wish) {
@@ -258,7 +273,8 @@ void Change::place(const Setup& to) {
     const Body &a = from_.bodies()[i], &b = to.bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool);
     const auto begin = 2 * static_cast<std::ptrdiff_t>(a.first_node), size = 2 * static_cast<std::ptrdiff_t>(a.nodes);
-    const auto first = 2 * static_cast<std::ptrdiff_t>(b.first_node);
+    const auto first = 2 * static_cast<std::ptrdiff_t>(b.first_node),
+               size_to = 2 * static_cast<std::ptrdiff_t>(b.nodes);
     const One& one = bodies_[i];
     if (one.kind == Kind::affine) {
       to.pool_of(b).place(b.index, one.release.motion, to.part(std::span<double>(q), p),
@@ -270,7 +286,7 @@ void Change::place(const Setup& to) {
       take_fields(from_.pool_of(a), a.index, from_.part(std::span<const double>(state_.q), old),
                   from_.part(std::span<const double>(state_.v), old), to.pool_of(b), b.index, one.before,
                   to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
-    } else if (one.kind == Kind::back && one.remade) {
+    } else if (one.kind == Kind::back && (one.remade || std::ssize(one.back.position) != size_to)) {
       remake(to, i, q, v);
     } else if (one.kind == Kind::back) {
       const auto at = static_cast<std::size_t>(first);

@@ -60,7 +60,8 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
   }
   json.close('}');
   json.field("energy", ledger.energy()).field("closure", ledger.closure()).field("moved", ledger.moved());
-  json.field("relative_closure", ledger.relative_closure());
+  json.field("relative_closure", ledger.relative_closure()).field("last_places", ledger.last_places());
+  json.field("relative_closure_of", ledger.next_to_nothing(ledger.moved()) ? "next to nothing" : "the energy moved");
   json.field("passed", ledger.passed()).field("passed_closure", ledger.passed_closure()).field("gain", ledger.gain());
   json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0);
   json.field("scheme_passed_share", ledger.passed() > 0.0 ? watched / ledger.passed() : 0.0).close('}');
