@@ -6,6 +6,11 @@
 #include <cstdio>
 
 namespace scree::app {
+namespace {
+
+constexpr std::chrono::seconds kSilence{5};  // after which a log has a line, however little of the run is done
+
+}  // namespace
 
 Progress::Progress(bool terminal, double end_time, const coupling::Checkpoint* from)
     : terminal_(terminal), end_(end_time) {
@@ -46,7 +51,7 @@ void Progress::step(double time, const coupling::RunStats& stats, const coupling
   const Clock::time_point now = Clock::now();
   if (terminal_) {
     if (now - drawn_ < std::chrono::milliseconds(100)) return;
-  } else if (time < next_tenth_ * end_) {
+  } else if (time < next_tenth_ * end_ && now - drawn_ < kSilence) {
     return;
   }
   drawn_ = now;

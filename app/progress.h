@@ -10,7 +10,8 @@
 
 namespace scree::app {
 
-/// On a terminal one line is redrawn ten times a second; elsewhere a line every tenth of the run. Warnings and step
+/// On a terminal one line is redrawn ten times a second; elsewhere there is a line every tenth of the run, and every
+/// five seconds of a long one. Warnings and step
 /// cuts get lines of their own (cuts of one kind at most five).
 class Progress final : public coupling::Sink {
  public:

@@ -15,6 +15,7 @@
 #include "app/signals.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/implicit_damping.h"
+#include "coupling/stages/mesh_estimate.h"
 #include "coupling/stages/partition.h"
 #include "coupling/stages/plan_warnings.h"
 #include "io/case/read_case.h"
@@ -171,6 +172,16 @@ void print(const CuttingReport& r) {
              r.least_angle * 180.0 / std::numbers::pi);
 }
 
+/// Says what large meshes will be made, before a user waits for them.
+void tell_meshes(const Model& model, const coupling::Plan& plan) {
+  constexpr double kLarge = 1e5;  // elements, of which a second makes about as many
+  for (const coupling::Stage& s : plan.stages)
+    if (const coupling::MeshEstimate e = coupling::mesh_estimate(model, s); e.elements > kLarge) {
+      fmt::print("stage '{}': about {:.2g} elements, {:.2g} GB of memory\n", s.name, e.elements, 1e-9 * e.bytes);
+      std::fflush(stdout);
+    }
+}
+
 /// What the last line says of the ledger.
 std::string closing_words(const coupling::Ledger& ledger) {
   const double moved = ledger.moved(), passed = ledger.passed();
@@ -208,6 +219,7 @@ int run(const RunOptions& options) {
 
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
               const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from) {
+  if (!options.quiet) tell_meshes(c.model, c.plan);
   c.plan.audit = options.audit;
   if (options.live) {
     c.plan.live.enabled = true;
@@ -365,6 +377,7 @@ int check(const CheckOptions& options) {
         how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
         f.final_velocity, f.final_displacement, f.arias);
   }
+  tell_meshes(c.model, c.plan);
   const coupling::Methods standard = coupling::standard_methods();
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
     const coupling::Stage& s = c.plan.stages[i];

@@ -28,6 +28,9 @@ constexpr std::int64_t kBoundSteps = 500, kBoundLongSteps = 20, kClosureSteps = 
 // had 14 to 22 times their energy. So the step does not follow every contact that opens: it grows by this or not.
 constexpr double kGrowsBy = 1.5;
 
+/// ", about 2e+09 of them" where there are so many that a user would wonder what takes so long.
+std::string told_number(double steps) { return steps < 1e6 ? "" : fmt::format(", about {:.2g} of them", steps); }
+
 }  // namespace
 
 Tick Driver::largest_step(const Stage& stage, bool first) {
@@ -53,9 +56,9 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
       event(
           EventKind::stage_step,
           std::isfinite(bound)
-              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s; certified are {:.4g} "
+              ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s{}; certified are {:.4g} "
                             "s, bound by {}",
-                            stage.name, *stage.dt, fine, bound, binding)
+                            stage.name, *stage.dt, fine, told_number(seconds(stage.duration) / fine), bound, binding)
               : fmt::format("stage '{}': steps of {:.4g} s; no block is explicit yet", stage.name, *stage.dt));
     }
     return ticks(*stage.dt);

@@ -25,6 +25,9 @@ struct Start {
 /// @pre all else has been read
 void check_times(const Section& root, const Model& model, const coupling::Plan& plan);
 
+/// Refuses meshes too large for the memory of the machine.   @pre all else has been read
+void check_meshes(const Section& root, const Model& model, const coupling::Plan& plan);
+
 /// Time functions of loads.   @param folder  that relative paths start from
 void read_functions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.
