@@ -2,10 +2,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/verify/report.h"
 #include "io/case/schema.h"
 
@@ -41,7 +41,7 @@ std::vector<std::string> case_names() {
 
 int cases_list() {
   const fs::path library = case_library();
-  for (const std::string& name : names_in(library)) fmt::print("{:<20} {}\n", name, case_title(library / name));
+  for (const std::string& name : names_in(library)) say("{:<20} {}\n", name, case_title(library / name));
   return kDone;
 }
 
@@ -52,8 +52,7 @@ int cases_verify(const VerifyCommand& command) {
   const std::vector<std::string> names = command.names.empty() ? known : command.names;
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      fmt::print(stderr, "error: there is no case '{}' in {}; there are: {}\n", name, library.string(),
-                 fmt::join(known, ", "));
+      complain("error: there is no case '{}' in {}; there are: {}\n", name, library.string(), fmt::join(known, ", "));
       return kUsage;
     }
   std::vector<CaseReport> reports;
@@ -61,17 +60,16 @@ int cases_verify(const VerifyCommand& command) {
   for (const std::string& name : names) {
     reports.push_back(evaluate_case(library / name, command.full));
     failed += reports.back().failed();
-    fmt::print("{}", terminal_text(reports.back()));
-    std::fflush(stdout);
+    say("{}", terminal_text(reports.back()));
   }
-  fmt::print("{} cases, {} quantities failed\n", names.size(), failed);
+  say("{} cases, {} quantities failed\n", names.size(), failed);
   if (!command.table.empty()) write_table(reports, command.table);
   if (!command.report.empty()) write_report(reports, command.report);
   return failed == 0 ? kDone : kFailed;
 }
 
 int schema(bool markdown) {
-  fmt::print("{}", markdown ? io::schema_markdown() : io::schema_text());
+  say("{}", markdown ? io::schema_markdown() : io::schema_text());
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "coupling/plan.h"
 #include "io/live/channel.h"
 #include "io/live/control_client.h"
@@ -21,11 +22,10 @@ std::optional<std::string> only_run(io::ControlClient& client, const std::string
   const std::vector<std::string> runs = client.heard(kListen);
   if (runs.size() == 1) return runs.front();
   if (runs.empty()) {
-    fmt::print(stderr, "error: nothing heard of any run on {}\n  does it stream? scree run CASE --live --control\n",
-               url);
+    complain("error: nothing heard of any run on {}\n  does it stream? scree run CASE --live --control\n", url);
     return std::nullopt;
   }
-  fmt::print(stderr, "error: several runs stream on {}: {}\n  name one with --run\n", url, fmt::join(runs, ", "));
+  complain("error: several runs stream on {}: {}\n  name one with --run\n", url, fmt::join(runs, ", "));
   return std::nullopt;
 }
 
@@ -35,27 +35,27 @@ int control(const ControlOptions& options) {
   const io::ControlVerb verb = *io::control_verb(options.command);
   const bool takes_value = verb == io::ControlVerb::step || verb == io::ControlVerb::rate;
   if (verb == io::ControlVerb::rate && !options.value) {
-    fmt::print(stderr, "error: rate needs frames a second: scree control RUN rate HZ\n");
+    complain("error: rate needs frames a second: scree control RUN rate HZ\n");
     return kUsage;
   }
   const double value = options.value.value_or(verb == io::ControlVerb::step ? 1.0 : 0.0);
   const std::string wrong_value = options.value && !takes_value ? fmt::format("{} takes no value", options.command)
                                                                 : io::control_value_error(verb, value);
   if (!wrong_value.empty()) {
-    fmt::print(stderr, "error: {}\n", wrong_value);
+    complain("error: {}\n", wrong_value);
     return kUsage;
   }
   const bool is_url = options.target.find("://") != std::string::npos;
   const std::string url = is_url ? options.target : coupling::LivePlan{}.url;
   if (const std::string wrong = io::control_url_error(url); !wrong.empty()) {
-    fmt::print(stderr, "error: {}: {}\n", url, wrong);
+    complain("error: {}: {}\n", url, wrong);
     return kUsage;
   }
 
   std::string why;
   const auto client = io::ControlClient::open(url, why);
   if (!client) {
-    fmt::print(stderr, "error: {}\n", why);
+    complain("error: {}\n", why);
     return kFiles;
   }
   std::string run = options.run;
@@ -74,16 +74,16 @@ int control(const ControlOptions& options) {
       fmt::format("step {}, {:.6g} s", reply.ack.header.step, reply.ack.header.time);  // of an answer
   switch (reply.kind) {
     case io::ControlReply::Kind::silence:
-      fmt::print(stderr, "error: {} does not answer on {}\n", run, url);
+      complain("error: {} does not answer on {}\n", run, url);
       if (const std::vector<std::string> runs = client->heard(std::chrono::milliseconds(1500));
           std::find(runs.begin(), runs.end(), io::channel_run(run)) != runs.end())
-        fmt::print(stderr, "  it streams, but takes no commands: scree run CASE --live --control\n");
+        complain("  it streams, but takes no commands: scree run CASE --live --control\n");
       else if (!runs.empty())
-        fmt::print(stderr, "  what streams there: {}\n", fmt::join(runs, ", "));
+        complain("  what streams there: {}\n", fmt::join(runs, ", "));
       return kFiles;
     case io::ControlReply::Kind::no_end:
-      fmt::print(stderr, "error: {} has heard \"{}\", but has not carried it out within {:g} s\n", run, options.command,
-                 options.timeout);
+      complain("error: {} has heard \"{}\", but has not carried it out within {:g} s\n", run, options.command,
+               options.timeout);
       return kFailed;
     case io::ControlReply::Kind::answered:
       break;
@@ -92,8 +92,13 @@ int control(const ControlOptions& options) {
   constexpr std::size_t kMost = 1000;
   const bool done = reply.ack.result == "done";
   const std::string reason = reply.ack.reason.empty() ? "" : ": " + io::shown(reply.ack.reason, kMost);
-  fmt::print(done ? stdout : stderr, "{}{}: {} {}, {} at {}{}\n", done ? "" : "error: ", run, options.command,
-             io::shown(reply.ack.result, kMost), io::shown(reply.ack.state, kMost), where, reason);
+  const std::string told =
+      fmt::format("{}: {} {}, {} at {}{}\n", run, options.command, io::shown(reply.ack.result, kMost),
+                  io::shown(reply.ack.state, kMost), where, reason);
+  if (done)
+    say("{}", told);
+  else
+    complain("error: {}", told);
   return done ? kDone : kFailed;
 }
 

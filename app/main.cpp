@@ -3,11 +3,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
 #include <exception>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/completion.h"
+#include "app/output.h"
 #include "app/signals.h"
 #include "coupling/stages/driver.h"
 #include "io/case/case_error.h"
@@ -231,21 +234,24 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 
   if (argc == 1) {
-    fmt::print(stderr, "error: no command given\n\n{}", app.help());
+    complain("error: no command given\n\n{}", app.help());
     return kUsage;
   }
   if (const std::string wrong = unknown_command(app, argc, argv); !wrong.empty()) {
-    fmt::print(stderr, "{}", wrong);
+    complain("{}", wrong);
     return kUsage;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError& e) {
-    fmt::print(stderr, "error: {}{}\n", e.what(), nearest_option(app, e.what()));
-    fmt::print(stderr, "Run with --help for more information.\n");
+    complain("error: {}{}\n", e.what(), nearest_option(app, e.what()));
+    complain("Run with --help for more information.\n");
     return kUsage;
   } catch (const CLI::ParseError& e) {
-    const int code = app.exit(e);
+    std::ostringstream out, err;
+    const int code = app.exit(e, out, err);
+    say("{}", out.str());
+    complain("{}", err.str());
     return code == 0 ? kDone : kUsage;
   }
   if (*live_option) options.live = live;
@@ -267,7 +273,7 @@ int dispatch(int argc, char** argv) {
   if (*replay_command) return replay(shown);
   if (*schema_command) return schema(markdown);
   if (*completion_command) {
-    fmt::print("{}", completion(app, shell, choices()));
+    say("{}", completion(app, shell, choices()));
     return kDone;
   }
   return kUsage;
@@ -276,20 +282,24 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  scree::app::writes_tell_of_limits();
+  open_standard_streams();
+  take_signals_of_writes();
   try {
-    return dispatch(argc, argv);
+    const int code = dispatch(argc, argv);
+    if (code != kDone || output_error() == 0 || output_error() == EPIPE) return code;
+    complain("error: cannot write to standard output: {}\n", std::strerror(output_error()));
+    return kFiles;
   } catch (const scree::io::CaseError& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    complain("{}\n", e.what());
     return kBadCase;
   } catch (const scree::coupling::PlanError& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    complain("error: {}\n", e.what());
     return kBadCase;
   } catch (const scree::io::FileError& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    complain("error: {}\n", e.what());
     return kFiles;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    complain("error: {}\n", e.what());
     return kFailed;
   }
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "app/output.h"
+#include "io/text/printable.h"
 
 namespace scree::app {
 namespace {
@@ -28,8 +30,7 @@ void Progress::begin(const Model& model, const coupling::Plan& plan) {
 }
 
 void Progress::line(const std::string& text) {
-  fmt::print("{}{}\n", terminal_ ? "\r\033[K" : "", text);
-  std::fflush(stdout);
+  app::draw(fmt::format("{}{}\n", terminal_ ? "\r\033[K" : "", io::printable(text)));
 }
 
 void Progress::event(const coupling::Event& e) {
@@ -72,8 +73,7 @@ void Progress::draw(double time, const coupling::RunStats& stats) {
     return;
   }
   const int filled = static_cast<int>(24.0 * std::min(time / end_, 1.0));
-  fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", 24 - filled, facts);
-  std::fflush(stdout);
+  app::draw(fmt::format("\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", 24 - filled, io::printable(facts)));
 }
 
 void Progress::frame(const coupling::FrameView& frame) {
@@ -82,7 +82,7 @@ void Progress::frame(const coupling::FrameView& frame) {
 
 void Progress::end(const coupling::RunEnd&, const coupling::FrameView& last) {
   draw(last.time, *last.stats);
-  if (terminal_) fmt::print("\n");
+  if (terminal_) say("\n");
 }
 
 }  // namespace scree::app

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "coupling/plan.h"
 #include "io/live/live_replay.h"
 
@@ -19,19 +20,17 @@ int replay(const ReplayOptions& options) {
   auto wrong = io::check_live_url(url);
   if (!wrong && url.starts_with("memq:")) wrong = "memq:// reaches no other program; use udpm:// or file://";
   if (wrong) {
-    fmt::print(stderr, "error: --live={}: {}\n", url, *wrong);
+    complain("error: --live={}: {}\n", url, *wrong);
     return kUsage;
   }
   stop_signal = 0;
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_replay_signal);
   io::LiveReplay run(options.run, url, options.name);
-  fmt::print("{}: {} frames, {:.6g} to {:.6g} s, to {}\n", run.name(), run.times().size(), run.times().front(),
-             run.times().back(), url);
-  std::fflush(stdout);
+  say("{}: {} frames, {:.6g} to {:.6g} s, to {}\n", run.name(), run.times().size(), run.times().front(),
+      run.times().back(), url);
   const io::ReplayCounts counts = run.run(
-      options.speed, [] { return stop_signal != 0; },
-      [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); });
-  fmt::print("{} of {} frames sent\n", counts.sent, counts.frames);
+      options.speed, [] { return stop_signal != 0; }, [](const std::string& text) { complain("warning: {}\n", text); });
+  say("{} of {} frames sent\n", counts.sent, counts.frames);
   return counts.complete ? kDone : kInterrupted;
 }
 

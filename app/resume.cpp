@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
+#include "app/output.h"
 #include "app/session.h"
+#include "app/signals.h"
 #include "io/results/provenance.h"
 #include "io/results/sha256.h"
 #include "io/results/undo_log.h"
@@ -38,7 +39,7 @@ io::Case stored_case(const io::RunRecord& run, const std::filesystem::path& fold
   }
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+void warn(const std::string& text) { complain("warning: {}\n", text); }
 
 }  // namespace
 
@@ -66,6 +67,7 @@ std::string place_of(const coupling::State& state) {
 }
 
 int resume(const ResumeOptions& options) {
+  take_signals_of_runs();
   OpenFolder open{io::RunFolder::reopen(options.run), nullptr};
   open.lock = std::make_unique<io::FolderLock>(options.run);
   io::UndoLog::roll_back(open.folder.results());  // to what it was at the last checkpoint
@@ -78,7 +80,7 @@ int resume(const ResumeOptions& options) {
         "of a run that was never stopped",
         run.version, run.commit.empty() ? "unknown" : run.commit, run.instruction_set));
   if (options.until && *options.until < seconds(state.time)) {
-    fmt::print(stderr, "error: --until {:g}: the last checkpoint is at {} already\n", *options.until, place_of(state));
+    complain("error: --until {:g}: the last checkpoint is at {} already\n", *options.until, place_of(state));
     return kUsage;
   }
   io::Case c = stored_case(run, options.run);
@@ -93,7 +95,7 @@ int resume(const ResumeOptions& options) {
   as.set = run.overrides;
   as.command_line = run.command_line;
   if (!options.quiet)
-    fmt::print("going on with {} from {}: {}\n", options.run.string(), from.path.filename().string(), place_of(state));
+    say("going on with {} from {}: {}\n", options.run.string(), from.path.filename().string(), place_of(state));
   return carry_out(
       c, as, options.name.empty() ? run.name : options.name, [&] { return std::move(open); }, &from);
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "app/session.h"
 #include "app/signals.h"
@@ -22,6 +23,7 @@
 #include "io/live/control_server.h"
 #include "io/live/live_sink.h"
 #include "io/results/results_sink.h"
+#include "io/text/printable.h"
 
 namespace scree::app {
 namespace {
@@ -39,22 +41,25 @@ class Log final : public coupling::Sink {
   Log(const std::filesystem::path& file, const std::string& from)
       : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), from.empty())) {
     log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
-    if (!from.empty()) log_->info("goes on from {}", from);
+    log_->set_error_handler([](const std::string& why) { complain("warning: run.log: {}\n", why); });
+    if (!from.empty()) note("goes on from " + from);
   }
   ~Log() override { spdlog::drop(log_->name()); }
   void begin(const Model& model, const coupling::Plan&) override {
-    if (const std::string text = told_origin(model); !text.empty()) log_->info(text);
+    if (const std::string text = told_origin(model); !text.empty()) note(text);
   }
   void event(const coupling::Event& e) override {
     const bool warn = e.kind == coupling::EventKind::warning || e.kind == coupling::EventKind::not_converged;
-    log_->log(warn ? spdlog::level::warn : spdlog::level::info, "t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind),
-              e.text);
+    put(warn ? spdlog::level::warn : spdlog::level::info,
+        fmt::format("t = {:.6g} s  {}  {}", e.time, coupling::name(e.kind), e.text));
   }
-  void warn(const std::string& text) { log_->warn(text); }
-  void note(const std::string& text) { log_->info(text); }
+  void warn(const std::string& text) { put(spdlog::level::warn, text); }
+  void note(const std::string& text) { put(spdlog::level::info, text); }
   void end(const coupling::RunEnd&, const coupling::FrameView&) override { log_->flush(); }
 
  private:
+  void put(spdlog::level::level_enum level, const std::string& text) { log_->log(level, io::printable_line(text)); }
+
   std::shared_ptr<spdlog::logger> log_;
 };
 
@@ -62,7 +67,7 @@ class Log final : public coupling::Sink {
 class Warnings final : public coupling::Sink {
  public:
   void event(const coupling::Event& e) override {
-    if (e.kind == coupling::EventKind::warning) fmt::print(stderr, "warning: {}\n", e.text);
+    if (e.kind == coupling::EventKind::warning) complain("warning: {}\n", e.text);
   }
 };
 
@@ -109,7 +114,7 @@ void print_loads(const Model& m) {
   add(m.body_accelerations.size(), "body acceleration", "body accelerations");
   add(m.viscous_edges.size(), "viscous edge", "viscous edges");
   add(m.cracks.size(), "straight piece of cracks", "straight pieces of cracks");
-  if (!line.empty()) fmt::print("  {}\n", line);
+  if (!line.empty()) say("  {}\n", line);
 }
 
 /// Names of the blocks, those that are numbered from one to the last: "base-1, rock-1 to rock-76".
@@ -150,26 +155,26 @@ std::string told_names(const Model& model) {
 void print_blocks(const Model& model) {
   std::size_t width = 5;
   for (const Block& b : model.blocks) width = std::max(width, b.name.size());
-  fmt::print("  {:<{}}  {:>12} {:>14} {:>14}  {:<6} {}\n", "block", width, "area [m2]", "centre x [m]", "y [m]", "held",
-             "material");
+  say("  {:<{}}  {:>12} {:>14} {:>14}  {:<6} {}\n", "block", width, "area [m2]", "centre x [m]", "y [m]", "held",
+      "material");
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& b = model.blocks[i];
     const Moments m = moments(b.polygon);
     const Vec2 at = m.centroid + model.origin;
-    fmt::print("  {:<{}}  {:>12.6g} {:>14.10g} {:>14.10g}  {:<6} {}\n", b.name, width, m.area, at.x(), at.y(),
-               model.support_of(BlockId(static_cast<std::int32_t>(i))) != nullptr ? "held" : "",
-               model.materials[b.material.index()].name);
+    say("  {:<{}}  {:>12.6g} {:>14.10g} {:>14.10g}  {:<6} {}\n", b.name, width, m.area, at.x(), at.y(),
+        model.support_of(BlockId(static_cast<std::int32_t>(i))) != nullptr ? "held" : "",
+        model.materials[b.material.index()].name);
   }
 }
 
 void print(const CuttingReport& r) {
-  fmt::print("  cutting: {} blocks of {:.6g} m2 from {} lines, snapped to {:g} m\n", r.blocks, r.area, r.lines, r.snap);
-  fmt::print("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
-             r.crack_length, r.cracks_trimmed, r.least_width, r.trimmed_length);
-  fmt::print("    slivers: {} joined to a neighbour{}\n", r.slivers_joined,
-             r.slivers_left > 0 ? fmt::format(", {} without a neighbour kept", r.slivers_left) : "");
-  fmt::print("    least area {:.4g} m2, least edge {:.4g} m, least angle {:.4g} deg\n", r.least_area, r.least_edge,
-             r.least_angle * 180.0 / std::numbers::pi);
+  say("  cutting: {} blocks of {:.6g} m2 from {} lines, snapped to {:g} m\n", r.blocks, r.area, r.lines, r.snap);
+  say("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
+      r.crack_length, r.cracks_trimmed, r.least_width, r.trimmed_length);
+  say("    slivers: {} joined to a neighbour{}\n", r.slivers_joined,
+      r.slivers_left > 0 ? fmt::format(", {} without a neighbour kept", r.slivers_left) : "");
+  say("    least area {:.4g} m2, least edge {:.4g} m, least angle {:.4g} deg\n", r.least_area, r.least_edge,
+      r.least_angle * 180.0 / std::numbers::pi);
 }
 
 /// Says what large meshes will be made, before a user waits for them.
@@ -177,8 +182,7 @@ void tell_meshes(const Model& model, const coupling::Plan& plan) {
   constexpr double kLarge = 1e5;  // elements, of which a second makes about as many
   for (const coupling::Stage& s : plan.stages)
     if (const coupling::MeshEstimate e = coupling::mesh_estimate(model, s); e.elements > kLarge) {
-      fmt::print("stage '{}': about {:.2g} elements, {:.2g} GB of memory\n", s.name, e.elements, 1e-9 * e.bytes);
-      std::fflush(stdout);
+      say("stage '{}': about {:.2g} elements, {:.2g} GB of memory\n", s.name, e.elements, 1e-9 * e.bytes);
     }
 }
 
@@ -201,6 +205,7 @@ std::vector<std::string> method_names() {
 }
 
 int run(const RunOptions& options) {
+  take_signals_of_runs();
   const std::vector<std::string> methods = method_names();
   io::Case c = io::read_case(options.case_file, options.set, methods);
   const std::string name = run_name(options.case_file);
@@ -227,16 +232,16 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   if (c.plan.live.enabled)
     if (const auto wrong = io::check_live_url(c.plan.live.url)) {
-      fmt::print(stderr, "error: --live={}: {}\n", c.plan.live.url, *wrong);
+      complain("error: --live={}: {}\n", c.plan.live.url, *wrong);
       return kUsage;
     }
   if (options.control && !c.plan.live.enabled) {
-    fmt::print(stderr, "error: --control takes commands over the stream: it needs --live\n");
+    complain("error: --control takes commands over the stream: it needs --live\n");
     return kUsage;
   }
   if (options.control)
     if (const std::string wrong = io::control_url_error(c.plan.live.url); !wrong.empty()) {
-      fmt::print(stderr, "error: --control with --live={}: {}\n", c.plan.live.url, wrong);
+      complain("error: --control with --live={}: {}\n", c.plan.live.url, wrong);
       return kUsage;
     }
   const int threads =
@@ -259,11 +264,11 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   provenance.threads = threads;
   const coupling::Methods standard = coupling::standard_methods();
   coupling::Driver driver(c.model, c.plan, standard);
-  Signals signals;
+  Signals signals(!options.quiet);
   driver.set_control(signals);
   Log log(folder.log(), from == nullptr ? "" : place_of(from->stored.checkpoint.state));
   const auto warn = [&log](const std::string& text) {
-    fmt::print(stderr, "warning: {}\n", text);
+    complain("warning: {}\n", text);
     log.warn(text);
   };
   std::optional<io::ResultsSink::GoOn> go_on;
@@ -318,60 +323,60 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
     (void)driver.run(options.until);
     end = results.outcome();
   } catch (const coupling::PlanError& e) {
-    fmt::print(stderr, "error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
+    complain("error: {}\n  what was computed is in {}\n", e.what(), folder.path().string());
     return kBadCase;
   } catch (const io::FileError& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    complain("error: {}\n", e.what());
     if (!checkpoints.last().empty())
-      fmt::print(stderr, "  the last good checkpoint is {}; go on with: scree resume {}\n", checkpoints.last().string(),
-                 folder.path().string());
+      complain("  the last good checkpoint is {}; go on with: scree resume {}\n", checkpoints.last().string(),
+               folder.path().string());
     return kFiles;
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    fmt::print("state {:016x}  {}\n", coupling::state_hash(driver.state()), closing_words(ledger));
+    say("state {:016x}  {}
+", coupling::state_hash(driver.state()), closing_words(ledger));
     if (options.audit)
-      fmt::print("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n",
-                 driver.stats().audit_checks, driver.stats().steps, driver.stats().audit_worst,
-                 driver.audit().text().empty() ? "" : ": ", driver.audit().text());
+      say("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n", driver.stats().audit_checks,
+          driver.stats().steps, driver.stats().audit_worst, driver.audit().text().empty() ? "" : ": ",
+          driver.audit().text());
     if (const std::size_t n = driver.warnings().size(); n > 0)
-      fmt::print("{} {}: see run.log, or \"warnings\" in summary.json\n", n, n == 1 ? "warning" : "warnings");
-    fmt::print("results in {}\n", folder.path().string());
+      say("{} {}: see run.log, or \"warnings\" in summary.json\n", n, n == 1 ? "warning" : "warnings");
+    say("results in {}\n", folder.path().string());
   }
   switch (end.status) {
     case coupling::RunEnd::Status::done:
       return kDone;
     case coupling::RunEnd::Status::interrupted:
-      fmt::print(stderr, "interrupted at {:.6g} s; what was computed is in {}; go on with: scree resume {}\n",
-                 seconds(driver.state().time), folder.path().string(), folder.path().string());
+      complain("interrupted at {:.6g} s; what was computed is in {}; go on with: scree resume {}\n",
+               seconds(driver.state().time), folder.path().string(), folder.path().string());
       return kInterrupted;
     default:
       break;
   }
-  fmt::print(stderr, "error: {}\n  what was computed is in {}\n", end.reason, folder.path().string());
+  complain("error: {}\n  what was computed is in {}\n", end.reason, folder.path().string());
   return kNotConverged;
 }
 
 int check(const CheckOptions& options) {
   const std::vector<std::string> methods = method_names();
   const io::Case c = io::read_case(options.case_file, options.set, methods);
-  fmt::print("{}: {}\n", options.case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
-  fmt::print("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
-             c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
+  say("{}: {}\n", options.case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
+  say("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
+      c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
   if (options.blocks)
     print_blocks(c.model);
   else
-    fmt::print("  blocks: {}\n", told_names(c.model));
+    say("  blocks: {}\n", told_names(c.model));
   print_loads(c.model);
-  if (const std::string text = told_origin(c.model); !text.empty()) fmt::print("  {} in the results\n", text);
+  if (const std::string text = told_origin(c.model); !text.empty()) say("  {} in the results\n", text);
   if (c.model.cutting) print(*c.model.cutting);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
     const GroundMotion::Setting& how = m.setting();
     const std::string stage =
         how.stage.valid() ? fmt::format(" of stage '{}'", c.plan.stages[how.stage.index()].name) : std::string();
-    fmt::print(
-        "  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
+    say("  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
         "velocity "
         "{:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
         how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
@@ -389,19 +394,19 @@ int check(const CheckOptions& options) {
       cells += static_cast<std::int64_t>(part.body.size());
     }
     for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
-    fmt::print("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
-               seconds(s.duration), cells, unknowns);
-    if (s.integrator == coupling::Integrator::partitioned) fmt::print("    {}\n", told_sides(c.model, s.partition));
+    say("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
+        seconds(s.duration), cells, unknowns);
+    if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s.partition));
     if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i)))
-      fmt::print("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
+      say("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused
     warnings.push_back(coupling::text(f, c.model));
-  for (const std::string& text : warnings) fmt::print("  warning: {}\n", text);
-  fmt::print("  {}\n", warnings.empty()       ? "fine"
-                       : warnings.size() == 1 ? "valid, with a warning"
-                                              : fmt::format("valid, with {} warnings", warnings.size()));
+  for (const std::string& text : warnings) say("  warning: {}\n", text);
+  say("  {}\n", warnings.empty()       ? "fine"
+                : warnings.size() == 1 ? "valid, with a warning"
+                                       : fmt::format("valid, with {} warnings", warnings.size()));
   return kDone;
 }
 

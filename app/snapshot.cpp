@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "io/results/picture_format.h"
 #include "io/results/run_reader.h"
 
@@ -28,7 +29,7 @@ std::optional<std::size_t> first_frame(const io::RunReader& run, std::size_t sta
 
 /// Says what is wrong with an option's value.   @return the exit code
 int refuse(const std::string& option, const std::string& value, const std::string& fault, const std::string& allowed) {
-  fmt::print(stderr, "error: --{} {}: {}\n  allowed: {}\n", option, value, fault, allowed);
+  complain("error: --{} {}: {}\n  allowed: {}\n", option, value, fault, allowed);
   return kUsage;
 }
 
@@ -115,7 +116,7 @@ int snapshot(const SnapshotCommand& command) {
     if (const int code = choose_instant(command.at, run, options); code != kDone) return code;
     io::snapshot(command.run, options, out);
   }
-  fmt::print("{}\n", out.string());
+  say("{}\n", out.string());
   return kDone;
 }
 

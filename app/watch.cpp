@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/screen.h"
 #include "coupling/plan.h"
 #include "io/live/live_url.h"
@@ -30,7 +31,7 @@ void take_signals() {
 
 void print(const io::Dashboard& run) {
   const TerminalSize size = terminal_size();
-  for (const std::string& line : io::render(run, size.width, size.height)) fmt::print("{}\n", line);
+  for (const std::string& line : io::render(run, size.width, size.height)) say("{}\n", line);
 }
 
 /// On a terminal a screen, redrawn when something changed; elsewhere a line a second.
@@ -62,8 +63,7 @@ class Display {
   void line(const io::Dashboard& run) {
     std::string text = io::render_line(run);
     if (text == last_) return;
-    fmt::print("{}\n", text);
-    std::fflush(stdout);
+    say("{}\n", text);
     last_ = std::move(text);
   }
 
@@ -84,7 +84,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
   std::string why;
   auto reader = io::LiveReader::open(url, options.run, why);
   if (!reader) {
-    fmt::print(stderr, "error: {}\n", why);
+    complain("error: {}\n", why);
     return kFiles;
   }
   io::LiveDashboard source(std::move(reader), url, start);
@@ -119,11 +119,10 @@ int watch_live(const WatchOptions& options, const std::string& url) {
   const io::Dashboard& run = source.refresh();
   if (display) display->close(run);
   if (run.run.empty())
-    fmt::print(stderr, "error: nothing heard of {} on {} for {:.0f} s\n  does it stream? scree run CASE --live\n",
-               options.run.empty() ? "any run" : fmt::format("a run '{}'", options.run), url, run.received->waited);
+    complain("error: nothing heard of {} on {} for {:.0f} s\n  does it stream? scree run CASE --live\n",
+             options.run.empty() ? "any run" : fmt::format("a run '{}'", options.run), url, run.received->waited);
   else
-    fmt::print(stderr, "error: {} has been silent for {:.0f} s; it may have been killed\n", run.run,
-               run.received->silent);
+    complain("error: {} has been silent for {:.0f} s; it may have been killed\n", run.run, run.received->silent);
   return kFiles;
 }
 
@@ -136,7 +135,7 @@ int watch(const WatchOptions& options) {
     auto wrong = io::check_live_url(url, io::LiveSide::receiver);
     if (!wrong && url.starts_with("memq:")) wrong = "memq:// reaches no other program; use udpm:// or file://";
     if (wrong) {
-      fmt::print(stderr, "error: {}: {}\n", url, *wrong);
+      complain("error: {}: {}\n", url, *wrong);
       return kUsage;
     }
     return watch_live(options, url);

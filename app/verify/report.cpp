@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "io/results/file_error.h"
+#include "io/text/printable.h"
 
 namespace scree::app {
 namespace {
@@ -17,7 +18,7 @@ std::string picture(const CaseReport& report, std::size_t i) { return fmt::forma
 
 std::string escaped_html(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : io::printable(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')
@@ -34,7 +35,7 @@ std::string escaped_html(const std::string& text) {
 
 std::string escaped_markdown(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : io::printable(text)) {
     if (c == '|' || c == '<' || c == '\\') out += '\\';
     out += c == '\n' ? ' ' : c;
   }

@@ -2,38 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "io/text/printable.h"
+
 namespace scree::io {
-namespace {
-
-/// Control characters as TOML escapes: a case file cannot write to the terminal through an error.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned>(static_cast<unsigned char>(c));
-    if (c == '\n')
-      out += "\\n";
-    else if (c == '\t')
-      out += "\\t";
-    else if (byte < 0x20u || byte == 0x7fu)
-      out += fmt::format("\\u{:04X}", byte);
-    else
-      out += c;
-  }
-  return out;
-}
-
-}  // namespace
 
 CaseError::CaseError(std::string_view file_name, Place place, Fault fault)
     : file(place.from_set ? std::string("--set") : std::string(file_name)),
       line(place.line),
       column(place.column),
-      problem(escaped(fault.problem)),
-      key(escaped(fault.key)),
-      value(escaped(fault.value)),
-      allowed(escaped(fault.allowed)),
-      hint(escaped(fault.hint)) {
-  message = escaped(file);
+      problem(printable_line(fault.problem)),
+      key(printable_line(fault.key)),
+      value(printable_line(fault.value)),
+      allowed(printable_line(fault.allowed)),
+      hint(printable_line(fault.hint)) {
+  message = printable_line(file);
   if (line > 0) message += fmt::format(":{}:{}", line, column);
   message += ": error: " + problem;
   if (!key.empty() && !value.empty())
@@ -55,7 +37,7 @@ std::string in_quotes(std::string_view text, std::size_t most) {
     if (c == '"' || c == '\\') marked += '\\';
     marked += c;
   }
-  return '"' + escaped(marked) + (cut ? "...\"" : "\"");
+  return '"' + printable_line(marked) + (cut ? "...\"" : "\"");
 }
 
 }  // namespace scree::io

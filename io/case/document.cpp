@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "io/case/guard.h"
+#include "io/text/printable.h"
 
 // toml++ is slow to compile: this is the only file that sees it. Some wrong texts, "[=a]" for one, fail its assertions,
 // while without them it reports the error as it should.
@@ -72,16 +73,38 @@ void shift(Value& value, int option, int columns) {
     }
 }
 
+[[noreturn]] void refuse(std::string_view file, const Place& place, std::string_view text) {
+  throw CaseError(file, place,
+                  {"the text holds a character that a terminal would obey or that is not seen", "", in_quotes(text),
+                   "one line without control characters and marks of writing direction", "take out what is escaped"});
+}
+
+/// Titles, names and paths are shown on terminals and in pictures.
+void check_texts(const Value& value, std::string_view file) {
+  if (const auto* text = value.as<std::string>(); text && printable_line(*text) != *text)
+    refuse(file, value.place, *text);
+  if (const auto* items = value.as<Array>())
+    for (const Value& item : *items) check_texts(item, file);
+  if (const auto* members = value.as<Table>())
+    for (const Member& m : *members) {
+      if (printable_line(m.key) != m.key) refuse(file, m.place, m.key);
+      check_texts(m.value, file);
+    }
+}
+
 }  // namespace
 
 Value parse_document(std::string_view text, std::string_view file) {
+  Value root;
   try {
-    return convert(toml::parse(text));
+    root = convert(toml::parse(text));
   } catch (const toml::parse_error& e) {
     throw CaseError(file, place_of(e.source()),
                     {"the text is not TOML: " + std::string(e.description()), "", "", "TOML 1.0",
                      "texts need quotation marks, lists need commas, and each key may be given once"});
   }
+  check_texts(root, file);
+  return root;
 }
 
 Value parse_set_value(std::string_view value, int option, int columns) {

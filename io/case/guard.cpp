@@ -5,29 +5,10 @@
 #include <vector>
 
 #include "io/case/case_error.h"
+#include "io/text/printable.h"
 
 namespace scree::io {
 namespace {
-
-/// Length of the UTF-8 character at the start of the text; 0 where there is none (overlong forms, surrogates too).
-std::size_t character(std::string_view s) {
-  const auto byte = [&](std::size_t i) {
-    return i < s.size() ? static_cast<unsigned>(static_cast<unsigned char>(s[i])) : 0u;
-  };
-  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
-  const unsigned a = byte(0);
-  if (a < 0x80u) return 1;
-  if (a >= 0xC2u && a <= 0xDFu) return follows(1) ? 2 : 0;
-  if (a >= 0xE0u && a <= 0xEFu) {
-    const bool bad = (a == 0xE0u && byte(1) < 0xA0u) || (a == 0xEDu && byte(1) > 0x9Fu);
-    return !bad && follows(1) && follows(2) ? 3 : 0;
-  }
-  if (a >= 0xF0u && a <= 0xF4u) {
-    const bool bad = (a == 0xF0u && byte(1) < 0x90u) || (a == 0xF4u && byte(1) > 0x8Fu);
-    return !bad && follows(1) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
 
 /// Walks over the text and knows just enough of TOML: strings, comments, brackets and the dots of keys.
 class Scanner {
@@ -61,7 +42,7 @@ class Scanner {
   [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
 
   void step() {
-    const std::size_t n = character(rest());
+    const std::size_t n = utf8_length(rest());
     if (n == 0)
       throw CaseError(file_, {line_, column_},
                       {"the file is not UTF-8 text", "",

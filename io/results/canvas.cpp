@@ -8,6 +8,7 @@
 
 #include "io/results/atomic_file.h"
 #include "io/results/file_error.h"
+#include "io/text/printable.h"
 
 namespace scree::io {
 
@@ -112,7 +113,7 @@ void Canvas::use(const TextStyle& style) const {
 double Canvas::text_width(const std::string& text, const TextStyle& style) const {
   use(style);
   cairo_text_extents_t extents{};
-  cairo_text_extents(get(), text.c_str(), &extents);
+  cairo_text_extents(get(), printable_line(text).c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -123,7 +124,7 @@ void Canvas::text(double x, double y, const std::string& text, const TextStyle& 
   if (style.turned) cairo_rotate(get(), -0.5 * std::numbers::pi);
   cairo_move_to(get(), -style.across * width, style.up * kCapHeight * style.size);
   ink(style.colour);
-  cairo_show_text(get(), text.c_str());
+  cairo_show_text(get(), printable_line(text).c_str());  // cairo draws nothing more after bytes that are not UTF-8
   cairo_restore(get());
 }
 

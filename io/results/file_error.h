@@ -5,14 +5,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/text/printable.h"
+
 namespace scree::io {
 
-/// A file or folder could not be made, written or read. what() is "path: reason".
+/// A file or folder could not be made, written or read. what() is "path: reason", the path on one line.
 struct FileError : std::runtime_error {
   static constexpr int kExitCode = 5;
 
   FileError(std::filesystem::path where, const std::string& why)
-      : std::runtime_error(where.string() + ": " + why), path(std::move(where)), reason(why) {}
+      : std::runtime_error(printable_line(where.string()) + ": " + why), path(std::move(where)), reason(why) {}
 
   std::filesystem::path path;
   std::string reason;  // what was tried and what the system said

@@ -5,55 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text/printable.h"
 #include "model/check.h"
 
 namespace scree::io {
 
-namespace {
-
-/// Length of the UTF-8 sequence that the text begins with, 0 if it is none (RFC 3629).
-std::size_t sequence(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xc2 && lead < 0xe0   ? 2
-                             : lead >= 0xe0 && lead < 0xf0 ? 3
-                             : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                           : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-  const bool outside = (lead == 0xed && byte(1) >= 0xa0) || (lead == 0xf4 && byte(1) >= 0x90);
-  return overlong || outside ? 0 : length;
-}
-
-std::string escaped(char c) {
-  switch (c) {
-    case '"':
-      return "\\\"";
-    case '\\':
-      return "\\\\";
-    case '\n':
-      return "\\n";
-    case '\t':
-      return "\\t";
-    case '\r':
-      return "\\r";
-    default:
-      return static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
-  }
-}
-
-}  // namespace
-
 std::string json_quoted(std::string_view text) {
   std::string out = "\"";
   while (!text.empty()) {
-    const std::size_t length = sequence(text);
-    if (length == 0) out += "\\ufffd";
-    if (length == 1) out += escaped(text.front());
-    if (length > 1) out += text.substr(0, length);
+    const std::size_t length = utf8_length(text);
+    if (text[0] == '"' || text[0] == '\\') out += '\\';
+    out += length == 0 ? "\\ufffd" : printable_line(text.substr(0, length));
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return out + '"';

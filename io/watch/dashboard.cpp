@@ -8,30 +8,13 @@
 #include <span>
 
 #include "coupling/sink.h"
+#include "io/text/printable.h"
 #include "model/check.h"
 
 namespace scree::io {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-/// Length of the UTF-8 character that a text begins with; 0 where it is none, or a control character.
-/// @source RFC 3629, table of section 4
-std::size_t character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(0);
-  if (first < 0x80U) return first >= 0x20U && first != 0x7FU ? 1 : 0;
-  const std::size_t size = first >= 0xC2U && first <= 0xDFU   ? 2
-                           : first >= 0xE0U && first <= 0xEFU ? 3
-                           : first >= 0xF0U && first <= 0xF4U ? 4
-                                                              : 0;
-  for (std::size_t i = 1; i < size; ++i)
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  if (first == 0xC2U && byte(1) < 0xA0U) return 0;  // C1 control characters
-  const bool overlong = (first == 0xE0U && byte(1) < 0xA0U) || (first == 0xF0U && byte(1) < 0x90U);
-  const bool no_scalar = (first == 0xEDU && byte(1) > 0x9FU) || (first == 0xF4U && byte(1) > 0x8FU);
-  return overlong || no_scalar ? 0 : size;
-}
 
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
@@ -271,7 +254,7 @@ std::string shown(std::string_view text, std::size_t most) {
       return out;
     }
     last = out.size();
-    const std::size_t size = character(text);
+    const std::size_t size = plain_length(text);
     out += size > 0 ? text.substr(0, size) : std::string_view("?");
     text.remove_prefix(std::max<std::size_t>(size, 1));
     ++used;

@@ -88,8 +88,8 @@ struct Dashboard {
 /// One line for logs: time, stage, rate, energy, closure.
 [[nodiscard]] std::string render_line(const Dashboard& run);
 
-/// A text as it may be shown: at most so many characters, the last one '~' where something was cut; control
-/// characters and bytes that are not UTF-8 become '?'. (Every character counts as one column.)
+/// A text as it may be shown: at most so many characters, the last one '~' where something was cut; what
+/// plain_length refuses becomes '?'. (Every character counts as one column.)
 [[nodiscard]] std::string shown(std::string_view text, std::size_t most);
 
 }  // namespace scree::io

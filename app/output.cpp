@@ -1,0 +1,65 @@
+#include "app/output.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+
+#include "app/signals.h"
+#include "io/text/printable.h"
+
+namespace scree::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+int first_error = 0;
+
+/// Writes no more at once than a pipe or a terminal that is ready takes without waiting, so that a signal is seen.
+void put(int descriptor, std::string_view text) {
+  constexpr std::size_t kPiece = 256;  // bytes
+  while (!text.empty()) {
+    pollfd ready{descriptor, POLLOUT, 0};
+    if (::poll(&ready, 1, 100) <= 0) {
+      if (Signals::came()) return;
+      continue;
+    }
+    const ssize_t written = ::write(descriptor, text.data(), std::min(text.size(), kPiece));
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR && errno != EAGAIN) {
+      if (first_error == 0) first_error = errno;
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void open_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+}
+
+void draw(std::string_view text) { put(STDOUT_FILENO, text); }
+void say_text(std::string_view text) { put(STDOUT_FILENO, io::printable(text)); }
+void complain_text(std::string_view text) { put(STDERR_FILENO, io::printable(text)); }
+
+int output_error() { return first_error; }
+
+bool output_is_lost() {
+  static Clock::time_point next{};
+  static bool gone = false;
+  if (first_error != 0 || gone) return true;
+  if (Clock::now() < next) return false;
+  next = Clock::now() + std::chrono::milliseconds(100);
+  std::array<pollfd, 2> streams{{{STDOUT_FILENO, 0, 0}, {STDERR_FILENO, 0, 0}}};
+  gone = ::poll(streams.data(), streams.size(), 0) > 0;  // errors and hang-ups are told unasked
+  return gone;
+}
+
+}  // namespace scree::app
