@@ -334,8 +334,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   const coupling::Ledger& ledger = driver.state().ledger;
   if (!options.quiet) {
-    say("state {:016x}  {}
-", coupling::state_hash(driver.state()), closing_words(ledger));
+    say("state {:016x}  {}\n", coupling::state_hash(driver.state()), closing_words(ledger));
     if (options.audit)
       say("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n", driver.stats().audit_checks,
           driver.stats().steps, driver.stats().audit_worst, driver.audit().text().empty() ? "" : ": ",
