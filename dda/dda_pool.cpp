@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "model/outline.h"
 #include "model/planar.h"
@@ -240,12 +241,16 @@ void DdaPool::topology(MeshPart& mesh) const {
   for (int b = 0; b < bodies(); ++b) {
     const ReferenceShape& shape = of(b).shape;
     const AffineMotion origin = affine_fit(shape.outline, shape.origin);
-    // Outline vertices remember exactly where the model had them.
+    // Outline vertices remember exactly where the model had them; of those at one place the first.
+    std::map<std::pair<double, double>, Vec2> corners;
+    for (std::size_t r = 0; r < shape.outline.rings(); ++r)
+      for (std::size_t i = 0; i < shape.outline.ring(r).size(); ++i) {
+        const Vec2& X = shape.outline.ring(r)[i];
+        corners.emplace(std::pair(X.x(), X.y()), shape.origin.ring(r)[i]);
+      }
     const auto origin_of = [&](const Vec2& X) -> Vec2 {
-      for (std::size_t r = 0; r < shape.outline.rings(); ++r)
-        for (std::size_t i = 0; i < shape.outline.ring(r).size(); ++i)
-          if (shape.outline.ring(r)[i] == X) return shape.origin.ring(r)[i];
-      return origin.c + origin.F * X;
+      const auto corner = corners.find({X.x(), X.y()});
+      return corner != corners.end() ? corner->second : Vec2(origin.c + origin.F * X);
     };
     for (const Ring& ring : of(b).cells) {
       for (const Vec2& X : ring) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cell_grid.h"
 #include "model/model.h"
+#include "model/near_pairs.h"
 #include "model/planar.h"
 
 namespace scree {
@@ -67,35 +67,25 @@ std::vector<GeometryFault> check_geometry(const Model& model) {
     if (auto f = fault_of(model, BlockId{i}, extent)) faults.push_back(std::move(*f));
   if (!faults.empty()) return faults;
 
-  // Overlaps: neighbours by a grid of cells, the common area against a sliver of width 1e-9 of the extent. A straight
+  // Overlaps: pairs whose boxes overlap, the common area against a sliver of width 1e-9 of the extent. A straight
   // edge between two blocks, the one convex, settles nearly all pairs before GEOS is asked.
   std::vector<char> is_convex;
-  CellGrid cells(all, model.blocks.size());
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    is_convex.push_back(convex(model.blocks[i].polygon.outer) ? 1 : 0);
-    cells.insert(boxes[i], static_cast<std::int32_t>(i));
-  }
-  std::vector<std::int32_t> near;
-  for (std::int32_t i = 0; i < count; ++i) {
-    const Box& a = boxes[static_cast<std::size_t>(i)];
-    cells.near(a, near);
-    for (const std::int32_t j : near) {
-      const Box& b = boxes[static_cast<std::size_t>(j)];
-      if (j <= i || b.lo.x() >= a.hi.x() || a.lo.x() >= b.hi.x() || b.lo.y() >= a.hi.y() || a.lo.y() >= b.hi.y())
-        continue;
-      const BlockId first{i}, second{j};
-      const Polygon &p = model.blocks[first.index()].polygon, &q = model.blocks[second.index()].polygon;
-      const double slack = 1e-12 * extent;  // of rounded corners
-      if ((is_convex[first.index()] != 0 && apart(p.outer, q.outer, slack)) ||
-          (is_convex[second.index()] != 0 && apart(q.outer, p.outer, slack)))
-        continue;
-      const double area = overlap_area(p, q);
-      if (area > 1e-9 * extent * (a.hi - a.lo).cwiseMin(b.hi - b.lo).maxCoeff())
-        faults.push_back({second, first,
-                          fmt::format("block '{}' overlaps block '{}' by {:.4g} m2", model.blocks[second.index()].name,
-                                      model.blocks[first.index()].name, area),
-                          "move or cut one of the two so that they only touch"});
-    }
+  for (const Block& b : model.blocks) is_convex.push_back(convex(b.polygon.outer) ? 1 : 0);
+  for (const auto& [i, j] : near_pairs(model.blocks, std::vector<double>(model.blocks.size(), 1e-12 * extent))) {
+    const Box &a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
+    if (b.lo.x() >= a.hi.x() || a.lo.x() >= b.hi.x() || b.lo.y() >= a.hi.y() || a.lo.y() >= b.hi.y()) continue;
+    const BlockId first{i}, second{j};
+    const Polygon &p = model.blocks[first.index()].polygon, &q = model.blocks[second.index()].polygon;
+    const double slack = 1e-12 * extent;  // of rounded corners
+    if ((is_convex[first.index()] != 0 && apart(p.outer, q.outer, slack)) ||
+        (is_convex[second.index()] != 0 && apart(q.outer, p.outer, slack)))
+      continue;
+    const double area = overlap_area(p, q);
+    if (area > 1e-9 * extent * (a.hi - a.lo).cwiseMin(b.hi - b.lo).maxCoeff())
+      faults.push_back({second, first,
+                        fmt::format("block '{}' overlaps block '{}' by {:.4g} m2", model.blocks[second.index()].name,
+                                    model.blocks[first.index()].name, area),
+                        "move or cut one of the two so that they only touch"});
   }
   std::sort(faults.begin(), faults.end(), [](const auto& x, const auto& y) {
     return std::pair(x.block.value, x.other.value) < std::pair(y.block.value, y.other.value);

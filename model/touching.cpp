@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
+
+#include "model/near_pairs.h"
 
 namespace scree {
 namespace {
@@ -106,25 +107,12 @@ JointId law_between(const Model& model, JointId a, JointId b) {
 
 std::vector<Touch> touching_blocks(const Model& model) {
   const std::vector<Outline> all = outlines(model);
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return all[i].box.lo.x() != all[j].box.lo.x() ? all[i].box.lo.x() < all[j].box.lo.x() : i < j;
-  });
+  std::vector<double> margin;
+  for (const Outline& o : all) margin.push_back(kTouchingGap * o.root_area);
   std::vector<Touch> touches;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const Outline& left = all[order[k]];
-    const double most = kTouchingGap * left.root_area;  // a gap is measured by the smaller of two blocks
-    for (std::size_t l = k + 1; l < order.size(); ++l) {
-      if (all[order[l]].box.lo.x() > left.box.hi.x() + most) break;
-      if (!near(left.box, all[order[l]].box, most)) continue;
-      const auto [i, j] = std::minmax(order[k], order[l]);
-      if (auto touch = touch_of(model, all, i, j)) touches.push_back(std::move(*touch));
-    }
-  }
-  std::sort(touches.begin(), touches.end(), [](const Touch& x, const Touch& y) {
-    return x.a.value != y.a.value ? x.a.value < y.a.value : x.b.value < y.b.value;
-  });
+  for (const auto& [i, j] : near_pairs(model.blocks, margin))
+    if (auto touch = touch_of(model, all, static_cast<std::size_t>(i), static_cast<std::size_t>(j)))
+      touches.push_back(std::move(*touch));
   return touches;
 }
 
