@@ -17,12 +17,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kAgain = 500ms;  // a lost datagram is sent again
 
+std::int64_t new_sender() {
+  std::random_device random;
+  return static_cast<std::int64_t>(std::uint64_t{random()} << 31U | random() >> 1U);
+}
+
 }  // namespace
 
 struct ControlClient::Impl {
   std::shared_ptr<LiveBus> bus;
   bool listening = false;
   std::int64_t sender = 0, sequence = 0;
+  std::int64_t clock_of_run = 0;     // less ours [us]: numbers are dated by it
   std::string run;                   // whose answers count
   std::vector<ack_v1_t> answers;     // to our commands, not looked at yet
   std::vector<std::string> streams;  // runs whose INFO came
@@ -38,7 +44,7 @@ struct ControlClient::Impl {
     }
   }
   std::int64_t send(std::int64_t session, ControlVerb verb, double value) {
-    sequence = std::max(sequence + 1, utime_now());
+    sequence = std::max(sequence + 1, utime_now() + clock_of_run);
     const Bytes bytes = encode_command(session, {verb, value, sequence, sender});
     (void)bus->publish(channel_name(run, LiveKind::ctrl), bytes);
     return sequence;
@@ -68,8 +74,7 @@ Bytes encode_command(std::int64_t session, const ControlCommand& command) {
 
 ControlClient::ControlClient(std::shared_ptr<LiveBus> bus) : impl_(std::make_unique<Impl>()) {
   impl_->bus = std::move(bus);
-  std::random_device random;
-  impl_->sender = static_cast<std::int64_t>(std::uint64_t{random()} << 31U | random() >> 1U);
+  impl_->sender = new_sender();
   const SignalsBlocked inherited_by_the_threads;
   const auto take = [impl = impl_.get()](std::string_view channel, std::span<const std::uint8_t> bytes) {
     impl->take(channel, bytes);
@@ -98,6 +103,7 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
                                 const std::function<void()>& accepted) {
   Impl& impl = *impl_;
   impl.run = channel_run(run);
+  impl.clock_of_run = 0;
   impl.answers.clear();
   const Clock::time_point end = Clock::now() + most;
   ControlReply reply;
@@ -107,6 +113,7 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
     for (const ack_v1_t& a : impl.answers)
       if (a.command == name(ControlVerb::who) && (!session || a.header.session > *session)) {
         session = a.header.session;
+        impl.clock_of_run = a.header.utime - utime_now();
         reply = {ControlReply::Kind::answered, a};
       }
     return session.has_value();
@@ -122,6 +129,7 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
 
   reply.kind = ControlReply::Kind::silence;
   impl.answers.clear();
+  impl.sender = new_sender();  // a name that nobody has seen yet, whose share of commands nobody has used up
   const std::int64_t number = impl.send(*session, verb, value);
   const Bytes again = encode_command(*session, {verb, value, number, impl.sender});
   bool told = false;

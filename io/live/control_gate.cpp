@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace scree::io {
 namespace {
+
+constexpr double kTellAgain = 0.05;  // [s] at least between answers to one command
 
 constexpr std::array<std::string_view, 7> kVerbs{"who", "pause", "resume", "step", "checkpoint", "stop", "rate"};
 
@@ -34,11 +37,30 @@ std::string control_value_error(ControlVerb verb, double value) {
 }
 
 bool ControlGate::Bucket::take(double now) {
-  left = std::min<double>(kBurst, left + kPerSecond * std::max(0.0, now - at));
+  left = std::min(share * kBurst, left + share * kPerSecond * std::max(0.0, now - at));
   at = now;
   if (left < 1.0) return false;
   left -= 1.0;
   return true;
+}
+
+ControlGate::Key ControlGate::key(const ControlCommand& command) {
+  return {command.sequence, command.sender, command.verb, command.value};
+}
+
+bool ControlGate::too_frequent(std::int64_t sender, double now) {
+  const auto known = senders_.find(sender);
+  Bucket own = known != senders_.end() ? known->second : Bucket{};
+  if (!own.take(now) || !commands_.take(now)) return true;
+  senders_[sender] = own;
+  return false;
+}
+
+void ControlGate::forget(std::int64_t utime, double now) {
+  const double oldest = static_cast<double>(utime) - 1e6 * kBehind;
+  for (auto it = heard_.begin(); it != heard_.end() && static_cast<double>(std::get<0>(it->first)) < oldest;)
+    it = it->second.answer.result == "accepted" ? std::next(it) : heard_.erase(it);
+  std::erase_if(senders_, [now](const auto& s) { return now - s.second.at > kBurst / kPerSecond; });
 }
 
 ControlGate::Verdict ControlGate::refuse(const ControlCommand& command, std::string reason, double now) {
@@ -59,37 +81,40 @@ ControlGate::Verdict ControlGate::take(std::span<const std::uint8_t> bytes, std:
     ++counts_.malformed;
     return refuse(command, std::move(wrong), now);
   }
+  forget(utime, now);
   if (*verb == ControlVerb::who)
-    return commands_.take(now) ? Verdict{{}, ControlAnswer{command, "done", {}}} : Verdict{};
+    return too_frequent(command.sender, now) ? Verdict{} : Verdict{{}, ControlAnswer{command, "done", {}}};
   if (message->header.session != session_) {
     ++counts_.other_session;
     return refuse(command, fmt::format("session {} is not that of this run, {}", message->header.session, session_),
                   now);
   }
-  const std::int64_t sequence = command.sequence;
-  if (sequence <= newest_) {
+  if (const auto again = heard_.find(key(command)); again != heard_.end()) {
     ++counts_.replayed;
-    const bool again = last_ && sequence == last_->command.sequence && command.sender == last_->command.sender &&
-                       command.verb == last_->command.verb;
-    if (again) return refusals_.take(now) ? Verdict{{}, last_} : Verdict{};
-    return refuse(command, fmt::format("number {} is not newer than {}", sequence, newest_), now);
+    if (now - again->second.told < kTellAgain) return {};
+    again->second.told = now;
+    return {{}, again->second.answer};
   }
-  if (static_cast<double>(sequence) > static_cast<double>(utime) + 1e6 * kAhead) {
-    ++counts_.replayed;  // it would shut out every later one
-    return refuse(command, fmt::format("number {} is dated ahead of {}", sequence, utime), now);
+  const double age = 1e-6 * (static_cast<double>(utime) - static_cast<double>(command.sequence));
+  if (age > kBehind || age < -kAhead) {
+    ++counts_.replayed;
+    return refuse(command,
+                  fmt::format("number {} is dated {:.6g} s {} the clock of the run", command.sequence, std::abs(age),
+                              age < 0.0 ? "ahead of" : "behind"),
+                  now);
   }
-  if (!commands_.take(now)) {
+  if (too_frequent(command.sender, now)) {
     ++counts_.too_frequent;
     return refuse(command, fmt::format("more than {} commands a second", kPerSecond), now);
   }
-  newest_ = sequence;
   ++counts_.passed;
-  last_ = ControlAnswer{command, "accepted", {}};
-  return {command, last_};
+  const ControlAnswer accepted{command, "accepted", {}};
+  heard_[key(command)] = {accepted, now};
+  return {command, accepted};
 }
 
 void ControlGate::remember(const ControlAnswer& answer) {
-  if (last_ && last_->command.sequence == answer.command.sequence) last_ = answer;
+  if (const auto it = heard_.find(key(answer.command)); it != heard_.end()) it->second.answer = answer;
 }
 
 }  // namespace scree::io

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <scree/ack_v1_t.hpp>
 #include <scree/ctrl_v1_t.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "io/live/wire.h"
 
@@ -34,7 +36,7 @@ struct ControlCounts {
   std::int64_t received = 0;
   std::int64_t malformed = 0;      // size, CRC, type, a length, an unknown command or value
   std::int64_t other_session = 0;  // meant for an earlier or another run
-  std::int64_t replayed = 0;       // not newer than the last one, or dated ahead
+  std::int64_t replayed = 0;       // heard already, or dated outside the window
   std::int64_t too_frequent = 0;
   std::int64_t passed = 0;
 };
@@ -45,14 +47,18 @@ struct ControlAnswer {
   std::string result, reason;
 };
 
-/// Refuses what is malformed, of another session, not newer than what it let through before, or too frequent. A command
-/// that comes again under the number and from the sender that it had is not carried out again, but told again what
-/// became of it: its sender may have missed that.
+/// Refuses what is malformed, of another session, heard before, or too frequent, and what is not dated within a window
+/// about the present: all that was let through within it is remembered, so nothing is carried out twice. Commands need
+/// not be in order: no number that somebody sends shuts out others, whatever sender it names. (To ask for numbers that
+/// grow let one forged command, dated ahead, shut out all others until that time.) What comes again just as it was is
+/// told again what became of it: its sender may have missed that.
+/// A flood under a thousand names of senders can still use up what all of them have together.
 class ControlGate {
  public:
-  static constexpr int kBurst = 20;           // commands at once
-  static constexpr double kPerSecond = 20.0;  // of them, in the long run; of refusals that are answered too
-  static constexpr double kAhead = 60.0;      // s; a number may be dated ahead by so much: clocks of two machines
+  static constexpr int kBurst = 20;                      // commands of one sender at once
+  static constexpr double kPerSecond = 20.0;             // of them, in the long run; of refusals that are answered too
+  static constexpr double kOfAll = 10.0;                 // times as many of all senders together
+  static constexpr double kBehind = 10.0, kAhead = 2.0;  // the window [s]; senders go by the clock of the run (ACK)
 
   explicit ControlGate(std::int64_t session) : session_(session) {}
 
@@ -64,7 +70,7 @@ class ControlGate {
   /// @param utime  microseconds since 1970   @param now  a clock that never goes back [s]
   [[nodiscard]] Verdict take(std::span<const std::uint8_t> bytes, std::int64_t utime, double now);
 
-  /// Remembers what became of the command let through last, should it come again.
+  /// Remembers what became of a command that was let through, should it come again.
   void remember(const ControlAnswer& answer);
 
   [[nodiscard]] std::int64_t session() const { return session_; }
@@ -73,15 +79,24 @@ class ControlGate {
  private:
   /// So many at once and so many a second.
   struct Bucket {
-    double left = kBurst, at = 0.0;
+    double share = 1.0;  // of kBurst and kPerSecond
+    double left = share * kBurst, at = 0.0;
     [[nodiscard]] bool take(double now);
   };
+  struct Heard {
+    ControlAnswer answer;
+    double told = 0.0;  // when [s]
+  };
+  using Key = std::tuple<std::int64_t, std::int64_t, ControlVerb, double>;  // number, sender, verb, value
+  [[nodiscard]] static Key key(const ControlCommand& command);
   [[nodiscard]] Verdict refuse(const ControlCommand& command, std::string reason, double now);
+  [[nodiscard]] bool too_frequent(std::int64_t sender, double now);
+  void forget(std::int64_t utime, double now);
 
   const std::int64_t session_;
-  std::int64_t newest_ = 0;  // number of the last one let through
-  std::optional<ControlAnswer> last_;
-  Bucket commands_, refusals_;
+  std::map<Key, Heard> heard_;              // of the window, and what is not done yet
+  std::map<std::int64_t, Bucket> senders_;  // those who sent within the last seconds
+  Bucket commands_{kOfAll}, refusals_;
   ControlCounts counts_;
 };
 

@@ -24,7 +24,7 @@ double clock_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-constexpr std::size_t kMaxWaiting = 100;  // commands, during a long step
+constexpr std::size_t kMaxWaiting = 1000;  // commands, during a long step
 
 }  // namespace
 

@@ -21,11 +21,14 @@ def main():
     first = command(session, asker.next_sequence(), "rate", 20.0)
     expect("a good one", first, "done")
     expect("it again", first, "done")  # told again, not carried out again
-    expect("its number from another sender", command(session, asker.sequence, "stop", sender=78), "refused", "not newer")
-    expect("an earlier number", command(session, asker.sequence - 5, "stop"), "refused", "not newer")
+    expect("an old number", command(session, asker.sequence - 11 * 10**6, "stop"), "refused", "behind")
+    for ahead in (59, 3):
+        expect("dated ahead", command(session, asker.next_sequence() + ahead * 10**6, "stop", sender=78), "refused", "ahead")
+    asker.raw(command(session, asker.next_sequence() + 19 * 10**5, "rate", 20.0, sender=78))  # just inside the window
+    expect("a good one after one dated ahead", command(session, asker.next_sequence(), "rate", 21.0), "done")
     expect("another session", command(session - 1, asker.next_sequence(), "stop"), "refused", "session")
     expect("a later session", command(session + 1, asker.next_sequence(), "stop"), "refused", "session")
-    expect("dated ahead", command(session, asker.next_sequence() + 10**9, "stop"), "refused", "dated ahead")
+    expect("dated ahead", command(session, asker.next_sequence() + 10**9, "stop"), "refused", "ahead")
     expect("an unknown command", command(session, asker.next_sequence(), "explode"), None)
     expect("no steps", command(session, asker.next_sequence(), "step", 0.0), "refused", "whole number")
     expect("half a step", command(session, asker.next_sequence(), "step", 0.5), "refused", "whole number")
