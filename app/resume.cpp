@@ -9,6 +9,7 @@
 #include "app/session.h"
 #include "app/signals.h"
 #include "io/results/provenance.h"
+#include "io/results/regular_file.h"
 #include "io/results/sha256.h"
 #include "io/results/undo_log.h"
 
@@ -16,6 +17,7 @@ namespace scree::app {
 namespace {
 
 std::string digest(const std::filesystem::path& file) {
+  io::require_regular(file);
   std::ifstream in(file, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read the file that the case names");

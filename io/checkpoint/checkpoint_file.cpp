@@ -10,6 +10,7 @@
 #include "io/checkpoint/archive.h"
 #include "io/results/atomic_file.h"
 #include "io/results/file_error.h"
+#include "io/results/regular_file.h"
 #include "io/results/sha256.h"
 
 namespace scree::io {
@@ -32,6 +33,7 @@ struct Head {
 };
 
 std::string read_bytes(const std::filesystem::path& path) {
+  require_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path, std::string("cannot open the checkpoint: ") + std::strerror(errno));
   std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());

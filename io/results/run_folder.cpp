@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/results/regular_file.h"
+
 namespace scree::io {
 
 namespace fs = std::filesystem;
@@ -49,6 +51,17 @@ std::vector<fs::path> run_files(const fs::path& folder) {
   return found;
 }
 
+/// Nothing that a run reads or writes, under its own name or a temporary one, is a pipe, a device or a folder.
+void refuse_odd_files(const fs::path& folder) {
+  constexpr std::string_view kTemporary = ".tmp";
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), last; !error && it != last; it.increment(error)) {
+    std::string name = it->path().filename().string();
+    if (name.ends_with(kTemporary)) name.resize(name.size() - kTemporary.size());
+    if (belongs_to_runs(name)) require_regular(it->path());
+  }
+}
+
 void clear_earlier_run(const fs::path& folder) {
   for (const fs::path& file : run_files(folder)) {
     std::error_code error;
@@ -79,12 +92,14 @@ RunFolder RunFolder::create(const fs::path& path, bool overwrite) {
                     "with it (scree resume)");
   }
   if (::access(path.c_str(), W_OK | X_OK) != 0) fail(path, "cannot write in the run folder");
+  refuse_odd_files(path);
   clear_earlier_run(path);
   return RunFolder(path);
 }
 
 RunFolder RunFolder::open(const fs::path& path) {
   RunFolder folder(path);
+  refuse_odd_files(path);
   std::error_code error;
   if (!fs::is_regular_file(folder.results(), error))
     throw FileError(path, "is not a run folder: there is no run.vtkhdf in it");
@@ -96,6 +111,7 @@ RunFolder RunFolder::reopen(const fs::path& path) {
   if (!fs::exists(path, error)) throw FileError(path, "there is no such run folder");
   if (!fs::is_directory(path, error)) throw FileError(path, "is not a folder");
   if (::access(path.c_str(), W_OK | X_OK) != 0) fail(path, "cannot write in the run folder");
+  refuse_odd_files(path);
   return RunFolder(path);
 }
 
