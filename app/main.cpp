@@ -1,5 +1,6 @@
 // The `scree` command: reads the command line, calls the libraries, turns errors into exit codes.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -280,6 +281,14 @@ int dispatch(int argc, char** argv) {
 }
 
 }  // namespace
+
+/// Nothing of this is reached by an exception that main can catch: globals of libraries, before it, and threads.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view kWhy = "error: out of memory, or an error where none can be handled\n";
+  (void)!::write(STDERR_FILENO, kWhy.data(), kWhy.size());
+  ::_exit(kFailed);
+}
+[[gnu::constructor(101)]] void before_globals() { std::set_terminate(end_without_memory); }
 
 int main(int argc, char** argv) {
   open_standard_streams();

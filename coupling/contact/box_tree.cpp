@@ -1,12 +1,24 @@
 #include "coupling/contact/box_tree.h"
 
+#include <LinearMath/btAlignedAllocator.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <utility>
 
 namespace scree::coupling {
 namespace {
 
 constexpr double kTooWide = 1.5;  // times the least extents since it was built: a tree this wide is built anew
+
+/// Bullet uses what it is given without a look: a failed allocation must not reach it.
+void* allocate(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+const bool kAllocates = (btAlignedAllocSetCustom(allocate, std::free), true);
 
 btDbvtVolume volume(const Box& box) {
   return btDbvtVolume::FromMM(btVector3(box.lo.x(), box.lo.y(), -1.0), btVector3(box.hi.x(), box.hi.y(), 1.0));

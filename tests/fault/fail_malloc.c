@@ -1,0 +1,48 @@
+/* Preloaded: the allocation of number FAIL_MALLOC_AT, counted from 1, fails; and all that follow where FAIL_MALLOC_ALL
+   is set. FAIL_MALLOC_COUNT names a file that takes how many there were. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+extern void* __libc_malloc(size_t);
+extern void* __libc_calloc(size_t, size_t);
+extern void* __libc_realloc(void*, size_t);
+extern void* __libc_memalign(size_t, size_t);
+
+static atomic_long made, at = -1;
+
+__attribute__((constructor)) static void begin(void) {
+  const char* text = getenv("FAIL_MALLOC_AT");
+  atomic_store(&made, 0);
+  atomic_store(&at, text ? atol(text) : 0);
+}
+
+__attribute__((destructor)) static void end(void) {
+  const char* name = getenv("FAIL_MALLOC_COUNT");
+  const long all = atomic_load(&made);
+  FILE* file = name ? fopen(name, "w") : NULL;
+  if (file == NULL) return;
+  fprintf(file, "%ld\n", all);
+  fclose(file);
+}
+
+static int fails(void) {
+  const long number = atomic_fetch_add(&made, 1) + 1;
+  if (number != atomic_load(&at)) return 0;
+  errno = ENOMEM;
+  return 1;
+}
+
+void* malloc(size_t size) { return fails() ? NULL : __libc_malloc(size); }
+void* calloc(size_t n, size_t size) { return fails() ? NULL : __libc_calloc(n, size); }
+void* realloc(void* old, size_t size) { return fails() ? NULL : __libc_realloc(old, size); }
+void* memalign(size_t to, size_t size) { return fails() ? NULL : __libc_memalign(to, size); }
+void* aligned_alloc(size_t to, size_t size) { return fails() ? NULL : __libc_memalign(to, size); }
+int posix_memalign(void** out, size_t to, size_t size) {
+  if (fails()) return ENOMEM;
+  *out = __libc_memalign(to, size);
+  return *out == NULL ? ENOMEM : 0;
+}
