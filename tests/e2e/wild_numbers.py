@@ -5,7 +5,7 @@ Usage: wild_numbers.py SCREE [--full] [--case NAME] [--key TEXT] [--jobs N]
 
 Each run has to end with 0, 3 or 4 within the time and the memory below, an error of 3 with file:line:column and the key
 or with the time and the stage. A run that goes on has said how many steps it will take. Prints a table of those that do
-not. --full: every power from 1e-9 to 1e9; otherwise one of them for every key, in turn, and the ends of cover_size.
+not. --full, or SCREE_FULL=1 in the environment: every power from 1e-9 to 1e9; otherwise one of them for every key, in turn, and the ends of cover_size.
 """
 import argparse
 import concurrent.futures
@@ -120,7 +120,7 @@ def attempt(scree, case, key, value, work):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("scree")
-    parser.add_argument("--full", action="store_true")
+    parser.add_argument("--full", action="store_true", default=bool(os.environ.get("SCREE_FULL")))
     parser.add_argument("--case", default="")
     parser.add_argument("--key", default="")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())

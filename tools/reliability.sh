@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# The tests behind docs/reliability.md, and what each found, a line a test.
+#   tools/reliability.sh [--full] [BUILD]      quick form, or the whole (hours); build/release if no folder is given
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+if [ "${1:-}" = --full ]; then
+  export SCREE_FULL=1
+  shift
+fi
+build=${1:-build/release}
+[ -f "$build/CTestTestfile.cmake" ] || { echo "no build with tests in $build: run ./check first" >&2; exit 2; }
+
+mapfile -t names < <(ctest --test-dir "$build" -N -L reliability | sed -n 's/^ *Test *#[0-9]*: //p')
+failed=0
+for name in "${names[@]}"; do
+  code=0
+  output=$(ctest --test-dir "$build" -R "^${name//./\\.}\$" -V 2>&1) || code=$?
+  result=$(sed -n 's/^ *1\/1 Test.* \(Passed\|.*Failed\|\*\*\*.*\) *\([0-9.]* sec\).*/\1, \2/p' <<<"$output")
+  printf '%s: %s\n' "$name" "${result:-did not run}"
+  # What a test says of itself, without what ctest says around it; all of it where it failed.
+  told=$(sed -n 's/^[0-9]*: //p' <<<"$output" | grep -vE '^(Test command|Working Directory|Environment variables|Test timeout| *[A-Z_]*=)' || true)
+  if [ "$code" = 0 ]; then tail -n 8 <<<"$told" | sed 's/^/    /'; else sed 's/^/    /' <<<"$told"; failed=1; fi
+done
+exit "$failed"
