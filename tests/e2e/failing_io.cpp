@@ -5,7 +5,7 @@
 //   SCREE_FAULT_KIND    eio, enospc: it fails so, and every later one; short: half of a write is done, then enospc;
 //                       kill: half of a write is done, other calls not, and the program is killed; killed: after the
 //                       call
-//   SCREE_FAULT_COUNT   file that is told the number of calls as the program ends
+//   SCREE_FAULT_TRACE   file that is told the name of the file of every call, a line a call
 // What the C library writes through its own streams (run.log) does not come through here.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -29,26 +29,25 @@ const char* setting(const char* name) {
 
 struct Faults {
   std::string folder = setting("SCREE_FAULT_FOLDER"), kind = setting("SCREE_FAULT_KIND");
-  std::string count_file = setting("SCREE_FAULT_COUNT");
   long at = std::atol(setting("SCREE_FAULT_AT")), calls = 0;
 
+  std::FILE* trace = *setting("SCREE_FAULT_TRACE") != '\0' ? std::fopen(setting("SCREE_FAULT_TRACE"), "w") : nullptr;
+  std::string path;  // of the call
+
   ~Faults() {
-    if (count_file.empty()) return;
-    if (std::FILE* f = std::fopen(count_file.c_str(), "w")) {
-      std::fprintf(f, "%ld\n", calls);
-      std::fclose(f);
-    }
+    if (trace != nullptr) std::fclose(trace);
   }
-  bool within(const char* path) const {
-    return !folder.empty() && std::strncmp(path, folder.c_str(), folder.size()) == 0;
+  bool within(const char* name) {
+    path = name;
+    return !folder.empty() && path.starts_with(folder);
   }
-  bool within(int fd) const {
-    char link[64], path[PATH_MAX];
+  bool within(int fd) {
+    char link[64], name[PATH_MAX];
     std::snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
-    const ssize_t n = ::readlink(link, path, sizeof path - 1);
+    const ssize_t n = ::readlink(link, name, sizeof name - 1);
     if (n <= 0) return false;
-    path[n] = '\0';
-    return within(path);
+    name[n] = '\0';
+    return within(name);
   }
 };
 
@@ -73,6 +72,7 @@ Result go(bool counts, Call&& call, Half&& half) {
   Faults& f = faults();
   if (!counts) return call();
   const long now = ++f.calls;
+  if (f.trace != nullptr) std::fprintf(f.trace, "%s\n", f.path.c_str());
   if (f.at == 0 || now < f.at) return call();
   if (f.kind == "killed") {
     if (now == f.at) (void)call(), die();

@@ -4,7 +4,9 @@
 Usage: io_faults.py SCREE LIBRARY        (failing_io.cpp, built as a module)
 A small staged run with a hand-over and checkpoints: some of its calls by default, each of them with SCREE_FULL=1. A call
 that fails must end the run with code 5 and name a file of the folder; the resumed run must be that which never stopped:
-every dataset and attribute, every table, the hash of its state. Exit code 77: cannot be done here.
+every dataset and attribute, every table, the hash of its state. Then larger staged runs (resume/: a hand-over, a partitioned
+stage, a switch) are killed inside the checkpoints that are written as stages change, and beside them. Exit code 77: cannot
+be done here.
 """
 import os
 import pathlib
@@ -32,7 +34,7 @@ polygon = [[-2, -1], [4, -1], [4, 0], [-2, 0]]
 material = "rock"
 [[block]]
 name = "stone"
-polygon = [[0, 0.001], [1, 0.001], [1, 0.501], [0, 0.501]]
+polygon = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
 material = "rock"
 [[support]]
 block = "base"
@@ -60,14 +62,42 @@ faults = resume_runs.faults
 fault = resume_runs.fault
 
 
-def run(scree, library, folder, *arguments, at=0, kind="", count=None):
+def run(scree, library, folder, *arguments, at=0, kind="", trace=None):
     environment = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
     if library:
         environment.update(LD_PRELOAD=str(library), SCREE_FAULT_FOLDER=str(folder), SCREE_FAULT_AT=str(at), SCREE_FAULT_KIND=kind)
-        if count:
-            environment["SCREE_FAULT_COUNT"] = str(count)
+        if trace:
+            environment["SCREE_FAULT_TRACE"] = str(trace)
     done = subprocess.run([scree, *map(str, arguments)], capture_output=True, text=True, env=environment, timeout=120, check=False)
     return done.returncode, done.stderr
+
+
+def calls_of(scree, library, folder, ask, scratch):
+    """Names of the files of a run's calls, in their order."""
+    trace = scratch / "trace"
+    code, err = run(scree, library, folder, *ask, trace=trace)
+    names = trace.read_text().splitlines() if trace.exists() else []
+    if code != 0 or not names:
+        print(f"SKIPPED: calls cannot be watched here ({code}: {err.strip()})")
+        sys.exit(resume_runs.SKIPPED)
+    return [pathlib.Path(name).name for name in names]
+
+
+def try_at(scree, library, folder, ask, whole, at, kind, what, tally):
+    """One fault, and the run that goes on."""
+    code, err = run(scree, library, folder, *ask, "--overwrite", at=at, kind=kind)
+    tally[kind, code] = tally.get((kind, code), 0) + 1
+    if kind.startswith("kill"):
+        if code != -9:
+            fault(f"{what}: exit code {code}: {err.strip()}")
+    elif code != 5 or str(folder) not in err:
+        fault(f"{what}: exit code {code}: {err.strip()}")
+    if not resume_runs.finish(resume_runs.Scree(scree), folder, ask, what):
+        return
+    if list(folder.glob("*damaged*")):
+        fault(f"{what}: a file was put aside: {[p.name for p in folder.glob('*damaged*')]}")
+    for line in resume_runs.differences(folder, whole):
+        fault(f"{what}: {line}")
 
 
 def main():
@@ -76,37 +106,34 @@ def main():
     tally = {}
     with tempfile.TemporaryDirectory(prefix="scree-io-") as scratch:
         scratch = pathlib.Path(scratch)
-        case, whole, folder, count = scratch / "case.toml", scratch / "whole", scratch / "run", scratch / "count"
-        case.write_text(CASE)
-        code, err = run(scree, None, whole, "run", case, "--out", whole, "--quiet")
+        small, whole, folder = scratch / "case.toml", scratch / "whole", scratch / "run"
+        small.write_text(CASE)
+        ask = ["run", small, "--out", folder, "--quiet"]
+        code, err = run(scree, None, whole, "run", small, "--out", whole, "--quiet")
         assert code == 0, err
-        ask = ["run", case, "--out", folder, "--quiet", "--overwrite"]
-        code, err = run(scree, library, folder, *ask, count=count)
-        if code != 0 or not count.exists() or int(count.read_text()) == 0:
-            print(f"SKIPPED: calls cannot be watched here ({code}: {err.strip()})")
-            sys.exit(resume_runs.SKIPPED)
-        calls = int(count.read_text())
+        calls = len(calls_of(scree, library, folder, ask, scratch))
         for line in resume_runs.differences(folder, whole):
             fault(f"no fault: {line}")
         for kind in ("eio", "enospc", "short", "kill", "killed"):
-            places = range(1, calls + 1) if FULL else sorted(rng.sample(range(1, calls + 1), 6))
-            for at in places:
-                what = f"{kind} at call {at} of {calls}"
-                code, err = run(scree, library, folder, *ask, at=at, kind=kind)
-                end = f"code {code}"
-                tally[kind, end] = tally.get((kind, end), 0) + 1
-                if kind.startswith("kill"):
-                    if code != -9:
-                        fault(f"{what}: exit code {code}: {err.strip()}")
-                elif code != 5 or str(folder) not in err:
-                    fault(f"{what}: exit code {code}: {err.strip()}")
-                if not resume_runs.finish(resume_runs.Scree(scree), folder, ["run", case, "--out", folder, "--quiet"], what):
-                    continue
-                if list(folder.glob("*damaged*")):
-                    fault(f"{what}: a file was put aside: {[p.name for p in folder.glob('*damaged*')]}")
-                for line in resume_runs.differences(folder, whole):
-                    fault(f"{what}: {line}")
-    print(f"{calls} calls; {tally}; {len(faults)} faults")
+            for at in range(1, calls + 1) if FULL else sorted(rng.sample(range(1, calls + 1), 4)):
+                try_at(scree, library, folder, ask, whole, at, kind, f"{kind} at call {at} of {calls}", tally)
+        print(f"{calls} calls; by kind and exit code: {tally}", flush=True)
+
+        for name in ("staged", "sides", "rules") if FULL else ("rules",):
+            tally = {}
+            case, whole, folder = resume_runs.HERE / f"{name}.toml", scratch / f"{name}-whole", scratch / name
+            ask = ["run", case, "--out", folder, "--quiet"]
+            code, err = run(scree, None, whole, "run", case, "--out", whole, "--quiet")
+            assert code == 0, err
+            names = calls_of(scree, library, folder, ask, scratch)
+            inside = [n + 1 for n, file in enumerate(names) if file.startswith("checkpoint")]
+            beside = sorted({n + d for n in inside for d in range(-15, 16) if 0 < n + d <= len(names)} - set(inside))
+            for places in (inside, beside, range(1, len(names) + 1)):
+                for at in sorted(rng.sample(places, min(len(places), 24 if FULL else 1))):
+                    kind = rng.choice(("kill", "killed"))
+                    try_at(scree, library, folder, ask, whole, at, kind, f"{name}, {kind} at call {at} of {len(names)}", tally)
+            print(f"{name}: {len(names)} calls, {len(inside)} of them of checkpoints; {tally}", flush=True)
+    print(f"{len(faults)} faults")
     sys.exit(1 if faults else 0)
 
 

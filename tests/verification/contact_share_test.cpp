@@ -261,8 +261,8 @@ TEST_P(NarrowFoot, stands_without_force_as_the_run_begins) {
   const Scheme scheme = GetParam();
   Scene scene(5e9, 0.2, 2600.0, 35.0);
   scene.add("base", rectangle(0, 0, 6, 1), true);
-  scene.add("wedge", Ring{{0, 1}, {0.04, 1}, {0.8, 6.8}, {0, 6.8}});
-  scene.add("beside", Ring{{0.04, 1}, {3, 1}, {3, 6.8}, {0.8, 6.8}});
+  scene.add("wedge", {{{0, 1}, {0.04, 1}, {0.8, 6.8}, {0, 6.8}}, {}});
+  scene.add("beside", {{{0.04, 1}, {3, 1}, {3, 6.8}, {0.8, 6.8}}, {}});
   scene.stage(scheme.method, scheme.integrator, 0.01, scheme.implicit() ? std::optional<double>(1e-3) : std::nullopt,
               1.0);
   Driver run(scene.model, scene.plan, methods());
