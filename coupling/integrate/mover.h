@@ -33,8 +33,8 @@ struct StepReport {
   std::int32_t substeps = 1;  // explicit ones in it, that fast bodies have taken (Subcycled)
   // Explicit steps that were made for a partitioned one, which repeats them in every iteration.
   std::int64_t explicit_steps = 0;
-  int passes = 0;             // open-close passes
-  int switches = 0;           // of contact states in them
+  int passes = 0;    // open-close passes
+  int switches = 0;  // of contact states in them
   int factorisations = 0;
   int updates = 0;            // rank-1 changes of a factor
   int corrections = 0;        // solutions with the factor of a matrix that is not quite that of the step

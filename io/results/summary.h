@@ -22,8 +22,9 @@ namespace scree::io {
 ///   total}, cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second,
 ///   contacts, ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
 ///           relative_closure (0 where what moved is next to nothing), last_places (Ledger::last_places),
-///           relative_closure_of ("the energy moved" or "next to nothing"), passed, passed_closure, gain (Ledger::passed and gain),
-///           scheme_share = max |scheme column| / moved, scheme_passed_share = the same of watched columns / passed},
+///           relative_closure_of ("the energy moved" or "next to nothing"), passed, passed_closure, gain
+///           (Ledger::passed and gain), scheme_share = max |scheme column| / moved, scheme_passed_share = the same of
+///           watched columns / passed},
 ///   friction {worst_ratio, contact} (FrictionCheck; of runs in which a contact slid far enough),
 ///   transfers [{time, block, from, to, mass_error, momentum_error, angular_error, energy_error, kinetic_before,
 ///               kinetic_after, elastic_before, elastic_after, reservoir_kinetic, reservoir_elastic, booked}],
