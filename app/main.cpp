@@ -263,15 +263,16 @@ int dispatch(int argc, char** argv) {
   if (*again_live_option) again.live = again_live;
   if (*again_until_option) again.until = again_until;
   if (*resume_command) return resume(again);
-  if (*check_command) return check(looked);
-  if (*list_command) return cases_list();
   if (*verify_command) return cases_verify(verify);
-  if (*snapshot_command) return snapshot(picture);
   if (*for_option) look.seconds = look_for;
   if (*watch_command) return watch(look);
   if (*ask_value_option) ask.value = ask_value;
   if (*control_command) return control(ask);
   if (*replay_command) return replay(shown);
+  const CollectedOutput at_once;
+  if (*check_command) return check(looked);
+  if (*list_command) return cases_list();
+  if (*snapshot_command) return snapshot(picture);
   if (*schema_command) return schema(markdown);
   if (*completion_command) {
     say("{}", completion(app, shell, choices()));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <string>
 
 #include "app/signals.h"
 #include "io/text/printable.h"
@@ -19,16 +20,21 @@ using Clock = std::chrono::steady_clock;
 
 int first_error = 0;
 
+constexpr std::size_t kPiece = 4096;  // bytes; a pipe that is ready takes them without waiting (PIPE_BUF)
+bool collects = false;
+std::string collected;
+
 /// Writes no more at once than a pipe or a terminal that is ready takes without waiting, so that a signal is seen.
 void put(int descriptor, std::string_view text) {
-  constexpr std::size_t kPiece = 256;  // bytes
+  // A terminal that nobody reads may take less.
+  const std::size_t piece = collects ? kPiece : 256;
   while (!text.empty()) {
     pollfd ready{descriptor, POLLOUT, 0};
     if (::poll(&ready, 1, 100) <= 0) {
       if (Signals::came()) return;
       continue;
     }
-    const ssize_t written = ::write(descriptor, text.data(), std::min(text.size(), kPiece));
+    const ssize_t written = ::write(descriptor, text.data(), std::min(text.size(), piece));
     if (written >= 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
     } else if (errno != EINTR && errno != EAGAIN) {
@@ -38,6 +44,11 @@ void put(int descriptor, std::string_view text) {
   }
 }
 
+void flush() {
+  put(STDOUT_FILENO, collected);
+  collected.clear();
+}
+
 }  // namespace
 
 void open_standard_streams() {
@@ -45,9 +56,24 @@ void open_standard_streams() {
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);  // takes the lowest number that is free
 }
 
-void draw(std::string_view text) { put(STDOUT_FILENO, text); }
-void say_text(std::string_view text) { put(STDOUT_FILENO, io::printable(text)); }
-void complain_text(std::string_view text) { put(STDERR_FILENO, io::printable(text)); }
+void draw(std::string_view text) {
+  flush();
+  put(STDOUT_FILENO, text);
+}
+void say_text(std::string_view text) {
+  collected += io::printable(text);
+  if (!collects || collected.size() >= kPiece) flush();
+}
+void complain_text(std::string_view text) {
+  flush();
+  put(STDERR_FILENO, io::printable(text));
+}
+
+CollectedOutput::CollectedOutput() { collects = ::isatty(STDOUT_FILENO) == 0; }
+CollectedOutput::~CollectedOutput() {
+  flush();
+  collects = false;
+}
 
 int output_error() { return first_error; }
 

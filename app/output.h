@@ -18,6 +18,17 @@ void say(fmt::format_string<Args...> form, Args&&... args);
 template <class... Args>
 void complain(fmt::format_string<Args...> form, Args&&... args);
 
+/// What is said while one lives goes out at its end, or when some has come together, unless standard output is a
+/// terminal: in few pieces, so that a reader who has seen enough (`scree cases list | grep -q miller`) finds it all
+/// written.
+class CollectedOutput {
+ public:
+  CollectedOutput();
+  CollectedOutput(const CollectedOutput&) = delete;
+  CollectedOutput& operator=(const CollectedOutput&) = delete;
+  ~CollectedOutput();
+};
+
 /// Standard output as it is, escape sequences of our own included.
 void draw(std::string_view text);
 

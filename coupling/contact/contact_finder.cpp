@@ -406,7 +406,7 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
     }
 }
 
-void ContactFinder::suppress_second_edges(ContactList& list) const {
+void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
   // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
   // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
@@ -419,6 +419,12 @@ void ContactFinder::suppress_second_edges(ContactList& list) const {
       ContactPoint &a = list.points[i], &b = list.points[j];
       if (a.beyond || b.beyond) continue;
       if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
+      if (const bool first_is_open = ma.status == ContactStatus::open;
+          at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
+        // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+        (first_is_open ? a : b).suppressed = true;
+        continue;
+      }
       const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
       if (!inside && !loaded) continue;
       if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
@@ -535,7 +541,7 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   interpolate(out);
   pass_tips(at_start, out);
   pass_energy_on(at_start, out);
-  suppress_second_edges(out);
+  suppress_second_edges(at_start, out);
   if (!setup_->model().waters.empty()) fill_with_water(out);
 }
 

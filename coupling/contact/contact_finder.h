@@ -118,7 +118,7 @@ class ContactFinder {
   void interpolate(ContactList& out) const;
   void pair_edges(std::size_t first, ContactList& list) const;
   void fill_with_water(ContactList& list) const;
-  void suppress_second_edges(ContactList& list) const;
+  void suppress_second_edges(bool at_start, ContactList& list) const;
 
   const Setup* setup_;
   double detection_, touching_;

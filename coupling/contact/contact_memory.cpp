@@ -86,10 +86,10 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
     const double kn = resting_on(m.kn, old->kn), kt = resting_on(m.kt, old->kt);
     m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
     m.stretch = -(m.ft - m.fdt) / kt;
-  } else if (!closed) {
+  } else if (!closed && !at_start) {
     // A contact closes where its gap passes zero, or what slip has left open. One that is found deep (a corner that
-    // came in from the side, whose other edge carried it so far, or that stands beside the end of an edge as the run
-    // begins) begins without force where it is, and forgets that depth as it comes out.
+    // came in from the side, or whose other edge carried it so far) begins without force where it is, and forgets that
+    // depth as it comes out.
     const double opened = opened_by_slip(setup_->model().joints[static_cast<std::size_t>(m.joint)], m.slip),
                  above = p.at.gap - opened;
     if (old == nullptr || m.gap < 0.0)

@@ -79,16 +79,17 @@ void shift(Value& value, int option, int columns) {
                    "one line without control characters and marks of writing direction", "take out what is escaped"});
 }
 
-/// Titles, names and paths are shown on terminals and in pictures.
-void check_texts(const Value& value, std::string_view file) {
-  if (const auto* text = value.as<std::string>(); text && printable_line(*text) != *text)
+/// Titles, names and paths are shown on terminals and in pictures. A title may have several lines.
+void check_texts(const Value& value, std::string_view file, bool of_title = false) {
+  if (const auto* text = value.as<std::string>();
+      text && (of_title ? printable(*text) : printable_line(*text)) != *text)
     refuse(file, value.place, *text);
   if (const auto* items = value.as<Array>())
     for (const Value& item : *items) check_texts(item, file);
   if (const auto* members = value.as<Table>())
     for (const Member& m : *members) {
       if (printable_line(m.key) != m.key) refuse(file, m.place, m.key);
-      check_texts(m.value, file);
+      check_texts(m.value, file, m.key == "title");
     }
 }
 
