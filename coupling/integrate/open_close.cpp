@@ -337,16 +337,25 @@ OpenClose::Wish OpenClose::wish(std::size_t i) const {
     w.status = std::abs(ft) > s.friction_limit(w.violation) ? ContactStatus::slip : ContactStatus::stick;
     w.direction = ft < 0.0 ? -1.0 : 1.0;
     w.slack = pressed(t, t.gap - m.gap) < 0.0;
-  } else if (const double bears = t.status == ContactStatus::stick ? s.tension : 0.0;
-             t.gap > 0.0 && (bears > 0.0 || t.slack || t.fn < 0.0 || t.k == m.kn)) {
+    return w;
+  }
+  const double bears = t.status == ContactStatus::stick ? s.tension : 0.0;
+  if (t.gap > 0.0 && (bears > 0.0 || t.slack || t.fn < 0.0 || t.k == m.kn)) {
     // A bond that sticks bears the pull, unless that or the shear under it is too much: then nothing holds it closed.
     const double pull = m.kn * t.gap;
     w.violation = bears > 0.0 ? std::max(pull - bears, std::abs(t.ft) - s.friction_limit(-pull)) : pull;
-    if (w.violation > 0.0) w.status = ContactStatus::open;
-    if (w.violation <= 0.0) (void)switch_slack(i, w);
-  } else if (switch_slack(i, w)) {
-    return w;
-  } else if (t.status == ContactStatus::stick) {
+    if (w.violation > tolerance(i)) {
+      w.status = ContactStatus::open;
+      return w;
+    }
+    w.violation = 0.0;  // it hardly opens, and may slip, or its dashpot pull, as it is
+    if (bears > 0.0) {
+      (void)switch_slack(i, w);
+      return w;
+    }
+  }
+  if (switch_slack(i, w)) return w;
+  if (t.status == ContactStatus::stick) {
     const double cap = s.friction_limit(bearing_force(i));
     if (std::abs(t.ft) <= cap) return w;
     w.status = ContactStatus::slip;

@@ -4,7 +4,7 @@ cracks and vertices, by processor time.
 
 Usage: setup_time.py SCREE [--most EXPONENT]
 
-Prints seconds and exponents, and fails where one from n to 4n is above `--most` (2: processor times on a busy machine
+Prints seconds and exponents, and fails where one from n to 4n is above `--most` (2.4: processor times on a busy machine
 differ). The time of a case of two lines is taken off. Crossing lines, cracks and vertices have 1.0 to 1.15; parallel lines
 1.8, which is the noding of GEOS: it looks at all oblique lines whose boxes overlap. They had 3.
 """
@@ -66,7 +66,7 @@ def seconds(scree, text, work):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("scree")
-    parser.add_argument("--most", type=float, default=2.0)
+    parser.add_argument("--most", type=float, default=2.4)
     options = parser.parse_args()
     wrong = False
     with tempfile.TemporaryDirectory() as folder:
