@@ -342,8 +342,8 @@ std::vector<Outcome> slide_all(const std::vector<Setting>& settings, bool tell) 
                  100.0 * out[i].error, took.count());
     }
   };
-  std::vector<std::jthread> workers;
-  for (int i = 0; i < omp_get_max_threads(); ++i) workers.emplace_back(work);
+  std::vector<std::jthread> workers(static_cast<std::size_t>(omp_get_max_threads()));
+  for (std::jthread& worker : workers) worker = std::jthread(work);
   for (std::jthread& worker : workers) worker.join();
   return out;
 }

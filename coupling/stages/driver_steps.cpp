@@ -173,7 +173,7 @@ RunEnd Driver::take_step(const Stage& stage) {
       event(EventKind::not_converged, reason);
       return {status, reason};
     }
-    if (const RunEnd slow = check_pace(stage, text); slow.status != RunEnd::Status::done) {
+    if (RunEnd slow = check_pace(stage, text); slow.status != RunEnd::Status::done) {
       tell_cut();
       return slow;
     }

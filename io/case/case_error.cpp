@@ -6,6 +6,7 @@
 
 namespace scree::io {
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): callers give it away, and none needs it after
 CaseError::CaseError(std::string_view file_name, Place place, Fault fault)
     : file(place.from_set ? std::string("--set") : std::string(file_name)),
       line(place.line),

@@ -43,8 +43,8 @@ struct Member {
 [[nodiscard]] Value parse_document(std::string_view text, std::string_view file);
 
 /// The value alone, as the right-hand side of `key = VALUE`.
-/// @param shift  columns before the value in the option;  option  its number, from 1
-[[nodiscard]] Value parse_set_value(std::string_view value, int option, int shift);
+/// @param columns  before the value in the option;  option  its number, from 1
+[[nodiscard]] Value parse_set_value(std::string_view value, int option, int columns);
 
 /// A value as TOML on one line, cut where it gets long; what it is, for tables.
 [[nodiscard]] std::string shown(const Value& value);

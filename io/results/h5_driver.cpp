@@ -52,7 +52,7 @@ herr_t truncate(H5FD_t* file, hid_t transfer, hbool_t closing) {
 
 /// Registers the driver, once.
 hid_t driver(const std::filesystem::path& path) {
-  static const hid_t number = [&] {
+  static const hid_t kDriver = [&] {
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);
     check(H5Pset_fapl_sec2(access.get()), path, "set up HDF5");
     // The driver's functions are found in a file that it has opened.
@@ -63,14 +63,14 @@ hid_t driver(const std::filesystem::path& path) {
     H5FD_class_t mine = plain;
     mine.name = "scree";
     mine.terminate = nullptr;
-    mine.fapl_size = sizeof(UndoLog*);
+    mine.fapl_size = sizeof(UndoLog*);  // NOLINT(bugprone-sizeof-expression): what is stored is the pointer
     mine.open = open;
     mine.close = close;
     mine.write = write;
     mine.truncate = truncate;
     return check(H5FDregister(&mine), path, "set up HDF5");
   }();
-  return number;
+  return kDriver;
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ struct BesideFile {  // goes, unless it was put in place
 
 /// Puts a table aside that is not what it was; says so. Empty: it is.
 std::string set_aside_changed(const std::filesystem::path& table, const TableMark& mark) {
-  const std::string lacks = CsvFile::lacks(table, mark);
+  std::string lacks = CsvFile::lacks(table, mark);
   if (lacks.empty()) return lacks;
   const std::filesystem::path aside = RunFolder::set_aside(table);
   return table.string() + ": " + lacks + (aside.empty() ? "" : "; what there was of it is now in " + aside.string()) +

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "io/results/atomic_file.h"
 #include "io/results/byte_hash.h"
