@@ -23,7 +23,7 @@ Vec2 main_direction(std::span<const Block> blocks) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Vec2 d = ring[(i + 1) % ring.size()] - ring[i];
         const double turn = std::atan2(d.y(), d.x()) / std::numbers::pi + 1.0;  // 0 to 2, in half turns
-        const std::size_t part = static_cast<std::size_t>((turn - std::floor(turn)) * kParts + 0.5) % kParts;
+        const std::size_t part = static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * kParts)) % kParts;
         const double l = d.norm();
         length[part] += l;
         if (l <= longest[part]) continue;

@@ -108,6 +108,7 @@ JointId law_between(const Model& model, JointId a, JointId b) {
 std::vector<Touch> touching_blocks(const Model& model) {
   const std::vector<Outline> all = outlines(model);
   std::vector<double> margin;
+  margin.reserve(all.size());
   for (const Outline& o : all) margin.push_back(kTouchingGap * o.root_area);
   std::vector<Touch> touches;
   for (const auto& [i, j] : near_pairs(model.blocks, margin))

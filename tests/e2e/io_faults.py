@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """One write, fsync, truncation or rename of a run fails, is cut short, or the program dies there; the run is resumed.
 
-Usage: io_faults.py SCREE LIBRARY        (failing_io.cpp, built as a module)
+Usage: io_faults.py SCREE LIBRARY        (failing_io.cc, built as a module)
 A small staged run with a hand-over and checkpoints: some of its calls by default, each of them with SCREE_FULL=1. A call
 that fails must end the run with code 5 and name a file of the folder; the resumed run must be that which never stopped:
 every dataset and attribute, every table, the hash of its state. Then larger staged runs (resume/: a hand-over, a partitioned

@@ -23,75 +23,75 @@ void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, s
 /// A file of some pages that is overwritten here and there, and grows.
 class OverwrittenFile : public testing::Test {
  protected:
-  io::test::Scratch folder;
-  fs::path file = folder.path() / "file", log = UndoLog::path_of(file), copy = folder.path() / "copy";
-  std::string before;
-  std::mt19937 random{7};
+  io::test::Scratch folder_;
+  fs::path file_ = folder_.path() / "file", log_ = UndoLog::path_of(file_), copy_ = folder_.path() / "copy";
+  std::string before_;
+  std::mt19937 random_{7};
 
   void SetUp() override {
-    for (int i = 0; i < 41'000; ++i) before += static_cast<char>(random());
-    put(file, before);
+    for (int i = 0; i < 41'000; ++i) before_ += static_cast<char>(random_());
+    put(file_, before_);
   }
   void overwrite(UndoLog& undo, int fd, std::uint64_t at, std::size_t size) {
     std::string other;
-    for (std::size_t i = 0; i < size; ++i) other += static_cast<char>(random());
+    for (std::size_t i = 0; i < size; ++i) other += static_cast<char>(random_());
     undo.save(at, size);
     ASSERT_EQ(::pwrite(fd, other.data(), size, static_cast<off_t>(at)), static_cast<ssize_t>(size));
   }
 };
 
 TEST_F(OverwrittenFile, is_as_it_was) {
-  const int fd = ::open(file.c_str(), O_RDWR);
-  UndoLog undo(file);
+  const int fd = ::open(file_.c_str(), O_RDWR);
+  UndoLog undo(file_);
   undo.start(fd);
   for (int i = 0; i < 30; ++i) {
-    overwrite(undo, fd, random() % 60'000, 1 + random() % 9'000);
-    put(copy, io::test::text_of(file)), put(UndoLog::path_of(copy), io::test::text_of(log));
-    EXPECT_TRUE(UndoLog::roll_back(copy));
-    EXPECT_EQ(io::test::text_of(copy), before);
-    EXPECT_FALSE(fs::exists(UndoLog::path_of(copy)));
+    overwrite(undo, fd, random_() % 60'000, 1 + random_() % 9'000);
+    put(copy_, io::test::text_of(file_)), put(UndoLog::path_of(copy_), io::test::text_of(log_));
+    EXPECT_TRUE(UndoLog::roll_back(copy_));
+    EXPECT_EQ(io::test::text_of(copy_), before_);
+    EXPECT_FALSE(fs::exists(UndoLog::path_of(copy_)));
   }
-  EXPECT_LT(fs::file_size(log), 41'000U + 12 * 32 + 100) << "every page once";
+  EXPECT_LT(fs::file_size(log_), 41'000U + 12 * 32 + 100) << "every page once";
   ::close(fd);
 }
 
 TEST_F(OverwrittenFile, stretch_that_was_not_stored_whole_was_not_overwritten) {
-  const int fd = ::open(file.c_str(), O_RDWR);
-  UndoLog undo(file);
+  const int fd = ::open(file_.c_str(), O_RDWR);
+  UndoLog undo(file_);
   undo.start(fd);
   overwrite(undo, fd, 100, 50);
-  const std::string now = io::test::text_of(file);
-  const auto size = fs::file_size(log);
+  const std::string now = io::test::text_of(file_);
+  const auto size = fs::file_size(log_);
   undo.save(9'000, 10);  // and killed within
-  const std::string logged = io::test::text_of(log);
+  const std::string logged = io::test::text_of(log_);
   for (std::size_t n = size; n < logged.size(); n += 97) {
-    put(file, now), put(log, logged.substr(0, n));
-    EXPECT_TRUE(UndoLog::roll_back(file));
-    EXPECT_EQ(io::test::text_of(file), before) << n;
+    put(file_, now), put(log_, logged.substr(0, n));
+    EXPECT_TRUE(UndoLog::roll_back(file_));
+    EXPECT_EQ(io::test::text_of(file_), before_) << n;
   }
   ::close(fd);
 }
 
 TEST_F(OverwrittenFile, log_of_a_later_start_holds_for_that_one) {
-  const int fd = ::open(file.c_str(), O_RDWR);
-  UndoLog undo(file);
+  const int fd = ::open(file_.c_str(), O_RDWR);
+  UndoLog undo(file_);
   undo.start(fd);
   overwrite(undo, fd, 5'000, 50'000);
   undo.start(fd);
-  const std::string later = io::test::text_of(file);
+  const std::string later = io::test::text_of(file_);
   overwrite(undo, fd, 100, 10);
-  EXPECT_TRUE(UndoLog::roll_back(file));
-  EXPECT_EQ(io::test::text_of(file), later);
-  EXPECT_FALSE(UndoLog::roll_back(file)) << "there is none any more";
-  EXPECT_EQ(io::test::text_of(file), later);
+  EXPECT_TRUE(UndoLog::roll_back(file_));
+  EXPECT_EQ(io::test::text_of(file_), later);
+  EXPECT_FALSE(UndoLog::roll_back(file_)) << "there is none any more";
+  EXPECT_EQ(io::test::text_of(file_), later);
   ::close(fd);
 }
 
 TEST_F(OverwrittenFile, log_that_says_nothing_is_not_followed) {
   for (const std::string& text : {std::string(), std::string("SCRUNDO1"), std::string(24, 'x')}) {
-    put(log, text);
-    EXPECT_TRUE(UndoLog::roll_back(file));
-    EXPECT_EQ(io::test::text_of(file), before);
+    put(log_, text);
+    EXPECT_TRUE(UndoLog::roll_back(file_));
+    EXPECT_EQ(io::test::text_of(file_), before_);
   }
 }
 

@@ -26,6 +26,7 @@ TEST(NearPairs, none_that_overlaps_or_touches_is_left_out) {
   };
   for (int round = 0; round < 20; ++round) {
     std::vector<Block> blocks;
+    blocks.reserve(70);
     for (int i = 0; i < 60; ++i)
       blocks.push_back(block(transformed(box(0, 0, number(0.1, 20.0), number(0.1, 1.0)),
                                          Vec2(number(0, 20), number(0, 20)), rotation(0.3 + number(-0.1, 0.1)))));
@@ -59,6 +60,7 @@ TEST(NearPairs, none_that_overlaps_or_touches_is_left_out) {
 TEST(NearPairs, strips_between_parallel_joints_have_their_neighbours_only) {
   for (const int n : {100, 200, 400}) {
     std::vector<Block> blocks;
+    blocks.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) blocks.push_back(block(transformed(box(0, i, 1000, i + 1), Vec2(0, 0), rotation(0.5))));
     EXPECT_LE(near_pairs(blocks, std::vector<double>(blocks.size(), 1e-6)).size(), static_cast<std::size_t>(2 * n));
   }
