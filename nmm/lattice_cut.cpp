@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/perimeter.h"
 #include "model/planar.h"
 
 namespace scree::nmm {
@@ -31,14 +32,6 @@ void cells_near(const Lattice& lattice, const Vec2& a, const Vec2& b, See&& see)
     const auto i1 = static_cast<std::int32_t>(std::floor(std::max(x0, x1) + margin));
     for (std::int32_t i = i0; i <= i1; ++i) see(i, j);
   }
-}
-
-double perimeter(const Polygon& p) {
-  double sum = 0.0;
-  for (std::size_t r = 0; r < p.rings(); ++r)
-    for (std::size_t i = 0; i < p.ring(r).size(); ++i)
-      sum += (p.ring(r)[(i + 1) % p.ring(r).size()] - p.ring(r)[i]).norm();
-  return sum;
 }
 
 }  // namespace

@@ -3,19 +3,12 @@
 #include <cmath>
 
 #include "coupling/transfer/transfer.h"
+#include "model/perimeter.h"
 
 namespace scree::coupling {
 namespace {
 
 constexpr double kCellBytes = 11.0, kExplicitBytes = 800.0, kImplicitBytes = 4000.0;  // implicit: with its factor
-
-double perimeter(const Polygon& p) {
-  double sum = 0.0;
-  for (std::size_t r = 0; r < p.rings(); ++r)
-    for (std::size_t i = 0; i < p.ring(r).size(); ++i)
-      sum += (p.ring(r)[(i + 1) % p.ring(r).size()] - p.ring(r)[i]).norm();
-  return sum;
-}
 
 }  // namespace
 

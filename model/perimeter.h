@@ -1,0 +1,11 @@
+// Length of all outlines of a polygon.
+#pragma once
+
+#include "model/geometry.h"
+
+namespace scree {
+
+/// Of the outer ring and the holes [m].
+[[nodiscard]] double perimeter(const Polygon& p);
+
+}  // namespace scree
