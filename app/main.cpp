@@ -18,6 +18,7 @@
 #include "io/case/suggest.h"
 #include "io/results/file_error.h"
 #include "io/results/snapshot.h"
+#include "model/mesh_error.h"
 
 namespace {
 
@@ -303,6 +304,9 @@ int main(int argc, char** argv) {
     complain("{}\n", e.what());
     return kBadCase;
   } catch (const scree::coupling::PlanError& e) {
+    complain("error: {}\n", e.what());
+    return kBadCase;
+  } catch (const scree::MeshError& e) {
     complain("error: {}\n", e.what());
     return kBadCase;
   } catch (const scree::io::FileError& e) {

@@ -14,6 +14,7 @@ option(SCREE_TESTS "Build the tests" ON)
 option(SCREE_WERROR "Treat warnings as errors" OFF)
 option(SCREE_NATIVE "Compile for the processor of this machine" OFF)
 option(SCREE_AUDIT "Keep SCREE_ASSERT in optimised code" OFF)
+option(SCREE_FUZZ "Make libFuzzer's programs of tests/fuzz (clang)" OFF)
 set(SCREE_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 
 add_library(scree_options INTERFACE)

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "model/local_origin.h"
+#include "model/mesh_error.h"
 #include "model/planar.h"
 #include "nmm/field_projection.h"
 
@@ -72,7 +73,7 @@ void NmmPool::find_whole_inverse(Body& body) {
     double& mass = body.whole_inverse[k];
     if (body.whole_chart.tied(static_cast<std::int32_t>(k))) continue;
     if (!(mass > 0.0))
-      throw std::runtime_error(fmt::format(
+      throw MeshError(fmt::format(
           "block '{}' cannot be divided by the explicit region: a cover of one half has no lumped mass; move the "
           "region's border, or choose another cover_size",
           body.name));
@@ -83,7 +84,7 @@ void NmmPool::find_whole_inverse(Body& body) {
 void NmmPool::divide(Body& body) {
   CoverMesh& mesh = body.mesh;
   const auto refuse = [&](const char* why) {
-    throw std::runtime_error(fmt::format("block '{}' cannot be divided by the explicit region: {}", body.name, why));
+    throw MeshError(fmt::format("block '{}' cannot be divided by the explicit region: {}", body.name, why));
   };
   if (mesh.onefold) refuse("it is so narrow that one cover carries it; choose a smaller cover_size");
   if (mesh.seams.empty()) refuse("no two neighbouring elements have their centroids one in it and one outside");
@@ -118,7 +119,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   const CoverMesh& mesh = body->mesh;
   const MassKind lumped = body->lumped && form.mass == MassKind::consistent ? MassKind::affine_exact : form.mass;
   if (!mass_.add(body->lumped ? *body->lumped : mesh, first, record.shape, lumped))
-    throw std::runtime_error(fmt::format(
+    throw MeshError(fmt::format(
         "block '{}': its cracks leave a part on which no lumped mass is positive; choose another cover size",
         body->name));
   if (form.mass != MassKind::affine_exact && !mesh.onefold) make_implicit(*body, first);

@@ -17,6 +17,7 @@
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/partition.h"
 #include "coupling/stages/plan_warnings.h"
+#include "model/mesh_error.h"
 
 namespace scree::coupling {
 namespace {
@@ -199,14 +200,30 @@ void Driver::look(bool frame) {
   stats_.wall_output += wall() - begin;
 }
 
+namespace {
+
+/// What `make` makes; a block that cannot be had as the stage wants it is a fault of the plan.
+template <class Make>
+auto in_plan(const Stage& stage, double time, const Make& make) {
+  try {
+    return make();
+  } catch (const MeshError& e) {
+    throw PlanError(fmt::format("t = {:.6g} s, stage '{}': {}", time, stage.name, e.what()));
+  }
+}
+
+}  // namespace
+
 void Driver::start() {
   state_ = State{};
   mesh_ = mesh_shown_ = 0;
   enter_time(plan_->stages.front());
   take_sides(plan_->stages.front());
   state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
-  setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies,
+  setup_ = in_plan(plan_->stages.front(), 0.0, [&] {
+    return std::make_unique<Setup>(*model_, *methods_, state_.bodies,
                                    slow_bodies(*model_, plan_->stages.front(), state_.explicit_side), clocks());
+  });
   state_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
   state_.v = state_.q;
   for (const Body& b : setup_->bodies()) {
@@ -268,7 +285,8 @@ void Driver::change_stage(std::size_t index) {
 }
 
 void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
-  HandOver handed = hand_over(*model_, *methods_, *setup_, stage, state_, clocks());
+  HandOver handed = in_plan(stage, seconds(state_.time),
+                            [&] { return hand_over(*model_, *methods_, *setup_, stage, state_, clocks()); });
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {

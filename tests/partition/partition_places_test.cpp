@@ -125,7 +125,7 @@ bool run_anything(const Scene& scene, double& closure) {
   RunEnd end;
   try {
     end = run.run();
-  } catch (const std::runtime_error& e) {
+  } catch (const PlanError& e) {
     EXPECT_NE(std::string(e.what()).find("cannot be divided"), std::string::npos) << e.what();
     return false;
   }

@@ -114,5 +114,51 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
   EXPECT_NEAR(force / (kDensity * kGravity * 0.6), 1.0, 1e-3);
 }
 
+/// A block that is sheared and has not slipped reaches the next block of its base: its points there begin with the shear
+/// that the joint has, so that the traction goes on across the base's joint.
+TEST(NewContactMemory, points_that_reach_the_next_block_of_a_sheared_joint_take_its_shear) {
+  constexpr double kShear = 1e-4;  // [m]
+  Scene scene(1e9, 0.2, kDensity, 60.0);
+  scene.add("base", rectangle(-2, -1, 0.7, 0), true);
+  scene.add("next", rectangle(0.7, -1, 3, 0), true);
+  scene.add("block", rectangle(-0.5, 0, 0.5, 0.4));
+  scene.stage("dda", Integrator::implicit, 0.1, 1e-3);
+  const ByHand hand(scene.model, scene.plan.stages[0]);
+  const auto moved = [&](double x, double y) {
+    std::vector<double> q = hand.state.q;
+    const Body& b = hand.setup->bodies()[2];
+    AffineMotion m;
+    m.c = b.centre + Vec2(x, y);
+    std::vector<double> v(q.size());
+    const auto p = static_cast<std::size_t>(b.pool);
+    hand.setup->pool_of(b).place(b.index, m, hand.setup->part(std::span<double>(q), p),
+                                 hand.setup->part(std::span<double>(v), p));
+    return q;
+  };
+  ContactFinder finder(*hand.setup, 0.05);
+  ContactList none, known, now;
+  finder.find(moved(0.19, 0.0), none, true, known);  // the corner stands 1 cm before the end of the first base
+  int before = 0;
+  for (std::size_t i = 0; i < known.points.size(); ++i) {
+    ContactMemory& m = known.memory[i];
+    if (m.status == ContactStatus::open) continue;
+    EXPECT_EQ(m.key.block_e == 1 || m.key.block_p == 1, false) << "the next block is reached too early";
+    m.status = ContactStatus::stick;
+    m.stretch = kShear;
+    m.anchor = known.points[i].at.xi - m.stretch / known.points[i].at.length;
+    ++before;
+  }
+  EXPECT_GE(before, 2);
+  finder.find(moved(0.21, -1e-5), known, false, now);
+  int added = 0;
+  for (const ContactMemory& m : now.memory) {
+    if (m.status == ContactStatus::open || (m.key.block_e != 1 && m.key.block_p != 1)) continue;
+    ++added;
+    EXPECT_NEAR(std::abs(m.stretch), kShear, 1e-12);
+    EXPECT_EQ(m.status, ContactStatus::stick);
+  }
+  EXPECT_GE(added, 1);
+}
+
 }  // namespace
 }  // namespace scree::test
