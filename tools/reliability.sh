@@ -4,14 +4,16 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+which=(--label-exclude '^full$')
 if [ "${1:-}" = --full ]; then
   export SCREE_FULL=1
+  which=()
   shift
 fi
 build=${1:-build/release}
 [ -f "$build/CTestTestfile.cmake" ] || { echo "no build with tests in $build: run ./check first" >&2; exit 2; }
 
-mapfile -t names < <(ctest --test-dir "$build" -N -L reliability | sed -n 's/^ *Test *#[0-9]*: //p')
+mapfile -t names < <(ctest --test-dir "$build" -N -L reliability "${which[@]}" | sed -n 's/^ *Test *#[0-9]*: //p')
 failed=0
 for name in "${names[@]}"; do
   code=0

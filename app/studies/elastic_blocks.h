@@ -22,7 +22,7 @@ struct ElasticBlocks {
   double friction_plane = 0.0, friction_between = 0.0;  // coefficients
   double stiffness = 0.0;                               // of contacts, normal and tangential [Pa/m]
   double damping = 0.5;                                 // of contacts, of critical for the point on its block
-  double sliding_damping = 0.15;                        // of critical for the lowest frequency of deformation
+  double sliding_damping = 1.0;                         // of critical for the lowest frequency of deformation
 };
 
 /// @param acceleration  body acceleration at a time [m/s2]
