@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <sstream>
@@ -290,7 +292,16 @@ int dispatch(int argc, char** argv) {
   (void)!::write(STDERR_FILENO, kWhy.data(), kWhy.size());
   ::_exit(kFailed);
 }
-[[gnu::constructor(101)]] void before_globals() { std::set_terminate(end_without_memory); }
+/// HDF5 ends the program by exit(-1) where an allocation for its tables fails.
+void end_of_library(int code, void* /*unused*/) {
+  if (code != -1) return;
+  std::fflush(nullptr);
+  end_without_memory();
+}
+[[gnu::constructor(101)]] void before_globals() {
+  std::set_terminate(end_without_memory);
+  ::on_exit(end_of_library, nullptr);
+}
 
 int main(int argc, char** argv) {
   open_standard_streams();

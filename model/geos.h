@@ -4,6 +4,7 @@
 #include <geos_c.h>
 
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,18 +35,29 @@ class Geos {
     return Geometry(g, Free{handle_});
   }
 
+  /// Room for points, not owned yet.
+  [[nodiscard]] GEOSCoordSequence* coordinates(unsigned points) const {
+    GEOSCoordSequence* s = GEOSCoordSeq_create_r(handle_, points, 2);
+    if (s == nullptr) throw std::bad_alloc();
+    return s;
+  }
+  /// Sound points always make a line: without one there was no memory.
+  [[nodiscard]] static GEOSGeometry* made(GEOSGeometry* g) {
+    if (g == nullptr) throw std::bad_alloc();
+    return g;
+  }
   /// A line of two points, not owned yet.
   [[nodiscard]] GEOSGeometry* line(const Vec2& a, const Vec2& b) const {
-    GEOSCoordSequence* s = GEOSCoordSeq_create_r(handle_, 2, 2);
+    GEOSCoordSequence* s = coordinates(2);
     GEOSCoordSeq_setXY_r(handle_, s, 0, a.x(), a.y());
     GEOSCoordSeq_setXY_r(handle_, s, 1, b.x(), b.y());
-    return GEOSGeom_createLineString_r(handle_, s);
+    return made(GEOSGeom_createLineString_r(handle_, s));
   }
   [[nodiscard]] GEOSGeometry* ring(const Ring& points) const {
     const auto n = static_cast<unsigned>(points.size());
-    GEOSCoordSequence* s = GEOSCoordSeq_create_r(handle_, n + 1, 2);
+    GEOSCoordSequence* s = coordinates(n + 1);
     for (unsigned i = 0; i <= n; ++i) GEOSCoordSeq_setXY_r(handle_, s, i, points[i % n].x(), points[i % n].y());
-    return GEOSGeom_createLinearRing_r(handle_, s);
+    return made(GEOSGeom_createLinearRing_r(handle_, s));
   }
   [[nodiscard]] Geometry polygon(const Polygon& p) const {
     std::vector<GEOSGeometry*> holes;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <new>
+#include <exception>
 #include <utility>
 
 namespace scree::coupling {
@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kTooWide = 1.5;  // times the least extents since it was built: a tree this wide is built anew
 
-/// Bullet uses what it is given without a look: a failed allocation must not reach it.
+/// Bullet uses what it is given without a look, and an exception that passes through its trees leaves them in no order
+/// to be taken down: a failed allocation ends the program as one that nobody catches does.
 void* allocate(std::size_t size) {
   void* memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) std::terminate();
   return memory;
 }
 const bool kAllocates = (btAlignedAllocSetCustom(allocate, std::free), true);

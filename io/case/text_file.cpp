@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <new>
 
 #include "io/case/case_error.h"
 
@@ -35,6 +36,7 @@ std::string read_text_file(const std::filesystem::path& file, const char* what, 
     while (text.size() <= most && (in.read(chunk, sizeof chunk), in.gcount() > 0))
       text.append(chunk, static_cast<std::size_t>(in.gcount()));
   }
+  if (errno == ENOMEM) throw std::bad_alloc();
   if (!in.is_open() || in.bad())
     throw CaseError(name, {},
                     {fmt::format("the {} cannot be read: {}", what, std::strerror(errno)), "", in_quotes(name, 400), "",

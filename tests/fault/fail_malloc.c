@@ -1,8 +1,10 @@
 /* Preloaded: the allocation of number FAIL_MALLOC_AT, counted from 1, fails; and all that follow where FAIL_MALLOC_ALL
-   is set. FAIL_MALLOC_COUNT names a file that takes how many there were. */
+   is set. FAIL_MALLOC_COUNT names a file that takes how many there were; with FAIL_MALLOC_TRACE standard error has the
+   calls that lead to the one that fails. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,9 +15,13 @@ extern void* __libc_realloc(void*, size_t);
 extern void* __libc_memalign(size_t, size_t);
 
 static atomic_long made, at = -1;
+static int trace;
 
 __attribute__((constructor)) static void begin(void) {
   const char* text = getenv("FAIL_MALLOC_AT");
+  trace = getenv("FAIL_MALLOC_TRACE") != NULL;
+  void* here[1];
+  if (trace) backtrace(here, 1); /* loads what it needs */
   atomic_store(&made, 0);
   atomic_store(&at, text ? atol(text) : 0);
 }
@@ -32,6 +38,10 @@ __attribute__((destructor)) static void end(void) {
 static int fails(void) {
   const long number = atomic_fetch_add(&made, 1) + 1;
   if (number != atomic_load(&at)) return 0;
+  if (trace) {
+    void* calls[40];
+    backtrace_symbols_fd(calls, backtrace(calls, 40), 2);
+  }
   errno = ENOMEM;
   return 1;
 }
