@@ -42,6 +42,14 @@ struct CheckOptions {
 };
 /// Validates a case and says what it holds; writes nothing.
 int check(const CheckOptions& options);
+struct DigestOptions {
+  std::filesystem::path case_file;
+  std::vector<std::string> set;  // key=value
+  int threads = 0;               // 0: as many as the machine has
+  std::optional<double> until;   // [s]
+};
+/// Runs a case and prints its motion, a line for each frame: what tells two programs apart. Writes nothing.
+int digest(const DigestOptions& options);
 int cases_list();
 /// Names of the cases there are; none where no library is found.
 [[nodiscard]] std::vector<std::string> case_names();

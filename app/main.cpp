@@ -135,6 +135,17 @@ int dispatch(int argc, char** argv) {
       ->type_name("KEY=VALUE");
   check_command->add_flag("--blocks", looked.blocks, "a line for each block: name, material, area, centre");
 
+  DigestOptions digested;
+  CLI::App* digest_command =
+      app.add_subcommand("digest", "run a case and print its motion in numbers, a line for each frame");
+  digest_command->add_option("case", digested.case_file, "case file (TOML)")->required();
+  digest_command->add_option("--set", digested.set, "override a key of the case: key=value")
+      ->take_all()
+      ->type_name("KEY=VALUE");
+  digest_command->add_option("--threads", digested.threads, "threads")->check(CLI::Range(1, 1024));
+  digest_command->add_option("--until", digested.until, "stop after the first step at or past this simulated time [s]")
+      ->check(CLI::PositiveNumber);
+
   CLI::App* cases_command = app.add_subcommand("cases", "the case library");
   cases_command->require_subcommand(1);
   CLI::App* list_command = cases_command->add_subcommand("list", "the cases there are");
@@ -273,6 +284,7 @@ int dispatch(int argc, char** argv) {
   if (*control_command) return control(ask);
   if (*replay_command) return replay(shown);
   const CollectedOutput at_once;
+  if (*digest_command) return digest(digested);
   if (*check_command) return check(looked);
   if (*list_command) return cases_list();
   if (*snapshot_command) return snapshot(picture);

@@ -16,7 +16,8 @@ std::vector<Input> seeds() {
   std::vector<Input> out;
   for (const char* folder : {"cases", "tests/unit/io", "tests/fault/cases", "tests/e2e"})
     for (Input& input : files_of(folder, {".toml"}))
-      if (input.size() < 20000) out.push_back(std::move(input));
+      if (input.size() < 20000 && text_of(input).find("10,000 blocks") == std::string_view::npos)  // takes a second
+        out.push_back(std::move(input));
   return out;
 }
 

@@ -19,7 +19,9 @@ constexpr std::string_view kMagic = "SCREE-CP";  // checkpoint_file.h
 constexpr std::size_t kHead = kMagic.size() + 4 + 4 + 8, kDigest = 64;
 
 std::filesystem::path scratch() {
-  return std::filesystem::temp_directory_path() / ("scree-fuzz-checkpoint-" + std::to_string(getpid()));
+  const std::filesystem::path memory = "/dev/shm";  // where the machine has that
+  return (std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) /
+         ("scree-fuzz-checkpoint-" + std::to_string(getpid()));
 }
 
 /// Keeps every 40th step.

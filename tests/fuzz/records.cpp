@@ -12,10 +12,16 @@
 namespace scree::fuzz {
 namespace {
 
+/// In memory where the machine has that.
+std::filesystem::path folder() {
+  const std::filesystem::path memory = "/dev/shm";
+  return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+}
+
 /// A file of this process.
 const std::filesystem::path& scratch() {
   struct File {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("scree-fuzz-" + std::to_string(getpid()));
+    std::filesystem::path path = folder() / ("scree-fuzz-" + std::to_string(getpid()));
     File() = default;
     File(const File&) = delete;
     File& operator=(const File&) = delete;
