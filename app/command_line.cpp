@@ -1,0 +1,318 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/completion.h"
+#include "app/output.h"
+#include "io/case/suggest.h"
+#include "io/results/snapshot.h"
+
+namespace scree::app {
+namespace {
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+/// Says which word is no command where one should stand, and what was probably meant; empty where all is well.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* at = &app;
+  std::string path = "scree";
+  for (int i = 1; i < argc; ++i) {
+    const std::vector<std::string> known = commands_of(*at);
+    const std::string word = argv[i];
+    if (known.empty() || word.starts_with('-')) return {};
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return fmt::format("error: {} has no command \"{}\"\n  allowed: {}\n  hint: {}\n", path, word,
+                         fmt::join(known, ", "), io::did_you_mean(word, known, path + " --help says what they do"));
+    at = at->get_subcommand(word);
+    path += " " + word;
+  }
+  return {};
+}
+
+/// ". Did you mean --overwrite?" for a message that ends in an option that is not known.
+std::string nearest_option(const CLI::App& app, const std::string& message) {
+  const std::size_t from = message.rfind("--");
+  if (from == std::string::npos) return {};
+  const std::string given = message.substr(from, message.find_first_of(" =", from) - from);
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* o : at->get_options())
+    for (const std::string& name : o->get_lnames()) known.push_back("--" + name);
+  const std::string near = io::nearest(given, known);
+  return near.empty() ? std::string() : ". Did you mean " + near + "?";
+}
+
+/// Words that options and arguments take, for completions.
+Choices choices() {
+  return {{"scree snapshot --field", io::field_names()},
+          {"scree snapshot --arrows", {"displacement", "velocity"}},
+          {"scree snapshot --at", {"start", "end", "handover"}},
+          {"scree cases verify", case_names()},
+          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
+          {"scree completion", {"bash", "zsh", "fish"}}};
+}
+
+/// What the command that was given does, once all of the line has been read.
+using Action = std::function<int()>;
+
+/// Options that live as long as the parser: `act` is called with them where `command` is given.
+template <class Options, class Act>
+void carries_out(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, const Act& act) {
+  command->final_callback([options, &action, act] { action = [options, act] { return act(*options); }; });
+}
+
+/// The same of a command that prints and ends: what it says comes in few pieces.
+template <class Options, class Act>
+void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, const Act& act) {
+  carries_out(command, options, action, [act](Options& o) {
+    const CollectedOutput at_once;
+    return act(o);
+  });
+}
+
+void add_set(CLI::App* command, std::vector<std::string>& set) {
+  command->add_option("--set", set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
+}
+
+void add_threads(CLI::App* command, int& threads) {
+  command->add_option("--threads", threads, "threads (results do not depend on it)")->check(CLI::Range(1, 1024));
+}
+
+void add_until(CLI::App* command, std::optional<double>& until, const std::string& without) {
+  command->add_option("--until", until, "stop after the first step at or past this simulated time [s]" + without)
+      ->check(CLI::PositiveNumber);
+}
+
+/// --live [URL]: an empty text keeps the URL of the case.
+void add_live(CLI::App* command, std::optional<std::string>& live) {
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--live", [&live](const std::vector<std::string>& url) { live = url.empty() ? std::string() : url.front(); },
+          "stream over LCM, to URL if one is given")
+      ->expected(0, 1)
+      ->type_name("[URL]");
+}
+
+void add_run(CLI::App& app, const std::string& command_line, Action& action) {
+  const auto o = std::make_shared<RunOptions>();
+  o->command_line = command_line;
+  CLI::App* command = app.add_subcommand("run", "run a case");
+  command->add_option("case", o->case_file, "case file (TOML)")->required();
+  command->add_option("--out", o->out, "run folder (default runs/<case folder>)");
+  command->add_flag("--overwrite", o->overwrite, "replace an earlier run in that folder");
+  command->add_option("--name", o->name, "name of the run in the stream (default: its folder)");
+  add_live(command, o->live);
+  command->add_flag(
+      "--control", o->control,
+      "take commands over LCM (scree control); whoever may send to the group of the URL may then give them");
+  add_threads(command, o->threads);
+  add_until(command, o->until, "");
+  add_set(command, o->set);
+  command->add_flag("--audit", o->audit,
+                    "check every step: contact laws and geometry, balance, energy; end where one is wrong");
+  command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
+  carries_out(command, o, action, run);
+}
+
+void add_resume(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<ResumeOptions>();
+  CLI::App* command = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  command->add_option("run", o->run, "run folder")->required();
+  add_live(command, o->live);
+  command->add_option("--name", o->name, "name of the run in the stream (default: as it had)");
+  add_threads(command, o->threads);
+  add_until(command, o->until, " (default: as the run was told)");
+  command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
+  carries_out(command, o, action, resume);
+}
+
+void add_check(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "validate a case and say what it holds");
+  command->add_option("case", o->case_file, "case file (TOML)")->required();
+  add_set(command, o->set);
+  command->add_flag("--blocks", o->blocks, "a line for each block: name, material, area, centre");
+  prints(command, o, action, check);
+}
+
+void add_digest(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<DigestOptions>();
+  CLI::App* command = app.add_subcommand("digest", "run a case and print its motion in numbers, a line for each frame");
+  command->add_option("case", o->case_file, "case file (TOML)")->required();
+  add_set(command, o->set);
+  add_threads(command, o->threads);
+  add_until(command, o->until, "");
+  prints(command, o, action, digest);
+}
+
+void add_cases(CLI::App& app, Action& action) {
+  CLI::App* cases = app.add_subcommand("cases", "the case library");
+  cases->require_subcommand(1);
+  const auto nothing = std::make_shared<int>();
+  prints(cases->add_subcommand("list", "the cases there are"), nothing, action, [](int) { return cases_list(); });
+
+  const auto o = std::make_shared<VerifyCommand>();
+  CLI::App* command = cases->add_subcommand("verify", "run cases and compare with what they must show");
+  command->add_option("names", o->names, "cases (default: all)");
+  command->add_flag_callback("--quick", [] {}, "the quick tier (default)");
+  command->add_flag("--full", o->full, "the quick and the full tier")->excludes("--quick");
+  add_threads(command, o->threads);
+  command->add_option("--table", o->table, "write the table to a file")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            const bool known = name.ends_with(".md") || name.ends_with(".html");
+            return known ? std::string() : "the name of a table ends in .md or .html";
+          },
+          "FILE.md|FILE.html"));
+  command->add_option("--report", o->report, "write tables and plots into a folder")->type_name("DIR");
+  carries_out(command, o, action, cases_verify);
+}
+
+void add_snapshot(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<SnapshotCommand>();
+  CLI::App* command = app.add_subcommand("snapshot", "draw a stored run");
+  command->add_option("run", o->run, "run folder")->required();
+  command->add_option("--out", o->out, "file; .png, .pdf or .svg (default: a PNG in the run folder)");
+  command->add_option(
+      "--at", o->at,
+      "start, end, handover (first frame of the last stage), a stage by name, a frame number, or a time such as 1.5s");
+  command->add_option("--field", o->field, "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material");
+  command->add_option("--range", o->range, "ends of the colours, in SI units (default: of the values)")
+      ->expected(2)
+      ->type_name("LOW HIGH");
+  command->add_option("--window", o->window, "what to show, in m, as the axes count (default: everything)")
+      ->expected(4)
+      ->type_name("X0 Y0 X1 Y1");
+  CLI::Option* arrows = command->add_option("--arrows", o->arrows, "arrows on the blocks: displacement or velocity");
+  command->add_flag("--labels", o->labels, "names on all blocks; small ones read better with --window")
+      ->excludes(arrows);
+  command->add_flag("--elements", o->elements, "stress as it is stored, one colour an element");
+  command->add_option("--width", o->width, "width of a PNG in pixels")->check(CLI::Range(200, 20000));
+  CLI::Option* ledger = command->add_flag("--ledger", o->ledger, "draw the energy ledger over time instead");
+  const CLI::Option* history =
+      command->add_option("--history", o->monitors, "draw monitors over time instead (default: all)")
+          ->expected(0, -1)
+          ->type_name("[MONITOR ...]")
+          ->excludes(ledger);
+  prints(command, o, action, [history](SnapshotCommand& picture) {
+    picture.history = history->count() > 0;
+    std::erase(picture.monitors, "");  // what CLI11 gives for the option alone
+    return snapshot(picture);
+  });
+}
+
+void add_watch(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<WatchOptions>();
+  CLI::App* command = app.add_subcommand("watch", "watch a run that streams (run --live), or see a stored one");
+  command
+      ->add_option("source", o->source,
+                   "run folder, name of a run, or URL: udpm://GROUP:PORT, file://LOG (default: any run on the "
+                   "default URL)")
+      ->type_name("RUN|URL");
+  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_flag("--once", o->once, "print one screen and end");
+  command->add_option("--timeout", o->timeout, "give up after so many seconds of silence; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--for", o->seconds, "end after so many seconds")->check(CLI::PositiveNumber);
+  carries_out(command, o, action, watch);
+}
+
+void add_control(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<ControlOptions>();
+  CLI::App* command = app.add_subcommand("control", "steer a run that was started with --live --control");
+  command->add_option("run", o->target, "name of the run, or URL")->required()->type_name("RUN|URL");
+  command
+      ->add_option("command", o->command,
+                   "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames a second")
+      ->required()
+      ->check(CLI::IsMember({"pause", "resume", "step", "checkpoint", "stop", "rate"}));
+  command->add_option("value", o->value, "N of step, HZ of rate")->type_name("[N|HZ]");
+  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_option("--timeout", o->timeout, "seconds to wait for the answer")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  carries_out(command, o, action, control);
+}
+
+void add_replay(CLI::App& app, Action& action) {
+  const auto o = std::make_shared<ReplayOptions>();
+  CLI::App* command = app.add_subcommand("replay", "stream a stored run as if it were running");
+  command->add_option("run", o->run, "run folder")->required();
+  command->add_option("--speed", o->speed, "simulated seconds a second; 0: as fast as frames can be read and sent")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--live", o->live, "URL to stream to (default: that of run --live)")->type_name("URL");
+  command->add_option("--run", o->name, "name of the run in the stream (default: its folder)")->type_name("NAME");
+  carries_out(command, o, action, replay);
+}
+
+void add_schema(CLI::App& app, Action& action) {
+  const auto markdown = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("schema", "every key of a case file");
+  command->add_flag("--markdown", *markdown, "as Markdown");
+  prints(command, markdown, action, schema);
+}
+
+void add_completion(CLI::App& app, Action& action) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("completion", "a script that completes this command line");
+  command->add_option("shell", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  prints(command, shell, action, [&app](const std::string& name) {
+    say("{}", completion(app, name, choices()));
+    return static_cast<int>(kDone);
+  });
+}
+
+}  // namespace
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Scree: coupled block and continuum simulation of rock slopes in two dimensions", "scree"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", SCREE_VERSION);
+  std::string command_line;
+  for (int i = 0; i < argc; ++i) command_line += (i > 0 ? " " : "") + std::string(argv[i]);
+  Action action;
+  add_run(app, command_line, action);
+  for (const auto add : {add_resume, add_check, add_digest, add_cases, add_snapshot, add_watch, add_control, add_replay,
+                         add_schema, add_completion})
+    add(app, action);
+
+  if (argc == 1) {
+    complain("error: no command given\n\n{}", app.help());
+    return kUsage;
+  }
+  if (const std::string wrong = unknown_command(app, argc, argv); !wrong.empty()) {
+    complain("{}", wrong);
+    return kUsage;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& e) {
+    complain("error: {}{}\n", e.what(), nearest_option(app, e.what()));
+    complain("Run with --help for more information.\n");
+    return kUsage;
+  } catch (const CLI::ParseError& e) {
+    std::ostringstream out, err;
+    const int code = app.exit(e, out, err);
+    say("{}", out.str());
+    complain("{}", err.str());
+    return code == 0 ? kDone : kUsage;
+  }
+  return action ? action() : static_cast<int>(kUsage);
+}
+
+}  // namespace scree::app

@@ -1,0 +1,10 @@
+// The command line of `scree`: commands, their options, and what is said of wrong ones.
+#pragma once
+
+namespace scree::app {
+
+/// Reads the command line and carries out what it says.
+/// @return exit code (commands.h)   @throws what the commands throw
+[[nodiscard]] int dispatch(int argc, char** argv);
+
+}  // namespace scree::app
