@@ -83,6 +83,22 @@ void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& 
   });
 }
 
+/// CLI11's own say what is wrong in terms of the largest number there is.
+const CLI::Validator kPositive(
+    [](const std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && value > 0.0 ? std::string()
+                                                                   : "it takes a number above 0, not " + text;
+    },
+    "POSITIVE");
+const CLI::Validator kNotNegative(
+    [](const std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && value >= 0.0 ? std::string()
+                                                                    : "it takes 0 or a number above, not " + text;
+    },
+    "NONNEGATIVE");
+
 void add_set(CLI::App* command, std::vector<std::string>& set) {
   command->add_option("--set", set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
 }
@@ -93,7 +109,7 @@ void add_threads(CLI::App* command, int& threads) {
 
 void add_until(CLI::App* command, std::optional<double>& until, const std::string& without) {
   command->add_option("--until", until, "stop after the first step at or past this simulated time [s]" + without)
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
 }
 
 /// --live [URL]: an empty text keeps the URL of the case.
@@ -167,7 +183,8 @@ void add_cases(CLI::App& app, Action& action) {
   const auto o = std::make_shared<VerifyCommand>();
   CLI::App* command = cases->add_subcommand("verify", "run cases and compare with what they must show");
   command->add_option("names", o->names, "cases (default: all)");
-  command->add_flag_callback("--quick", [] {}, "the quick tier (default)");
+  command->add_flag_callback(
+      "--quick", [] {}, "the quick tier (default)");
   command->add_flag("--full", o->full, "the quick and the full tier")->excludes("--quick");
   add_threads(command, o->threads);
   command->add_option("--table", o->table, "write the table to a file")
@@ -225,9 +242,9 @@ void add_watch(CLI::App& app, Action& action) {
   command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
   command->add_flag("--once", o->once, "print one screen and end");
   command->add_option("--timeout", o->timeout, "give up after so many seconds of silence; 0: never")
-      ->check(CLI::NonNegativeNumber)
+      ->check(kNotNegative)
       ->capture_default_str();
-  command->add_option("--for", o->seconds, "end after so many seconds")->check(CLI::PositiveNumber);
+  command->add_option("--for", o->seconds, "end after so many seconds")->check(kPositive);
   carries_out(command, o, action, watch);
 }
 
@@ -243,7 +260,7 @@ void add_control(CLI::App& app, Action& action) {
   command->add_option("value", o->value, "N of step, HZ of rate")->type_name("[N|HZ]");
   command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
   command->add_option("--timeout", o->timeout, "seconds to wait for the answer")
-      ->check(CLI::PositiveNumber)
+      ->check(kPositive)
       ->capture_default_str();
   carries_out(command, o, action, control);
 }
@@ -253,7 +270,7 @@ void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "stream a stored run as if it were running");
   command->add_option("run", o->run, "run folder")->required();
   command->add_option("--speed", o->speed, "simulated seconds a second; 0: as fast as frames can be read and sent")
-      ->check(CLI::NonNegativeNumber)
+      ->check(kNotNegative)
       ->capture_default_str();
   command->add_option("--live", o->live, "URL to stream to (default: that of run --live)")->type_name("URL");
   command->add_option("--run", o->name, "name of the run in the stream (default: its folder)")->type_name("NAME");

@@ -62,7 +62,7 @@ void Progress::step(double time, const coupling::RunStats& stats, const coupling
 
 void Progress::draw(double time, const coupling::RunStats& stats) {
   const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = time > begin_ ? wall * (end_ - time) / (time - begin_) : 0.0;
+  const double left = time > begin_ ? wall * std::max(0.0, end_ - time) / (time - begin_) : 0.0;
   const double rate = static_cast<double>(stats.steps - steps_made_) / std::max(wall, 1e-9);
   const std::string facts = fmt::format(
       "{:.3f}/{:g} s  {}  {} steps  {} steps/s  {:.0f} s left  passes {:.1f}  ledger {:.0e}", time, end_, stage_,

@@ -196,6 +196,55 @@ std::string closing_words(const coupling::Ledger& ledger) {
                      moved, ledger.passed_closure(), passed);
 }
 
+/// The stream as the command line wants it; false, and said why, where that cannot be.
+bool take_stream(coupling::LivePlan& live, const RunOptions& options) {
+  if (options.live) {
+    live.enabled = true;
+    if (!options.live->empty()) live.url = *options.live;
+  }
+  if (live.enabled)
+    if (const auto wrong = io::check_live_url(live.url)) {
+      complain("error: --live={}: {}\n", live.url, *wrong);
+      return false;
+    }
+  if (!options.control) return true;
+  if (!live.enabled) {
+    complain("error: --control takes commands over the stream: it needs --live\n");
+    return false;
+  }
+  const std::string wrong = io::control_url_error(live.url);
+  if (!wrong.empty()) complain("error: --control with --live={}: {}\n", live.url, wrong);
+  return wrong.empty();
+}
+
+/// What commands over the stream act on.   @pre all outlive the server
+io::ControlHooks hooks(coupling::Driver& driver, const io::Checkpoints& checkpoints, io::LiveSink& live, Log& log,
+                       std::function<void(const std::string&)> warn) {
+  io::ControlHooks hooks;
+  hooks.session = [&live] { return live.session(); };
+  hooks.on_checkpoint = [&driver, &checkpoints] {
+    driver.keep_checkpoint();
+    return checkpoints.last().filename().string();
+  };
+  hooks.on_rate = [&live](double rate) { live.set_rate(rate); };
+  hooks.on_pause = [&live](bool paused) { live.set_paused(paused); };
+  hooks.note = [&log](const std::string& text) { log.note(text); };
+  hooks.warn = std::move(warn);
+  return hooks;
+}
+
+/// The last lines of a run.
+void tell_end(const coupling::Driver& driver, bool audit, const io::RunFolder& folder) {
+  say("state {:016x}  {}\n", coupling::state_hash(driver.state()), closing_words(driver.state().ledger));
+  if (audit)
+    say("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n", driver.stats().audit_checks,
+        driver.stats().steps, driver.stats().audit_worst, driver.audit().text().empty() ? "" : ": ",
+        driver.audit().text());
+  if (const std::size_t n = driver.warnings().size(); n > 0)
+    say("{} {}: see run.log, or \"warnings\" in summary.json\n", n, n == 1 ? "warning" : "warnings");
+  say("results in {}\n", folder.path().string());
+}
+
 }  // namespace
 
 std::vector<std::string> method_names() {
@@ -226,24 +275,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
               const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from) {
   if (!options.quiet) tell_meshes(c.model, c.plan);
   c.plan.audit = options.audit;
-  if (options.live) {
-    c.plan.live.enabled = true;
-    if (!options.live->empty()) c.plan.live.url = *options.live;
-  }
-  if (c.plan.live.enabled)
-    if (const auto wrong = io::check_live_url(c.plan.live.url)) {
-      complain("error: --live={}: {}\n", c.plan.live.url, *wrong);
-      return kUsage;
-    }
-  if (options.control && !c.plan.live.enabled) {
-    complain("error: --control takes commands over the stream: it needs --live\n");
-    return kUsage;
-  }
-  if (options.control)
-    if (const std::string wrong = io::control_url_error(c.plan.live.url); !wrong.empty()) {
-      complain("error: --control with --live={}: {}\n", c.plan.live.url, wrong);
-      return kUsage;
-    }
+  if (!take_stream(c.plan.live, options)) return kUsage;
   const int threads =
       options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
   omp_set_num_threads(threads);
@@ -303,17 +335,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   }
   std::unique_ptr<io::ControlServer> control;
   if (options.control) {
-    io::ControlHooks hooks;
-    hooks.session = [&live] { return live->session(); };
-    hooks.on_checkpoint = [&driver, &checkpoints] {
-      driver.keep_checkpoint();
-      return checkpoints.last().filename().string();
-    };
-    hooks.on_rate = [&live](double rate) { live->set_rate(rate); };
-    hooks.on_pause = [&live](bool paused) { live->set_paused(paused); };
-    hooks.note = [&log](const std::string& text) { log.note(text); };
-    hooks.warn = warn;
-    control = std::make_unique<io::ControlServer>(c.plan.live.url, name, signals, std::move(hooks));
+    control = std::make_unique<io::ControlServer>(c.plan.live.url, name, signals,
+                                                  hooks(driver, checkpoints, *live, log, warn));
     driver.set_control(*control);
     driver.add_sink(*control);  // after the stream, whose session it goes by
   }
@@ -332,17 +355,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
                folder.path().string());
     return kFiles;
   }
-  const coupling::Ledger& ledger = driver.state().ledger;
-  if (!options.quiet) {
-    say("state {:016x}  {}\n", coupling::state_hash(driver.state()), closing_words(ledger));
-    if (options.audit)
-      say("audit: {} checks of {} steps, the worst at {:.2g} of what is allowed{}{}\n", driver.stats().audit_checks,
-          driver.stats().steps, driver.stats().audit_worst, driver.audit().text().empty() ? "" : ": ",
-          driver.audit().text());
-    if (const std::size_t n = driver.warnings().size(); n > 0)
-      say("{} {}: see run.log, or \"warnings\" in summary.json\n", n, n == 1 ? "warning" : "warnings");
-    say("results in {}\n", folder.path().string());
-  }
+  if (!options.quiet) tell_end(driver, options.audit, folder);
   switch (end.status) {
     case coupling::RunEnd::Status::done:
       return kDone;
