@@ -369,10 +369,40 @@ Newmark::LeftOver Newmark::left_over(const State& state) const {
   return out;
 }
 
+void Newmark::find_right_side(std::span<const double> moved, std::span<const double> affine) {
+  // (s M + K + 2 C/h) d = known inertia + loads + f(x_k) + K d_k + C v.
+  for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
+  system_.pattern().multiply_add(1.0, K_, moved, rhs_);
+  if (path_ != nullptr)
+    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
+  if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
+  if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
+  damper_.add_force(1.0, system_.rate(), rhs_);
+  if (spares_affine())
+    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += affine[i];
+}
+
+StepReport Newmark::not_finite(const StepReport& report, const State& state, double h) const {
+  const auto wrong = std::find_if(load_.begin(), load_.end(), [](double x) { return !std::isfinite(x); });
+  if (wrong == load_.end()) return lost(report, lost_place(*setup_, q_new_), state, h);
+  return lost(report, {system_.body_of(static_cast<std::int32_t>(wrong - load_.begin())), "a load is not finite"},
+              state, h);
+}
+
+void Newmark::tell_no_balance(double left, StepReport& report) const {
+  report.status = StepReport::Status::no_balance;
+  const auto worst =
+      std::max_element(out_.begin(), out_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  report.body = system_.body_of(static_cast<std::int32_t>(worst - out_.begin()));
+  report.cause = fmt::format(
+      "Newton's method left {:.2g} of the largest force after {} iterations (a step that "
+      "turns or strains a block too far?)",
+      left, report.iterations);
+}
+
 bool Newmark::balance(const State& state, double h, StepReport& report) {
   const auto mask = system_.nonlinear_dofs();
-  const bool spares = options_.damping > 0.0 && !options_.damp_rigid_motion;
-  const bool iterative = system_.nonlinear() || spares || path_ != nullptr;
+  const bool spares = spares_affine(), iterative = system_.nonlinear() || spares || path_ != nullptr;
   Stiffness kind = Stiffness::exact;
   find_step_springs(state, h);
   contacts_.begin(list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
@@ -387,19 +417,8 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   double last = std::numeric_limits<double>::infinity();
   std::vector<double> moved(d_.size());
   for (;;) {
-    // (s M + K + 2 C/h) d = known inertia + loads + f(x_k) + K d_k + C v.
-    for (std::size_t i = 0; i < d_.size(); ++i) {
-      moved[i] = mask[i] * d_[i];
-      rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
-    }
-    system_.pattern().multiply_add(1.0, K_, moved, rhs_);
-    if (path_ != nullptr)
-      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
-    if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
-    if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
-    damper_.add_force(1.0, system_.rate(), rhs_);
-    if (spares)
-      for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += affine[i];
+    for (std::size_t i = 0; i < d_.size(); ++i) moved[i] = mask[i] * d_[i];
+    find_right_side(moved, affine);
     if (!contacts_.solve(A_, fresh, rhs_, d_, report)) {
       if (report.status != StepReport::Status::not_definite || kind != Stiffness::exact || !system_.nonlinear())
         return false;
@@ -426,13 +445,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     const double left = residual(state, h, largest);
     report.residual = largest > 0.0 ? left / largest : 0.0;
     if (!std::isfinite(left)) {
-      const auto wrong = std::find_if(load_.begin(), load_.end(), [](double x) { return !std::isfinite(x); });
-      if (wrong != load_.end())
-        report =
-            lost(report, {system_.body_of(static_cast<std::int32_t>(wrong - load_.begin())), "a load is not finite"},
-                 state, h);
-      else
-        report = lost(report, lost_place(*setup_, q_new_), state, h);
+      report = not_finite(report, state, h);
       return false;
     }
     const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
@@ -457,15 +470,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     }
     if (report.iterations >= kIterations ||
         (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {
-      report.status = StepReport::Status::no_balance;
-      const auto worst = static_cast<std::int32_t>(
-          std::max_element(out_.begin(), out_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-          out_.begin());
-      report.body = system_.body_of(worst);
-      report.cause = fmt::format(
-          "Newton's method left {:.2g} of the largest force after {} iterations (a step that "
-          "turns or strains a block too far?)",
-          std::max(report.residual, apart / largest), report.iterations);
+      tell_no_balance(std::max(report.residual, apart / largest), report);
       return false;
     }
     if (path_ != nullptr) {

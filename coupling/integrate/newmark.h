@@ -107,6 +107,14 @@ class Newmark final : public Mover {
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
+  /// Of Newton's system, at the present iterate.   @param moved  d_ of nonlinear unknowns   @param affine  damping
+  /// forces
+  void find_right_side(std::span<const double> moved, std::span<const double> affine);
+  /// Damping that spares affine motion is known only from its iterates.
+  [[nodiscard]] bool spares_affine() const { return options_.damping > 0.0 && !options_.damp_rigid_motion; }
+  /// An iterate that is not finite: whose it is.
+  [[nodiscard]] StepReport not_finite(const StepReport& report, const State& state, double h) const;
+  void tell_no_balance(double left, StepReport& report) const;
   [[nodiscard]] double residual(const State& state, double h, double& largest);
   struct RoundOff {
     double system = 0.0;  // of the linear system's forces, inertia included [N]
