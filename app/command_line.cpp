@@ -70,13 +70,13 @@ using Action = std::function<int()>;
 
 /// Options that live as long as the parser: `act` is called with them where `command` is given.
 template <class Options, class Act>
-void carries_out(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, const Act& act) {
+void carries_out(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, Act act) {
   command->final_callback([options, &action, act] { action = [options, act] { return act(*options); }; });
 }
 
 /// The same of a command that prints and ends: what it says comes in few pieces.
 template <class Options, class Act>
-void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, const Act& act) {
+void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, Act act) {
   carries_out(command, options, action, [act](Options& o) {
     const CollectedOutput at_once;
     return act(o);

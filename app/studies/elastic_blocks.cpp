@@ -107,7 +107,8 @@ struct Point {
 std::vector<Point> contacts(const ElasticBlocks& e, const RitzBlock& block) {
   std::vector<Point> out;
   const Box box = bounds({e.shape, {}});
-  const auto side = [&](int below, int above, Vec2 on_below, Vec2 on_above, Vec2 along, Vec2 normal, double friction) {
+  const auto side = [&](int below, int above, const Vec2& on_below, const Vec2& on_above, const Vec2& along,
+                        const Vec2& normal, double friction) {
     const double length = along.norm();
     const Vec2 tangent = along / length;
     for (int i = 0; i < e.points; ++i) {
@@ -144,7 +145,7 @@ std::vector<double> elastic_ways(const ElasticBlocks& e, const std::function<Vec
                                  double end, double fraction) {
   const RitzBlock block(e);
   std::vector<Point> points = contacts(e, block);
-  const auto blocks = static_cast<std::size_t>(e.row * e.stack);
+  const auto blocks = static_cast<std::size_t>(e.row) * static_cast<std::size_t>(e.stack);
   const Eigen::Index n = block.square().size();
   std::vector<VectorXd> q(blocks, VectorXd::Zero(n)), v = q, f = q;
   // The stable step of kick and drift: of the stiffest mode, all contacts closed, dashpots and springs.

@@ -28,8 +28,7 @@ struct ElasticBlocks {
 /// @param acceleration  body acceleration at a time [m/s2]
 /// @param fraction  of the stable step that is taken
 /// @return per block, stack after stack: the way of its centroid down the plane between two times [m]
-[[nodiscard]] std::vector<double> elastic_ways(const ElasticBlocks& blocks,
-                                               const std::function<Vec2(double)>& acceleration, double from, double end,
-                                               double fraction);
+[[nodiscard]] std::vector<double> elastic_ways(const ElasticBlocks& e, const std::function<Vec2(double)>& acceleration,
+                                               double from, double end, double fraction);
 
 }  // namespace scree::app

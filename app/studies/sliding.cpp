@@ -374,7 +374,7 @@ std::vector<Setting> short_table(const std::vector<Shape>& all) {
 }
 
 std::string told(const Outcome& o) {
-  const std::string rigid = fmt::format("{:+.3f} %", 100.0 * o.error);
+  std::string rigid = fmt::format("{:+.3f} %", 100.0 * o.error);
   if (std::isnan(o.elastic)) return rigid;
   return fmt::format("{}, all {:+.3f} %, of elastic blocks {:+.3f} %", rigid, 100.0 * o.mean, 100.0 * o.elastic);
 }

@@ -5,6 +5,7 @@
 
 #include "tests/fuzz/harness.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
   const char* folder = std::getenv("SCREE_SEEDS");
   if (folder == nullptr) return 0;
@@ -16,6 +17,7 @@ extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
   std::exit(0);
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   scree::fuzz::take({data, size});
   return 0;

@@ -114,8 +114,8 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
   EXPECT_NEAR(force / (kDensity * kGravity * 0.6), 1.0, 1e-3);
 }
 
-/// A block that is sheared and has not slipped reaches the next block of its base: its points there begin with the shear
-/// that the joint has, so that the traction goes on across the base's joint.
+/// A block that is sheared and has not slipped reaches the next block of its base: its points there begin with the
+/// shear that the joint has, so that the traction goes on across the base's joint.
 TEST(NewContactMemory, points_that_reach_the_next_block_of_a_sheared_joint_take_its_shear) {
   constexpr double kShear = 1e-4;  // [m]
   Scene scene(1e9, 0.2, kDensity, 60.0);
