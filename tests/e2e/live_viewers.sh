@@ -39,7 +39,7 @@ look early-screen python3 "$here/live/terminal.py" "$scree" watch --timeout 60
 look early-reader python3 "$reader" --timeout 60 --state "$work/early-reader.json"
 look stalled "$scree" watch --timeout 60
 look killed "$scree" watch --timeout 60
-for _ in $(seq 100); do
+for _ in $(seq 600); do
   [ "$(listeners)" -ge 4 ] && break
   sleep 0.05
 done
