@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "model/elasticity.h"
 
@@ -12,13 +13,15 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd, Eigen::RowVectorXd;
 
-/// Gauss-Legendre points and weights on [0, 1], exact to degree 11.
-constexpr std::array<std::array<double, 2>, 6> kGauss{{{0.0337652428984240, 0.0856622461895852},
-                                                       {0.1693953067668678, 0.1803807865240693},
-                                                       {0.3806904069584016, 0.2339569672863455},
-                                                       {0.6193095930415985, 0.2339569672863455},
-                                                       {0.8306046932331322, 0.1803807865240693},
-                                                       {0.9662347571015760, 0.0856622461895852}}};
+/// Gauss-Legendre points and weights on [0, 1], exact to degree 15: for products of polynomials of degree 7.
+constexpr std::array<std::array<double, 2>, 8> kGauss{{{0.0198550717512319, 0.0506142681451882},
+                                                       {0.1016667612931866, 0.1111905172266873},
+                                                       {0.2372337950418355, 0.1568533229389437},
+                                                       {0.4082826787521751, 0.1813418916891810},
+                                                       {0.5917173212478249, 0.1813418916891810},
+                                                       {0.7627662049581645, 0.1568533229389437},
+                                                       {0.8983332387068134, 0.1111905172266873},
+                                                       {0.9801449282487682, 0.0506142681451882}}};
 
 /// One block as modes of its own: displacement at a point is row(x) q for either direction.
 class RitzBlock {
@@ -108,7 +111,7 @@ std::vector<Point> contacts(const ElasticBlocks& e, const RitzBlock& block) {
   std::vector<Point> out;
   const Box box = bounds({e.shape, {}});
   const auto side = [&](int below, int above, const Vec2& on_below, const Vec2& on_above, const Vec2& along,
-                        const Vec2& normal, double friction) {
+                        const Vec2& normal, double friction, double stiffness) {
     const double length = along.norm();
     const Vec2 tangent = along / length;
     for (int i = 0; i < e.points; ++i) {
@@ -121,7 +124,7 @@ std::vector<Point> contacts(const ElasticBlocks& e, const RitzBlock& block) {
       p.s_above = a.transpose() * tangent;
       p.n_below = b.transpose() * normal;
       p.s_below = b.transpose() * tangent;
-      p.k = e.stiffness * length / (e.points - 1) * (i == 0 || i + 1 == e.points ? 0.5 : 1.0);
+      p.k = stiffness * length / (e.points - 1) * (i == 0 || i + 1 == e.points ? 0.5 : 1.0);
       const double flexibility = p.n_above.squaredNorm() + (below < 0 ? 0.0 : p.n_below.squaredNorm());
       p.c = 2.0 * e.damping * std::sqrt(p.k / flexibility);
       p.friction = friction;
@@ -132,9 +135,11 @@ std::vector<Point> contacts(const ElasticBlocks& e, const RitzBlock& block) {
   const auto id = [&](int i, int j) { return i * e.stack + j; };
   for (int i = 0; i < e.row; ++i)
     for (int j = 0; j < e.stack; ++j) {
-      if (j == 0) side(-1, id(i, j), box.lo, box.lo, wide, Vec2(0, 1), e.friction_plane);
-      if (j > 0) side(id(i, j - 1), id(i, j), box.lo + high, box.lo, wide, Vec2(0, 1), e.friction_between);
-      if (i > 0) side(id(i - 1, j), id(i, j), box.lo + wide, box.lo, high, Vec2(1, 0), e.friction_between);
+      if (j == 0) side(-1, id(i, j), box.lo, box.lo, wide, Vec2(0, 1), e.friction_plane, e.stiffness_plane);
+      if (j > 0)
+        side(id(i, j - 1), id(i, j), box.lo + high, box.lo, wide, Vec2(0, 1), e.friction_between, e.stiffness_stack);
+      if (i > 0)
+        side(id(i - 1, j), id(i, j), box.lo + wide, box.lo, high, Vec2(1, 0), e.friction_between, e.stiffness_row);
     }
   return out;
 }
@@ -159,6 +164,8 @@ std::vector<double> elastic_ways(const ElasticBlocks& e, const std::function<Vec
   const double bound = (std::sqrt(c_of_contacts * c_of_contacts + 4.0 * w2) - c_of_contacts) / w2;
   const auto steps = static_cast<std::int64_t>(std::ceil(end / (fraction * bound)));
   const double h = end / static_cast<double>(steps), rate = 2.0 * e.sliding_damping * std::sqrt(block.square()(3));
+  const double period = 2.0 * std::numbers::pi / std::sqrt(block.square()(3));
+  std::vector<double> slid(blocks, -period);  // when a contact of the block slipped down the plane last
   const VectorXd at_centre = block.modes_at(block.centre()).row(0);
   std::vector<double> begin(blocks, 0.0), out(blocks);
   for (std::int64_t step = 0; step < steps; ++step) {
@@ -167,7 +174,6 @@ std::vector<double> elastic_ways(const ElasticBlocks& e, const std::function<Vec
       for (std::size_t b = 0; b < blocks; ++b) begin[b] = at_centre.dot(q[b]);
     const Vec2 a = acceleration(t);
     for (std::size_t b = 0; b < blocks; ++b) f[b] = block.load().transpose() * a - block.square().cwiseProduct(q[b]);
-    std::vector<bool> slides(blocks, false);
     for (Point& p : points) {
       const VectorXd& qa = q[static_cast<std::size_t>(p.above)];
       const VectorXd& va = v[static_cast<std::size_t>(p.above)];
@@ -187,11 +193,11 @@ std::vector<double> elastic_ways(const ElasticBlocks& e, const std::function<Vec
       const double shear = -p.k * p.stretch;
       f[static_cast<std::size_t>(p.above)] += normal * p.n_above + shear * p.s_above;
       if (p.below >= 0) f[static_cast<std::size_t>(p.below)] -= normal * p.n_below + shear * p.s_below;
-      if (slips && normal > 0.0 && p.below < 0 && slip_rate < 0.0) slides[static_cast<std::size_t>(p.above)] = true;
+      if (slips && normal > 0.0 && p.below < 0 && slip_rate < 0.0) slid[static_cast<std::size_t>(p.above)] = t;
     }
     for (std::size_t b = 0; b < blocks; ++b) {
       v[b] += h * f[b];
-      if (slides[b]) v[b].tail(n - 3) /= 1.0 + rate * h;
+      if (t - slid[b] < period) v[b].tail(n - 3) /= 1.0 + rate * h;
       q[b] += h * v[b];
     }
   }

@@ -12,17 +12,18 @@ namespace scree::app {
 /// Ritz's method: the displacements of a block are polynomials of `degree` about its centroid, integrated over the
 /// polygon (degree 1 are the affine displacements of DDA), as modes of the free block; small displacements. Contacts
 /// join points that faced each other at the start by springs of `stiffness`, dashpots and Coulomb's friction; the
-/// deformation of a block is damped while one of its contacts slips down the plane.
+/// deformation of a block is damped until a natural period after one of its contacts has slipped down the plane.
 struct ElasticBlocks {
   Ring shape;  // its base lies on y = 0
   int row = 1, stack = 1;
-  int degree = 1;
+  int degree = 1;  // 7 at most
   int points = 2;  // on a side, at equal distances, the first and the last on corners
   double density = 2600.0, young = 0.0, poisson = 0.2;
   double friction_plane = 0.0, friction_between = 0.0;  // coefficients
-  double stiffness = 0.0;                               // of contacts, normal and tangential [Pa/m]
-  double damping = 0.5;                                 // of contacts, of critical for the point on its block
-  double sliding_damping = 1.0;                         // of critical for the lowest frequency of deformation
+  // Of contacts, normal and tangential, per area: with the plane, of one on another, side by side [Pa/m].
+  double stiffness_plane = 0.0, stiffness_stack = 0.0, stiffness_row = 0.0;
+  double damping = 0.5;          // of contacts, of critical for the point on its block
+  double sliding_damping = 1.0;  // of critical for the lowest frequency of deformation
 };
 
 /// @param acceleration  body acceleration at a time [m/s2]

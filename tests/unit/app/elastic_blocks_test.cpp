@@ -21,7 +21,8 @@ ElasticBlocks square(double young, int degree) {
   e.young = young;
   e.friction_plane = std::tan(20.0 * std::numbers::pi / 180.0);
   e.friction_between = 1.0;
-  e.stiffness = Elasticity::from(young, e.poisson, Plane::strain).p_modulus() / 10.0;
+  e.stiffness_plane = e.stiffness_stack = e.stiffness_row =
+      Elasticity::from(young, e.poisson, Plane::strain).p_modulus() / 10.0;
   return e;
 }
 
