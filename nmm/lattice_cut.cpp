@@ -34,10 +34,8 @@ void cells_near(const Lattice& lattice, const Vec2& a, const Vec2& b, See&& see)
   }
 }
 
-}  // namespace
-
-LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> cracks, const Lattice& lattice,
-                          CoverMesh& mesh) {
+/// Pieces of an outline that none has been found of yet: the cells they may lie in.
+LatticePieces room_for(const Polygon& outline, const Lattice& lattice) {
   LatticePieces out{lattice, {}, 0, 0, {}, {}, {}};
   const Box box = bounds(outline);
   Vec2 lo = lattice.oblique(box.lo), hi = lo;
@@ -51,6 +49,15 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
   const auto cells = static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows);
   out.cracked.assign(2 * cells, 0);
   out.first.assign(2 * cells + 1, 0);
+  return out;
+}
+
+}  // namespace
+
+LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> cracks, const Lattice& lattice,
+                          CoverMesh& mesh) {
+  LatticePieces out = room_for(outline, lattice);
+  const std::size_t cells = out.cracked.size() / 2;
 
   // Cells near a line, by cell; the cracks that come near each.
   std::vector<char> near(cells, 0);

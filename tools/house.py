@@ -32,11 +32,16 @@ def functions(name):
     lines = (ROOT / name).read_text().splitlines()
     i = 0
     while i < len(lines):
-        head = re.match(r"^( {0,2})(\S.*)\{$", lines[i])
-        if head and not NO_FUNCTION.match(lines[i]) and "(" in "".join(lines[max(0, i - 4):i + 1]):
+        first = i
+        if lines[i].endswith("{") and re.match(r" {3,}", lines[i]):  # the last line of a head that began above
+            while first > 0 and re.match(r" {3,}", lines[first]):
+                first -= 1
+        head = re.match(r"^( {0,2})\S", lines[first])
+        text = "".join(lines[first:i + 1])
+        if lines[i].endswith("{") and head and "(" in text and not re.match(NO_FUNCTION, text) and (first == i or not lines[first].endswith(("{", ";", "}"))):
             end = next((j for j in range(i + 1, len(lines)) if lines[j].startswith(head[1] + "}")), len(lines) - 1)
             body = [re.sub(r'"(\\.|[^"\\])*"|//.*', "", line) for line in lines[i + 1:end]]
-            yield i + 1, end - i - 1, sum(len(BRANCH.findall(line)) for line in body)
+            yield first + 1, end - i - 1, sum(len(BRANCH.findall(line)) for line in body)
             i = end
         i += 1
 
@@ -54,11 +59,11 @@ def circles():
                 to[here].add(there)
 
     def reached(start):
-        seen, todo = set(), [start]
-        while todo:
-            for folder in to[todo.pop()] - seen:
+        seen, ahead = set(), [start]
+        while ahead:
+            for folder in to[ahead.pop()] - seen:
                 seen.add(folder)
-                todo.append(folder)
+                ahead.append(folder)
         return seen
 
     reach = {folder: reached(folder) for folder in list(to)}

@@ -43,8 +43,7 @@ std::vector<Input> seeds() {
                           io::ControlVerb::checkpoint, io::ControlVerb::stop, io::ControlVerb::rate}) {
     const double value = verb == io::ControlVerb::step || verb == io::ControlVerb::rate ? 3.0 : 0.0;
     const io::Bytes bytes = io::encode_command(kSession, {verb, value, sequence += 100'000, 5});
-    Input one = {0, 1, static_cast<std::uint8_t>(bytes.size() & 0xFFU), static_cast<std::uint8_t>(bytes.size() >> 8U)};
-    one.insert(one.end(), bytes.begin(), bytes.end());
+    Input one = message(0, 1, bytes);
     all.insert(all.end(), one.begin(), one.end());
     out.push_back(std::move(one));
   }

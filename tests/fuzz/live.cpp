@@ -34,9 +34,7 @@ std::vector<Input> seeds() {
       if (bytes.size() > 0xFFFF) continue;
       const auto kind = io::channel_kind(channel);
       if (!kind) continue;
-      Input one = {static_cast<std::uint8_t>(*kind), 0, static_cast<std::uint8_t>(bytes.size() & 0xFFU),
-                   static_cast<std::uint8_t>(bytes.size() >> 8U)};
-      one.insert(one.end(), bytes.begin(), bytes.end());
+      Input one = message(static_cast<std::uint8_t>(*kind), 0, bytes);
       all.insert(all.end(), one.begin(), one.end());
       out.push_back(std::move(one));
     }
