@@ -91,7 +91,7 @@ int digest(const DigestOptions& options) {
   std::vector<std::string> names;
   const coupling::Methods methods = coupling::standard_methods();
   for (const auto& [name, factory] : methods) names.push_back(name);
-  const io::Case c = io::read_case(options.case_file, options.set, names);
+  const io::Case c = io::read_case(options.case_file, options.set, names, complain_line);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   coupling::Driver run(c.model, c.plan, methods);
   Lines lines;

@@ -69,6 +69,8 @@ void complain_text(std::string_view text) {
   put(STDERR_FILENO, io::printable(text));
 }
 
+void complain_line(const std::string& line) { complain_text(line + "\n"); }
+
 CollectedOutput::CollectedOutput() { collects = ::isatty(STDOUT_FILENO) == 0; }
 CollectedOutput::~CollectedOutput() {
   flush();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 
 namespace scree::app {
@@ -17,6 +18,9 @@ template <class... Args>
 void say(fmt::format_string<Args...> form, Args&&... args);
 template <class... Args>
 void complain(fmt::format_string<Args...> form, Args&&... args);
+
+/// The same for a line that stands by itself (io::Notice).
+void complain_line(const std::string& line);
 
 /// What is said while one lives goes out at its end, or when some has come together, unless standard output is a
 /// terminal: in few pieces, so that a reader who has seen enough (`scree cases list | grep -q miller`) finds it all

@@ -28,7 +28,7 @@ std::string digest(const std::filesystem::path& file) {
 io::Case stored_case(const io::RunRecord& run, const std::filesystem::path& folder) {
   const std::vector<std::string> methods = method_names();
   try {
-    io::Case c = io::read_case_text(run.case_text, run.case_path, run.overrides, methods);
+    io::Case c = io::read_case_text(run.case_text, run.case_path, run.overrides, methods, complain_line);
     for (std::size_t i = 0; i < run.files.size(); ++i)
       if (i >= c.files.size() || digest(c.files[i]) != run.file_digests[i])
         throw io::FileError(i < c.files.size() ? c.files[i] : std::filesystem::path(run.files[i]),

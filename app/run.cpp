@@ -256,7 +256,7 @@ std::vector<std::string> method_names() {
 int run(const RunOptions& options) {
   take_signals_of_runs();
   const std::vector<std::string> methods = method_names();
-  io::Case c = io::read_case(options.case_file, options.set, methods);
+  io::Case c = io::read_case(options.case_file, options.set, methods, complain_line);
   const std::string name = run_name(options.case_file);
   const std::filesystem::path out = options.out.empty() ? std::filesystem::path("runs") / name : options.out;
   const auto open_folder = [&] {
@@ -372,7 +372,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 
 int check(const CheckOptions& options) {
   const std::vector<std::string> methods = method_names();
-  const io::Case c = io::read_case(options.case_file, options.set, methods);
+  const io::Case c = io::read_case(options.case_file, options.set, methods, complain_line);
   say("{}: {}\n", options.case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
   say("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
       c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());

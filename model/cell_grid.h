@@ -15,7 +15,8 @@ class CellGrid {
   CellGrid(const Box& extent, std::size_t items);
 
   void insert(const Box& box, std::int32_t item);
-  /// Puts in a segment by boxes of at most a cell, so that a long one does not fill the square around it.
+  /// Puts in a segment by boxes of at most a cell, so that a long one does not fill the square around it. What lies
+  /// outside the extent goes into cells of its border by one box for each side, however long it is.
   /// @param reach  points up to this far from the segment find it [m]
   void insert(const Vec2& a, const Vec2& b, double reach, std::int32_t item);
 
@@ -31,7 +32,9 @@ class CellGrid {
     return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
   }
 
-  Vec2 low_;
+  void insert_pieces(const Vec2& a, const Vec2& b, std::int64_t pieces, double reach, std::int32_t item);
+
+  Box extent_;
   double size_ = 1.0;  // of a cell [m]
   std::int32_t columns_ = 1, rows_ = 1;
   std::vector<std::vector<std::int32_t>> cells_;

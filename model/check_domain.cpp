@@ -114,8 +114,8 @@ std::optional<DomainFault> region_fault(const Domain& domain, double extent) {
 }
 
 std::optional<DomainFault> line_fault(const JointNetwork& network, const Domain& domain, double extent) {
-  constexpr double kMostLines = 1e6;
-  double lines = 0.0;
+  constexpr double kMostLines = 1e6, kMostCrossings = 1e7;
+  double lines = 0.0, crossings = 0.0;
   for (std::size_t i = 0; i < network.sets.size(); ++i) {
     const JointSet& set = network.sets[i];
     if (set.region)
@@ -125,6 +125,11 @@ std::optional<DomainFault> line_fault(const JointNetwork& network, const Domain&
       return DomainFault{Part::set_spacing, i, fmt::format("the joint sets draw about {:.3g} lines", lines),
                          fmt::format("at most {:g} lines", kMostLines),
                          "check the units of spacing, length and gap; an origin far from the domain costs lines too"};
+    for (std::size_t j = 0; j < i; ++j) crossings += expected_crossings(set, network.sets[j], domain.outline);
+    if (!(crossings <= kMostCrossings))
+      return DomainFault{Part::set_spacing, i, fmt::format("the joint sets cross about {:.3g} times", crossings),
+                         fmt::format("at most {:g} crossings", kMostCrossings),
+                         "each crossing is a corner of four blocks: check the units of spacing, length and gap"};
   }
   for (std::size_t i = 0; i < network.traces.size(); ++i) {
     const std::vector<Vec2>& points = network.traces[i].points;

@@ -165,6 +165,29 @@ double expected_traces(const JointSet& set, const Polygon& domain) {
   return lines * (2.2 * w.radius / (set.length->mean + set.gap.mean) + 1.0);
 }
 
+double expected_crossings(const JointSet& first, const JointSet& second, const Polygon& domain) {
+  double area = std::abs(signed_area(domain.outer));
+  for (const Ring& hole : domain.holes) area -= std::abs(signed_area(hole));
+  // Length of traces per unit area [1/m], and the area in which there are any.
+  const auto density = [](const JointSet& s) {
+    return (s.length ? s.length->mean / (s.length->mean + s.gap.mean) : 1.0) / s.spacing.mean;
+  };
+  const auto extent = [area](const JointSet& s) {
+    return s.region ? std::min(area, std::abs(signed_area(*s.region))) : area;
+  };
+  return std::min(extent(first), extent(second)) * density(first) * density(second) *
+         std::abs(cross(direction_deg(first.dip_deg.mean), direction_deg(second.dip_deg.mean)));
+}
+
+NetworkSize expected_size(const JointNetwork& network, const Polygon& domain) {
+  NetworkSize out;
+  for (std::size_t i = 0; i < network.sets.size(); ++i) {
+    out.lines += expected_traces(network.sets[i], domain);
+    for (std::size_t j = 0; j < i; ++j) out.crossings += expected_crossings(network.sets[i], network.sets[j], domain);
+  }
+  return out;
+}
+
 std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain) {
   std::vector<JointLine> lines;
   const auto polyline = [&](const std::vector<Vec2>& points, JointId joint, JointLine::Kind kind, std::size_t source) {

@@ -69,8 +69,19 @@ struct Segment {
 /// Pieces of a segment inside a polygon, in order from a to b; pieces that only touch the boundary may be left out.
 [[nodiscard]] std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon);
 
-/// About how many traces a set draws in a domain, for refusing absurd ones before drawing.
+/// Number of traces that a set is expected to draw in a domain: known before anything is drawn.
 [[nodiscard]] double expected_traces(const JointSet& set, const Polygon& domain);
+
+/// Number of crossings that two sets are expected to have with each other in a domain.
+///   L_i L_j |sin(alpha_i - alpha_j)| / A,  L: total length of the traces of a set, A: area of the domain
+/// @source mean number of crossings of two independent stationary systems of straight lines
+[[nodiscard]] double expected_crossings(const JointSet& first, const JointSet& second, const Polygon& domain);
+
+/// What joint sets are expected to draw in a domain. What it costs to cut the domain goes by the sum of the two.
+struct NetworkSize {
+  double lines = 0.0, crossings = 0.0;
+};
+[[nodiscard]] NetworkSize expected_size(const JointNetwork& network, const Polygon& domain);
 
 /// All lines: traces, arcs, then sets, in the order given, cut off at the domain's boundary.
 /// @pre mean spacing and length > 0     @source model.md, "Blocks"

@@ -11,12 +11,12 @@
 namespace scree::io {
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-               std::span<const std::string> methods) {
-  return read_case_text(read_text_file(file, "case file", kLargestCase), file, overrides, methods);
+               std::span<const std::string> methods, const Notice& notice) {
+  return read_case_text(read_text_file(file, "case file", kLargestCase), file, overrides, methods, notice);
 }
 
 Case read_case_text(std::string text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                    std::span<const std::string> methods) {
+                    std::span<const std::string> methods, const Notice& notice) {
   Case out;
   out.text = std::move(text);
   out.path = file.string();
@@ -31,7 +31,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   const Section root(out.path, document, "");
   read_laws(root, out.model);
   read_functions(root, file.parent_path(), out.model);
-  read_blocks(root, file.parent_path(), out.model);
+  read_blocks(root, file.parent_path(), out.model, notice);
   read_cracks(root, out.model);
   read_motions(root, file.parent_path(), out.model);
   read_supports(root, out.model);

@@ -8,6 +8,7 @@
 
 #include "coupling/plan.h"
 #include "io/case/case_error.h"
+#include "io/case/notice.h"
 #include "model/model.h"
 
 namespace scree::io {
@@ -26,13 +27,15 @@ struct Case {
 /// Reads a case file. A model that lies far from (0, 0) comes with a local origin (model/local_origin.h).
 /// @param overrides  `key=value` from --set, applied in order (override.h)
 /// @param methods    names of the methods that exist, for example "nmm", "dda"
+/// @param notice     called before what may take longer than some seconds: the cutting of a domain by many joints
 /// @throws CaseError for the first thing that is wrong: the file, its text, keys, values, names, geometry, records
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                             std::span<const std::string> methods);
+                             std::span<const std::string> methods, const Notice& notice = {});
 
 /// The same from a text that is already there (a stored run).
 /// @param file  names the file in errors; records are found relative to its folder
 [[nodiscard]] Case read_case_text(std::string text, const std::filesystem::path& file,
-                                  const std::vector<std::string>& overrides, std::span<const std::string> methods);
+                                  const std::vector<std::string>& overrides, std::span<const std::string> methods,
+                                  const Notice& notice = {});
 
 }  // namespace scree::io

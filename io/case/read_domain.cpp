@@ -11,6 +11,8 @@
 namespace scree::io {
 namespace {
 
+constexpr double kManyPieces = 10000.0;  // lines and crossings that are cut within about a second
+
 /// What a domain is read from, with the sections that faults belong to.
 class DomainReader {
  public:
@@ -218,8 +220,14 @@ class DomainReader {
 
 }  // namespace
 
-void read_domain(const Section& section, const std::filesystem::path& folder, Model& model) {
+void read_domain(const Section& section, const std::filesystem::path& folder, Model& model, const Notice& notice) {
   const Domain domain = DomainReader(section, folder, model).read();
+  const NetworkSize size = expected_size(domain.network, domain.outline);
+  if (notice && size.lines + size.crossings > kManyPieces)
+    notice(
+        fmt::format("domain: the joint sets draw about {:.2g} lines, which cross about {:.2g} times; cutting it into "
+                    "blocks may take long",
+                    size.lines, size.crossings));
   Cutting cutting;
   try {
     cutting = cut_blocks(domain);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/plan.h"
+#include "io/case/notice.h"
 #include "io/case/section.h"
 #include "model/model.h"
 
@@ -32,9 +33,9 @@ void check_meshes(const Section& root, const Model& model, const coupling::Plan&
 void read_functions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.
 /// @param folder  that relative paths start from     @pre read_laws
-void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model);
+void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model, const Notice& notice);
 /// Appends the blocks of [domain], its lines and cracks.   @pre read_laws
-void read_domain(const Section& section, const std::filesystem::path& folder, Model& model);
+void read_domain(const Section& section, const std::filesystem::path& folder, Model& model, const Notice& notice);
 /// Cracks inside blocks, after those that a domain left.   @pre read_blocks
 void read_cracks(const Section& root, Model& model);
 /// Ground motions from their files.   @param folder  that relative paths start from

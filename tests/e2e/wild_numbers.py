@@ -24,7 +24,7 @@ TIME = 10.0            # s, in which a run has ended or has said what it does
 PATIENCE = 1.0         # s, after which one that has said so is stopped
 CASES = pathlib.Path(__file__).parent / "wild"
 BAD_CASE, NOT_CONVERGED = 3, 4
-SAID = re.compile(r"\d+ steps  \S+ steps/s|about \S+ of them|about \S+ elements")
+SAID = re.compile(r"draw about \S+ lines|\d+ steps  \S+ steps/s|about \S+ of them|about \S+ elements")
 
 
 def numbers(tree, path=""):

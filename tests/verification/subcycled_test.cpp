@@ -408,8 +408,31 @@ TEST(Subcycled, step_above_that_of_slow_forces_is_refused) {
   const std::string text = told();
   EXPECT_NE(text.find("block 'right'"), std::string::npos) << text;
   EXPECT_NE(text.find("element"), std::string::npos) << text;
+  // Forced, it is taken, and said once with the step and what bounds it.
+  scene.plan.stages[0].force_dt = true;
+  scene.plan.stages[0].duration = ticks(2e-2);
+  struct Warnings final : Sink {
+    std::vector<std::string> texts;
+    void event(const Event& e) override {
+      if (e.kind == EventKind::warning) texts.push_back(e.text);
+    }
+  } warnings;
+  const auto forced = [&] {
+    warnings.texts.clear();
+    Driver run(scene.model, scene.plan, methods());
+    run.add_sink(warnings);
+    (void)run.run();
+    return std::count_if(warnings.texts.begin(), warnings.texts.end(), [](const std::string& t) {
+      return t.find("dt 0.01 s is forced above what slow internal forces allow") != std::string::npos &&
+             t.find("block 'right'") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(forced(), 1);
   scene.plan.stages[0].dt = 6e-5;
   scene.plan.stages[0].duration = ticks(6e-4);
+  EXPECT_EQ(forced(), 0);
+  EXPECT_TRUE(warnings.texts.empty()) << warnings.texts[0];
+  scene.plan.stages[0].force_dt = false;
   EXPECT_EQ(told(), "");
   scene.plan.stages[0].local_damping = 0.1;
   EXPECT_NE(told().find("local damping"), std::string::npos);

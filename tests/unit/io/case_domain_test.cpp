@@ -157,6 +157,21 @@ TEST(Domain, joint_sets_that_make_no_sense_are_refused_at_the_key) {
   }
 }
 
+TEST(Domain, cutting_by_many_joints_is_told_before_it_begins) {
+  const auto told = [](const char* origin) {
+    std::vector<std::string> lines;
+    (void)read_case_text(
+        kDomain + "[[domain.joint_set]]\njoint = \"clay\"\ndip_deg = 0\nspacing = 5\norigin = " + origin + "\n",
+        kFolder + "in_memory.toml", {}, kMethods, [&](const std::string& line) { lines.push_back(line); });
+    return lines;
+  };
+  EXPECT_TRUE(told("[0, 5]").empty());
+  // Lines are drawn from the origin on, most of them below the domain.
+  const std::vector<std::string> lines = told("[0, -1e5]");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_TRUE(holds(lines[0], "draw about 4e+04 lines")) << lines[0];
+}
+
 TEST(Matches, stars_stand_for_any_characters) {
   EXPECT_TRUE(matches("base-*", "base-12"));
   EXPECT_TRUE(matches("*", ""));

@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"domain_unknown_joint.toml", 13, 9, "domain.joint_set.0.joint", "\"ruogh\"", "no joint of that name",
               "\"rough\"", "did you mean \"rough\"?"},
         Wrong{"domain_too_many_lines.toml", 15, 11, "domain.joint_set.0.spacing", "1e-06", "lines", "at most", "units"},
+        Wrong{"domain_too_many_crossings.toml", 20, 11, "domain.joint_set.1.spacing", "0.001",
+              "cross about 1e+08 times", "at most 1e+07", "units"},
         Wrong{"domain_overlaps_block.toml", 20, 11, "block.0.polygon", "[[9.0, 0.0]", "overlaps block",
               "overlaps no other", "only touch"},
         Wrong{"joint_tension_beyond_coulomb.toml", 11, 20, "joint.plane.tensile_strength", "20000", "would slip first",
@@ -125,7 +127,7 @@ TEST(WrongFiles, folder_holds_no_file_without_a_test) {
         name.starts_with("time_");
     count += entry.path().extension() == ".toml" && !elsewhere;
   }
-  EXPECT_EQ(count, 39u);
+  EXPECT_EQ(count, 40u);
 }
 
 // Each would run the parser or its tables out of stack if it got there.

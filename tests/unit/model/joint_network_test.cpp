@@ -88,6 +88,33 @@ TEST(JointSet, mean_spacing_of_many_lines_is_the_stated_one) {
   EXPECT_NEAR(static_cast<double>(lines_of(set).size()), 1000.0, 100.0);
 }
 
+/// Crossings of the drawn lines, pair by pair.
+int crossings_of(const JointSet& first, const JointSet& second, const Polygon& domain) {
+  int count = 0;
+  for (const JointLine& l : lines_of(first, domain))
+    for (const JointLine& m : lines_of(second, domain)) {
+      const Vec2 d = l.to - l.from, e = m.to - m.from;
+      const auto apart = [](const Vec2& a, const Vec2& along, const Vec2& p, const Vec2& q) {
+        return cross(along, p - a) * cross(along, q - a) < 0.0;
+      };
+      count += apart(l.from, d, m.from, m.to) && apart(m.from, e, l.from, l.to) ? 1 : 0;
+    }
+  return count;
+}
+
+TEST(ExpectedCrossings, are_those_of_drawn_lines_within_some_percent) {
+  const Polygon frame{{{0, 0}, {40, 0}, {40, 30}, {0, 30}}, {{{10, 10}, {10, 20}, {25, 20}, {25, 10}}}};
+  const JointSet first = set_of(20.0, 0.7);
+  JointSet second = set_of(80.0, 0.9);
+  EXPECT_NEAR(expected_crossings(first, second, frame), crossings_of(first, second, frame), 30.0);  // of 1,443
+  second.length = Spread{3.0};
+  second.gap = Spread{1.5};
+  EXPECT_NEAR(expected_crossings(first, second, frame), crossings_of(first, second, frame), 40.0);  // of 962
+  second.region = Ring{{0, 0}, {10, 0}, {10, 30}, {0, 30}};
+  EXPECT_NEAR(expected_crossings(first, second, frame), crossings_of(first, second, frame), 20.0);  // of 275
+  EXPECT_EQ(expected_crossings(first, first, frame), 0.0);
+}
+
 TEST(Clipped, concave_polygon_gives_pieces_in_order) {
   const Polygon u{{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, {}};
   const std::vector<Segment> pieces = clipped({{-1, 3}, {7, 3}}, u);
