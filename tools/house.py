@@ -7,13 +7,15 @@ A row a measure: how many, the limit, the worst. --list names all; --strict ends
 Functions are found by their braces, which clang-format puts where this expects them.
 """
 import argparse
-import collections
 import pathlib
 import re
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests/arrows"))
+import check_arrows  # noqa: E402
+
 FOLDERS = ("model", "nmm", "dda", "coupling", "io", "app", "tests")
 TESTED = ("model", "nmm", "dda", "coupling")
 LINES, LONG_SHARE, BRANCHES, HEADER = 100, 60, 25, 250
@@ -44,30 +46,6 @@ def functions(name):
             yield first + 1, end - i - 1, sum(len(BRANCH.findall(line)) for line in body)
             i = end
         i += 1
-
-
-def circles():
-    """Folders that include each other, by whatever way."""
-    to = collections.defaultdict(set)
-    for name in sources():
-        if name.startswith("tests/"):
-            continue
-        here = str(pathlib.PurePath(name).parent)
-        for file in re.findall(r'^#include "([^"]+)"', (ROOT / name).read_text(), re.M):
-            there = str(pathlib.PurePath(file).parent)
-            if there != here and (ROOT / there).is_dir():
-                to[here].add(there)
-
-    def reached(start):
-        seen, ahead = set(), [start]
-        while ahead:
-            for folder in to[ahead.pop()] - seen:
-                seen.add(folder)
-                ahead.append(folder)
-        return seen
-
-    reach = {folder: reached(folder) for folder in list(to)}
-    return sorted({tuple(sorted({a} | {b for b in reach[a] if a in reach.get(b, ())})) for a in reach if a in reach[a]})
 
 
 def dangling():
@@ -106,7 +84,7 @@ def main():
         (f"functions over {BRANCHES} branches, but for tests", 0,
          [f"{where} {branches}" for _, branches, where in sorted(code, key=lambda f: -f[1]) if branches > BRANCHES]),
         (f"headers over {HEADER} lines", 0, [f"{name} {length}" for length, name in sorted(headers, reverse=True) if length > HEADER]),
-        ("circles of folders", 0, [" ".join(c) for c in circles()]),
+        ("circles of folders", 0, [" ".join(c) for c in check_arrows.circles(ROOT)]),
         ("comments that name a file which is not there", 0, list(dangling())),
         ("files without a test of their name", 0, list(untested())),
     ]

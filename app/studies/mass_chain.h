@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/integrate/cholesky.h"
+#include "coupling/linear/cholesky.h"
 
 namespace scree::app {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/studies/studies.h"
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "coupling/onefold/onefold_forms.h"
 #include "coupling/transfer/transfer.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 
 namespace scree::coupling {
 

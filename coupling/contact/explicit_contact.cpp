@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 
 namespace scree::coupling {
 namespace {

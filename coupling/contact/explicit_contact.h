@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "coupling/contact/audit.h"
+#include "coupling/contact/audit/audit.h"
+#include "coupling/contact/audit/friction_check.h"
 #include "coupling/contact/contact_energy.h"
-#include "coupling/contact/friction_check.h"
 
 namespace scree::coupling {
 

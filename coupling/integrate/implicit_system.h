@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "coupling/integrate/dof_rows.h"
-#include "coupling/integrate/symmetric_pattern.h"
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
+#include "coupling/linear/dof_rows.h"
+#include "coupling/linear/symmetric_pattern.h"
 
 namespace scree::coupling {
 

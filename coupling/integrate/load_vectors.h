@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 
 namespace scree::coupling {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "coupling/contact/audit.h"
+#include "coupling/bodies/setup.h"
+#include "coupling/contact/audit/audit.h"
 #include "coupling/plan.h"
-#include "coupling/stages/setup.h"
 #include "coupling/state.h"
 
 namespace scree::coupling {

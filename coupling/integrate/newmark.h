@@ -3,10 +3,9 @@
 
 #include <vector>
 
-#include "coupling/contact/contact_finder.h"
-#include "coupling/contact/friction_check.h"
+#include "coupling/contact/audit/friction_check.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/deformation_damping.h"
-#include "coupling/integrate/fixed_point.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/mover.h"
@@ -15,6 +14,7 @@
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/sliding_damping.h"
 #include "coupling/integrate/viscous_edges.h"
+#include "coupling/linear/fixed_point.h"
 
 namespace scree::coupling {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/newmark.h"
 
 namespace scree::coupling {

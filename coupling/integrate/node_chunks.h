@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 #include "model/parallel.h"
 
 namespace scree::coupling {

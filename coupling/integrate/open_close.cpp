@@ -7,7 +7,7 @@
 #include <ctime>
 #include <limits>
 
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 #include "coupling/sink.h"
 
 namespace scree::coupling {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
-#include "coupling/contact/joint_strength.h"
-#include "coupling/integrate/cholesky.h"
-#include "coupling/integrate/conjugate_residuals.h"
+#include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
 #include "coupling/integrate/mover.h"
+#include "coupling/linear/cholesky.h"
+#include "coupling/linear/conjugate_residuals.h"
 
 namespace scree::coupling {
 

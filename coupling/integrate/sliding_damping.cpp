@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/point_springs.h"
 
 namespace scree::coupling {

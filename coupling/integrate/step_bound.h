@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/viscous_edges.h"
 

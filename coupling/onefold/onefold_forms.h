@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "coupling/contact/known_contacts.h"
+#include "coupling/contact/table/known_contacts.h"
 
 namespace scree::coupling {
 

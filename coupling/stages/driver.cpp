@@ -8,15 +8,15 @@
 #include <limits>
 #include <utility>
 
+#include "coupling/bodies/partition.h"
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/partitioned.h"
 #include "coupling/integrate/subcycled.h"
-#include "coupling/ledger/round_off.h"
 #include "coupling/stages/energy_watch.h"
 #include "coupling/stages/implicit_damping.h"
-#include "coupling/stages/partition.h"
 #include "coupling/stages/plan_warnings.h"
+#include "coupling/stages/round_off.h"
 #include "model/mesh_error.h"
 
 namespace scree::coupling {

@@ -1,8 +1,8 @@
 // What a run goes on from: the driver's checkpoint, written and read back.
 #include <utility>
 
+#include "coupling/bodies/partition.h"
 #include "coupling/stages/driver.h"
-#include "coupling/stages/partition.h"
 
 namespace scree::coupling {
 

@@ -1,6 +1,6 @@
 #include "coupling/stages/observer.h"
 
-#include "coupling/contact/contact_point.h"
+#include "coupling/contact/table/contact_point.h"
 
 namespace scree::coupling {
 namespace {

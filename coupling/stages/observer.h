@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "coupling/bodies/setup.h"
 #include "coupling/sink.h"
-#include "coupling/stages/setup.h"
 
 namespace scree::coupling {
 

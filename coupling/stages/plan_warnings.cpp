@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "coupling/bodies/partition.h"
 #include "coupling/stages/lasting_loads.h"
-#include "coupling/stages/partition.h"
 #include "coupling/transfer/transfer.h"
 
 namespace scree::coupling {

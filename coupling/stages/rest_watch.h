@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 
 namespace scree::coupling {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "coupling/contact/audit.h"
-#include "coupling/contact/friction_check.h"
+#include "coupling/contact/audit/audit.h"
+#include "coupling/contact/audit/friction_check.h"
 
 namespace scree::coupling {
 namespace {

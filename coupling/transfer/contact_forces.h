@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 
 namespace scree::coupling {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/bodies/partition.h"
 #include "coupling/integrate/point_springs.h"
-#include "coupling/stages/partition.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/field_transfer.h"
 #include "coupling/transfer/transfer_mode.h"

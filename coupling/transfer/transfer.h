@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "coupling/bodies/setup.h"
 #include "coupling/sink.h"
-#include "coupling/stages/setup.h"
 
 namespace scree::coupling {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coupling/stages/partition.h"
+#include "coupling/bodies/partition.h"
 #include "coupling/state.h"
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"

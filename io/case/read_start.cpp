@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "coupling/stages/clocks.h"
+#include "coupling/bodies/clocks.h"
 #include "io/case/read_parts.h"
 
 namespace scree::io {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "coupling/contact/audit.h"
+#include "coupling/contact/audit/audit.h"
 #include "io/results/history_writer.h"
 #include "io/results/json.h"
 #include "model/check.h"

@@ -1,4 +1,4 @@
-"""Checks which folder includes and links which:  app -> io -> coupling -> {nmm, dda} -> model.
+"""Checks which folder includes and links which:  app -> io -> coupling -> {nmm, dda} -> model; the rooms of coupling; no circle of folders.
 
 usage: check_arrows.py ROOT     exit code 0: all as allowed; 1: violations, one a line; 2: nothing to check
 """
@@ -14,6 +14,10 @@ ALLOWED = {
     "io": {"model", "coupling"},
     "app": {"model", "nmm", "dda", "coupling", "io"},
 }
+# The rooms of coupling from the ground up: each may include from those before it only.
+ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/contact/law", "coupling/contact/geometry",
+         "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
+         "coupling/integrate", "coupling/transfer", "coupling/stages"]
 # Folders that no layer may include from.
 OUTSIDE = {"tests", "cases", "docs", "tools"}
 # The methods link the model and the compile options, nothing else: a third method needs no more.
@@ -53,6 +57,52 @@ def include_violations(root):
     return found, files, includes
 
 
+def folder_includes(root):
+    """(file, line, folder, folder of what it includes) of every include from another folder of the layers."""
+    for layer in ALLOWED:
+        for file in sorted((root / layer).rglob("*")):
+            if file.suffix not in {".h", ".hpp", ".cpp"}:
+                continue
+            here = file.parent.relative_to(root).as_posix()
+            for number, line in enumerate(file.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+                match = INCLUDE.match(line)
+                there = match and pathlib.PurePosixPath(match[1]).parent.as_posix()
+                if match and there != here and there.split("/")[0] in ALLOWED:
+                    yield file.relative_to(root), number, here, there
+
+
+def room_violations(root):
+    """Includes from a room above, and rooms that ROOMS does not name."""
+    found = []
+    for file, number, here, there in folder_includes(root):
+        if here.split("/")[0] != "coupling" or there.split("/")[0] != "coupling":
+            continue
+        for folder in (here, there):
+            if folder not in ROOMS:
+                found.append(f"{file}:{number}: {folder} has no place in ROOMS of check_arrows.py")
+        if here in ROOMS and there in ROOMS and ROOMS.index(there) > ROOMS.index(here):
+            found.append(f"{file}:{number}: {here} may not include from {there}")
+    return found
+
+
+def circles(root):
+    """Folders that include each other, by whatever way: tuples of their names."""
+    to = {}
+    for _, _, here, there in folder_includes(root):
+        to.setdefault(here, set()).add(there)
+
+    def reached(start):
+        seen, ahead = set(), [start]
+        while ahead:
+            for folder in to.get(ahead.pop(), set()) - seen:
+                seen.add(folder)
+                ahead.append(folder)
+        return seen
+
+    reach = {folder: reached(folder) for folder in to}
+    return sorted({tuple(sorted({a} | {b for b in reach[a] if a in reach.get(b, ())})) for a in reach if a in reach[a]})
+
+
 def link_violations(root):
     found = []
     for layer, allowed in ALLOWED.items():
@@ -80,7 +130,8 @@ def main():
     if not includes:
         print(f"no includes in {root}: not the top of the project?", file=sys.stderr)
         return 2
-    found += link_violations(root)
+    found += link_violations(root) + room_violations(root)
+    found += ["folders that include each other: " + ", ".join(circle) for circle in circles(root)]
     print(*found, sep="\n", end="\n" if found else "")
     print(f"{files} files, {includes} includes, {len(found)} violations")
     return 1 if found else 0

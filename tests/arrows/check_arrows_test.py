@@ -72,6 +72,33 @@ class CheckArrows(unittest.TestCase):
                 self.assertEqual(lines, [f"{layer}/CMakeLists.txt: {layer} may not link {word}"])
                 self.assertEqual(code, 1)
 
+    def test_include_from_a_room_above_is_named(self):
+        for here, there in [("coupling/bodies", "coupling/stages"), ("coupling/contact/law", "coupling/contact/table"),
+                            ("coupling/linear", "coupling/bodies"), ("coupling/contact/audit", "coupling/contact"),
+                            ("coupling/integrate", "coupling/stages"), ("coupling/contact", "coupling/integrate")]:
+            with self.subTest(here=here, there=there):
+                planted = self.root / here / "planted.h"
+                planted.write_text(f'#include "{there}/some.h"\n')
+                code, lines = self.check()
+                planted.unlink()
+                self.assertEqual(lines[0], f"{here}/planted.h:1: {here} may not include from {there}")
+                self.assertEqual(code, 1)
+
+    def test_room_without_a_place_is_named(self):
+        (self.root / "coupling/attic").mkdir()
+        (self.root / "coupling/attic/planted.h").write_text('#include "coupling/bodies/setup.h"\n')
+        code, lines = self.check()
+        self.assertEqual(lines, ["coupling/attic/planted.h:1: coupling/attic has no place in ROOMS of check_arrows.py"])
+        self.assertEqual(code, 1)
+
+    def test_circle_of_folders_is_named(self):
+        for here, there in [("io/one", "io/two"), ("io/two", "io/three"), ("io/three", "io/one")]:
+            (self.root / here).mkdir()
+            (self.root / here / "planted.h").write_text(f'#include "{there}/planted.h"\n')
+        code, lines = self.check()
+        self.assertEqual(lines, ["folders that include each other: io/one, io/three, io/two"])
+        self.assertEqual(code, 1)
+
     def test_empty_tree_is_an_error(self):
         for layer in LAYERS:
             shutil.rmtree(self.root / layer)

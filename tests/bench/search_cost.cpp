@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "coupling/contact/contact_finder.h"
-#include "coupling/contact/search.h"
+#include "coupling/contact/search/search.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "tests/support/by_hand.h"
 
 namespace scree::bench {

@@ -8,7 +8,7 @@
 A record is a [[mutant]] in a .toml file beside this program:
 
   id      = "contact-length-doubled"      its name
-  file    = "coupling/contact/joint_springs.cpp"
+  file    = "coupling/contact/law/joint_springs.cpp"
   text    = "return «kCornerLength» *"    found once in the file, however lines are broken; what is marked is replaced
   with    = "0.2"                         by this
   breaks  = "a corner stands for twice its length"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "coupling/stages/partition.h"
+#include "coupling/bodies/partition.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "coupling/contact/contact_point.h"
+#include "coupling/contact/table/contact_point.h"
 #include "tests/support/scene.h"
 
 namespace scree::test {

@@ -1,5 +1,5 @@
 // The audit: it finds what is wrong with a contact, and nothing wrong in runs of many steps.
-#include "coupling/contact/audit.h"
+#include "coupling/contact/audit/audit.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "coupling/contact/contact_point.h"
+#include "coupling/contact/table/contact_point.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {

@@ -1,6 +1,6 @@
 // Friction that sliding blocks lose although every step obeys the law and the ledger closes: seen where it happens,
 // silent where it does not.
-#include "coupling/contact/friction_check.h"
+#include "coupling/contact/audit/friction_check.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-#include "coupling/contact/contact_point.h"
+#include "coupling/contact/table/contact_point.h"
 #include "model/local_origin.h"
 #include "tests/support/schemes.h"
 

@@ -1,5 +1,5 @@
 // Bonded joints pulled and sheared to failure, and friction that slip takes away, against formulas.
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 #include "coupling/transfer/transfer.h"
 #include "nmm/cover_mesh.h"
 #include "nmm/field_projection.h"

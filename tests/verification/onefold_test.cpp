@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "coupling/onefold/onefold_forms.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"

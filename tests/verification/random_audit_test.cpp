@@ -5,7 +5,7 @@
 #include <array>
 #include <random>
 
-#include "coupling/ledger/round_off.h"
+#include "coupling/stages/round_off.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {

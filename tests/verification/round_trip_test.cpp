@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 #include "coupling/transfer/transfer.h"
 #include "tests/support/scene.h"
 

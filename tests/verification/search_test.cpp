@@ -1,5 +1,5 @@
 // Contact search against brute force: nothing near is missed, and what was found before leaves no trace.
-#include "coupling/contact/search.h"
+#include "coupling/contact/search/search.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "model/random.h"
 #include "tests/support/by_hand.h"
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <cstdio>
 
+#include "coupling/bodies/partition.h"
 #include "coupling/integrate/step_bound.h"
-#include "coupling/stages/partition.h"
 #include "coupling/transfer/transfer.h"
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"

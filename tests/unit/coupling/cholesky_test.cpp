@@ -1,4 +1,4 @@
-#include "coupling/integrate/cholesky.h"
+#include "coupling/linear/cholesky.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Motions and functions that begin with stages.
-#include "coupling/stages/clocks.h"
+#include "coupling/bodies/clocks.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "coupling/stages/setup.h"
+#include "coupling/bodies/setup.h"
 
 namespace scree::coupling {
 namespace {

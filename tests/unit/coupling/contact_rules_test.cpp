@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/contact/contact_finder.h"
+#include "coupling/contact/table/contact_finder.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 

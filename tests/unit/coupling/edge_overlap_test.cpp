@@ -1,5 +1,5 @@
 // How the overlap of two edges is shared, against moments of the overlap worked out by hand.
-#include "coupling/contact/edge_overlap.h"
+#include "coupling/contact/geometry/edge_overlap.h"
 
 #include <gtest/gtest.h>
 

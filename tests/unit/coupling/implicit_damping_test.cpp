@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupling/stages/clocks.h"
+#include "coupling/bodies/clocks.h"
 
 namespace scree::coupling {
 namespace {

@@ -1,5 +1,5 @@
 // Springs of contact points from joint laws and the two blocks: which law holds, how stiff, on what length.
-#include "coupling/contact/joint_springs.h"
+#include "coupling/contact/law/joint_springs.h"
 
 #include <gtest/gtest.h>
 

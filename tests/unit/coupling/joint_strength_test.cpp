@@ -1,5 +1,5 @@
 // Strength of one contact point: peak, residual, and what lies between.
-#include "coupling/contact/joint_strength.h"
+#include "coupling/contact/law/joint_strength.h"
 
 #include <gtest/gtest.h>
 

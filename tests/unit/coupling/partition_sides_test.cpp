@@ -1,7 +1,7 @@
 // Which blocks of a partitioned stage take explicit steps, by what they are and by how they move.
 #include <gtest/gtest.h>
 
-#include "coupling/stages/partition.h"
+#include "coupling/bodies/partition.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 

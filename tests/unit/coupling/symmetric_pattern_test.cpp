@@ -1,5 +1,5 @@
 // Sparse symmetric systems: places of summed matrices, and the factor that keeps its analysis.
-#include "coupling/integrate/symmetric_pattern.h"
+#include "coupling/linear/symmetric_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "coupling/integrate/cholesky.h"
+#include "coupling/linear/cholesky.h"
 
 namespace scree::coupling {
 namespace {

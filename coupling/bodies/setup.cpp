@@ -1,0 +1,246 @@
+#include "coupling/bodies/setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "dda/dda_pool.h"
+#include "nmm/nmm_pool.h"
+
+namespace scree::coupling {
+
+Methods standard_methods() {
+  return {{"nmm", [] { return std::make_unique<nmm::NmmPool>(); }},
+          {"dda", [] { return std::make_unique<dda::DdaPool>(); }}};
+}
+
+ReferenceShape reference_shape(const Model& model, BlockId block) {
+  const Block& b = model.blocks[block.index()];
+  const double density = model.material_of(block).density;
+  const Moments m = moments(b.polygon);
+  ReferenceShape shape;
+  shape.origin = b.polygon;
+  shape.outline = transformed(b.polygon, -m.centroid, Mat2::Identity());
+  shape.mass = density * m.area;
+  shape.area = m.area;
+  shape.second = density * m.second;
+  return shape;
+}
+
+Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests,
+             Clocks clocks)
+    : model_(&model), guests_touch_(guests.touch), clocks_(std::move(clocks)) {
+  const auto is_guest = [&](std::size_t i) { return !guests.guest.empty() && guests.guest[i] != 0; };
+  const auto foreign = [&](std::size_t i) {
+    return is_guest(i) || (!guests.touch && model.support_of(records[i].block) != nullptr);
+  };
+  const auto key_of = [&](std::size_t i) {
+    return std::tuple(records[i].method, foreign(i), !guests.slow.empty() && guests.slow[i] != 0);
+  };
+  std::map<std::tuple<std::string, bool, bool>, std::int32_t> pool_of_key;
+  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(i), 0);
+  for (auto& [key, index] : pool_of_key) {
+    const auto& [method, is_foreign, is_slow] = key;
+    index = static_cast<std::int32_t>(pools_.size());
+    const auto factory = methods.find(method);
+    if (factory == methods.end()) throw std::invalid_argument("unknown method '" + method + "'");
+    if (!is_foreign) own_pools_.push_back(pools_.size());
+    if (!is_foreign) (is_slow ? slow_pools_ : fast_pools_).push_back(pools_.size());
+    pools_.push_back(factory->second());
+    counted_.emplace_back();
+  }
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const BodyRecord& r = records[i];
+    Body b;
+    b.block = r.block;
+    b.pool = pool_of_key[key_of(i)];
+    b.slow = std::get<2>(key_of(i));
+    Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
+    b.index = pool.bodies();
+    pool.add(model, r);
+    if (const BlockSupport* s = model.support_of(r.block)) {
+      b.driven = true;
+      b.motion = s->motion;
+    }
+    b.guest = !b.driven && is_guest(i);
+    b.driven = b.driven || b.guest;
+    b.touched = guests.shared ? b.guest || !b.driven : !b.driven;
+    if (guests.shared && !guests.touch) b.touched = false;
+    b.divided = r.form.division.divides() && r.form.division.acts != Division::Acts::both;
+    b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
+    counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
+    bodies_.push_back(b);
+  }
+  pool_first_.assign(1, 0);
+  for (auto& pool : pools_) {
+    pool->finish();
+    pool_first_.push_back(pool_first_.back() + pool->first_node(pool->bodies()));
+  }
+  kind_.assign(static_cast<std::size_t>(nodes()), NodeKind::free);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& b = bodies_[i];
+    const Pool& pool = pool_of(b);
+    b.first_node = pool_first_[static_cast<std::size_t>(b.pool)] + pool.first_node(b.index);
+    b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
+    if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.guest ? NodeKind::guest : NodeKind::driven);
+    for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
+      if (pool.idle(pool.first_node(b.index) + k))
+        kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::guest;
+    add_outline(static_cast<std::int32_t>(i));
+  }
+  for (Outlines::Edge& e : outlines_.edges)
+    if (!guests.touch &&
+        (bodies_[static_cast<std::size_t>(e.body)].guest || bodies_[static_cast<std::size_t>(e.body)].divided))
+      e.touches = false;
+}
+
+bool Setup::applies(std::span<const Row> rows) const {
+  bool guests = false, own = false;
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (row.w[k] != 0.0) (kind(row.node[k]) == NodeKind::guest ? guests : own) = true;
+  return guests_touch_ ? own : own && !guests;
+}
+
+Row Setup::global(const Body& b, Row row) const {
+  for (std::int32_t& n : row.node) n += pool_first_[static_cast<std::size_t>(b.pool)];
+  return row;
+}
+
+Row Setup::local(const Body& b, Row row) const {
+  for (std::int32_t& n : row.node) n -= pool_first_[static_cast<std::size_t>(b.pool)];
+  return row;
+}
+
+void Setup::add_outline(std::int32_t body) {
+  const Body& b = bodies_[static_cast<std::size_t>(body)];
+  const Boundary& boundary = pool_of(b).boundary(b.index);
+  Outlines& out = outlines_;
+  const auto node0 = static_cast<std::int32_t>(out.nodes.size());
+  for (const Row& row : boundary.nodes) {
+    out.nodes.push_back(global(b, row));
+    out.node_body.push_back(body);
+  }
+  std::size_t corner = 0, ring_edge = 0, ring_segment = 0;  // the first edge and segment of the ring
+  for (std::size_t s = 0; s < boundary.segments.size(); ++s) {
+    const Boundary::Segment& segment = boundary.segments[s];
+    const bool new_ring = s == 0 || boundary.segments[s - 1].edge.ring != segment.edge.ring;
+    const bool new_edge = new_ring || boundary.segments[s - 1].edge != segment.edge;
+    const auto index = static_cast<std::int32_t>(out.segments.size());
+    if (new_ring) {
+      ring_edge = out.edges.size();
+      ring_segment = out.segments.size();
+    }
+    if (new_edge) {
+      // Corners come in the order of edges: edge i leaves vertex i. Convex by less than a hair counts as straight.
+      const bool convex = boundary.corners[corner++].angle < std::numbers::pi - 1e-6;
+      if (!new_ring) {
+        out.edges.back().end_vertex = index;
+        out.edges.back().convex_end = convex;
+      }
+      Outlines::Edge edge{};
+      edge.body = body;
+      edge.ring = segment.edge.ring;
+      edge.edge = segment.edge.edge;
+      edge.first_segment = index;
+      edge.convex_start = convex;
+      const Ring& ring = model_->blocks[b.block.index()].polygon.ring(static_cast<std::size_t>(edge.ring));
+      const auto k = static_cast<std::size_t>(edge.edge);
+      edge.along = (ring[(k + 1) % ring.size()] - ring[k]).normalized();
+      edge.joint = model_->joint_of(b.block, static_cast<std::size_t>(edge.ring), static_cast<std::size_t>(edge.edge));
+      out.edges.push_back(edge);
+    }
+    const auto of = static_cast<std::int32_t>(out.edges.size()) - 1;
+    Outlines::Edge& edge = out.edges.back();
+    out.segments.push_back({node0 + segment.a, node0 + segment.b, of, edge.segments});
+    out.vertices.push_back(
+        {node0 + segment.a, body, index - 1, new_edge ? of - 1 : of, of, edge.segments == 0 && edge.convex_start});
+    ++edge.segments;
+    const bool closes = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge.ring != segment.edge.ring;
+    if (!closes) continue;
+    edge.end_vertex = static_cast<std::int32_t>(ring_segment);
+    edge.convex_end = out.edges[ring_edge].convex_start;
+    out.vertices[ring_segment].segment_in = index;
+    out.vertices[ring_segment].edge_in = of;
+  }
+  add_cracks(body, boundary, node0);
+}
+
+void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node) {
+  const Body& b = bodies_[static_cast<std::size_t>(body)];
+  std::vector<const Crack*> of_block;
+  for (const Crack& c : model_->cracks)
+    if (c.block == b.block) of_block.push_back(&c);
+  Outlines& out = outlines_;
+  std::int32_t stretch = 0;
+  for (std::size_t i = 0; i < boundary.cracks.size(); ++i) {
+    const Boundary::Crack& faces = boundary.cracks[i];
+    stretch = i > 0 && boundary.cracks[i - 1].crack == faces.crack ? stretch + 1 : 0;
+    const Crack& crack = *of_block[static_cast<std::size_t>(faces.crack)];
+    const auto first_edge = static_cast<std::int32_t>(out.edges.size()),
+               first_segment = static_cast<std::int32_t>(out.segments.size());
+    const std::vector<std::int32_t>&left = faces.left, back(faces.right.rbegin(), faces.right.rend());
+    const Vec2 along = (crack.to - crack.from).normalized();
+    const auto add = [&](std::span<const std::int32_t> nodes, const Vec2& direction, bool touches) {
+      Outlines::Edge edge;
+      const auto index = static_cast<std::int32_t>(out.edges.size());
+      edge.body = body;
+      edge.ring = static_cast<std::int32_t>(model_->blocks[b.block.index()].polygon.rings()) + faces.crack;
+      edge.edge = 4 * stretch + index - first_edge;
+      edge.first_segment = static_cast<std::int32_t>(out.segments.size());
+      edge.segments = static_cast<std::int32_t>(nodes.size()) - 1;
+      edge.end_vertex = edge.first_segment + edge.segments;
+      edge.joint = crack.joint;
+      edge.along = direction;
+      edge.touches = touches;
+      if (touches) edge.opposite = first_edge + (index == first_edge ? 2 : 0);
+      for (std::int32_t k = 0; k < edge.segments; ++k) {
+        const auto segment = static_cast<std::int32_t>(out.segments.size());
+        const auto at = static_cast<std::size_t>(k);
+        out.segments.push_back({first_node + nodes[at], first_node + nodes[at + 1], index, k});
+        out.vertices.push_back({first_node + nodes[at], body, segment - 1, k == 0 ? index - 1 : index, index, false});
+      }
+      out.edges.push_back(edge);
+    };
+    add(left, along, true);
+    add(std::array{left.back(), back.front()}, along, false);
+    add(back, -along, true);
+    add(std::array{back.back(), left.front()}, -along, false);
+    out.edges.back().end_vertex = first_segment;
+    out.vertices[static_cast<std::size_t>(first_segment)].segment_in =
+        static_cast<std::int32_t>(out.segments.size()) - 1;
+    out.vertices[static_cast<std::size_t>(first_segment)].edge_in = static_cast<std::int32_t>(out.edges.size()) - 1;
+  }
+}
+
+std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const {
+  const auto key = [&](const Outlines::Edge& e) {
+    return std::tuple(bodies_[static_cast<std::size_t>(e.body)].block.value, e.ring, e.edge);
+  };
+  const auto at = std::lower_bound(outlines_.edges.begin(), outlines_.edges.end(), std::tuple(block, ring, edge),
+                                   [&](const Outlines::Edge& e, const auto& wanted) { return key(e) < wanted; });
+  if (at == outlines_.edges.end() || key(*at) != std::tuple(block, ring, edge)) return -1;
+  return static_cast<std::int32_t>(at - outlines_.edges.begin());
+}
+
+Vec2 Setup::driven_displacement(const Body& b, double time) const {
+  if (!b.motion.valid()) return {0.0, 0.0};
+  return model_->motions[b.motion.index()].displacement(motion_time(b.motion, time));
+}
+
+void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
+  for (const Body& b : bodies_) {
+    if (!b.driven || b.guest) continue;
+    AffineMotion m;
+    m.c = b.centre + driven_displacement(b, time);
+    if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(motion_time(b.motion, time));
+    const auto p = static_cast<std::size_t>(b.pool);
+    pool_of(b).place(b.index, m, part(q, p), part(v, p));
+  }
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,183 @@
+// The bodies of one stage, discretised: pools, their places in the state's arrays, and the outlines that may touch.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/bodies/clocks.h"
+#include "coupling/state.h"
+#include "model/pool.h"
+
+namespace scree::coupling {
+
+/// The methods that a run can use, by name. A new method is one more entry.
+using Methods = std::map<std::string, std::function<std::unique_ptr<Pool>()>>;
+/// "nmm" and "dda".
+[[nodiscard]] Methods standard_methods();
+
+/// One body, where it lives.
+struct Body {
+  BlockId block;
+  std::int32_t pool = 0, index = 0;        // pool, and body within it
+  std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
+  bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
+  bool guest = false;                      // another mover moves it (see Guests)
+  bool divided = false;                    // another mover moves one half of it
+  bool slow = false;                       // its internal force is met at long steps only (see Guests)
+  bool touched = true;                     // contact forces on it matter to some mover of this setup
+  MotionId motion;                         // of a driven body; invalid: at rest
+  Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
+};
+
+/// Outlines of all bodies, with rows in the state's nodes. Faces of cracks follow a block's rings: crack c is ring
+/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it
+/// to the right one, that backwards, and back to the left.
+struct Outlines {
+  struct Segment {
+    std::int32_t a, b;  // outline nodes
+    std::int32_t edge;  // into edges
+    std::int32_t part;  // counted along the edge
+  };
+  struct Edge {
+    std::int32_t body = -1, ring = 0, edge = 0;
+    std::int32_t first_segment = 0, segments = 0;
+    std::int32_t end_vertex = -1;                   // the vertex after its last segment
+    bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
+    JointId joint;                                  // its own law; may be invalid
+    Vec2 along{0.0, 0.0};                           // its direction where the model has it
+    std::int32_t opposite = -1;                     // of a face of a crack: the other one, which alone it may touch
+    bool touches = true;                            // false: joins the faces of a crack at their ends
+  };
+  /// Start of a segment, with the same index as the segment that leaves it: a corner of the outline (part 0), or a
+  /// node where a mesh divides an edge.
+  struct Vertex {
+    std::int32_t node, body;
+    std::int32_t segment_in;  // the segment that ends here
+    std::int32_t edge_in, edge_out;
+    bool convex;  // a corner with an interior angle below pi
+  };
+  std::vector<Row> nodes;
+  std::vector<std::int32_t> node_body;
+  std::vector<Segment> segments;
+  std::vector<Edge> edges;
+  std::vector<Vertex> vertices;  // by block, ring, edge, part
+};
+
+/// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
+/// driven, but along paths that their mover knows, and live in pools of their own. Of a divided body the half that does
+/// not act here is a guest, in the pool of the other half; its contacts are all the explicit side's.
+struct Guests {
+  std::vector<char> guest;  // a body: 1 for a guest; empty: none
+  bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
+  bool shared = false;      // all contacts are the explicit side's, those between two guests too
+  // A body: 1 where a Subcycled mover meets its internal force at long steps only; pools of their own. Empty: none.
+  std::vector<char> slow;
+};
+
+/// Constant during a stage.
+class Setup {
+ public:
+  /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
+  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests = {},
+        Clocks clocks = {});
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] std::size_t pools() const { return pools_.size(); }
+  [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
+  /// Pools whose forces and energies are this setup's: all but those of guests.
+  [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
+  /// The same in two: those whose internal force is met at every step, and those of slow bodies.
+  [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
+  [[nodiscard]] const std::vector<std::size_t>& slow_pools() const { return slow_pools_; }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] const Outlines& outlines() const { return outlines_; }
+  [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
+  /// First node of a pool in the state's arrays.
+  [[nodiscard]] std::int32_t pool_first(std::size_t p) const { return pool_first_[p]; }
+  [[nodiscard]] const Pool& pool_of(const Body& b) const { return *pools_[static_cast<std::size_t>(b.pool)]; }
+  /// Part of an array (x, y a node) that belongs to a pool.
+  template <class T>
+  [[nodiscard]] std::span<T> part(std::span<T> all, std::size_t p) const {
+    const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
+    return all.subspan(2 * first, 2 * (last - first));
+  }
+  /// False for two bodies whom contact forces do not move, and for guests whom nobody touches.
+  [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
+    const Body &x = bodies_[a], &y = bodies_[b];
+    return (x.touched || y.touched) && (guests_touch_ || !(x.guest || y.guest || x.divided || y.divided));
+  }
+  /// Row of a pool with its nodes counted in the state's arrays, and back.
+  [[nodiscard]] Row global(const Body& b, Row row) const;
+  [[nodiscard]] Row local(const Body& b, Row row) const;
+  enum class NodeKind : char { free, driven, guest };
+  [[nodiscard]] NodeKind kind(std::int32_t node) const { return kind_[static_cast<std::size_t>(node)]; }
+  /// True for a row on a node that another mover moves.
+  [[nodiscard]] bool on_guest(const Row& row) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (row.w[k] != 0.0 && kind(row.node[k]) == NodeKind::guest) return true;
+    return false;
+  }
+  /// True if a force on rows of one body is this setup's to apply, and not the other side's: of a divided body it is
+  /// the explicit side's as soon as one node is.
+  [[nodiscard]] bool applies(std::span<const Row> rows) const;
+  /// One flag a body of a pool: 1 if it is free.
+  [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
+
+  /// Puts driven bodies where they are at a time, with their velocity; guests stay.
+  void prescribe(double time, std::span<double> q, std::span<double> v) const;
+  /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
+  [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
+  /// Displacement of a driven body at a time since the start.
+  [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
+  /// Value of a load's function at a time, by the function's clock; 1 where it has none.
+  [[nodiscard]] double factor(FunctionId f, double time) const {
+    return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);
+  }
+  [[nodiscard]] const Clocks& clocks() const { return clocks_; }
+
+ private:
+  [[nodiscard]] double motion_time(MotionId m, double time) const {
+    return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
+  }
+  void add_outline(std::int32_t body);
+  void add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node);
+
+  const Model* model_;
+  std::vector<std::unique_ptr<Pool>> pools_;
+  std::vector<std::size_t> own_pools_, fast_pools_, slow_pools_;
+  std::vector<std::int32_t> pool_first_;
+  std::vector<Body> bodies_;
+  std::vector<NodeKind> kind_;
+  std::vector<std::vector<char>> counted_;
+  bool guests_touch_;
+  Clocks clocks_;
+  Outlines outlines_;
+};
+
+/// Position of a row.
+[[nodiscard]] inline Vec2 position(const Row& row, std::span<const double> q) {
+  Vec2 x = Vec2::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = 2 * static_cast<std::size_t>(row.node[k]);
+    x += row.w[k] * Vec2(q[i], q[i + 1]);
+  }
+  return x;
+}
+
+/// f += J^T force.
+inline void add_force(const Row& row, const Vec2& force, std::span<double> f) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = 2 * static_cast<std::size_t>(row.node[k]);
+    f[i] += row.w[k] * force.x();
+    f[i + 1] += row.w[k] * force.y();
+  }
+}
+
+/// Records of a model's blocks at rest and free of stress, as a stage's rules choose their methods.
+[[nodiscard]] ReferenceShape reference_shape(const Model& model, BlockId block);
+
+}  // namespace scree::coupling

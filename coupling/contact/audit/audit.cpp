@@ -1,0 +1,117 @@
+#include "coupling/contact/audit/audit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "coupling/contact/law/joint_strength.h"
+#include "model/geometry.h"
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kSameNumber = 1e-9;  // of the detection distance: gaps and stretches known twice
+
+/// Outlines of the bodies at their present places: corners only.
+std::vector<Polygon> present_outlines(const Setup& setup, std::span<const double> q) {
+  const Outlines& o = setup.outlines();
+  std::vector<Polygon> out(setup.bodies().size());
+  for (const Outlines::Edge& e : o.edges) {
+    if (e.opposite >= 0 || !e.touches) continue;  // of a crack
+    Polygon& p = out[static_cast<std::size_t>(e.body)];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(e.first_segment)];
+    const Vec2 x = position(o.nodes[static_cast<std::size_t>(v.node)], q);
+    if (e.ring == 0)
+      p.outer.push_back(x);
+    else {
+      p.holes.resize(std::max(p.holes.size(), static_cast<std::size_t>(e.ring)));
+      p.holes[static_cast<std::size_t>(e.ring) - 1].push_back(x);
+    }
+  }
+  return out;
+}
+
+/// Distance from a point to the nearest side of a polygon.
+double depth_in(const Polygon& p, const Vec2& x) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < p.rings(); ++r) {
+    const Ring& ring = p.ring(r);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 &a = ring[i], d = ring[(i + 1) % ring.size()] - a;
+      const double s = std::clamp((x - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (x - a - s * d).norm());
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::string contact_name(const Model& model, const ContactKey& key) {
+  const auto& blocks = model.blocks;
+  return fmt::format("blocks '{}' and '{}', corner {} on edge {}", blocks[static_cast<std::size_t>(key.block_p)].name,
+                     blocks[static_cast<std::size_t>(key.block_e)].name, key.vertex, key.edge);
+}
+
+void audit_geometry(const Setup& setup, const ContactList& list, std::span<const double> q, double detection,
+                    Audit& audit) {
+  const Outlines& o = setup.outlines();
+  const auto at = [&](std::int32_t node) { return position(o.nodes[static_cast<std::size_t>(node)], q); };
+  double farthest = 0.0;
+  for (const double x : q) farthest = std::max(farthest, std::abs(x));
+  const double allowed = kSameNumber * detection + 64.0 * std::numeric_limits<double>::epsilon() * farthest;
+  std::set<std::pair<std::int32_t, std::int32_t>> held;  // pairs of bodies
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    const ContactMemory& m = list.memory[i];
+    const ContactGeometry g = contact_geometry(at(p.node[0]), at(p.node[1]), at(p.node[2]));
+    const auto name = [&] { return contact_name(setup.model(), m.key); };
+    audit.check(g.gap - m.gap0 - m.gap, allowed,
+                [&] { return fmt::format("{}: the gap is {:.6g} m, not {:.6g} m", name(), g.gap - m.gap0, m.gap); });
+    // A point that closed at a depth, or whose share changed under load, is free of force where gap0 says.
+    const bool comes_out = m.gap >= 0.0 && m.gap + m.gap0 < 0.0;
+    if (m.status != ContactStatus::open || comes_out)
+      held.insert(std::minmax(o.node_body[static_cast<std::size_t>(p.node[0])],
+                              o.node_body[static_cast<std::size_t>(p.node[1])]));
+    if (m.status == ContactStatus::open) continue;
+    audit.check((g.xi - m.anchor) * g.length - m.stretch, allowed,
+                [&] { return fmt::format("{}: the stretch is not {:.6g} m", name(), m.stretch); });
+  }
+  const std::vector<Polygon> outline = present_outlines(setup, q);
+  std::vector<Box> box;
+  box.reserve(outline.size());
+  // Bodies of the other side of a partitioned stage, which this one does not touch, have no outline.
+  for (const Polygon& p : outline) box.push_back(p.outer.empty() ? Box{} : bounds(p));
+  for (std::size_t a = 0; a < outline.size(); ++a)
+    for (std::size_t b = 0; b < outline.size(); ++b) {
+      if (a == b || !setup.can_touch(a, b) || outline[a].outer.empty() || outline[b].outer.empty()) continue;
+      if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
+      if (held.contains(std::minmax(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)))) continue;
+      for (const Vec2& x : outline[a].outer)
+        if (contains(outline[b], x))
+          audit.check(depth_in(outline[b], x), 0.1 * detection, [&] {
+            const auto& blocks = setup.model().blocks;
+            return fmt::format("a corner of block '{}' is {:.3g} m inside block '{}' and nothing holds it",
+                               blocks[setup.bodies()[a].block.index()].name, depth_in(outline[b], x),
+                               blocks[setup.bodies()[b].block.index()].name);
+          });
+    }
+}
+
+void audit_law(const Setup& setup, const ContactMemory& m, double fn, double ft, double tolerance, Audit& audit) {
+  const JointLaw& law = setup.model().joints[static_cast<std::size_t>(m.joint)];
+  const auto name = [&] { return contact_name(setup.model(), m.key); };
+  audit.check(std::max(0.0, -fn - tension_limit(law, m)), tolerance, [&] {
+    return fmt::format("{}: a pull of {:.3g} N, and it bears {:.3g} N", name(), -fn, tension_limit(law, m));
+  });
+  audit.check(std::max(0.0, std::abs(ft) - friction_limit(law, m, fn)), tolerance, [&] {
+    return fmt::format("{}: a friction force of {:.6g} N, and its limit is {:.6g} N", name(), std::abs(ft),
+                       friction_limit(law, m, fn));
+  });
+}
+
+}  // namespace scree::coupling

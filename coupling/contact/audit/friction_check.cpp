@@ -1,0 +1,122 @@
+#include "coupling/contact/audit/friction_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "coupling/contact/law/joint_strength.h"
+
+namespace scree::coupling {
+namespace {
+
+float ratio(const SlideMemory::Sum& sum) { return -std::copysign(1.0F, sum.slip) * sum.drag / sum.limit; }
+
+/// Adds a window to those in succession that lose friction, or that keep it.
+void add(const SlideMemory::Sum& window, SlideMemory& s) {
+  const bool loses = ratio(window) < FrictionCheck::kLeast;
+  if (s.losing == 0 ? loses : !loses && s.keeping >= FrictionCheck::kBetween) {
+    s.total = {};
+    s.losing = s.keeping = 0;
+  }
+  s.total.slip += window.slip;
+  s.total.drag += window.drag;
+  s.total.limit += window.limit;
+  ++(loses ? s.losing : s.keeping);
+  if (std::abs(s.total.slip) > FrictionCheck::kStretches && (s.losing == 0 || s.losing >= FrictionCheck::kLosing))
+    s.worst = std::min(s.worst, ratio(s.total));
+}
+
+/// Takes a window that is complete into the stretch, or ends the stretch.
+/// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
+void close_window(double stretch, SlideMemory& s) {
+  SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
+                          static_cast<float>(s.limit)};
+  const float pace = s.last.slip == 0.0F ? 0.0F : window.slip / s.last.slip;
+  const bool first = s.last.slip == 0.0F;
+  if (!(std::abs(window.slip) >= FrictionCheck::kCreeps) || pace < 0.0F) return s.end();
+  const bool steady = pace <= FrictionCheck::kPace && pace * FrictionCheck::kPace >= 1.0F;
+  if (s.last.limit > 0.0F && steady) {
+    add(s.last, s);
+  } else {
+    s.total = {};
+    s.losing = s.keeping = 0;
+  }
+  if (first || std::abs(window.slip) < 1.0F) window.drag = window.limit = 0.0F;  // it may have stopped in between
+  s.last = window;
+  s.slip = s.drag = s.limit = s.time = 0.0;
+}
+
+}  // namespace
+
+FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
+  const Model& model = setup.model();
+  stiffness_.reserve(setup.bodies().size());  // so that steps need not allocate
+  for (const JointLaw& law : model.joints) tan_friction_.push_back(std::tan(law.friction));
+  for (const Body& b : setup.bodies()) {
+    const Block& block = model.blocks[b.block.index()];
+    const Material& rock = model.materials[block.material.index()];
+    const double area = moments(block.polygon).area, shear = rock.young / (2.0 * (1.0 + rock.poisson));
+    bodies_.push_back(
+        {!b.driven || b.guest, rock.density * area, 2.0 * std::sqrt(area * rock.density / shear), std::sqrt(area)});
+  }
+}
+
+void FrictionCheck::forget(ContactList& list) {
+  for (ContactMemory& m : list.memory) m.slide.end();
+}
+
+double FrictionCheck::deformation(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::int32_t b :
+       {o.vertices[static_cast<std::size_t>(p.vertex)].body, o.edges[static_cast<std::size_t>(p.edge)].body}) {
+    const Inertia& body = bodies_[static_cast<std::size_t>(b)];
+    if (body.free) least = std::min(least, body.size);
+  }
+  return std::isfinite(least) ? kStrain * least : 0.0;
+}
+
+double FrictionCheck::period(const ContactPoint& p) {
+  const Outlines& o = setup_->outlines();
+  const auto body_of_vertex = [&](const ContactPoint& c) {
+    return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(c.vertex)].body);
+  };
+  const auto body_of_edge = [&](const ContactPoint& c) {
+    return static_cast<std::size_t>(o.edges[static_cast<std::size_t>(c.edge)].body);
+  };
+  if (!summed_) {
+    summed_ = true;
+    stiffness_.assign(bodies_.size(), 0.0);
+    for (std::size_t i = 0; i < list_->points.size(); ++i) {
+      const ContactMemory& m = list_->memory[i];
+      if (m.status == ContactStatus::open) continue;
+      stiffness_[body_of_vertex(list_->points[i])] += m.kt;
+      stiffness_[body_of_edge(list_->points[i])] += m.kt;
+    }
+  }
+  double longest = 0.0;
+  for (const std::size_t b : {body_of_vertex(p), body_of_edge(p)}) {
+    if (!bodies_[b].free || !(stiffness_[b] > 0.0)) continue;
+    const double on_contacts = 2.0 * std::numbers::pi * std::sqrt(bodies_[b].mass / stiffness_[b]);
+    longest = std::max(longest, std::hypot(on_contacts, bodies_[b].period));
+  }
+  return longest;
+}
+
+void FrictionCheck::follow(double h, const ContactPoint& p, double slip, ContactMemory& m) {
+  const auto joint = static_cast<std::size_t>(m.joint);
+  const double limit = m.status == ContactStatus::open
+                           ? 0.0
+                           : strength(setup_->model().joints[joint], tan_friction_[joint], m).friction_limit(m.fn);
+  if (!std::isfinite(limit)) return;
+  SlideMemory& s = m.slide;
+  if (s.length == 0.0F) s.length = static_cast<float>(std::max(period(p), h));
+  s.time += h;
+  s.slip += slip;
+  s.drag += h * m.ft;
+  s.limit += h * limit;
+  if (s.time >= static_cast<double>(s.length)) close_window(std::max(s.limit / (s.time * m.kt), deformation(p)), s);
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,42 @@
+// The overlap of two edges that face each other, divided among the vertices on either side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/bodies/setup.h"
+
+namespace scree::coupling {
+
+/// A vertex of one edge that lies over the other, with the length of joint that it stands for.
+struct OverlapPoint {
+  std::int32_t vertex = -1;          // into Outlines::vertices
+  std::int32_t edge = -1;            // the edge that it faces
+  double share = 0.0;                // [m], half of the pieces on either side
+  double behind = 0.0, ahead = 0.0;  // their lengths, against and along the direction given [m]
+};
+
+/// Cuts the overlap of two edges at every vertex of either side; each end of a piece carries half of its length. The
+/// trapezoidal rule is exact for pressures and displacements that are linear in every piece, so a uniform pressure
+/// passes exactly whatever the vertices (contact patch test), and each length counts once, not once a body.
+class EdgeOverlap {
+ public:
+  /// @param x        positions of the outline nodes
+  /// @param along    unit vector along edge a and against edge b
+  /// @param middle   false: only corners carry shares, the vertices of a mesh between them do not
+  /// @return points with a share above zero, in no promised order; valid until the next call
+  std::span<const OverlapPoint> divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a, std::int32_t b,
+                                       const Vec2& along, bool middle);
+
+ private:
+  struct Kink {
+    double s = 0.0;
+    std::int32_t vertex = -1, edge = -1;
+  };
+  void add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against, const Vec2& along,
+           bool middle);
+  std::vector<Kink> kinks_;
+  std::vector<OverlapPoint> points_;
+};
+
+}  // namespace scree::coupling

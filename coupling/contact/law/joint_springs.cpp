@@ -1,0 +1,65 @@
+#include "coupling/contact/law/joint_springs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/touching.h"
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kCornerLength = 0.1;  // of the smaller block's root area
+
+/// Extent of a block along a direction [m].
+double width_of(const Polygon& block, const Vec2& direction) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec2& x : block.outer) {
+    low = std::min(low, direction.dot(x));
+    high = std::max(high, direction.dot(x));
+  }
+  return high - low;
+}
+
+}  // namespace
+
+JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
+  const Model& model = setup.model();
+  for (const Outlines::Edge& e : setup.outlines().edges) {
+    const BlockId id = setup.bodies()[static_cast<std::size_t>(e.body)].block;
+    const Polygon& block = model.blocks[id.index()].polygon;
+    width_.push_back(width_of(block, Vec2(e.along.y(), -e.along.x())));
+    modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width_.back());
+    root_area_.push_back(std::sqrt(moments(block).area));
+  }
+}
+
+JointId JointSprings::law_of(std::int32_t edge_a, std::int32_t edge_b) const {
+  const auto& edges = setup_->outlines().edges;
+  const JointId a = edges[static_cast<std::size_t>(edge_a)].joint, b = edges[static_cast<std::size_t>(edge_b)].joint;
+  return law_between(setup_->model(), a, b);
+}
+
+bool JointSprings::per_area(JointId id) const { return !law(id).penalty; }
+
+double JointSprings::normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const {
+  if (law(id).normal_stiffness) return *law(id).normal_stiffness;
+  return std::max(modulus_over_width_[static_cast<std::size_t>(edge_a)],
+                  modulus_over_width_[static_cast<std::size_t>(edge_b)]);
+}
+
+double JointSprings::corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const {
+  if (law(id).contact_length > 0.0) return law(id).contact_length;
+  return kCornerLength *
+         std::min(root_area_[static_cast<std::size_t>(edge_a)], root_area_[static_cast<std::size_t>(edge_b)]);
+}
+
+Springs JointSprings::springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const {
+  const JointLaw& j = law(id);
+  if (j.penalty)
+    return {j.contact_length > 0.0 ? j.contact_length : share, *j.penalty, j.shear_penalty.value_or(*j.penalty)};
+  const double normal = normal_stiffness(id, edge_a, edge_b);
+  return {share, share * normal, share * j.shear_stiffness.value_or(normal)};
+}
+
+}  // namespace scree::coupling

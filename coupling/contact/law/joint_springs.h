@@ -1,0 +1,46 @@
+// Stiffness of contact points from joint laws and the blocks on either side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/bodies/setup.h"
+
+namespace scree::coupling {
+
+/// The springs of a contact point under a law.
+struct Springs {
+  double share = 0.0;         // length of joint that the point stands for [m]
+  double kn = 0.0, kt = 0.0;  // [N/m]
+  [[nodiscard]] bool operator==(const Springs&) const = default;
+};
+
+/// Knows every edge's block and its width normal to the edge. Constant during a stage.
+class JointSprings {
+ public:
+  explicit JointSprings(const Setup& setup);
+
+  /// Law between two edges: that of the edge that names one; of two the one with less friction.
+  [[nodiscard]] JointId law_of(std::int32_t edge_a, std::int32_t edge_b) const;
+  /// True if points carry shares of the overlap; false for a penalty a point.
+  [[nodiscard]] bool per_area(JointId id) const;
+  /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
+  /// @source thesis eq. 7.56 (there as an upper bound, ten times as stiff)
+  [[nodiscard]] double normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
+  /// Length that a corner against an edge stands for [m].
+  [[nodiscard]] double corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
+  /// Extent of the edge's block, as the model has it, normal to the edge [m].
+  [[nodiscard]] double width(std::int32_t edge) const { return width_[static_cast<std::size_t>(edge)]; }
+  /// Springs of a point with a length of overlap [m].
+  [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const;
+
+ private:
+  [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }
+
+  const Setup* setup_;
+  std::vector<double> width_;               // an edge [m]
+  std::vector<double> modulus_over_width_;  // an edge [Pa/m]
+  std::vector<double> root_area_;           // an edge's block [m]
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,109 @@
+#include "coupling/contact/search/box_tree.h"
+
+#include <LinearMath/btAlignedAllocator.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <utility>
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kTooWide = 1.5;  // times the least extents since it was built: a tree this wide is built anew
+
+/// Bullet uses what it is given without a look, and an exception that passes through its trees leaves them in no order
+/// to be taken down: a failed allocation ends the program as one that nobody catches does.
+void* allocate(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) std::terminate();
+  return memory;
+}
+const bool kAllocates = (btAlignedAllocSetCustom(allocate, std::free), true);
+
+btDbvtVolume volume(const Box& box) {
+  return btDbvtVolume::FromMM(btVector3(box.lo.x(), box.lo.y(), -1.0), btVector3(box.hi.x(), box.hi.y(), 1.0));
+}
+
+}  // namespace
+
+BoxTree::BoxTree(std::span<const Box> boxes) {
+  broadphase_.m_deferedcollide = true;  // overlaps are asked for, never told
+  proxies_.reserve(boxes.size());
+  nodes_.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const btDbvtVolume v = volume(boxes[i]);
+    proxies_.push_back(static_cast<btDbvtProxy*>(
+        broadphase_.createProxy(v.Mins(), v.Maxs(), 0,
+                                reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
+                                btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, nullptr)));
+  }
+  build();
+}
+
+BoxTree::~BoxTree() {
+  for (btDbvtProxy* p : proxies_) broadphase_.destroyProxy(p, nullptr);
+}
+
+void BoxTree::move(std::size_t i, const Box& box) {
+  const btDbvtVolume v = volume(box);
+  // Not setAabb(): it would add a margin of its own, in metres.
+  broadphase_.setAabbForceUpdate(proxies_[i], v.Mins(), v.Maxs(), nullptr);
+  nodes_.clear();
+}
+
+void BoxTree::move(std::span<const std::size_t> moved, std::span<const Box> boxes) {
+  for (const std::size_t i : moved) {
+    btDbvtProxy& p = *proxies_[i];
+    p.leaf->volume = volume(boxes[i]);
+    p.m_aabbMin = p.leaf->volume.Mins();
+    p.m_aabbMax = p.leaf->volume.Maxs();
+  }
+  if (nodes_.empty()) list_nodes();
+  const double extents = fit();
+  narrowest_ = std::min(narrowest_, extents);
+  if (extents > kTooWide * narrowest_) build();
+}
+
+void BoxTree::list_nodes() {
+  nodes_.clear();
+  waiting_.clear();
+  const auto wait = [this](btDbvtNode* node) {
+    if (node != nullptr && node->isinternal()) waiting_.push_back(node);
+  };
+  wait(tree().m_root);
+  while (!waiting_.empty()) {
+    btDbvtNode* node = waiting_.back();
+    waiting_.pop_back();
+    nodes_.push_back(node);
+    wait(node->childs[0]);
+    wait(node->childs[1]);
+  }
+}
+
+double BoxTree::fit() {
+  double extents = 0.0;
+  for (auto n = nodes_.rbegin(); n != nodes_.rend(); ++n) {
+    btDbvtVolume& v = (*n)->volume;
+    Merge((*n)->childs[0]->volume, (*n)->childs[1]->volume, v);
+    const btVector3 size = v.Lengths();
+    extents += size.x() + size.y();
+  }
+  return extents;
+}
+
+void BoxTree::build() {
+  constexpr int kPairUp = 8;  // leaves at most that Bullet joins by trying all pairs
+  tree().optimizeTopDown(kPairUp);
+  // A copy has its nodes one after the other in memory as they are gone through; those of the tree lie anywhere.
+  struct Leaf final : btDbvt::IClone {
+    void CloneLeaf(btDbvtNode* leaf) override { static_cast<btDbvtProxy*>(leaf->data)->leaf = leaf; }
+  } to_proxy;
+  btDbvt copy;
+  tree().clone(copy, &to_proxy);
+  std::swap(tree().m_root, copy.m_root);
+  list_nodes();
+  narrowest_ = fit();
+}
+
+}  // namespace scree::coupling

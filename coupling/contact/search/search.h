@@ -1,0 +1,48 @@
+// Contact search: which edges may touch. Bullet's dynamic bounding-volume tree keeps the boxes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "coupling/bodies/setup.h"
+
+namespace scree::coupling {
+
+/// Two edges of different bodies, or the two faces of a crack, that have segments near each other.
+struct EdgePair {
+  std::int32_t a, b;  // into Outlines::edges, a < b
+  auto operator<=>(const EdgePair&) const = default;
+};
+
+/// Keeps a fattened box a boundary segment in btDbvtBroadphase (double precision) and moves it only when the segment
+/// leaves it. The pairs are a superset of all nearer than `reach`; what depends on a box's history is
+/// sorted out by the exact distance afterwards, so results never depend on the tree.
+class Search {
+ public:
+  /// @param reach  distance within which no pair may be missed [m]
+  Search(const Setup& setup, double reach);
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+  ~Search();
+
+  /// @param x  positions of the outline nodes, in their order
+  /// @return pairs in order, each once; valid until the next call
+  std::span<const EdgePair> update(std::span<const Vec2> x);
+  /// How far every outline node may move before update() can find a pair [m]; 0 if there are pairs already. Fattens all
+  /// boxes anew, which is worth it where the answer saves many updates.   @pre update() was called with x
+  double clearance(std::span<const Vec2> x);
+
+ private:
+  bool refit(std::span<const Vec2> x, bool all);
+  void collect();
+  /// How far every outline node may move while the bounding boxes of bodies stay out of each other's reach; <= 0: they
+  /// do not now.
+  [[nodiscard]] double room_between_bodies(std::span<const Vec2> x) const;
+
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,563 @@
+#include "coupling/contact/table/contact_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "coupling/contact/law/joint_strength.h"
+
+namespace scree::coupling {
+namespace {
+
+/// Distance from a point to the segment, and the fraction nearest to it.
+double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double s = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (p - a - s * d).norm();
+}
+
+constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are asked for so far ahead
+constexpr double kClearly = 1.0 - 1e-6;  // of a depth: at equal ones a corner does not go to and fro
+constexpr double kInLine = 0.5;          // of a corner's depth: more of it is that of the joint that goes on beside it
+constexpr double kBoundMargin = 0.1;     // of a point's largest share, so that the step bound outlives small changes
+
+}  // namespace
+
+ContactFinder::ContactFinder(const Setup& setup, double detection)
+    : setup_(&setup),
+      detection_(detection),
+      touching_(1e-3 * detection),
+      springs_(setup),
+      pairs_(setup, springs_, 2.0 * detection),
+      known_(setup.outlines()),
+      x_(setup.outlines().nodes.size()) {
+  const Outlines& o = setup.outlines();
+  for (std::size_t i = 0; i < o.nodes.size(); ++i) {
+    const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
+    largest_weights_ =
+        std::max(largest_weights_, std::abs(o.nodes[i].w[0]) + std::abs(o.nodes[i].w[1]) + std::abs(o.nodes[i].w[2]));
+    compliance_.push_back(b.driven && !b.guest ? 0.0
+                                               : setup.pool_of(b).compliance(b.index, setup.local(b, o.nodes[i])));
+  }
+}
+
+ContactKey ContactFinder::key_of(std::int32_t vertex, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
+  const Outlines::Edge &own = o.edges[static_cast<std::size_t>(s.edge)], &e = o.edges[static_cast<std::size_t>(edge)];
+  const auto block = [&](std::int32_t body) { return setup_->bodies()[static_cast<std::size_t>(body)].block.value; };
+  return {block(own.body), own.ring, own.edge, s.part, block(e.body), e.ring, e.edge};
+}
+
+void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& out) const {
+  const Outlines& o = setup_->outlines();
+  out.points.clear();
+  out.memory.clear();
+  out.briefs.clear();
+  for (const ContactMemory& m : memory) {
+    const std::int32_t of = setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
+    ContactPoint p;
+    p.key = m.key;
+    p.edge = setup_->edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
+    if (of < 0 || p.edge < 0) continue;  // the face of a crack that this stage does not cut
+    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(of)];
+    if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
+    p.vertex = own.first_segment + m.key.part;
+    out.points.push_back(p);
+    out.memory.push_back(m);
+    out.briefs.push_back({p.vertex, p.edge});
+  }
+}
+
+ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segment) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
+  return contact_geometry(x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node)],
+                          x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+}
+
+ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
+  const auto distance = [&](const Outlines::Segment& s) {
+    return distance_to(x, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+  };
+  if (e.segments == 1) return {e.first_segment, distance(o.segments[static_cast<std::size_t>(e.first_segment)])};
+  const Vec2& along = pairs_.direction(edge);
+  const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
+  const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
+    return s < along.dot(x_[static_cast<std::size_t>(segment.a)]);
+  });
+  // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
+  const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
+  auto best = first;
+  double nearest = 0.0;
+  for (auto s = first; s != last; ++s) {
+    const double d = distance(*s);
+    if (s != first && d >= nearest) continue;
+    nearest = d;
+    best = s;
+  }
+  return {static_cast<std::int32_t>(best - o.segments.begin()), nearest};
+}
+
+template <class See>
+void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const {
+  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto next = [this, other = against](std::int32_t edge) {
+      return edge != other && pairs_.in_line(edge, other);
+    };
+    known_.for_vertices(of, next, see);
+    // Where vertices meet exactly, either may stand for both.
+    known_.for_against(of, [&](std::size_t i) {
+      if (next(pairs_.facing_edge(known_.vertex(i), known_.edge(i)))) see(i);
+    });
+  }
+}
+
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
+  if (!p.facing || p.largest_share == 0.0) return -1;
+  const Outlines& o = setup_->outlines();
+  const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
+  double nearest = std::numeric_limits<double>::infinity();
+  std::int32_t found = -1;
+  const auto look = [&](std::size_t i, double within) {
+    if (!known_.closed(i) && (next_only || p.from >= 0)) return;
+    if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
+    if (!known_.facing(i)) return;
+    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(i))].node);
+    const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
+    if (d > within || d >= nearest) return;
+    nearest = d;
+    found = static_cast<std::int32_t>(i);
+  };
+  if (!next_only) known_.for_pair(own, p.edge, [&](std::size_t i) { look(i, nearest); });
+  if (found < 0) for_next_pairs(own, p.edge, [&](std::size_t i) { look(i, detection_); });
+  return found;
+}
+
+double ContactFinder::entry_depth(const ContactPoint& p) const {
+  const std::int32_t i = neighbour(p, true);
+  if (i < 0) return -p.at.gap;
+  const auto beside = static_cast<std::size_t>(i);
+  const std::int32_t part = std::max(0, known_.list().memory[beside].segment);
+  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
+  return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
+}
+
+void ContactFinder::set_range(ContactPoint& p, bool closed) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+  const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
+  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, and beyond a straight one the
+  // next edge holds. But a closed contact is kept a little further, so that corners which meet exactly do not lose and
+  // find each other, and another edge can take it over.
+  const auto beyond = [&](bool convex, std::int32_t next) {
+    const bool ends = convex || pairs_.in_line(next, p.edge);
+    return !ends || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+  };
+  const Outlines::Vertex &first = o.vertices[static_cast<std::size_t>(edge.first_segment)],
+                         &last = o.vertices[static_cast<std::size_t>(edge.end_vertex)];
+  p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
+  p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
+  const double foot = p.at.xi * p.at.length;
+  p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
+}
+
+bool ContactFinder::admissible(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  const Vec2& at = x_[static_cast<std::size_t>(v.node)];
+  const Vec2 forward =
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(p.vertex)].b)] - at).normalized();
+  const Vec2 backward =
+      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(v.segment_in)].a)] - at).normalized();
+  return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
+}
+
+double ContactFinder::compliance(const ContactPoint& p) const {
+  const auto of = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
+  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
+  const double xi = std::clamp(p.at.xi, 0.0, 1.0);
+  return of(p.node[0]) + (1.0 - xi) * of(p.node[1]) + xi * of(p.node[2]);
+}
+
+void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const {
+  constexpr double kPeriods = 4.0, kSwings = 10.0;
+  Springs springs{m.share, m.kn, m.kt};
+  if (p.facing) {
+    const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
+    const JointId law{m.joint};
+    const double length = std::min(springs_.corner_length(law, own, p.edge), p.full_share);
+    const Springs corner = springs_.springs(law, own, p.edge, length);
+    if (m.kn < corner.kn) springs = corner;
+  }
+  const double rate = std::sqrt(springs.kn * compliance(p));
+  if (speed < touching_ * rate || speed * rate < kSwings * setup_->model().gravity.norm()) return;
+  const std::int32_t beside = neighbour(p, false);
+  if (beside >= 0 && known_.list().memory[static_cast<std::size_t>(beside)].impact == 0.0) return;
+  m.share = springs.share;
+  m.kn = springs.kn;
+  m.kt = springs.kt;
+  m.impact = kPeriods * 2.0 * std::numbers::pi / rate;
+}
+
+void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
+  const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
+  if (fraction == 0.0) return;
+  const double mu = compliance(p);
+  // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
+  const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
+  p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
+  p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
+}
+
+bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
+  if ((to.facing && !in_impact(from)) || to.beyond) return false;
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
+                       &b = o.edges[static_cast<std::size_t>(to.edge)];
+  // Over a convex corner: where both gaps are equal.
+  if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
+    return from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
+  }
+  // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
+  const auto off = [](const ContactPoint& p) { return p.at.xi < 0.0 || p.at.xi > 1.0; };
+  return pairs_.in_line(from.edge, to.edge) && off(from) && !off(to) &&
+         from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
+}
+
+bool ContactFinder::in_impact(const ContactPoint& p) const {
+  return p.from >= 0 && known_.list().memory[static_cast<std::size_t>(p.from)].impact > 0.0;
+}
+
+bool ContactFinder::was_closed(const ContactPoint& p) const {
+  return p.from >= 0 && known_.closed(static_cast<std::size_t>(p.from));
+}
+
+void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
+  for (ContactPoint& from : points) {
+    if ((from.facing && !in_impact(from)) || !was_closed(from) ||
+        known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
+      continue;
+    for (ContactPoint& to : points) {
+      if (&to == &from || was_closed(to) || !goes_over(from, to)) continue;
+      std::swap(from.from, to.from);
+      if (in_impact(to)) from.from = -1;  // what it had found deep there is not of this edge
+      set_range(from, false);
+      set_range(to, true);
+      break;
+    }
+  }
+}
+
+bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const ContactPoint> of_corner,
+                                  const ContactPoint& to, std::span<const ContactPoint> of_tip) const {
+  const Outlines::Vertex& corner = setup_->outlines().vertices[static_cast<std::size_t>(from.vertex)];
+  if ((to.edge != corner.edge_in && to.edge != corner.edge_out) || to.beyond || was_closed(to)) return false;
+  if (to.facing && -pairs_.direction(from.edge).dot(pairs_.direction(to.edge)) > kStillFaces) return false;
+  if (to.at.gap >= 0.0 || to.at.gap <= kClearly * from.at.gap) return false;
+  const auto goes_on = [this](const ContactPoint& p, std::span<const ContactPoint> of_vertex) {
+    return std::any_of(of_vertex.begin(), of_vertex.end(), [&](const ContactPoint& other) {
+      return other.edge != p.edge && pairs_.in_line(other.edge, p.edge);
+    });
+  };
+  return !goes_on(from, of_corner) && !goes_on(to, of_tip);
+}
+
+void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
+  const Outlines& o = setup_->outlines();
+  const auto of_vertex = [&out](std::int32_t vertex) {
+    const auto before = [](const ContactPoint& p, std::int32_t wanted) { return p.vertex < wanted; };
+    const auto begin = std::lower_bound(out.points.begin(), out.points.end(), vertex, before),
+               end = std::lower_bound(begin, out.points.end(), vertex + 1, before);
+    return std::span(begin, end);
+  };
+  for (ContactPoint& from : out.points) {
+    const double depth = -from.at.gap, s = from.at.xi * from.at.length;
+    if (from.facing || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
+    const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
+    // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
+    const bool at_first = edge.convex_start && part == 0 && s < depth,
+               at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
+    if (!at_first && !at_last) continue;
+    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(at_first ? edge.first_segment : edge.end_vertex);
+    for (ContactPoint& to : of_tip) {
+      if (!goes_over_tip(from, of_corner, to, of_tip)) continue;
+      to.from = std::exchange(from.from, -1);
+      to.suppressed = false;
+      for (ContactPoint* p : {&from, &to}) {
+        set_range(*p, p == &to);
+        const auto index = static_cast<std::size_t>(p - out.points.data());
+        out.memory[index] = {};
+        remember(index, at_start, out);
+      }
+      break;
+    }
+  }
+}
+
+void ContactFinder::pass_energy_on(bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  const auto bodies = [&](std::int32_t vertex, std::int32_t edge) {
+    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
+    return std::pair(
+        std::minmax({o.edges[static_cast<std::size_t>(s.edge)].body, o.edges[static_cast<std::size_t>(edge)].body}));
+  };
+  for (std::size_t g = 0; g < known_.size(); ++g) {
+    if (gone_[g] == 0 || !known_.closed(g)) continue;
+    const ContactMemory& was = known_.list().memory[g];
+    if (was.impact == 0.0 || was.gap >= 0.0) continue;
+    const auto pair = bodies(known_.vertex(g), known_.edge(g));
+    const Vec2& at = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(g))].node)];
+    ContactPoint* successor = nullptr;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (ContactPoint& p : out.points) {
+      if (p.at.gap >= 0.0 || p.beyond || (was_closed(p) && (p.suppressed || !in_impact(p))) ||
+          bodies(p.vertex, p.edge) != pair)
+        continue;
+      const double d = (x_[static_cast<std::size_t>(p.node[0])] - at).norm();
+      if (d > nearest || (d == nearest && p.at.gap < successor->at.gap)) continue;
+      nearest = d;
+      successor = &p;
+    }
+    if (successor == nullptr) continue;
+    const auto index = static_cast<std::size_t>(successor - out.points.data());
+    ContactMemory& m = out.memory[index];
+    if (was_closed(*successor)) {
+      const double held = std::min(m.gap, 0.0);
+      m.gap = -std::sqrt(held * held + was.kn / m.kn * was.gap * was.gap);
+      merged_ += 0.5 * was.kn * was.gap * was.gap;
+    } else {
+      successor->from = static_cast<std::int32_t>(g);
+      successor->suppressed = false;
+      gone_[g] = 0;
+      set_range(*successor, true);
+      m = {};
+      remember(index, at_start, out);
+      m.gap = was.gap;  // see ExplicitContact::hand_over()
+    }
+    m.gap0 = successor->at.gap - m.gap;
+  }
+}
+
+void ContactFinder::settle_vertex(std::size_t first, bool at_start, ContactList& out) {
+  const auto points = std::span(out.points).subspan(first);
+  if (points.size() > 1) {
+    pass_corners(points);
+    pair_edges(first, out);
+  }
+  out.memory.resize(out.points.size());
+  for (std::size_t i = first; i < out.points.size(); ++i) {
+    const ContactPoint& p = out.points[i];
+    const auto index = static_cast<std::int32_t>(i);
+    if (p.from >= 0) {
+      gone_[static_cast<std::size_t>(p.from)] = 0;
+      if (!known_.divided()) remember(i, at_start, out);
+    } else {
+      fresh_.push_back(index);
+    }
+    if (!p.facing && !was_closed(p)) corners_.push_back(index);
+    if (std::max(p.partner[0], p.partner[1]) >= 0) paired_.push_back(index);
+  }
+}
+
+void ContactFinder::cover_corners(ContactList& out) const {
+  // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
+  // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
+  const Outlines& o = setup_->outlines();
+  for (const std::int32_t c : corners_) {
+    ContactPoint& p = out.points[static_cast<std::size_t>(c)];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+    const auto goes_on = [&](std::int32_t e) {
+      return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
+    };
+    for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+      if (!known_.closed_vertex(tip)) continue;
+      const auto begin =
+          std::lower_bound(out.points.begin(), out.points.end(), tip,
+                           [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
+      for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
+        if (t->facing || !was_closed(*t) || !goes_on(t->edge)) continue;
+        const double step =
+            t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
+        if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
+      }
+    }
+  }
+}
+
+void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = first; i < list.points.size(); ++i)
+    for (std::size_t j = i + 1; j < list.points.size(); ++j) {
+      const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
+                           &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
+      const bool follows = a.end_vertex == b.first_segment && a.convex_end;
+      const bool closes_ring = b.end_vertex == a.first_segment && b.convex_end;
+      if (!follows && !closes_ring) continue;
+      const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // there
+      list.points[ends].partner[1] = static_cast<std::int32_t>(begins);
+      list.points[begins].partner[0] = static_cast<std::int32_t>(ends);
+    }
+}
+
+void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) const {
+  // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
+  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
+  // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
+  for (const std::int32_t index : paired_)
+    for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
+      if (other <= index) continue;
+      const auto i = static_cast<std::size_t>(index);
+      const auto j = static_cast<std::size_t>(other);
+      const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
+      ContactPoint &a = list.points[i], &b = list.points[j];
+      if (a.beyond || b.beyond) continue;
+      if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
+      if (const bool first_is_open = ma.status == ContactStatus::open;
+          at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
+        // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+        (first_is_open ? a : b).suppressed = true;
+        continue;
+      }
+      const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
+      if (!inside && !loaded) continue;
+      if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
+        if (loaded && mb.impact == 0.0) b.suppressed = true;
+        if (loaded && ma.impact == 0.0) a.suppressed = true;
+        continue;
+      }
+      const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+      // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+      if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+        a.suppressed = b.suppressed = true;
+        continue;
+      }
+      if (!loaded) continue;
+      const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
+                   keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
+      const bool a_ends = a.partner[1] == other, a_wins = ma.bonded != mb.bonded
+                                                              ? ma.bonded != 0
+                                                              : leaves_by(depth_a * keep_a, depth_b * keep_b, a_ends);
+      (a_wins ? b : a).suppressed = true;
+    }
+}
+
+bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
+  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
+  p.vertex = pair.vertex;
+  p.edge = pair.edge;
+  p.node = {v.node, s.a, s.b};
+  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], x_[static_cast<std::size_t>(s.a)],
+                          x_[static_cast<std::size_t>(s.b)]);
+  // What is more than half way through a body when it is first seen came in over another edge.
+  if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
+    return false;
+  p.facing = pair.share > 0.0;
+  p.behind = pair.behind;
+  p.ahead = pair.ahead;
+  set_range(p, closed);
+  if (p.beyond && closed) return false;
+  if (!closed && !p.facing && !admissible(p)) return false;
+  const JointId law = springs_.law_of(pair.own, pair.edge);
+  p.joint = law.value;
+  p.springs = springs_.springs(law, pair.own, pair.edge,
+                               p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
+  if (p.facing && springs_.per_area(law)) {
+    const auto length = [&](std::int32_t of) {
+      const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
+      return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
+    };
+    const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
+    p.largest_share = before + after;
+    p.full_share =
+        std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
+    p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
+  }
+  p.first_gap0 = std::min(p.at.gap, 0.0);
+  if (was == nullptr || (!closed && was->gap < 0.0)) {
+    p.beside = neighbour(p, false);
+    // In an impact the points that there were keep what they have, and a new one has nothing yet.
+    if (p.beside >= 0 && known_.list().memory[static_cast<std::size_t>(p.beside)].impact > 0.0) p.beside = -1;
+    if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
+  }
+  return true;
+}
+
+void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
+                         ContactPairs::Of of) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  known_.index(known);
+  merged_ = 0.0;
+  gone_.assign(known_.size(), 1);
+  fresh_.clear();
+  corners_.clear();
+  paired_.clear();
+  out.points.clear();
+  out.memory.clear();
+  out.briefs.clear();
+  std::size_t old = 0, first_of_vertex = 0;
+  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, of);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const VertexEdge& pair = pairs[k];
+    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+    const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
+    const std::pair here(pair.vertex, pair.edge);
+    while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
+    const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
+    const bool closed = has_memory && known_.closed(old);
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+    const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
+    if (!closed && under.distance > detection_) continue;
+    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
+      settle_vertex(first_of_vertex, at_start, out);
+      first_of_vertex = out.points.size();
+    }
+    // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
+    ContactPoint& p = out.points.emplace_back();
+    p.segment = under.segment;
+    if (has_memory) p.from = static_cast<std::int32_t>(old);
+    if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
+      out.briefs.push_back({pair.vertex, pair.edge});
+    else
+      out.points.pop_back();
+  }
+  settle_vertex(first_of_vertex, at_start, out);
+  cover_corners(out);
+  inherit(out);
+  index_divided(out);
+  if (known_.divided())
+    for (std::size_t i = 0; i < out.points.size(); ++i) remember(i, at_start, out);
+  else
+    for (const std::int32_t i : fresh_) remember(static_cast<std::size_t>(i), at_start, out);
+  interpolate(out);
+  pass_tips(at_start, out);
+  pass_energy_on(at_start, out);
+  suppress_second_edges(at_start, out);
+  if (!setup_->model().waters.empty()) fill_with_water(out);
+}
+
+void ContactFinder::fill_with_water(ContactList& list) const {
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    ContactMemory& m = list.memory[i];
+    m.water = 0.0;
+    const JointWater* water = setup_->model().water_in(JointId{m.joint});
+    if (water == nullptr || !p.facing || p.suppressed) continue;
+    // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
+    // of a piece carries what a linear pressure gives it.
+    const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
+    for (const double piece : {-p.behind, p.ahead})
+      if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
+  }
+}
+
+}  // namespace scree::coupling

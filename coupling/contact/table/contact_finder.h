@@ -1,0 +1,144 @@
+// All contact points of an instant: found, matched with what they remember, ready for a law.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact/table/contact_pairs.h"
+
+namespace scree::coupling {
+
+/// Finds contact points: the pairs of ContactPairs, each with the nearest segment of its edge, and what it remembers.
+/// Decisions rest on exact geometry and on the memory alone.
+/// @source contact.md "Contact points"; thesis 3.2.2, 2.4.3
+class ContactFinder {
+ public:
+  /// @param detection  pairs nearer than this are listed, open or closed [m]
+  ContactFinder(const Setup& setup, double detection);
+
+  [[nodiscard]] double detection() const { return detection_; }
+  /// Points of a state without geometry, for find() to start from.
+  void restore(std::span<const ContactMemory> memory, ContactList& out) const;
+  /// Lists the points at q. A point that was known before takes its memory over (with the anchor carried to a new
+  /// segment so that the stretch does not jump) and says so in `from`; where a vertex leaves an overlap and one of the
+  /// other side takes its place, or passes to the next edge in line, the memory passes as well. New points start open.
+  /// A share that changes while a contact stays of its kind keeps gap and stretch, and with them the traction.
+  /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
+  /// @param of        which; points of guests alone are those of the whole list but for what a corner between two
+  /// other bodies makes of them
+  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
+            ContactPairs::Of of = ContactPairs::Of::all);
+  /// Of find(): energy of springs that ended and that other closed ones have taken over [J].
+  [[nodiscard]] double merged() const { return merged_; }
+  /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
+  /// candidates now.
+  [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
+  /// Gives closed points that changed between edge-edge and angle-edge, and corners that passed to another edge, the
+  /// stiffness of their new kind; force and state stay, gap0 and anchor move.
+  /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
+  [[nodiscard]] double adopt_kinds(ContactList& list) const;
+  /// A point that closes fast where nothing rests on the joint yet keeps its springs, whatever becomes of share, kind
+  /// and edge, for four periods of its corner on its spring: an impact is over by then (face to face half a period of
+  /// the block, sqrt(7/2) of the corner's, is the longest of two blocks), and what is still closed rests. An overlap
+  /// that is worth less than a corner begins as one. Where the law has a force the gap is 0 still. Fast: with w =
+  /// sqrt(k mu) the depth v/w is above what counts as touching, and v w ten times gravity. A joint that rests and
+  /// swings, where a load comes on or a block beside it slides, is no impact and follows the geometry.
+  /// @param speed  v at which the gap closes [m/s]
+  void begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const;
+
+ private:
+  /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
+  template <class See>
+  void for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const;
+  /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
+  /// block; -1 if there is none. Only a new point may begin like an open one.
+  /// @param next_only  leave out the point's own contact
+  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
+  /// How much deeper a point is than the joint in line beside it; its depth where there is none, whatever gap0 [m].
+  [[nodiscard]] double entry_depth(const ContactPoint& p) const;
+  /// The segment of an edge nearest to a point, and its distance [m].
+  struct Under {
+    std::int32_t segment;
+    double distance;
+  };
+  [[nodiscard]] Under segment_under(const Vec2& x, std::int32_t edge) const;
+  [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
+  [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
+  [[nodiscard]] bool admissible(const ContactPoint& p) const;
+  /// 1/m that a force on a contact feels: of corner and foot.
+  [[nodiscard]] double compliance(const ContactPoint& p) const;
+  /// Completes a point that has its segment and `from`.   @return false: it is none
+  [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  void set_range(ContactPoint& p, bool closed) const;
+  void set_damping(ContactPoint& p, const ContactMemory& m) const;
+  /// True if a closed corner has passed from one edge to another.
+  [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
+  /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
+  /// they left begin anew.
+  void pass_corners(std::span<ContactPoint> points) const;
+  /// True if two wedges that overlap leave each other by the side of `to`, the shorter way, where `from` is a closed
+  /// corner P near the convex end V of an edge, and `to` that V against a side of P. Not where a joint goes on over
+  /// either end in line: there the corner passes along it.
+  /// @param of_corner,of_tip  all points of P and of V
+  [[nodiscard]] bool goes_over_tip(const ContactPoint& from, std::span<const ContactPoint> of_corner,
+                                   const ContactPoint& to, std::span<const ContactPoint> of_tip) const;
+  /// Corners in an impact that slide over the end of an edge: the tip there takes their memory where the gaps of both
+  /// are equal, so that the energy goes on, as over a convex corner (goes_over()).
+  void pass_tips(bool at_start, ContactList& out) const;
+  /// A point of an impact that ends under load while its bodies overlap: the nearest point between the same bodies
+  /// takes over its memory if it is open, and the energy of its spring if it is in an impact itself (merged()).
+  void pass_energy_on(bool at_start, ContactList& out);
+  /// All that concerns the points of one vertex alone, while they are at hand (to go through a long list again takes as
+  /// long as to make it); lists them for what comes after.
+  /// @param first  of the vertex, whose points are the last of the list
+  void settle_vertex(std::size_t first, bool at_start, ContactList& out);
+  /// True if it keeps the springs it closed with (ContactMemory::impact).
+  [[nodiscard]] bool in_impact(const ContactPoint& p) const;
+  [[nodiscard]] bool was_closed(const ContactPoint& p) const;
+  /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
+  void cover_corners(ContactList& out) const;
+  void inherit(ContactList& out);
+  /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
+  void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
+  /// Gives a point, once it has its `from`, what it remembers, or what it begins with.
+  /// @pre its memory in the list is as new
+  void remember(std::size_t i, bool at_start, ContactList& out) const;
+  /// True for a point that a mesh has added to a joint.
+  [[nodiscard]] bool adds(const ContactPoint& p) const;
+  /// A point's edge with the one that leaves its vertex, or comes to it.
+  [[nodiscard]] EdgePair joint_of(const ContactPoint& p, bool out) const;
+  /// Lists by joint what a mesh has added and what is remembered, if any body was made anew.
+  void index_divided(const ContactList& out);
+  /// True for a remembered point if a mesh has added one to its joint.
+  [[nodiscard]] bool is_divided(const ContactPoint& p) const;
+  /// A point of known gap is bonded if its neighbour on the joint is, and it bears the pull.
+  void bond_like(const ContactMemory& beside, ContactMemory& m) const;
+  /// Where a body was meshed anew its new vertices on a closed joint take gap and stretch, and with them the traction,
+  /// from the remembered points on either side (gap0 where there is but one), and the bond of the nearest.
+  void interpolate(ContactList& out) const;
+  void pair_edges(std::size_t first, ContactList& list) const;
+  void fill_with_water(ContactList& list) const;
+  void suppress_second_edges(bool at_start, ContactList& list) const;
+
+  const Setup* setup_;
+  double detection_, touching_;
+  JointSprings springs_;
+  ContactPairs pairs_;
+  KnownContacts known_;
+  double merged_ = 0.0;                     // see merged()
+  double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
+  std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
+  std::vector<Vec2> x_;                     // outline nodes
+  std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
+  std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
+  std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
+  /// A remembered point by the edges that its joint may be of.
+  struct OnJoint {
+    EdgePair joint;
+    std::int32_t point;
+    auto operator<=>(const OnJoint&) const = default;
+  };
+  std::vector<OnJoint> remembered_;
+};
+
+}  // namespace scree::coupling

@@ -1,0 +1,175 @@
+#include "coupling/contact/table/contact_pairs.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace scree::coupling {
+namespace {
+
+constexpr double kFaces = 0.9962;   // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
+
+}  // namespace
+
+ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
+    : setup_(&setup),
+      springs_(&springs),
+      reach_(reach),
+      search_(setup, reach),
+      direction_(setup.outlines().edges.size()),
+      ends_(direction_.size()),
+      box_(direction_.size()),
+      first_(setup.outlines().vertices.size() + 1) {
+  for (const Outlines::Edge& e : setup.outlines().edges)
+    guest_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].guest ? 1 : 0);
+  deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
+}
+
+bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
+  const double against = -direction(a).dot(direction(b));
+  if (against < kStillFaces || against > kFaces) return against > kFaces;
+  bool closed = false;
+  known.for_pair(a, b, [&](std::size_t i) { closed = closed || (known.closed(i) && known.facing(i)); });
+  return closed;
+}
+
+bool ContactPairs::in_line(std::int32_t a, std::int32_t b) const {
+  const Vec2& t = direction(b);
+  if (direction(a).dot(t) <= kStillFaces) return false;
+  const auto &ea = ends_[static_cast<std::size_t>(a)], &eb = ends_[static_cast<std::size_t>(b)];
+  const double a0 = t.dot(ea[0] - eb[0]), a1 = t.dot(ea[1] - eb[0]), length = t.dot(eb[1] - eb[0]);
+  return std::min(a1, length) - std::max(a0, 0.0) < 0.5 * std::min(a1 - a0, length);
+}
+
+std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+  const Vec2& t = direction(edge);
+  return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
+}
+
+bool ContactPairs::too_far(const Box& a, const Box& b) const {
+  const double far = 0.5 * reach_ * (1.0 + kRounding);
+  return (a.lo.array() - b.hi.array() > far).any() || (b.lo.array() - a.hi.array() > far).any();
+}
+
+bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  if (bent(edge) || bent(v.edge_in) || bent(v.edge_out)) return false;
+  const Vec2& t = direction(edge);
+  const Vec2 n(t.y(), -t.x());
+  const double least = -kWedgeTolerance - kRounding;
+  return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
+}
+
+void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double share, double behind,
+                        double ahead) {
+  VertexEdge& p = unsorted_.emplace_back();  // made where it stays, as contact points are
+  p.vertex = vertex;
+  p.edge = edge;
+  p.own = own;
+  p.share = share;
+  p.behind = behind;
+  p.ahead = ahead;
+  ++first_[static_cast<std::size_t>(vertex) + 1];
+}
+
+void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
+  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+  if (!v.convex) return;
+  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
+  if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
+    return;
+  if (facing(v.edge_in, edge, known)) return;
+  list(vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0);
+}
+
+void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
+  const Outlines& o = setup_->outlines();
+  if (too_far(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) {
+    bool closed = false;
+    known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
+    if (!closed) return;
+  }
+  if (facing(a, b, known)) {
+    const Vec2 along = (direction(a) - direction(b)).normalized();
+    for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
+      if (p.edge == a)
+        list(p.vertex, p.edge, b, p.share, p.behind, p.ahead);
+      else  // b runs against the direction
+        list(p.vertex, p.edge, a, p.share, p.ahead, p.behind);
+  } else {
+    try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
+    try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+  }
+}
+
+void ContactPairs::sort() {
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  pairs_.resize(unsorted_.size());
+  for (const VertexEdge& p : unsorted_)
+    pairs_[static_cast<std::size_t>(first_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  auto kept = pairs_.begin();
+  for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
+    while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
+    std::sort(begin, end);
+    for (const auto first = kept; begin != end; ++begin) {
+      // A vertex between two edges in line may face one edge with both.
+      if (kept != first && std::prev(kept)->edge == begin->edge) {
+        VertexEdge& same = *std::prev(kept);
+        same.share += begin->share;
+        same.behind += begin->behind;
+        same.ahead += begin->ahead;
+      } else {
+        if (kept != begin) *kept = *begin;
+        ++kept;
+      }
+    }
+  }
+  pairs_.erase(kept, pairs_.end());
+}
+
+std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
+  const auto wanted = [&](std::int32_t a, std::int32_t b) {
+    return of == Of::all || guest_[static_cast<std::size_t>(a)] != 0 || guest_[static_cast<std::size_t>(b)] != 0;
+  };
+  const Outlines& o = setup_->outlines();
+  for (std::size_t e = 0; e < o.edges.size(); ++e) {
+    const auto node = [&](std::int32_t v) {
+      return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
+    };
+    ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
+    direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
+    Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
+    for (std::int32_t k = 1; k < o.edges[e].segments; ++k) {  // may be bent
+      const Vec2& at = x[node(o.edges[e].first_segment + k)];
+      box.lo = box.lo.cwiseMin(at);
+      box.hi = box.hi.cwiseMax(at);
+    }
+  }
+  unsorted_.clear();
+  std::fill(first_.begin(), first_.end(), 0);
+  const std::span<const EdgePair> near = search_.update(x);
+  for (const auto& [a, b] : near)
+    if (wanted(a, b)) try_edges(x, a, b, known);
+  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+  deep_.clear();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!known.closed(i)) continue;
+    if (known.whole_gap(i) > -0.25 * reach_) continue;
+    const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
+    // Corners are tried with the edge that begins at them.
+    const std::int32_t own =
+        known.facing(i) ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+    deep_.push_back({std::min(own, edge), std::max(own, edge)});
+  }
+  std::sort(deep_.begin(), deep_.end());
+  deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
+  for (const EdgePair& pair : deep_)
+    if (wanted(pair.a, pair.b) && !std::binary_search(near.begin(), near.end(), pair))
+      try_edges(x, pair.a, pair.b, known);
+  sort();
+  return pairs_;
+}
+
+}  // namespace scree::coupling

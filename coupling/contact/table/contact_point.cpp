@@ -1,0 +1,30 @@
+#include "coupling/contact/table/contact_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::coupling {
+
+ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n, -c.xi * c.n}; }
+
+ContactRow stretch_row(const ContactGeometry& c, double anchor) {
+  const Vec2 turn = c.gap / c.length * c.n;
+  return {c.t, -(1.0 - anchor) * c.t - turn, -anchor * c.t + turn};
+}
+
+bool leaves_by(double depth, double other, bool ends) {
+  constexpr double kAsDeep = 1e-6;
+  return std::abs(depth - other) <= kAsDeep * std::max(depth, other) ? ends : depth < other;
+}
+
+double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v) {
+  double rate = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(position(o.nodes[static_cast<std::size_t>(p.node[i])], v));
+  return rate;
+}
+
+void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f) {
+  for (std::size_t i = 0; i < 3; ++i) add_force(o.nodes[static_cast<std::size_t>(p.node[i])], force * row[i], f);
+}
+
+}  // namespace scree::coupling
