@@ -5,70 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/contact_memory.h"
 #include "coupling/ledger/ledger.h"
 #include "coupling/visit.h"
 #include "model/pool.h"
 
 namespace scree::coupling {
-
-enum class ContactStatus : std::int32_t { open, slip, stick };
-
-/// A vertex of one block against an outline edge of another: the identity of a contact, whatever the methods.
-struct ContactKey {
-  std::int32_t block_p = -1, ring_p = 0, vertex = 0, part = 0;  // the corner; part > 0: a mesh node along edge `vertex`
-  std::int32_t block_e = -1, ring_e = 0, edge = 0;              // the edge
-  auto operator<=>(const ContactKey&) const = default;
-  /// As State::visit().
-  template <class Visitor>
-  void visit(Visitor&& see) const;
-};
-
-/// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
-/// 72 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
-/// @see contact/friction_check.h
-struct SlideMemory {
-  /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
-  struct Sum {
-    float slip = 0.0F, drag = 0.0F, limit = 0.0F;
-  };
-  double slip = 0.0, drag = 0.0, limit = 0.0;            // of the present window: [m], [N s], [N s]
-  double time = 0.0;                                     // of it that has passed [s]
-  float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
-  Sum last{};                                            // the window before; the first of a stretch has no impulses
-  Sum total{};                                           // of the windows below
-  std::int32_t losing = 0, keeping = 0;                  // windows in succession, by their friction
-  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
-
-  /// The stretch is over.
-  void end() {
-    const float kept = worst;
-    *this = SlideMemory{};
-    worst = kept;
-  }
-};
-
-/// What a contact point remembers between steps.
-struct ContactMemory {
-  ContactKey key;
-  ContactStatus status = ContactStatus::open;
-  std::int32_t failed = 0;     // 1 once cohesion is lost
-  std::int32_t bonded = 0;     // 1: closed since t = 0 with a tensile strength, which it still has
-  std::int32_t joint = -1;     // law, chosen when the pair was first seen
-  std::int32_t segment = -1;   // segment of the edge that the anchor below refers to, counted within the edge
-  double gap0 = 0.0;           // gap that counts as closed without stress (closed at t = 0, changed share) [m]
-  double gap = 0.0;            // gap at the present time, less gap0 [m]
-  double stretch = 0.0;        // elongation of the tangential spring [m]
-  double anchor = 0.0;         // its anchor: fraction of the segment
-  double fn = 0.0, ft = 0.0;   // forces on the corner, along the outward normal and the direction of the edge [N]
-  double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
-  double water = 0.0;          // force of the water in the joint on the corner, along the outward normal [N]
-  double slip = 0.0;           // accumulated |slip| [m]
-  std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
-  double share = 0.0;          // length of joint that the point stands for [m]
-  double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
-  double impact = 0.0;         // time for which it still keeps the springs it closed with [s] (explicit steps)
-  SlideMemory slide{};
-};
 
 /// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
 /// that it was, and its fields as Release has them. They are empty where the block has been something else since.
@@ -150,19 +92,6 @@ struct State {
 
 // ---------------------------------------------------------------------------------------------------------------
 
-static_assert(sizeof(SlideMemory) == 72);
-
-template <class Visitor>
-void ContactKey::visit(Visitor&& see) const {
-  see("contact.block_p", block_p);
-  see("contact.ring_p", ring_p);
-  see("contact.vertex", vertex);
-  see("contact.part", part);
-  see("contact.block_e", block_e);
-  see("contact.ring_e", ring_e);
-  see("contact.edge", edge);
-}
-
 /// A body as State::visit() shows it.
 template <class Visitor>
 void visit_body(Visitor&& see, const BodyRecord& b) {
@@ -228,42 +157,7 @@ void State::visit(Visitor&& see) const {
   see("damping", damping);
   see("sliding", sliding);
   see.size("contacts", contacts);
-  for (const ContactMemory& c : contacts) {
-    c.key.visit(see);
-    see("contact.status", c.status);
-    see("contact.failed", c.failed);
-    see("contact.bonded", c.bonded);
-    see("contact.joint", c.joint);
-    see("contact.segment", c.segment);
-    see("contact.gap0", c.gap0);
-    see("contact.gap", c.gap);
-    see("contact.stretch", c.stretch);
-    see("contact.anchor", c.anchor);
-    see("contact.fn", c.fn);
-    see("contact.ft", c.ft);
-    see("contact.fd", c.fd);
-    see("contact.fdt", c.fdt);
-    see("contact.water", c.water);
-    see("contact.slip", c.slip);
-    see("contact.facing", c.facing);
-    see("contact.share", c.share);
-    see("contact.kn", c.kn);
-    see("contact.kt", c.kt);
-    see("contact.impact", c.impact);
-    see("contact.slide_length", c.slide.length);
-    see("contact.slide_time", c.slide.time);
-    see("contact.slide_slip", c.slide.slip);
-    see("contact.slide_drag", c.slide.drag);
-    see("contact.slide_limit", c.slide.limit);
-    for (const SlideMemory::Sum* sum : {&c.slide.last, &c.slide.total}) {
-      see("contact.slide_sum_slip", sum->slip);
-      see("contact.slide_sum_drag", sum->drag);
-      see("contact.slide_sum_limit", sum->limit);
-    }
-    see("contact.slide_losing", c.slide.losing);
-    see("contact.slide_keeping", c.slide.keeping);
-    see("contact.slide_worst", c.slide.worst);
-  }
+  for (const ContactMemory& c : contacts) c.visit(see);
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);
   see("factored.least", factored.patience.least);

@@ -52,6 +52,23 @@ LatticePieces room_for(const Polygon& outline, const Lattice& lattice) {
   return out;
 }
 
+/// The faces that lines cut a part of a triangle into; the part itself where they cut nothing off.
+/// @param full  area of the triangle [m2]   @param crack_length  grows by the length of the cuts [m]
+std::vector<Polygon> faces_of(const Polygon& part, std::span<const CutLine> lines, double full, double& crack_length) {
+  std::vector<Polygon> faces;
+  if (!lines.empty()) faces = cut_by_lines(part, lines);
+  // A crack along a mesh line to within round-off cuts no sliver off: it runs between the triangles.
+  std::erase_if(faces, [&](const Polygon& f) { return moments(f).area < kSliver * full; });
+  if (faces.size() > 1) {
+    double cut = -perimeter(part);
+    for (const Polygon& f : faces) cut += perimeter(f);
+    crack_length += 0.5 * cut;
+  } else {
+    faces.assign(1, part);
+  }
+  return faces;
+}
+
 }  // namespace
 
 LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> cracks, const Lattice& lattice,
@@ -96,18 +113,8 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
       parts.push_back({ring, {}});
     else
       parts = clipper.intersection(ring);
-    for (Polygon& part : parts) {
-      std::vector<Polygon> faces;
-      if (!lines.empty()) faces = cut_by_lines(part, lines);
-      // A crack along a mesh line to within round-off cuts no sliver off: it runs between the triangles.
-      std::erase_if(faces, [&](const Polygon& f) { return moments(f).area < kSliver * full; });
-      if (faces.size() > 1) {
-        double cut = -perimeter(part);
-        for (const Polygon& f : faces) cut += perimeter(f);
-        mesh.crack_length += 0.5 * cut;
-      } else {
-        faces.assign(1, part);
-      }
+    for (const Polygon& part : parts) {
+      std::vector<Polygon> faces = faces_of(part, lines, full, mesh.crack_length);
       for (Polygon& face : faces) {
         const double area = moments(face).area;
         if (area < 1e-13 * full) continue;  // touches along a line only

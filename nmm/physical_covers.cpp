@@ -100,25 +100,13 @@ void find_seams(UnionFind& undivided, std::span<const char> is_explicit, CoverMe
   }
 }
 
-}  // namespace
-
-void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, std::span<const char> is_explicit,
-                   CoverMesh& mesh) {
-  const std::size_t count = mesh.elements();
-  UnionFind slots(3 * count);  // an element's corner starts as a cover of its own
-  UnionFind undivided(is_explicit.empty() ? 0 : 3 * count);
-  const auto join_corners = [&](std::int32_t a, std::int32_t b, const LatticeNode& n) {
-    const auto slot = [&](std::int32_t e) {
-      const auto nodes = Lattice::corners(pieces.triangle[static_cast<std::size_t>(e)]);
-      return 3 * e + static_cast<std::int32_t>(std::find(nodes.begin(), nodes.end(), n) - nodes.begin());
-    };
-    if (is_explicit.empty() || is_explicit[static_cast<std::size_t>(a)] == is_explicit[static_cast<std::size_t>(b)])
-      slots.join(slot(a), slot(b));
-    if (!is_explicit.empty()) undivided.join(slot(a), slot(b));
-  };
+/// Shows join(a, b, node) every pair of elements that share a part of an inner edge which no crack covers, with both
+/// of its lattice nodes.
+template <class Join>
+void for_joined(const LatticePieces& pieces, std::span<const CutLine> cracks, const CoverMesh& mesh, Join&& join) {
   std::vector<Stretch> on_crack;
   // Every inner edge once: each triangle that points up has three neighbours that point down.
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < mesh.elements(); ++k) {
     const LatticeTriangle& t = pieces.triangle[k];
     if (t.down != 0) continue;
     const auto nodes = Lattice::corners(t);
@@ -141,11 +129,29 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
       const std::vector<Stretch> mine = whole ? std::vector<Stretch>{} : along(mesh, k, p, d);
       for (std::int32_t b = first; b < last; ++b)
         if (whole || share_length(mine, along(mesh, static_cast<std::size_t>(b), p, d), on_crack)) {
-          join_corners(a, b, n0);
-          join_corners(a, b, n1);
+          join(a, b, n0);
+          join(a, b, n1);
         }
     }
   }
+}
+
+}  // namespace
+
+void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, std::span<const char> is_explicit,
+                   CoverMesh& mesh) {
+  const std::size_t count = mesh.elements();
+  UnionFind slots(3 * count);  // an element's corner starts as a cover of its own
+  UnionFind undivided(is_explicit.empty() ? 0 : 3 * count);
+  for_joined(pieces, cracks, mesh, [&](std::int32_t a, std::int32_t b, const LatticeNode& n) {
+    const auto slot = [&](std::int32_t e) {
+      const auto nodes = Lattice::corners(pieces.triangle[static_cast<std::size_t>(e)]);
+      return 3 * e + static_cast<std::int32_t>(std::find(nodes.begin(), nodes.end(), n) - nodes.begin());
+    };
+    if (is_explicit.empty() || is_explicit[static_cast<std::size_t>(a)] == is_explicit[static_cast<std::size_t>(b)])
+      slots.join(slot(a), slot(b));
+    if (!is_explicit.empty()) undivided.join(slot(a), slot(b));
+  });
 
   // Numbers by lattice row, then along it; several covers of one star by their first element.
   struct Cover {

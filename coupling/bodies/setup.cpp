@@ -31,18 +31,42 @@ ReferenceShape reference_shape(const Model& model, BlockId block) {
   return shape;
 }
 
+namespace {
+
+bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empty() && flags[i] != 0; }
+
+/// What decides the pool of a body: its method, whether its forces are another mover's, whether it is slow.
+using PoolKey = std::tuple<std::string, bool, bool>;
+PoolKey key_of(const Model& model, const BodyRecord& record, const Guests& guests, std::size_t i) {
+  const bool foreign = flagged(guests.guest, i) || (!guests.touch && model.support_of(record.block) != nullptr);
+  return {record.method, foreign, flagged(guests.slow, i)};
+}
+
+/// Body i but for its places in pools and arrays.
+Body describe(const Model& model, const BodyRecord& record, const Guests& guests, std::size_t i) {
+  Body b;
+  b.block = record.block;
+  b.slow = flagged(guests.slow, i);
+  if (const BlockSupport* s = model.support_of(record.block)) {
+    b.driven = true;
+    b.motion = s->motion;
+  }
+  b.guest = !b.driven && flagged(guests.guest, i);
+  b.driven = b.driven || b.guest;
+  b.touched = guests.shared ? b.guest || !b.driven : !b.driven;
+  if (guests.shared && !guests.touch) b.touched = false;
+  b.divided = record.form.division.divides() && record.form.division.acts != Division::Acts::both;
+  b.centre = moments(model.blocks[record.block.index()].polygon).centroid;
+  return b;
+}
+
+}  // namespace
+
 Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests,
              Clocks clocks)
     : model_(&model), guests_touch_(guests.touch), clocks_(std::move(clocks)) {
-  const auto is_guest = [&](std::size_t i) { return !guests.guest.empty() && guests.guest[i] != 0; };
-  const auto foreign = [&](std::size_t i) {
-    return is_guest(i) || (!guests.touch && model.support_of(records[i].block) != nullptr);
-  };
-  const auto key_of = [&](std::size_t i) {
-    return std::tuple(records[i].method, foreign(i), !guests.slow.empty() && guests.slow[i] != 0);
-  };
-  std::map<std::tuple<std::string, bool, bool>, std::int32_t> pool_of_key;
-  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(i), 0);
+  std::map<PoolKey, std::int32_t> pool_of_key;
+  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(model, records[i], guests, i), 0);
   for (auto& [key, index] : pool_of_key) {
     const auto& [method, is_foreign, is_slow] = key;
     index = static_cast<std::int32_t>(pools_.size());
@@ -54,24 +78,11 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     counted_.emplace_back();
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const BodyRecord& r = records[i];
-    Body b;
-    b.block = r.block;
-    b.pool = pool_of_key[key_of(i)];
-    b.slow = std::get<2>(key_of(i));
+    Body b = describe(model, records[i], guests, i);
+    b.pool = pool_of_key[key_of(model, records[i], guests, i)];
     Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
     b.index = pool.bodies();
-    pool.add(model, r);
-    if (const BlockSupport* s = model.support_of(r.block)) {
-      b.driven = true;
-      b.motion = s->motion;
-    }
-    b.guest = !b.driven && is_guest(i);
-    b.driven = b.driven || b.guest;
-    b.touched = guests.shared ? b.guest || !b.driven : !b.driven;
-    if (guests.shared && !guests.touch) b.touched = false;
-    b.divided = r.form.division.divides() && r.form.division.acts != Division::Acts::both;
-    b.centre = moments(model.blocks[r.block.index()].polygon).centroid;
+    pool.add(model, records[i]);
     counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
     bodies_.push_back(b);
   }

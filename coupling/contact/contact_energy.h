@@ -1,20 +1,19 @@
 // Energy of contact springs, one definition for every scheme.
 #pragma once
 
-#include <algorithm>
-
+#include "coupling/contact/law/coulomb.h"
+#include "coupling/contact/law/normal_spring.h"
 #include "coupling/contact/table/contact_finder.h"
 
 namespace scree::coupling {
 
 /// 1/2 k_n g^2 where the point is bonded or g < 0, unless another edge of the same corner carries the contact [J].
 [[nodiscard]] inline double normal_energy(const ContactPoint& p, const ContactMemory& m) {
-  const double depth = p.suppressed || p.beyond ? 0.0 : (m.bonded != 0 ? m.gap : std::min(m.gap, 0.0));
-  return 0.5 * m.kn * depth * depth;
+  return p.suppressed || p.beyond ? 0.0 : NormalSpring{m.kn, m.bonded != 0}.energy(m.gap);
 }
 /// 1/2 k_t e^2 while closed [J].
 [[nodiscard]] inline double tangential_energy(const ContactMemory& m) {
-  return m.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * m.stretch * m.stretch;
+  return m.status == ContactStatus::open ? 0.0 : tangential_spring_energy(m.kt, m.stretch);
 }
 [[nodiscard]] inline double contact_energy(const ContactList& list) {
   double sum = 0.0;

@@ -6,93 +6,19 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/contact/law/explicit_law.h"
 #include "coupling/contact/law/joint_strength.h"
 
 namespace scree::coupling {
 namespace {
 
-void let_go(ContactMemory& m) {
-  m.status = ContactStatus::open;
-  m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;
-}
-
-/// How a contact moved to where it is.
-struct Motion {
-  double rate = 0.0, shear = 0.0;  // of gap and stretch [m/s]
-  double per_time = 0.0;           // one over the step [1/s]; 0: it stands
-  bool damped = true;              // false: it closes on a body that is iterated for (see respond())
-};
-
-/// Opening of a point that slips further [m].
-double opened_in(const JointLaw& law, const ContactMemory& m, double slip) {
-  return opened_by_slip(law, m.slip + slip) - opened_by_slip(law, m.slip);
-}
-
-/// Slip of a dilating point whose spring is beyond Coulomb's limit [m]. What opens presses the normal spring, and its
-/// damping, so the limit grows with the slip:
-///   k_t (|e| - s) = c + tan phi f(s),  f(s) = -k_n g - c_n g' + (k_n + c_n/h) tan psi s, if that is not negative
-double dilating_slip(const JointLaw& law, const ContactPoint& p, const Motion& motion, const ContactMemory& m) {
-  const double cn = motion.damped ? p.cn : 0.0;
-  const double stiffness = (m.kn + cn * motion.per_time) * std::tan(law.dilation), e = std::abs(m.stretch),
-               mu = friction_coefficient(law, m), cohesion = friction_limit(law, m, 0.0),
-               trial = -m.kn * m.gap - cn * motion.rate;
-  const double left = law.dilation_slip ? std::max(0.0, *law.dilation_slip - m.slip) : e;
-  double slip = (m.kt * e - cohesion - mu * trial) / (m.kt + mu * stiffness);
-  if (slip > left) slip = e - (cohesion + mu * (trial + stiffness * left)) / m.kt;
-  if (trial + stiffness * std::min(slip, left) < 0.0) slip = e - cohesion / m.kt;
-  return std::clamp(slip, 0.0, e);
-}
-
-/// Normal penalty, which pulls as far as a bond bears, tangential spring with Coulomb's cap (return mapping). Moves the
-/// anchor when it slips, and gap0 where slip opens the joint.
-void apply_law(const JointLaw& law, double tan_friction, const ContactPoint& p, const Motion& motion,
-               ContactMemory& m) {
-  if (m.bonded != 0 && m.kn * m.gap > tension_limit(law, m)) mark_failed(law, m);
-  // A slide that opens the joint lifts the bodies before the spring follows.
-  const double follows =
-      law.dilation > 0.0 && m.status != ContactStatus::open ? opened_in(law, m, std::abs(m.stretch)) : 0.0;
-  if (p.suppressed || p.beyond || (m.gap >= follows && m.bonded == 0)) return let_go(m);
-  double opened = 0.0;      // in this step
-  const auto press = [&] {  // damping never pulls more than a bond bears; it acts on the spring, not on what opens
-    const double spring = -m.kn * m.gap, rate = motion.rate - motion.per_time * opened;
-    m.fn = std::max(0.0 - tension_limit(law, m), spring - (motion.damped ? p.cn : 0.0) * rate);
-    m.fd = m.fn - spring;
-  };
-  press();
-  if (m.status == ContactStatus::open) {  // closes here: the spring begins at the foot
-    m.anchor = p.at.xi;
-    m.stretch = 0.0;
-    m.status = ContactStatus::stick;
-  }
-  // A bond fails by the force of the spring, not by that of the dashpot.
-  const double bearing = m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn;
-  const double limit = strength(law, tan_friction, m).friction_limit(bearing);
-  if (m.kt * std::abs(m.stretch) > limit) {
-    const bool pulled = m.bonded != 0 && m.gap >= 0.0;
-    mark_failed(law, m);
-    if (pulled) return let_go(m);  // sheared through
-    press();
-    if (law.dilation > 0.0) {
-      opened = opened_in(law, m, dilating_slip(law, p, motion, m));
-      m.gap -= opened;
-      m.gap0 += opened;
-      press();
-    }
-    const double kept = std::copysign(strength(law, tan_friction, m).friction_limit(m.fn) / m.kt, m.stretch);
-    m.slip += std::abs(m.stretch - kept);
-    m.anchor = p.at.xi - kept / p.at.length;
-    m.stretch = (p.at.xi - m.anchor) * p.at.length;
-    m.status = ContactStatus::slip;
-  } else {
-    m.status = ContactStatus::stick;
-  }
-  if (m.gap >= 0.0 && m.bonded == 0) return let_go(m);  // it did not slip far enough to stay
-  // Damping only where the contact sticks, and never beyond Coulomb's limit.
-  const double spring_t = -m.kt * m.stretch;
-  m.ft = m.status == ContactStatus::stick
-             ? std::clamp(spring_t - (motion.damped ? p.ct : 0.0) * motion.shear, -limit, limit)
-             : spring_t;
-  m.fdt = m.ft - spring_t;
+/// What the law has to know of a point; at rest until a step says how it moved.
+PointMotion motion_of(const ContactPoint& p) {
+  PointMotion motion;
+  motion.foot = p.at.xi;
+  motion.length = p.at.length;
+  motion.held_elsewhere = p.suppressed || p.beyond;
+  return motion;
 }
 
 }  // namespace
@@ -122,7 +48,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
     const auto joint = static_cast<std::size_t>(m.joint);
-    apply_law(setup_->model().joints[joint], tan_friction_[joint], now_.points[i], {}, m);
+    explicit_law(setup_->model().joints[joint], tan_friction_[joint], motion_of(now_.points[i]), m);
   }
   if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
@@ -256,10 +182,14 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     // The stretch that a spring would have here, also for one that opens now.
     trial_[i] = (p.at.xi - m.anchor) * p.at.length;
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
-    Motion motion{0.0, 0.0, 1.0 / h};
+    PointMotion motion = motion_of(p);
+    motion.per_time = 1.0 / h;
     // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the guest
     // that its own force leads to. It acts from the next step on.
-    motion.damped = m.status != ContactStatus::open || !on_guest(p);
+    if (m.status != ContactStatus::open || !on_guest(p)) {
+      motion.cn = p.cn;
+      motion.ct = p.ct;
+    }
     if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
       motion.rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
       motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
@@ -268,7 +198,7 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     // Stages to rest have no velocities of their own.
     if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
       finder_.begin_impact(p, -row_rate(setup_->outlines(), p, gap_row(p.at), v), m);
-    apply_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], p, motion, m);
+    explicit_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], motion, m);
     opened_[i] = m.gap0 - gap0;
     if (m.status == ContactStatus::open)
       m.impact = 0.0;

@@ -400,95 +400,108 @@ void Newmark::tell_no_balance(double left, StepReport& report) const {
       left, report.iterations);
 }
 
-bool Newmark::balance(const State& state, double h, StepReport& report) {
-  const auto mask = system_.nonlinear_dofs();
-  const bool spares = spares_affine(), iterative = system_.nonlinear() || spares || path_ != nullptr;
-  Stiffness kind = Stiffness::exact;
+void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
   contacts_.begin(list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
   if (path_ != nullptr) begin_pull(state, h);
-  std::vector<double> affine(d_.size(), 0.0);
-  if (spares) add_affine_damping(state, system_.rate(), affine);
-  bool fresh = true;
+  loop.iterative = system_.nonlinear() || spares_affine() || path_ != nullptr;
+  loop.affine.assign(d_.size(), 0.0);
+  loop.moved.resize(d_.size());
+  if (spares_affine()) add_affine_damping(state, system_.rate(), loop.affine);
   linear_system(h);
-  double last = std::numeric_limits<double>::infinity();
-  std::vector<double> moved(d_.size());
+}
+
+bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report) {
+  const auto mask = system_.nonlinear_dofs();
   for (;;) {
-    for (std::size_t i = 0; i < d_.size(); ++i) moved[i] = mask[i] * d_[i];
-    find_right_side(moved, affine);
-    if (!contacts_.solve(A_, fresh, rhs_, d_, report)) {
-      if (report.status != StepReport::Status::not_definite || kind != Stiffness::exact || !system_.nonlinear())
-        return false;
-      report.status = StepReport::Status::ok;
-      report.cause.clear();
-      kind = Stiffness::definite;  // the same force, met more slowly
-      q_new_ = state.q;
-      v_new_ = state.v;
-      system_.retract(moved, rate_, false, q_new_, v_new_);
-      (void)system_.linearise(q_new_, kind, false, K_, force_);
-      linear_system(h);
-      fresh = true;
-      for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = moved[i];
-      continue;
+    for (std::size_t i = 0; i < d_.size(); ++i) loop.moved[i] = mask[i] * d_[i];
+    find_right_side(loop.moved, loop.affine);
+    if (contacts_.solve(A_, loop.fresh, rhs_, d_, report)) break;
+    if (report.status != StepReport::Status::not_definite || loop.kind != Stiffness::exact || !system_.nonlinear())
+      return false;
+    report.status = StepReport::Status::ok;
+    report.cause.clear();
+    loop.kind = Stiffness::definite;  // the same force, met more slowly
+    q_new_ = state.q;
+    v_new_ = state.v;
+    system_.retract(loop.moved, rate_, false, q_new_, v_new_);
+    (void)system_.linearise(q_new_, loop.kind, false, K_, force_);
+    linear_system(h);
+    loop.fresh = true;
+    for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = loop.moved[i];
+  }
+  ++report.iterations;
+  loop.fresh = false;
+  for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
+  move_to_iterate(state);
+  force_after_ = force_before_;
+  energy_after_ = system_.linearise(q_new_, loop.kind, false, {}, force_after_);
+  force_ = force_after_;
+  loop.left = residual(state, h, loop.largest);
+  report.residual = loop.largest > 0.0 ? loop.left / loop.largest : 0.0;
+  if (std::isfinite(loop.left)) return true;
+  report = not_finite(report, state, h);
+  return false;
+}
+
+Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepReport& report) {
+  const RoundOff rounded = loop.iterative ? round_off(state) : RoundOff{};
+  bool met = path_ == nullptr;
+  const double allowed = std::max(options_.together * largest_pulled_, rounded.system);
+  if (path_ != nullptr) {
+    met = way_since_pull() * path_->stiffness() <= allowed || !foresee_pull(state);
+    if (met && !meet_pull(state, false, report)) return Settled::failed;
+  }
+  loop.at_round_off = loop.left <= rounded.system;
+  const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
+             stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
+             kicked = path_ != nullptr && loop.left <= rounded.bodies;  // what is left is not lost: mismatch_
+  loop.apart = 0.0;
+  for (;; met = true) {
+    if (path_ != nullptr) loop.apart = pulls_apart();
+    if (loop.apart > allowed || !(balanced || stays || kicked)) return Settled::no;
+    if (met) {
+      report.at_round_off = !balanced;
+      return Settled::yes;
     }
-    ++report.iterations;
-    fresh = false;
+    if (!meet_pull(state, true, report)) return Settled::failed;
+  }
+}
+
+void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
+  if (path_ != nullptr) {
+    pull_iteration_.next(answer_, asked_);
+    sum_asked();
+  }
+  // A kept stiffness that is too far from this iterate's is made anew.
+  if (system_.nonlinear() && loop.left > 0.05 * loop.last && !loop.at_round_off) {
+    (void)system_.linearise(q_new_, loop.kind, false, K_, force_);
+    linear_system(h);
+    loop.fresh = true;
+  }
+  if (spares_affine()) {
+    std::fill(loop.affine.begin(), loop.affine.end(), 0.0);
     for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-    move_to_iterate(state);
-    force_after_ = force_before_;
-    energy_after_ = system_.linearise(q_new_, kind, false, {}, force_after_);
-    force_ = force_after_;
-    double largest = 0.0;
-    const double left = residual(state, h, largest);
-    report.residual = largest > 0.0 ? left / largest : 0.0;
-    if (!std::isfinite(left)) {
-      report = not_finite(report, state, h);
-      return false;
-    }
-    const RoundOff rounded = iterative ? round_off(state) : RoundOff{};
-    bool met = path_ == nullptr;
-    const double allowed = std::max(options_.together * largest_pulled_, rounded.system);
-    if (path_ != nullptr) {
-      met = way_since_pull() * path_->stiffness() <= allowed || !foresee_pull(state);
-      if (met && !meet_pull(state, false, report)) return false;
-    }
-    const bool at_round_off = left <= rounded.system, balanced = !iterative || left <= kBalanced * largest,
-               stays = at_round_off && report.iterations > 2 && left > 0.5 * last,
-               kicked = path_ != nullptr && left <= rounded.bodies;  // what is left is not lost: mismatch_
-    double apart = 0.0;
-    for (;; met = true) {
-      if (path_ != nullptr) apart = pulls_apart();
-      if (apart > allowed || !(balanced || stays || kicked)) break;
-      if (met) {
-        report.at_round_off = !balanced;
-        return true;
-      }
-      if (!meet_pull(state, true, report)) return false;
-    }
+    add_affine_damping(state, rate_, loop.affine);
+  }
+  loop.last = loop.left;
+}
+
+bool Newmark::balance(const State& state, double h, StepReport& report) {
+  NewtonLoop loop;
+  begin_balance(state, h, loop);
+  for (;;) {
+    if (!solve_iterate(state, h, loop, report)) return false;
+    if (const Settled settled = settle(state, loop, report); settled != Settled::no) return settled == Settled::yes;
     if (report.iterations >= kIterations ||
-        (report.iterations > 8 && left > 1e3 * last && left > kBalanced * largest)) {
-      tell_no_balance(std::max(report.residual, apart / largest), report);
+        (report.iterations > 8 && loop.left > 1e3 * loop.last && loop.left > kBalanced * loop.largest)) {
+      tell_no_balance(std::max(report.residual, loop.apart / loop.largest), report);
       return false;
     }
-    if (path_ != nullptr) {
-      pull_iteration_.next(answer_, asked_);
-      sum_asked();
-    }
-    // A kept stiffness that is too far from this iterate's is made anew.
-    if (system_.nonlinear() && left > 0.05 * last && !at_round_off) {
-      (void)system_.linearise(q_new_, kind, false, K_, force_);
-      linear_system(h);
-      fresh = true;
-    }
-    if (spares) {
-      std::fill(affine.begin(), affine.end(), 0.0);
-      for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-      add_affine_damping(state, rate_, affine);
-    }
-    last = left;
+    prepare_iterate(state, h, loop);
   }
 }
 

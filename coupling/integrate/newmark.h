@@ -1,6 +1,7 @@
 // Implicit Newmark steps with open-close iteration, for every method with a chart.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "coupling/contact/audit/friction_check.h"
@@ -105,6 +106,24 @@ class Newmark final : public Mover {
   void kick(double h);
   void book_pull(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
+  /// Newton's iteration of one step.
+  struct NewtonLoop {
+    std::vector<double> affine, moved;  // damping forces that spare affine motion [N]; d_ of nonlinear unknowns
+    Stiffness kind = Stiffness::exact;  // of the linear system
+    bool iterative = false;             // one solution is not enough
+    bool fresh = true;                  // the linear system is new
+    bool at_round_off = false;          // what is left is round-off of the system's forces
+    double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
+    double last = std::numeric_limits<double>::infinity();  // residual of the one before [N]
+    double apart = 0.0;                                     // pulls_apart() [N]
+  };
+  void begin_balance(const State& state, double h, NewtonLoop& loop);
+  /// Solves for the next iterate and finds its residual.   @return false: the report says why it cannot
+  [[nodiscard]] bool solve_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report);
+  enum class Settled { no, yes, failed };
+  /// True where the iterate balances, and the other side of a partitioned step agrees.
+  [[nodiscard]] Settled settle(const State& state, NewtonLoop& loop, StepReport& report);
+  void prepare_iterate(const State& state, double h, NewtonLoop& loop);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
   /// Of Newton's system, at the present iterate.   @param moved  d_ of nonlinear unknowns   @param affine  damping

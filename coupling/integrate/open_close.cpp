@@ -147,15 +147,9 @@ double OpenClose::slip_left(std::size_t i) const {
   return std::max(0.0, law_of(i).dilation_slip.value_or(kInf) - list_->memory[i].slip);
 }
 
-OpenClose::Dilation OpenClose::dilation(std::size_t i) const {
-  // The spring (and dashpot) is pressed by tan psi times the slip |s|, |s| = -dir e - (c + tan phi f)/k_t, so that
-  //   f = -k_n g + k_n tan psi |s| has f on both sides; after the end of dilation |s| is what was left.
-  const ContactMemory& m = list_->memory[i];
-  const JointLaw& law = law_of(i);
-  const double k = trial_[i].k, slope = k * std::tan(law.dilation);
-  if (!trial_[i].opens) return {k, 0.0, -slope * slip_left(i)};
-  const double part = 1.0 / (1.0 + slope / m.kt * strength_[i].coefficient);
-  return {part * k, part * slope * trial_[i].direction, part * slope * strength_[i].friction_limit(0.0) / m.kt};
+DilatingForce OpenClose::dilation(std::size_t i) const {
+  const Trial& t = trial_[i];
+  return dilating_force(law_of(i), strength_[i], t.k, list_->memory[i].kt, t.direction, t.opens, slip_left(i));
 }
 
 double OpenClose::normal_stiffness(std::size_t i) const {
@@ -191,7 +185,7 @@ void OpenClose::take_states() {
     if (t.status != ContactStatus::slip) continue;
     t.load = 0.0;
     const bool dilating = dilates(i) && !t.slack;
-    const Slipping s{i, friction_per_gap(i), dilating, dilating ? dilation(i) : Dilation{}};
+    const Slipping s{i, friction_per_gap(i), dilating, dilating ? dilation(i) : DilatingForce{}};
     slipping_.push_back(s);
     const double gap = t.at + normal(i).known;
     if (!s.dilates) {
@@ -255,7 +249,7 @@ void OpenClose::evaluate_points(std::span<const double> d) {
     t.moved = tangential(i).change(d);
     t.opened = 0.0;
     if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
-      const Dilation f = dilation(i);
+      const DilatingForce f = dilation(i);
       const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
       t.opened = t.at + change + force / t.k;
     }
@@ -418,6 +412,14 @@ int OpenClose::switch_states(bool only_worst) {
   return switched;
 }
 
+std::size_t OpenClose::hash_of_states() {
+  states_.clear();
+  for (const Trial& t : trial_)
+    states_.push_back(static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
+                                        (t.direction < 0.0 ? -1 : 1)));
+  return std::hash<std::string>{}(states_);
+}
+
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
@@ -446,11 +448,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
     if (!solve_states(d, report)) return false;
     evaluate_points(d);
     if (!allowed_ && refuse(report)) return false;
-    states_.clear();
-    for (const Trial& t : trial_)
-      states_.push_back(static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
-                                          (t.direction < 0.0 ? -1 : 1)));
-    const std::size_t now = std::hash<std::string>{}(states_);
+    const std::size_t now = hash_of_states();
     const bool cycle = std::find(seen_.begin(), seen_.end(), now) != seen_.end();
     seen_.push_back(now);
     if (cycle && !exact_) {

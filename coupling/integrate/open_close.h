@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
+#include "coupling/contact/law/dilation.h"
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
@@ -116,13 +117,9 @@ class OpenClose {
   void multiply(std::span<const double> x, std::span<double> y) const;
   /// What the friction force of a slipping point loses as its gap opens [N/m].
   [[nodiscard]] double friction_per_gap(std::size_t i) const;
-  /// Normal force of a slipping point that dilates, linear in the unknowns: -(per_gap g + per_stretch e + constant), g
-  /// the gap and e the stretch that its spring would have if it stuck.
-  struct Dilation {
-    double per_gap = 0.0, per_stretch = 0.0, constant = 0.0;
-  };
   [[nodiscard]] bool dilates(std::size_t i) const { return law_of(i).dilation > 0.0; }
-  [[nodiscard]] Dilation dilation(std::size_t i) const;
+  /// Normal force of a slipping point that dilates, linear in gap and stretch.
+  [[nodiscard]] DilatingForce dilation(std::size_t i) const;
   /// Slip left at the start of the step until dilation ends [m]; infinite: it does not.
   [[nodiscard]] double slip_left(std::size_t i) const;
   /// Stretch of a point's spring at the start of the step.
@@ -169,6 +166,8 @@ class OpenClose {
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool refuse(StepReport& report) const;
+  /// Of the states of all points, so that a pass is known which had them before.
+  [[nodiscard]] std::size_t hash_of_states();
 
   const Setup* setup_;
   StepControl control_;
@@ -197,7 +196,7 @@ class OpenClose {
     std::size_t point = 0;
     double friction_per_gap = 0.0;
     bool dilates = false;
-    Dilation dilation;
+    DilatingForce dilation;
   };
   std::vector<Slipping> slipping_;
   std::vector<std::pair<std::size_t, Wish>> wishes_;  // of points that switch in a pass

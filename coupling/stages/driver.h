@@ -123,6 +123,12 @@ class Driver {
   void drop_velocities();
   [[nodiscard]] static double wall();  // time of a steady clock [s]
   /// One step, by as many attempts as it takes; and what is looked at after it.
+  /// Finds anew how long steps may be, where that is due or a step has made it doubtful.
+  void bound_step(const Stage& stage, bool due);
+  /// One attempt of the mover.   @param cap  of its length   @param h  its length
+  [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
+  /// A sentence on an attempt that was refused.
+  [[nodiscard]] std::string told_refusal(const StepReport& report, Tick h) const;
   [[nodiscard]] RunEnd take_step(const Stage& stage);
   void count(const StepReport& report);
   [[nodiscard]] RunEnd after_step(const Stage& stage);

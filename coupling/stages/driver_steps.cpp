@@ -110,8 +110,34 @@ Tick Driver::step_of_fastest() const {
   return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
 }
 
-RunEnd Driver::take_step(const Stage& stage) {
+void Driver::bound_step(const Stage& stage, bool due) {
+  if (!due && largest_ != 0 && mover_->step_still_stable()) return;
+  // What the first step tells is told once, though a stop may take back the step itself.
+  const Tick found = largest_step(stage, steps_of_stage() == 0 && largest_ == 0);
+  if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
+}
+
+StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
   const bool implicit = stage.has_implicit_steps();
+  if (implicit) cap = std::min(cap, step_of_fastest());
+  h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
+  const double begin = wall();
+  const StepReport report = mover_->step(state_, h);
+  (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
+  count(report);
+  return report;
+}
+
+std::string Driver::told_refusal(const StepReport& report, Tick h) const {
+  const std::string where =
+      report.body >= 0
+          ? fmt::format("block '{}', ",
+                        model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
+          : std::string();
+  return fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
+}
+
+RunEnd Driver::take_step(const Stage& stage) {
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
@@ -131,37 +157,23 @@ RunEnd Driver::take_step(const Stage& stage) {
     if (control_ != nullptr && control_->stop_requested()) return stopped();
     if (stage.integrator == Integrator::partitioned && steps_of_stage() > 0 && cuts == 0) change_partition(stage);
     if (method_rules_ && steps_of_stage() > 0 && cuts == 0) change_methods(stage);
-    if (due || largest_ == 0 || !mover_->step_still_stable()) {
-      // What the first step tells is told once, though a stop may take back the step itself.
-      const Tick found = largest_step(stage, steps_of_stage() == 0 && largest_ == 0);
-      if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
-      due = false;
-    }
-    Tick cap = std::min(largest_, attempt_cap);
-    if (implicit) cap = std::min(cap, step_of_fastest());
-    const Tick h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
-    const double begin = wall();
-    const StepReport report = mover_->step(state_, h);
-    (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
-    count(report);
+    bound_step(stage, due);
+    due = false;
+    Tick h = 0;
+    const StepReport report = attempt(stage, std::min(largest_, attempt_cap), h);
     if (report.status == StepReport::Status::given_up) return stopped();
     if (stage.integrator == Integrator::partitioned) stats_.effort += effort(report, stats_, fast_elements_);
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
       stats_.left_work += report.left_work;
-      if (!implicit)
+      if (!stage.has_implicit_steps())
         stats_.element_steps +=
             static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
       return after_step(stage);
     }
     ++stats_.cuts;
-    const std::string where =
-        report.body >= 0
-            ? fmt::format("block '{}', ",
-                          model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
-            : std::string();
-    const std::string text = fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
+    const std::string text = told_refusal(report, h);
     const bool hopeless =
         report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
     if (hopeless || ++cuts > step_control_.max_cuts || h <= 3) {

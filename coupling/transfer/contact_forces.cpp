@@ -16,6 +16,14 @@ Place place_of(const Setup& from, const ContactKey& key) {
   return {from.outlines().edges[own].first_segment + key.part, from.edge_of(key.block_e, key.ring_e, key.edge)};
 }
 
+/// What the second of two points takes of a force between them; a point that is not there (-1) takes nothing.
+double part_of_second(const std::int32_t (&side)[2], const double (&distance)[2]) {
+  if (side[0] < 0) return 1.0;
+  if (side[1] < 0) return 0.0;
+  const double whole = distance[0] + distance[1];
+  return whole > 0.0 ? distance[0] / whole : 0.5;
+}
+
 }  // namespace
 
 void hand_contacts_over(const Setup& from, const std::vector<char>& changed, State& state) {
@@ -53,8 +61,7 @@ void hand_contacts_over(const Setup& from, const std::vector<char>& changed, Sta
       distance[at] = std::abs(s);
     }
     if (side[0] < 0 && side[1] < 0) continue;  // nothing remains between the two edges
-    const double whole = distance[0] + distance[1];
-    const double to_second = side[0] < 0 ? 1.0 : side[1] < 0 ? 0.0 : whole > 0.0 ? distance[0] / whole : 0.5;
+    const double to_second = part_of_second(side, distance);
     for (const auto& [to, part] : {std::pair(side[0], 1.0 - to_second), std::pair(side[1], to_second)}) {
       if (to < 0) continue;
       ContactMemory& m = state.contacts[static_cast<std::size_t>(to)];

@@ -172,21 +172,29 @@ LiveAssembly::Verdict LiveAssembly::put(topo_v1_t&& in) {
   return Verdict::taken;
 }
 
-LiveAssembly::Verdict LiveAssembly::put(state_v1_t&& in) {
-  if (!mesh_ || mesh_->id != in.header.topology_id) return Verdict::early;
+namespace {
+
+/// True for a chunk that a frame of the mesh may have.
+bool well_formed(const state_v1_t& in, const LiveMesh& mesh) {
   const auto most = [](std::size_t size) { return static_cast<std::int32_t>(size); };  // a decoded count: fits
-  if (in.total_maps < 0 || in.total_maps > most(mesh_->bodies()) || in.total_points < 0 ||
-      in.total_points > most(mesh_->points()) || in.total_cells != most(mesh_->cells()) || in.header.sequence < 0 ||
+  if (in.total_maps < 0 || in.total_maps > most(mesh.bodies()) || in.total_points < 0 ||
+      in.total_points > most(mesh.points()) || in.total_cells != most(mesh.cells()) || in.header.sequence < 0 ||
       in.chunks != frame_chunks(in.total_maps, in.total_points, in.total_cells) || in.chunk < 0 ||
       in.chunk >= in.chunks)
-    return Verdict::malformed;
+    return false;
   const auto is_part = [&](std::int32_t total, std::int32_t first, std::int32_t count) {
     return first == split_at(total, in.chunk, in.chunks) && count == split_at(total, in.chunk + 1, in.chunks) - first;
   };
-  if (!is_part(in.total_maps, in.first_map, in.maps) || !is_part(in.total_points, in.first_point, in.points) ||
-      !is_part(in.total_cells, in.first_cell, in.cells) || !all_in(in.body, 0, most(mesh_->bodies())) ||
-      !std::isfinite(in.base[0]) || !std::isfinite(in.base[1]) || !std::isfinite(in.scale) || in.scale < 0.0)
-    return Verdict::malformed;
+  return is_part(in.total_maps, in.first_map, in.maps) && is_part(in.total_points, in.first_point, in.points) &&
+         is_part(in.total_cells, in.first_cell, in.cells) && all_in(in.body, 0, most(mesh.bodies())) &&
+         std::isfinite(in.base[0]) && std::isfinite(in.base[1]) && std::isfinite(in.scale) && in.scale >= 0.0;
+}
+
+}  // namespace
+
+LiveAssembly::Verdict LiveAssembly::put(state_v1_t&& in) {
+  if (!mesh_ || mesh_->id != in.header.topology_id) return Verdict::early;
+  if (!well_formed(in, *mesh_)) return Verdict::malformed;
   if (in.header.sequence < frame_pieces_.key || (frame_ && in.header.sequence <= frame_->header.sequence))
     return Verdict::taken;  // late or twice: a newer frame is there
   if (in.header.sequence > frame_pieces_.key) {

@@ -39,11 +39,6 @@ double tension_limit(const JointLaw& law, const ContactMemory& memory) {
   return memory.bonded != 0 ? law.tensile_strength * memory.share : 0.0;
 }
 
-double opened_by_slip(const JointLaw& law, double slip) {
-  if (law.dilation == 0.0) return 0.0;
-  return std::tan(law.dilation) * std::min(slip, law.dilation_slip.value_or(slip));
-}
-
 bool can_fail(const JointLaw& law) {
   return law.cohesion > 0.0 || law.tensile_strength > 0.0 || (law.residual_friction && law.weakening_slip == 0.0);
 }

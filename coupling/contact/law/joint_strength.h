@@ -1,7 +1,7 @@
 // Strength of a contact point under its law, and what failure and slip leave of it.
 #pragma once
 
-#include "coupling/state.h"
+#include "coupling/contact_memory.h"
 #include "model/model.h"
 
 namespace scree::coupling {
@@ -33,9 +33,6 @@ struct Strength {
 
 /// The largest pull that the point bears [N]: tensile strength * share while it is bonded, else 0.
 [[nodiscard]] double tension_limit(const JointLaw& law, const ContactMemory& memory);
-
-/// How far a point of the joint has opened by dilation after a slip [m]: tan psi min(slip, dilation_slip), either way.
-[[nodiscard]] double opened_by_slip(const JointLaw& law, double slip);
 
 /// True if failure takes strength from a joint of this law.
 [[nodiscard]] bool can_fail(const JointLaw& law);

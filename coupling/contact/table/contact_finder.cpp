@@ -415,37 +415,40 @@ void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) cons
       if (other <= index) continue;
       const auto i = static_cast<std::size_t>(index);
       const auto j = static_cast<std::size_t>(other);
-      const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
-      ContactPoint &a = list.points[i], &b = list.points[j];
-      if (a.beyond || b.beyond) continue;
-      if (ma.bonded != 0 && mb.bonded != 0) continue;  // it has grown to both
-      if (const bool first_is_open = ma.status == ContactStatus::open;
-          at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
-        // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
-        (first_is_open ? a : b).suppressed = true;
-        continue;
-      }
-      const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
-      if (!inside && !loaded) continue;
-      if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
-        if (loaded && mb.impact == 0.0) b.suppressed = true;
-        if (loaded && ma.impact == 0.0) a.suppressed = true;
-        continue;
-      }
-      const double depth_a = entry_depth(a), depth_b = entry_depth(b);
-      // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
-      if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
-        a.suppressed = b.suppressed = true;
-        continue;
-      }
-      if (!loaded) continue;
-      const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
-                   keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
-      const bool a_ends = a.partner[1] == other, a_wins = ma.bonded != mb.bonded
-                                                              ? ma.bonded != 0
-                                                              : leaves_by(depth_a * keep_a, depth_b * keep_b, a_ends);
-      (a_wins ? b : a).suppressed = true;
+      if (list.points[i].beyond || list.points[j].beyond) continue;
+      if (list.memory[i].bonded != 0 && list.memory[j].bonded != 0) continue;  // it has grown to both
+      suppress_one(at_start, i, j, list);
     }
+}
+
+void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const {
+  const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
+  ContactPoint &a = list.points[i], &b = list.points[j];
+  if (const bool first_is_open = ma.status == ContactStatus::open;
+      at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
+    // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+    (first_is_open ? a : b).suppressed = true;
+    return;
+  }
+  const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
+  if (!inside && !loaded) return;
+  if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
+    if (loaded && mb.impact == 0.0) b.suppressed = true;
+    if (loaded && ma.impact == 0.0) a.suppressed = true;
+    return;
+  }
+  const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+  // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+  if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+    a.suppressed = b.suppressed = true;
+    return;
+  }
+  if (!loaded) return;
+  const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
+               keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
+  const bool a_ends = a.partner[1] == static_cast<std::int32_t>(j),
+             a_wins = ma.bonded != mb.bonded ? ma.bonded != 0 : leaves_by(depth_a * keep_a, depth_b * keep_b, a_ends);
+  (a_wins ? b : a).suppressed = true;
 }
 
 bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {

@@ -98,6 +98,14 @@ class ContactFinder {
   /// Suppresses corners against edges whose end is pressed into the joint that goes on beside the corner.
   void cover_corners(ContactList& out) const;
   void inherit(ContactList& out);
+  /// A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
+  /// than before carries what it was given of the vertices that went; one that has less leaves its traction to new
+  /// ones, also of what it was given (`share` counts the length that came with it).
+  static void keep_force(const ContactMemory& old, bool divided, const ContactPoint& p, ContactMemory& m);
+  /// A contact closes where its gap passes zero, or what slip has left open. One that is found deep (a corner that came
+  /// in from the side, or whose other edge carried it so far) begins without force where it is, and forgets that depth
+  /// as it comes out.   @param known  the point was in the list before
+  void set_gap0(bool known, const ContactPoint& p, ContactMemory& m) const;
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
   void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
   /// Gives a point, once it has its `from`, what it remembers, or what it begins with.
@@ -119,6 +127,8 @@ class ContactFinder {
   void pair_edges(std::size_t first, ContactList& list) const;
   void fill_with_water(ContactList& list) const;
   void suppress_second_edges(bool at_start, ContactList& list) const;
+  /// Of two points of a corner, against two edges that meet at a convex corner: at most one carries it.
+  void suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const;
 
   const Setup* setup_;
   double detection_, touching_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/contact/law/dilation.h"
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/contact/table/contact_finder.h"
 
@@ -41,6 +42,29 @@ void ContactFinder::inherit(ContactList& out) {
   }
 }
 
+void ContactFinder::keep_force(const ContactMemory& old, bool divided, const ContactPoint& p, ContactMemory& m) {
+  const double given = divided ? old.share / m.share : 1.0;
+  const auto resting_on = [given](double now, double was) {
+    const double own = std::max(now, was);
+    constexpr double kStrains = 1.01;  // shares that differ by less are the same
+    return given * now > kStrains * own ? given * now : own;
+  };
+  const double kn = resting_on(m.kn, old.kn), kt = resting_on(m.kt, old.kt);
+  m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
+  m.stretch = -(m.ft - m.fdt) / kt;
+}
+
+void ContactFinder::set_gap0(bool known, const ContactPoint& p, ContactMemory& m) const {
+  const double opened = opened_by_slip(setup_->model().joints[static_cast<std::size_t>(m.joint)], m.slip),
+               above = p.at.gap - opened;
+  if (!known || m.gap < 0.0)
+    m.gap0 = p.first_gap0;
+  else if (m.segment < 0)
+    m.gap0 = opened + std::min(above, 0.0);
+  else
+    m.gap0 = opened + (m.gap0 > opened ? 0.0 : std::clamp(above, m.gap0 - opened, 0.0));
+}
+
 void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p,
                          ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
@@ -73,32 +97,10 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
     m.anchor = p.at.xi;
     return;
   }
-  if (closed && m.segment < 0) {
-    // A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
-    // than before carries what it was given of the vertices that went; one that has less leaves its traction to new
-    // ones, also of what it was given (`share` counts the length that came with it).
-    const double given = divided ? old->share / m.share : 1.0;
-    const auto resting_on = [given](double now, double was) {
-      const double own = std::max(now, was);
-      constexpr double kStrains = 1.01;  // shares that differ by less are the same
-      return given * now > kStrains * own ? given * now : own;
-    };
-    const double kn = resting_on(m.kn, old->kn), kt = resting_on(m.kt, old->kt);
-    m.gap0 = p.at.gap + (m.fn - m.fd) / kn;
-    m.stretch = -(m.ft - m.fdt) / kt;
-  } else if (!closed && !at_start) {
-    // A contact closes where its gap passes zero, or what slip has left open. One that is found deep (a corner that
-    // came in from the side, or whose other edge carried it so far) begins without force where it is, and forgets that
-    // depth as it comes out.
-    const double opened = opened_by_slip(setup_->model().joints[static_cast<std::size_t>(m.joint)], m.slip),
-                 above = p.at.gap - opened;
-    if (old == nullptr || m.gap < 0.0)
-      m.gap0 = p.first_gap0;
-    else if (m.segment < 0)
-      m.gap0 = opened + std::min(above, 0.0);
-    else
-      m.gap0 = opened + (m.gap0 > opened ? 0.0 : std::clamp(above, m.gap0 - opened, 0.0));
-  }
+  if (closed && m.segment < 0)
+    keep_force(*old, divided, p, m);
+  else if (!closed && !at_start)
+    set_gap0(old != nullptr, p, m);
   m.gap = p.at.gap - m.gap0;
   if (!closed) {
     m.segment = part;

@@ -1,0 +1,55 @@
+// Role of a method: its bodies, their nodes and their boundary.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "model/body.h"
+
+namespace scree {
+
+/// A body in an invalid configuration (not finite, or inverted).
+struct Fault {
+  int body = -1;      // in the pool; -1: none
+  std::string where;  // what is wrong and where in it, e.g. "element 12 near (0.5, 2) is turned inside out"
+};
+
+/// All bodies of one method in contiguous arrays. Spans q, v hold two numbers (x, y) per node of this pool.
+class BodySet {
+ public:
+  BodySet() = default;
+  BodySet(const BodySet&) = delete;
+  BodySet& operator=(const BodySet&) = delete;
+  virtual ~BodySet() = default;
+
+  [[nodiscard]] virtual std::string_view method() const = 0;
+  /// Appends a body made from the record; its nodes follow those of the bodies before it.
+  virtual void add(const Model& model, const BodyRecord& record) = 0;
+  /// Called once after the last body was added.
+  virtual void finish() {}
+  [[nodiscard]] virtual int bodies() const = 0;
+  /// First node of a body; first_node(bodies()) is the number of nodes.
+  [[nodiscard]] virtual std::int32_t first_node(int body) const = 0;
+  [[nodiscard]] virtual const Boundary& boundary(int body) const = 0;
+  /// Row of any material point of the body (supports, monitors).
+  [[nodiscard]] virtual Row row_at(int body, const Vec2& X) const = 0;
+  /// Nodes of the two halves of a divided body that are one place of one continuum.
+  struct Seam {
+    std::int32_t explicit_node, implicit_node;  // in the pool
+  };
+  [[nodiscard]] virtual std::span<const Seam> seams(int body) const;
+  /// A node of a divided body: its number, counted from the body's first, where the body is made undivided; empty: it
+  /// is not divided.
+  [[nodiscard]] virtual std::span<const std::int32_t> undivided(int body) const;
+  /// Puts nodes that follow others to where these are.
+  virtual void settle(int body, std::span<double> q, std::span<double> v) const;
+  /// True for a node of the half of a divided body that does not act here: another mover moves it.
+  [[nodiscard]] virtual bool idle(std::int32_t node) const;
+  /// Weights t with: a translation by a adds t_k a to node k of the body.
+  [[nodiscard]] virtual std::span<const double> translation(int body) const = 0;
+  /// The first body in an invalid configuration: not finite, or inverted.
+  [[nodiscard]] virtual Fault find_fault(std::span<const double> q) const;
+};
+
+}  // namespace scree

@@ -1,0 +1,43 @@
+// Role of a method: putting a body where a motion says, and what it leaves to another method.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/body.h"
+
+namespace scree {
+
+/// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
+/// @source coupling.md 1
+struct Release {
+  ReferenceShape shape;  // reference of the affine body that goes on
+  AffineMotion motion;
+  Mat2 initial = Mat2::Zero();  // mean in-situ stress of the body that is left, co-rotated [Pa]
+  double kinetic_rest = 0.0;    // 1/2 w^T M w, w = v - affine [J]
+  double elastic_rest = 0.0;    // 1/2 sum A_e (s_e - s):D:(s_e - s) [J]
+  double elastic_cross = 0.0;   // sum A_e s:(e_e - e): zero to first order, booked [J]
+  double spin_squared = 0.0;    // sum J_e w_e^2 / sum J_e over its cells [1/s2]
+  // Two numbers a node, empty where the affine part is all: F^-1 (x - c), of which the deformation beside the affine
+  // one follows, and w in the co-rotated frame.
+  std::vector<double> position, velocity_rest;
+};
+
+/// Motion of a body in and out of its nodes. Spans q, v hold two numbers (x, y) per node of the pool.
+class BodyTransfer {
+ public:
+  BodyTransfer() = default;
+  BodyTransfer(const BodyTransfer&) = delete;
+  BodyTransfer& operator=(const BodyTransfer&) = delete;
+  virtual ~BodyTransfer() = default;
+
+  /// True if place() takes any affine motion; false for a method whose bodies cannot strain.
+  [[nodiscard]] virtual bool strains() const { return true; }
+  /// Sets the body's nodes to an affine motion, or to the rigid one nearest to it.
+  virtual void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const = 0;
+  /// Affine part, and what is left over.
+  [[nodiscard]] virtual Release release(int body, std::span<const double> q, std::span<const double> v) const = 0;
+  [[nodiscard]] virtual BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const = 0;
+};
+
+}  // namespace scree
