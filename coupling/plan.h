@@ -13,15 +13,17 @@
 namespace scree::coupling {
 
 enum class Integrator { explicit_, implicit, partitioned };
-/// beta = 1/2, gamma = 1 (thesis 3.3.2), or beta = 1/4, gamma = 1/2 for convergence studies without contacts.
+/// beta = 1/2, gamma = 1 ([Qu2013] 3.3.2), or beta = 1/4, gamma = 1/2 for convergence studies without contacts.
 enum class NewmarkScheme { damped, trapezoidal };
 
-/// What becomes of the velocity beside the affine one of a block that changes method (coupling.md 1).
+/// What becomes of the velocity beside the affine one of a block that changes method
+/// (docs/theory/transfer.md, "Modes").
 enum class TransferMode { reservoir, strain_rate, rotational };
 
-/// Settings of the open-close iteration and of step control (thesis 3.2.2, 4.5).
+/// Settings of the open-close iteration and of step control ([Qu2013] 3.2.2, 4.5).
 struct StepControl {
-  int max_passes = 12;  // open-close passes that do not halve the number of switches before the step is cut (thesis: 6)
+  // Open-close passes that do not halve the number of switches before the step is cut ([Qu2013]: 6).
+  int max_passes = 12;
   double max_displacement = 0.0;  // largest displacement a step [m]; 0: a hundredth of the smallest block's width
   double cut_factor = 1.0 / 3.0;  // a step that fails is repeated with this fraction
   int max_cuts = 12;              // consecutive cuts before the run gives up
@@ -39,7 +41,7 @@ struct MethodRule {
 /// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the
 /// region, where the model first had the blocks (of a block across its border the elements inside), then the area;
 /// what moves may change sides from step to step: it becomes explicit above `up` and implicit again below `down`.
-/// @source coupling.md 4; thesis ch. 7
+/// @source docs/theory/explicit-implicit-coupling.md, "Sides"; [Qu2013] ch. 7
 struct Partition {
   struct Band {
     double up = 0.0, down = 0.0;  // 0, 0: no such rule
@@ -51,7 +53,7 @@ struct Partition {
   Band speed;                  // of the fastest corner [m/s]
   Band strain_rate;            // largest principal one of the affine part [1/s]
   std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
-  // All contacts explicit; false: those between implicit blocks by the open-close iteration (thesis, figure 7.6).
+  // All contacts explicit; false: those between implicit blocks by the open-close iteration ([Qu2013] figure 7.6).
   bool shared_contacts = false;
   // The others take explicit steps too, of the same length; their internal force is met once in a dt.
   bool others_explicit = false;
@@ -59,7 +61,7 @@ struct Partition {
 };
 
 /// What ends a stage before its duration is over, whichever comes first. 0: no such rule.
-/// @source coupling.md 5
+/// @source docs/theory/time-integration.md, "Rest and statics"
 struct EndRules {
   double kinetic_below = 0.0;  // kinetic energy: a fraction of the largest of the stage so far
   double force_below = 0.0;    // the largest unbalanced force: a fraction of the largest single one
@@ -73,7 +75,7 @@ struct EndRules {
 
 /// Blocks change between the NMM and the DDA during a stage: one that has been all but affine for long enough goes on
 /// by the DDA, one that is struck or strained by the NMM. Bounds of 0: no such rule.
-/// @source coupling.md 5
+/// @source docs/theory/transfer.md, "Switching rules"
 struct SwitchRules {
   bool used = false;
   std::vector<BlockId> blocks;  // empty: all that can

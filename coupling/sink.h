@@ -89,7 +89,7 @@ struct MethodMeasures {
   double cost_before = 0.0, cost_after = 0.0;  // predicted: unknowns a step, explicit a second; 0: not asked
 };
 
-/// Books of one hand-over of one block (coupling.md 1).
+/// Books of one hand-over of one block (docs/theory/transfer.md).
 struct TransferRow {
   double time = 0.0;
   BlockId block;

@@ -12,8 +12,9 @@
 
 namespace scree::coupling {
 
-/// Energy that a block could not take along into its present method (coupling.md 1), and what brings it back: the body
-/// that it was, and its fields as Release has them. They are empty where the block has been something else since.
+/// Energy that a block could not take along into its present method (docs/theory/transfer.md), and what brings it back:
+/// the body that it was, and its fields as Release has them. They are empty where the block has been something else
+/// since.
 struct Remainder {
   BlockId block;
   double kinetic = 0.0, elastic = 0.0;  // [J]

@@ -8,7 +8,7 @@ namespace scree::dda {
 
 /// Shi's unknowns of a step, D = (u0, v0, r0, ex, ey, gxy) about the centroid:
 ///   u = u0 - (y-y0) r0 + (x-x0) ex + (y-y0) gxy/2,  v = v0 + (x-x0) r0 + (y-y0) ey + (x-x0) gxy/2
-/// @source Shi 1988; keynote 2.1
+/// @source [Shi1988]; [Sitar1997] 2.1
 inline constexpr int kUnknowns = 6;
 using Vec6 = Eigen::Matrix<double, kUnknowns, 1>;
 using Mat6 = Eigen::Matrix<double, kUnknowns, kUnknowns>;
@@ -37,7 +37,7 @@ struct AffineState {
 /// Exact rotation: F <- R(r0)(I + e) F, c <- c + u, G <- R G R^T, so a free spin neither slows nor grows.
 /// It omits centrifugal and Coriolis terms within the step (the true rate equation is G' = T S^-1 - G^2; strain error
 /// about rho w^2 L^2 / 12 E).
-/// @source dda.md "Rotation"; MacLaughlin 1997 for the remedy the keynote names
+/// @source docs/theory/dda.md, "Exact rotation"; [MacLaughlin1997] for the remedy that [Sitar1997] 2.1 names
 [[nodiscard]] AffineState exact_update(const AffineState& before, const Vec6& D, const Vec6& rate);
 
 }  // namespace scree::dda

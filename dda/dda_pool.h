@@ -11,7 +11,7 @@ namespace scree::dda {
 /// Discontinuous deformation analysis: three nodes a block, q = (c, F e1, F e2), so that a point is
 /// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly, or,
 /// with BlockRotation::affine, move (c, F) by Newton's method; explicit steps move the nodes themselves.
-/// @source dda.md; Shi 1988, 1993; keynote 2.1
+/// @source docs/theory/dda.md, "Unknowns of a block"; [Shi1988]; [Shi1993]; [Sitar1997] 2.1
 class DdaPool final : public Pool {
  public:
   [[nodiscard]] std::string_view method() const override { return "dda"; }

@@ -9,7 +9,7 @@ namespace scree {
 ///   d = (dc, r dF e1, r dF e2) [m],   r = (tr S/m)^1/2, the radius of gyration,
 /// S = int rho X X^T about the centre of mass. The mass is diag(m, m) and S/r^2 on x and y: translation and gradient
 /// do not mix, and the condition is that of the block's shape alone, wherever it lies and whatever carries it.
-/// @source coupling.md 4 "Onefold cover"; dda.md "Rotation", `affine`
+/// @source docs/theory/kinematics-and-nmm.md, "Onefold covers"; docs/theory/dda.md, "Affine form"
 class AffineForm {
  public:
   static constexpr int kUnknowns = 6;

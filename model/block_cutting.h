@@ -30,7 +30,8 @@ struct CuttingError : std::runtime_error {
 ///   (region's or domain's) or the model's default holds; none on the outline of the domain.
 /// The result is the same bit for bit on every run, and does not depend on the order of traces, arcs and sets, unless
 /// lines lie on top of each other: then the first gives its law.
-/// @pre check_domain finds nothing     @throws CuttingError, std::runtime_error (GEOS)     @source model.md, "Blocks"
+/// @pre check_domain finds nothing     @throws CuttingError, std::runtime_error (GEOS)
+/// @source docs/theory/contact-geometry.md, "Block cutting"
 [[nodiscard]] Cutting cut_blocks(const Domain& domain);
 
 }  // namespace scree

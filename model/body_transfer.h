@@ -9,7 +9,7 @@
 namespace scree {
 
 /// What a body leaves behind when it changes method: its affine part exactly, the rest as energy and fields.
-/// @source coupling.md 1
+/// @source docs/theory/transfer.md, "Reservoir"
 struct Release {
   ReferenceShape shape;  // reference of the affine body that goes on
   AffineMotion motion;

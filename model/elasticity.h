@@ -33,7 +33,7 @@ struct ElasticResponse {
   Mat2 stress;          // co-rotated stress s [Pa]
 };
 /// P = R (s + w W), w = -[(sU)_21 - (sU)_12]/tr U; w vanishes for isotropic s0.
-/// @source nmm.md "Kinematics and stress"; initial stress s0 is given in the co-rotated frame
+/// @source docs/theory/kinematics-and-nmm.md, "Elastic law"; initial stress s0 is given in the co-rotated frame
 [[nodiscard]] ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
 
 /// dP/dF of elastic_response(), 4 x 4 over (F11, F21, F12, F22): exact, in closed form, symmetric. With R = polar(F),

@@ -12,7 +12,7 @@ enum class Kinematics {
 
 enum class MassKind {
   affine_exact,  // row sums, corrected so that mass, momenta and rotational inertia are the block's
-  lumped,        // row sums (thesis 4.3.1)
+  lumped,        // row sums ([Qu2013] 4.3.1)
   consistent     // int rho w_i w_j; implicit steps only
 };
 
@@ -24,7 +24,7 @@ enum class BlockRotation {
 
 /// A block of one continuum of which one half takes explicit steps and the other implicit ones: elements whose centroid
 /// was first in the region, and the others. Covers that both need exist twice (Pool::seams).
-/// @source coupling.md 4; thesis 7.2.2, element partition
+/// @source docs/theory/explicit-implicit-coupling.md, "Divided blocks"; [Qu2013] 7.2.2, element partition
 struct Division {
   enum class Acts { both, explicit_half, implicit_half };
   Ring region;             // where the model first had the block; empty: one body [m]

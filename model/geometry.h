@@ -40,7 +40,7 @@ struct Moments {
 
 /// Exact moments by simplex integration: every edge spans a triangle with a fixed point near the polygon.
 /// @pre outer counter-clockwise, holes clockwise, area > 0
-/// @source Shi 1988, simplex integration; thesis 3.3.1
+/// @source [Shi1988], simplex integration; [Qu2013] 3.3.1
 [[nodiscard]] Moments moments(const Polygon& polygon);
 
 /// Turns rings so that the outer one runs counter-clockwise and the holes clockwise. Returns the rings that were

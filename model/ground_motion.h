@@ -14,7 +14,7 @@ constexpr double kStandardGravity = 9.80665;  // [m/s2]
 /// How the acceleration runs from a sample to the next.
 enum class Between {
   linear,   // straight to the next sample: v += (a0 + a1) h/2, d += v h + (2 a0 + a1) h^2/6
-  constant  // stays until the next sample: v += a0 h, d += v h + a0 h^2/2 (thesis eq. 8.1)
+  constant  // stays until the next sample: v += a0 h, d += v h + a0 h^2/2 ([Qu2013] eq. 8.1)
 };
 
 /// Facts that an engineer reads off a record. The Arias intensity is the sum over the samples that catalogues print: of
@@ -31,7 +31,7 @@ struct MotionFacts {
 
 /// A motion along a straight line: at rest before the first sample, moving on at the final velocity after the last
 /// (zero acceleration). Displacement and velocity are functions of the time alone, whatever steps ask for them.
-/// @source thesis eq. 8.1 is Between::constant; deviation: Between::linear is what a record means
+/// @source [Qu2013] eq. 8.1 is Between::constant; deviation: Between::linear is what a record means
 class GroundMotion {
  public:
   /// When it acts, how it runs between samples, what it is called.

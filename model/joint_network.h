@@ -74,7 +74,8 @@ struct Segment {
 
 /// Number of crossings that two sets are expected to have with each other in a domain.
 ///   L_i L_j |sin(alpha_i - alpha_j)| / A,  L: total length of the traces of a set, A: area of the domain
-/// @source mean number of crossings of two independent stationary systems of straight lines
+/// @source docs/theory/contact-geometry.md, "Block cutting": mean number of crossings of two independent
+///         stationary systems of straight lines
 [[nodiscard]] double expected_crossings(const JointSet& first, const JointSet& second, const Polygon& domain);
 
 /// What joint sets are expected to draw in a domain. What it costs to cut the domain goes by the sum of the two.
@@ -84,7 +85,7 @@ struct NetworkSize {
 [[nodiscard]] NetworkSize expected_size(const JointNetwork& network, const Polygon& domain);
 
 /// All lines: traces, arcs, then sets, in the order given, cut off at the domain's boundary.
-/// @pre mean spacing and length > 0     @source model.md, "Blocks"
+/// @pre mean spacing and length > 0     @source docs/theory/contact-geometry.md, "Block cutting"
 [[nodiscard]] std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain);
 
 }  // namespace scree

@@ -38,7 +38,7 @@ struct LineGraph {
 /// Nodes the lines on a grid (snap rounding by GEOS), so that edges meet in vertices only.
 ///   `vertices` equal `snapped` until place_vertices. Coordinates depend on the order of the lines in the last bit only
 ///   where three or more meet; the caller sorts them.
-/// @param grid  [m]     @source Hobby 1999, snap rounding
+/// @param grid  [m]     @source [Hobby1999], snap rounding
 [[nodiscard]] LineGraph node_lines(const std::vector<SourceLine>& sources, double grid);
 
 /// Moves every vertex from the grid to where its lines meet: a corner of the outline or a region, else the intersection

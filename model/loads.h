@@ -44,7 +44,7 @@ struct BodyAcceleration {
 };
 
 /// An edge that absorbs waves: traction -rho (c_p v.n n + c_s v.t t), exact for plane waves at right angles.
-/// @source Lysmer, Kuhlemeyer 1969
+/// @source [Lysmer1969]; docs/theory/seismic-input.md, "Viscous edges"
 struct ViscousEdge {
   EdgeSpan span;
 };

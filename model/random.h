@@ -8,7 +8,7 @@ namespace scree {
 
 /// Draws from one stream of bits. The distributions of the standard library are left to each library to define, and
 /// std::log differs in the last bit, so both are replaced here.
-/// @source xoshiro256** 1.0 and splitmix64 by Blackman and Vigna (public domain)
+/// @source [Blackman2021]: xoshiro256** 1.0 and splitmix64 (public domain)
 class Random {
  public:
   explicit Random(std::uint64_t seed);

@@ -63,8 +63,8 @@ struct ProcessingError : std::invalid_argument {
 /// so that for a constant p = v_0(T)/T. Integration is that of the motion, so a polynomial drift of the degree that is
 /// added to the samples changes nothing in the result.
 /// @pre at least three samples more than the degree
-/// @source Berg and Housner 1961, Bull. Seism. Soc. Am. 51(2), 175-189 (parabolic base line, least mean square of the
-///         velocity); deviation: v(T) = 0 is imposed, since a base would else move on for ever after the record
+/// @source [BergHousner1961] (parabolic base line, least mean square of the velocity); deviation: v(T) = 0 is imposed,
+///         since a base would else move on for ever after the record
 [[nodiscard]] Samples correct_baseline(Samples record, Baseline degree, Between between);
 
 /// Multiplies by half a cosine bell over the given length at either end: (1 - cos(pi s/length))/2 at the distance s

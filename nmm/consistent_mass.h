@@ -24,7 +24,7 @@ struct MassElement {
 /// the same for x and y. Its affine part is the block's: mass, momenta and rotational inertia are exact. Where the
 /// outline was fitted to a deformed body, its moments differ a little from those that travel with the body; then the
 /// material points at which the weights are taken are moved by the affine map that makes the sums right.
-/// @source nmm.md "Mass"; thesis 3.3.1
+/// @source docs/theory/kinematics-and-nmm.md, "Masses"; [Qu2013] 3.3.1
 class ConsistentMass {
  public:
   ConsistentMass();

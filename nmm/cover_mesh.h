@@ -1,4 +1,4 @@
-// Covers and manifold elements of one block (thesis 3.2, 6.2.1), in its reference shape.
+// Covers and manifold elements of one block ([Qu2013] 3.2, 6.2.1), in its reference shape.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ using Gradients = Eigen::Matrix<double, 2, 3>;
 [[nodiscard]] Gradients gradients_of(const std::array<Vec2, 3>& star);
 
 /// A cover without an element of at least half its triangle follows three others by barycentric extrapolation.
-/// @source nmm.md "Small cuts"; aggregated finite elements: Badia, Verdugo, Martin 2018
+/// @source docs/theory/kinematics-and-nmm.md, "Ties"; aggregated finite elements: [Badia2018]
 struct Tie {
   std::int32_t cover;
   std::array<std::int32_t, 3> root;
@@ -84,7 +84,7 @@ struct CoverMesh {
 /// mass, which lies at `offset` in a cell (fractions of the cover size). Connected pieces share covers only where they
 /// share an edge length that is not on a crack, so a narrow slot separates its two sides, and a crack its two faces. A
 /// crack that ends inside a triangle does not cut it. A connected part without an element of half a triangle takes one
-/// triangle of its own (onefold cover, thesis 7.3.1).
+/// triangle of its own (onefold cover, [Qu2013] 7.3.1).
 /// @throws std::runtime_error where GEOS cannot intersect
 /// @param explicit_at  divides the block: true at the centroids of elements of its explicit half; empty: one body
 [[nodiscard]] CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2& offset = {0.317, 0.271},

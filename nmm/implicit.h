@@ -9,7 +9,7 @@ namespace scree::nmm {
 
 /// Chart, pattern and element matrices of a block. The unknowns are the displacements of its free covers in a step;
 /// tied covers follow, so the chart is a constant matrix and retraction exact.
-/// @source nmm.md "Kinematics and stress", "Mass"; architecture.md "a boundary node is a row"
+/// @source docs/theory/kinematics-and-nmm.md, "Elastic law"; docs/theory/kinematics-and-nmm.md, "Masses"
 class ImplicitBody {
  public:
   /// @param folded  the block's elements; kept

@@ -13,12 +13,12 @@ namespace scree::nmm {
 /// Row sums of the mass of a mesh's elements on its covers; those of tied covers go to their roots [kg].
 [[nodiscard]] std::vector<double> row_sums(const CoverMesh& mesh, double density);
 
-/// Row sums on the free covers. `lumped` leaves it at that (thesis 4.3.1). `affine_exact` corrects each connected part
-/// so that its mass, momentum and rotational inertia are exact:
+/// Row sums on the free covers. `lumped` leaves it at that ([Qu2013] 4.3.1). `affine_exact` corrects each connected
+/// part so that its mass, momentum and rotational inertia are exact:
 ///   M~^-1 = M_L^-1 + P (M_a^-1 - S^^-1) P^T,  P = [1, X - c],  M_a = diag(m, S),  S^ = P^T M_L P.
 /// Still explicit: a correction of rank 3 a part; on a onefold cover it is the consistent mass. Ties are folded in:
 /// forces on a tied cover go to its roots, its motion follows them.
-/// @source nmm.md "Mass"
+/// @source docs/theory/kinematics-and-nmm.md, "Masses"
 class LumpedMass {
  public:
   /// Appends the parts of a block.   @param first  its first cover in the pool

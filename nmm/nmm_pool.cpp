@@ -16,7 +16,8 @@ namespace scree::nmm {
 namespace {
 
 /// Least certified step, as a fraction of the uncut mesh's 0.866 h/c_p, for which a block keeps its mesh: narrower
-/// blocks than 1.5 covers can have less, and then do better on a onefold cover (nmm.md "Small cuts").
+/// blocks than 1.5 covers can have less, and then do better on a onefold cover (docs/theory/kinematics-and-nmm.md,
+/// "Ties").
 constexpr double kLeastStep = 0.25;
 
 bool keeps_its_step(const CoverMesh& mesh, const ReferenceShape& shape, const Formulation& form,

@@ -15,7 +15,7 @@
 namespace scree::nmm {
 
 /// Numerical manifold method. A node is a physical cover, its position that of the cover's star. Blocks share no cover.
-/// @source nmm.md; Qu 2013 ch. 3, 4, 6
+/// @source docs/theory/kinematics-and-nmm.md, "Covers and elements"; [Qu2013] ch. 3, 4, 6
 class NmmPool final : public Pool, public FieldCarrier {
  public:
   [[nodiscard]] std::string_view method() const override { return "nmm"; }
@@ -79,7 +79,7 @@ class NmmPool final : public Pool, public FieldCarrier {
   void stress(std::span<const double> q, std::span<double> cells) const override;
   /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
   /// @param nodes  xx, yy, xy a cover [Pa]
-  /// @source Zienkiewicz, Zhu 1992 (superconvergent patch recovery); deviation: areas as weights
+  /// @source [Zienkiewicz1992] (superconvergent patch recovery); deviation: areas as weights
   void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 
   /// The mesh of a body, for tests and reports; covers and elements counted from the body's first.

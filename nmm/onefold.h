@@ -12,7 +12,7 @@ namespace scree::nmm {
 /// block of width d hardly differ, and matrices in the stars have a condition that grows as (model/d)^2; so
 /// accelerations and implicit steps are solved in centroidal form, where the triangle has no say. Nothing is lost: the
 /// map is exact.
-/// @source thesis 7.3.1; coupling.md 4 "Onefold cover"; deviation: the thesis solves in the stars
+/// @source [Qu2013] 7.3.1, which solves in the stars; docs/theory/kinematics-and-nmm.md, "Onefold covers"
 class OnefoldCover {
  public:
   /// @param first  first cover of the block in the pool's arrays; spans q, v, f, a hold the whole pool

@@ -8,7 +8,7 @@
 namespace scree::nmm {
 namespace {
 
-constexpr double kRootFraction = 0.5;  // nmm.md: least step 0.69 of the uncut mesh's on 1000 placements
+constexpr double kRootFraction = 0.5;  // least step 0.69 of the uncut mesh's on 1000 placements: small_cuts_test.cpp
 
 /// Elements of each cover.
 struct Stars {

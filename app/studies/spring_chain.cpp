@@ -12,7 +12,7 @@
 namespace scree::app {
 namespace {
 
-constexpr double kDt = 1e-4;                                   // the thesis's step [s]
+constexpr double kDt = 1e-4;                                   // the step of [Qu2013] [s]
 constexpr double kFrequency = std::numbers::pi / 100.0 / kDt;  // sin(pi N/100) at step N of that length [rad/s]
 constexpr double kTime = 1.0;                                  // compared for so long, as figure 2.11 does [s]
 

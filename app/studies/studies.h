@@ -19,14 +19,15 @@ using Study = StudyResult (*)(bool full);
 /// All studies by name. A new one is a file of this folder and an entry.
 [[nodiscard]] const std::map<std::string, Study>& studies();
 
-/// One oscillator: theory of Newmark's schemes and what Scree's steps really do (thesis 2.5.1).
+/// One oscillator: theory of Newmark's schemes and what Scree's steps really do ([Qu2013] 2.5.1).
 [[nodiscard]] StudyResult sdof(bool full);
 /// Blocks on onefold covers: conditions of an implicit step in the stars of a model-wide triangle and in centroidal
-/// form, and that both are the same step (coupling.md 4).
+/// form, and that both are the same step
+/// (docs/theory/kinematics-and-nmm.md, "Onefold covers").
 [[nodiscard]] StudyResult onefold(bool full);
 /// Blocks that slide on steep planes, by every scheme, against a rigid block.
 [[nodiscard]] StudyResult sliding(bool full);
-/// Chains of masses and springs, explicit against implicit (thesis 2.5.2).
+/// Chains of masses and springs, explicit against implicit ([Qu2013] 2.5.2).
 [[nodiscard]] StudyResult spring_chain(bool full);
 
 }  // namespace scree::app

@@ -18,11 +18,11 @@ namespace scree::coupling {
 /// The stored velocity is the synchronised one, so the step may change; the ledger books (h'^2 - h^2)/8 a.M.a.
 /// Stress and weights are summed in the integrator's own loops, the rest comes through ForceTerms and the contacts;
 /// each books its own work. Mass-proportional damping at the rate a acts on w = v minus its affine part, or on all of
-/// v: w_n = w*/(1 + a h/2), force -a M w_n, which is the thesis's [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) (eq.
-/// in 4.3.3) on synchronised velocities. Everything else that damps (stiffness, viscous edges, contacts) lags half a
+/// v: w_n = w*/(1 + a h/2), force -a M w_n, which is [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) of [Qu2013]
+/// 4.3.3 on synchronised velocities. Everything else that damps (stiffness, viscous edges, contacts) lags half a
 /// step behind: F(x_n, v_{n-1/2}). Local damping: -alpha |F| sign(v_{n-1/2}) on every component of every free node, F
-/// the unbalanced force (Cundall 1987); on DDA blocks the nodes are the centre and the columns of the gradient.
-/// @source thesis 4.3, 6.5; nmm.md "Time integration"
+/// the unbalanced force [Cundall1987]; on DDA blocks the nodes are the centre and the columns of the gradient.
+/// @source docs/theory/time-integration.md, "Central difference"; [Qu2013] 4.3, 6.5
 class CentralDifference final : public Mover {
  public:
   /// @param rest  kinetic damping: all velocities are dropped when the kinetic energy has passed a peak

@@ -40,7 +40,7 @@ struct ImplicitOptions {
 /// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
 /// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
 /// chart; what linear forms and exact geometry differ by is booked in columns of its own.
-/// @source nmm.md "Time integration"; thesis 3.3.2, 3.2.2, 4.5; Shi 1988
+/// @source docs/theory/time-integration.md, "Newmark steps"; [Newmark1959]; [Qu2013] 3.3.2, 3.2.2, 4.5; [Shi1988]
 class Newmark final : public Mover {
  public:
   Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options = {});

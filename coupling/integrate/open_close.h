@@ -39,7 +39,7 @@ struct StepSprings {
 /// the step. A factor is kept from step to step as that preconditioner while it is less work than a new one:
 /// State::factored tells what it is of. Where it is not, the factor of the step's matrix follows the states that switch
 /// by rank updates.
-/// @source thesis 3.2.2, 4.5
+/// @source docs/theory/time-integration.md, "Open-close iteration"; [Qu2013] 3.2.2, 4.5
 class OpenClose {
  public:
   struct Trial {  // a contact point during the iteration

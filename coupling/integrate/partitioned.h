@@ -21,7 +21,8 @@ namespace scree::coupling {
 /// The two halves of a divided block are one continuum: nodes at one place (Pool::seams) are held together by forces
 /// that are constant through H, equal and opposite, and such that both go the same way from one end of H to the other.
 /// They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
-/// @source coupling.md 4; thesis 6.3, ch. 7, 7.2.2
+/// @source docs/theory/explicit-implicit-coupling.md, "Partitioned steps";
+///         docs/theory/explicit-implicit-coupling.md, "Divided blocks"; [Qu2013] 6.3, ch. 7, 7.2.2
 class Partitioned final : public Mover, private PathForce {
  public:
   struct Choice {

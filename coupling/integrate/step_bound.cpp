@@ -83,7 +83,7 @@ Parts collect(const Setup& setup, const StepParts& in) {
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = parts.compliance(body_p, row[0]) +
                       reach * reach * std::max(parts.compliance(body_e, row[1]), parts.compliance(body_e, row[2]));
-    // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) (thesis 5.3.2): as if it were stiffer.
+    // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) ([Qu2013] 5.3.2): as if it were stiffer.
     const double xi = setup.model().joints[static_cast<std::size_t>(in.contacts.memory[i].joint)].damping;
     const double shrink = std::sqrt(1.0 + xi * xi) - xi;
     const double k = (std::max(in.contacts.memory[i].kn, in.contacts.memory[i].kt) + p.margin) / (shrink * shrink);

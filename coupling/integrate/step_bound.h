@@ -37,14 +37,14 @@ struct StepParts {
 /// to 1 + alpha times as large: lambda (1 + alpha), an estimate, since it is not linear.
 /// @param binding  receives the block that binds the step and the shares of what does it, if given
 /// @return the bound [s]; infinite if nothing is stiff
-/// @source contact.md "Explicit"
+/// @source docs/theory/time-integration.md, "Certified step bound"; [Qu2013] 5.3.2
 [[nodiscard]] double certified_step(const Setup& setup, const StepParts& parts, std::string* binding);
 
 /// Longest step between two meetings of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:
 ///   H w <= 1/2
 /// An estimate: faster motion of the same bodies can be in resonance with the kicks at H, the less so the smaller H w.
 /// @param binding  receives the block and its element, if given   @return [s]; infinite if no slow body is free
-/// @source coupling.md 4
+/// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 [[nodiscard]] double slow_step(const Setup& setup, std::string* binding);
 
 }  // namespace scree::coupling

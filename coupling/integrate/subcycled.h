@@ -16,7 +16,7 @@ namespace scree::coupling {
 /// h is the certified step of the plain scheme: with H w <= 1/2 (slow_step()) the own stiffness of slow bodies takes
 /// next to nothing of it. That keeps off the strong resonances of the kicks with the faster motion of contacts; weak
 /// ones remain, in which a step grows by some hundredths (subcycled_test.cpp has the map): watch_energy() tells.
-/// @source coupling.md 4
+/// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 class Subcycled final : public Mover {
  public:
   struct Choice {

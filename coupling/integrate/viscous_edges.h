@@ -14,7 +14,7 @@ struct Dashpot {
   EdgeStretch stretch;
   double normal = 0.0, shear = 0.0;  // of one end: rho c_p L/2, rho c_s L/2 [N s/m]
 };
-/// @source Lysmer, Kuhlemeyer 1969; c_p = sqrt((lambda + 2 mu)/rho) with the in-plane constants, c_s = sqrt(mu/rho)
+/// @source [Lysmer1969]; c_p = sqrt((lambda + 2 mu)/rho) with the in-plane constants, c_s = sqrt(mu/rho)
 [[nodiscard]] std::vector<Dashpot> dashpots(const Setup& setup, const State& state);
 
 /// f = -L/2 rho (c_p n n^T + c_s t t^T) v at either end, n normal to the segment as it is now, v the velocity of the

@@ -12,7 +12,7 @@ namespace scree::coupling {
 
 /// Generalised conjugate residuals: of all corrections that the preconditioner offers, the sum that leaves the least
 /// residual, as GMRES does, with solution and residual at hand. Keeps its scratch between solves.
-/// @source Eisenstat, Elman & Schultz 1983, SIAM J. Numer. Anal. 20
+/// @source [Eisenstat1983]
 class ConjugateResiduals {
  public:
   static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh

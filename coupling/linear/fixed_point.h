@@ -9,7 +9,7 @@ namespace scree::coupling {
 
 /// Anderson's method for x = T(x): the next iterate is the answer of that combination of earlier ones whose residual
 /// T(x) - x is least. On linear maps it takes as many iterations as GMRES, without a derivative of T.
-/// @source Anderson 1965; as interface quasi-Newton least squares: Degroote, Bathe, Vierendeels 2009
+/// @source [Anderson1965]; as interface quasi-Newton least squares: [Degroote2009]
 class FixedPoint {
  public:
   /// Forgets what was before.   @param unit  residuals are measured divided by it; must outlive the iteration

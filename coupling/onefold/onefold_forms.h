@@ -20,7 +20,7 @@ struct OnefoldMatrices {
 
 /// Each form is computed by its own formulas, neither from the other:
 ///   in the stars       M_ij = int rho w_i w_j,  K of the element,  contact J^T (kn g g^T + kt s s^T) J with g, s the
-///                      gradients of gap and stretch, J the weights of points in the triangle (thesis 7.20-7.55)
+///                      gradients of gap and stretch, J the weights of points in the triangle ([Qu2013] eq. 7.20-7.55)
 ///   centroidal         diag(m, S/r^2),  A/r^2 dP/dF,  the same g and s with J of x = c + F X
 /// and A_centroidal = B^T A_stars B with the map d_stars = B d_centroidal.
 struct OnefoldForms {

@@ -543,7 +543,7 @@ void Driver::tell_idle_rules() {
       event(
           EventKind::warning,
           fmt::format("stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` "
-                      "and theory.md, \"By rules\", say what they measure",
+                      "and docs/theory/transfer.md, \"Switching rules\", say what they measure",
                       stage.name));
     if (stage.integrator == Integrator::partitioned && stage.partition.changes() &&
         rule_changes_[kRuleKinds * i + kSideRule] == 0)

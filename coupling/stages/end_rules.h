@@ -15,7 +15,7 @@ namespace scree::coupling {
 void begin_rules(const EndRules& rules, State& state);
 
 /// Looks after every step whether a rule has come true. Constant between two changes of bodies.
-/// @source coupling.md 5
+/// @source docs/theory/time-integration.md, "Rest and statics"
 class EndWatch {
  public:
   /// @pre rules.used(); rules and setup outlive it

@@ -16,7 +16,7 @@ void begin_energy_watch(State& state);
 /// What kicks in resonance would give: once the trapezoid term of elastic energy has grown by more than kEnergyMade of
 /// the energy held as the stage began plus all work done on it since. Once a stage.
 /// @return what to tell
-/// @source coupling.md 4
+/// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 [[nodiscard]] std::optional<std::string> watch_energy(State& state);
 
 }  // namespace scree::coupling

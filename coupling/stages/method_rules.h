@@ -23,7 +23,7 @@ struct MethodChange {
 ///   DDA -> NMM   strain rate, stress or the resultant of the contacts is above its bound; looked at before every step
 /// Left out are blocks that are held or divided, third methods, onefold covers, and blocks that are cut along a crack,
 /// which an affine block would close.
-/// @source coupling.md 5
+/// @source docs/theory/transfer.md, "Switching rules"
 class MethodRules {
  public:
   /// @pre stage.change.used; all outlive it

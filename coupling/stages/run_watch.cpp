@@ -98,7 +98,7 @@ std::vector<std::string> lost_friction(const Model& model, const State& state, R
     told.pairs.insert(told.pairs.end(), {p.blocks.first, p.blocks.second});
     lines.push_back(fmt::format(
         "{}: sliding, it had {:.3f} of the friction that its strength and normal force give; the block flutters or "
-        "hops on its contacts, and goes too far (docs/theory.md, \"What a closed ledger cannot see\"): raise the "
+        "hops on its contacts, and goes too far (docs/theory/contact-law.md, \"Friction check\"): raise the "
         "joint's "
         "damping, give the stage more damping, or take other steps, and compare",
         contact_name(model, p.key), p.ratio));

@@ -30,7 +30,7 @@ struct Wish {
 /// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
 /// and cross terms are booked; one row a body that changed.
 /// @param clocks  of the new setup
-/// @source coupling.md 1
+/// @source docs/theory/transfer.md, "Affine part"
 struct HandOver {
   std::unique_ptr<Setup> setup;
   std::vector<TransferRow> rows;

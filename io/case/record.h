@@ -40,7 +40,7 @@ enum class Gaps { refuse, accept };
 /// @param text  of the file     @param name  of the file, for errors
 /// @throws CaseError with line and column: no header, wrong NPTS or DT, velocities, unknown unit, no number, not
 ///         finite, other than NPTS numbers
-/// @source PEER strong motion database, .AT2; the two forms of the header are those of its old and its NGA files
+/// @source [PEER], .AT2; the two forms of the header are those of its old and its NGA files
 [[nodiscard]] Record read_at2(std::string_view text, const std::string& name);
 
 }  // namespace scree::io

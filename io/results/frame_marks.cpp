@@ -46,7 +46,7 @@ void draw_arrow(const Canvas& canvas, double x, double y, double dx, double dy) 
   cairo_stroke(c);
 }
 
-/// How light a colour looks, 0 to 1.   @source Rec. 709 luma
+/// How light a colour looks, 0 to 1.   @source [BT709], luma
 double lightness(const Colour& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 struct Held {

@@ -7,7 +7,7 @@
 
 namespace scree::io {
 
-/// Text in quotes, with what JSON does not allow escaped; bytes that are not UTF-8 become U+FFFD.   @source RFC 8259
+/// Text in quotes, with what JSON does not allow escaped; bytes that are not UTF-8 become U+FFFD.   @source [RFC8259]
 [[nodiscard]] std::string json_quoted(std::string_view text);
 /// Shortest digits that read back to the same double; null when it is not finite, which JSON cannot say.
 [[nodiscard]] std::string json_number(double value);

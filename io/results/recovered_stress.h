@@ -11,7 +11,7 @@ namespace scree::io {
 /// of the cells around it, weighted by their areas, are fitted by a plane over x and y, which is read at the point and
 /// kept between the least and the largest of them; with too few cells for a plane, cells of the next ring join. Points
 /// of two blocks, and of the two faces of an open crack, have stresses of their own.
-/// @source Zienkiewicz, Zhu 1992 (superconvergent patch recovery); deviation: area weights, bounds, no higher order
+/// @source [Zienkiewicz1992] (superconvergent patch recovery); deviation: area weights, bounds, no higher order
 [[nodiscard]] std::vector<double> recovered_stress(const StoredFrame& frame);
 
 }  // namespace scree::io

@@ -21,7 +21,7 @@ struct FrameRows {
 /// /frames     step, tick, stage, integrator, state_hash, points, cells: one entry a frame
 /// /methods    names that CellData/method counts
 /// Types are doubles for lengths, velocities and stress, int32 for ids. Points have z = 0.
-/// @source VTKHDF 2.0: frame k reads part PartOffsets[k]; its Offsets begin at CellOffsets[k] + PartOffsets[k], which
+/// @source [VTKHDF] 2.0: frame k reads part PartOffsets[k]; its Offsets begin at CellOffsets[k] + PartOffsets[k], which
 ///         holds for shared meshes only because there is one part a mesh
 class VtkhdfWriter {
  public:

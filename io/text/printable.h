@@ -8,7 +8,7 @@
 namespace scree::io {
 
 /// Length of the UTF-8 character that a text begins with; 0 where there is none (overlong forms and surrogates too).
-/// @source RFC 3629, table of section 4
+/// @source [RFC3629], table of section 4
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
 /// The same, and 0 also for characters that steer a terminal or turn the order of what is read: controls (C0, DEL, C1),

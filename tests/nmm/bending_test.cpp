@@ -20,7 +20,7 @@ struct Bar {
 
 /// det of the two free-end conditions at angular frequency w: the state (deflection, rotation, moment, shear) obeys
 ///   u' = r + V/(kGA),  r' = M/EI,  M' = -V - rho I w^2 r,  V' = -rho A w^2 u,
-/// and free ends have no M and V. Plane stress, k = 10 (1 + nu)/(12 + 11 nu) (Cowper 1966).
+/// and free ends have no M and V. Plane stress, k = 10 (1 + nu)/(12 + 11 nu) [Cowper1966].
 double free_free(const Bar& bar, double w) {
   const double E = bar.rock.young, nu = bar.rock.poisson, G = E / (2 * (1 + nu)), rho = bar.rock.density,
                A = bar.height, I = std::pow(bar.height, 3) / 12, k = 10 * (1 + nu) / (12 + 11 * nu);

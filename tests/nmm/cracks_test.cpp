@@ -103,7 +103,7 @@ TEST(Cracks, block_cut_through_falls_apart_without_ties) {
   }
 }
 
-/// A crack of length 2a in an infinite plate under tension s across it, plane strain (Westergaard 1939):
+/// A crack of length 2a in an infinite plate under tension s across it, plane strain [Westergaard1939]:
 ///   Z = s z/sqrt(z^2 - a^2),  sxx = Re Z - y Im Z' - s,  syy = Re Z + y Im Z',  sxy = -y Re Z',
 /// where the -s leaves tension in y alone. Opening 4 s sqrt(a^2 - x^2)/E', E' = E/(1 - nu^2).
 struct Westergaard {

@@ -1,4 +1,4 @@
-// Small cuts must not cost the time step (nmm.md): 1000 random placements.
+// Small cuts must not cost the time step (docs/theory/kinematics-and-nmm.md, "Ties"): 1000 random placements.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -83,7 +83,7 @@ TEST(Spin, hundred_turns_keep_area_and_energy) {
   EXPECT_GT(area.means[0] - 1.0, 1e-6);  // it is stretched, not rigid
 }
 
-/// The classical update (thesis 2.4, Miki 2010): small strains of each step's displacement added up in fixed axes, the
+/// The classical update ([Qu2013] 2.4): small strains of each step's displacement added up in fixed axes, the
 /// mesh moved with it. Stresses do not turn with the rock, and each step takes its rotation for a stretch.
 TEST(Spin, classical_incremental_update_grows) {
   const NmmBlock block(rectangle(-0.5, -0.5, 0.5, 0.5), {.mass = MassKind::lumped, .cover_size = 0.3},

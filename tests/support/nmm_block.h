@@ -137,7 +137,7 @@ struct NmmBlock {
   /// Sum of function(element, x, weight) over points that integrate quintics over each element's material.
   template <class Function>
   void integrate(Function&& function) const {
-    // Dunavant 1985, degree 5, seven points.
+    // [Dunavant1985], degree 5, seven points.
     const double a1 = 0.059715871789770, b1 = 0.470142064105115, w1 = 0.132394152788506;
     const double a2 = 0.797426985353087, b2 = 0.101286507323456, w2 = 0.125939180544827, w0 = 0.225;
     const double points[7][4] = {{1.0 / 3, 1.0 / 3, 1.0 / 3, w0},

@@ -1,4 +1,4 @@
-// What contact.md promises of blocks that rest, slide, stand in a column and are thrown together.
+// What contacts promise of blocks that rest, slide, stand in a column and are thrown together.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Contact patch test (contact.md): a uniform pressure passes exactly through joints whose vertices do not match.
+// Contact patch test (docs/theory/contact-geometry.md, "Edge-edge contact"): a uniform pressure passes exactly through
+// joints whose vertices do not match.
 #include <gtest/gtest.h>
 
 #include <algorithm>

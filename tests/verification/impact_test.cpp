@@ -378,7 +378,8 @@ TEST_P(ImplicitAngular, momentum_is_off_by_first_order_in_the_step) {
   EXPECT_NEAR(first / last, 8.0, 1.0);
 }
 
-/// What no step removes: DDA's unknowns leave out Coriolis' part of a block that strains while it turns (theory.md).
+/// What no step removes: DDA's unknowns leave out Coriolis' part of a block that strains while it turns
+/// (docs/theory/dda.md, "Exact rotation").
 TEST_P(ImplicitAngular, dda_loses_in_proportion_to_strain_besides) {
   const auto left = [](double young) { return 2.0 * defect(young, 0.0125) - defect(young, 0.025); };
   const double soft = left(1e10), stiff = left(5e10);

@@ -107,7 +107,7 @@ TEST(ImplicitNmm, free_spin_keeps_momentum_and_grows_no_energy) {
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const BodyTotals t = totals_of(run, id);
   EXPECT_LT((t.momentum - 4000.0 * Vec2(1.0, 0.5)).norm(), 1e-8 * 4000.0);
-  // (1/2, 1) in Cartesian unknowns damps a spin w by w h/2 a radian (dda.md): 1e-3 a radian, over one radian.
+  // (1/2, 1) in Cartesian unknowns damps a spin w by w h/2 a radian: 1e-3 a radian, over one radian.
   const double J = 2000.0 * 2.0 * 5.0 / 12.0, spin = (t.angular_momentum - cross(t.centre, t.momentum)) / J;
   EXPECT_NEAR(spin, 2.0 * std::exp(-1e-3), 5e-4);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);

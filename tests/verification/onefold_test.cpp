@@ -194,7 +194,7 @@ TEST_P(Onefold, blocks_that_collide_again_and_again_part_by_round_off_alone) {
   const Apart d = compare(dda, nmm), by_round_off = compare(dda, twin);
   print("2000 steps", d, nmm);
   print("two runs of the DDA", by_round_off, twin);
-  EXPECT_LT(d.x, 1e-6);  // dda.md
+  EXPECT_LT(d.x, 1e-6);  // the same form by two routes, rotation included
   EXPECT_LT(d.x, 100.0 * by_round_off.x);
   EXPECT_LT(nmm.closure, 1e-9);
 }
@@ -267,7 +267,8 @@ double spin_of(const BodyTotals& t, const Model& model) {
   return (t.angular_momentum - cross(t.centre, t.momentum)) / (model.materials[0].density * m.second.trace());
 }
 
-// Newmark (1/2, 1) in (c, F) damps a spin w by w dt/2 a radian (dda.md "Rotation"), and the exact rotation does not.
+// Newmark (1/2, 1) in (c, F) damps a spin w by w dt/2 a radian (docs/theory/dda.md, "Affine form"), and the exact
+// rotation does not.
 TEST(DdaRotation, affine_damps_a_spin_by_half_the_turn_of_a_step_and_exact_does_not) {
   const Model model = flight().model;
   const double spin = 4.0, angle = 0.5 * spin, stiff = 1e10;
@@ -306,8 +307,9 @@ Scene stack(double width) {
   return scene;
 }
 
-// Matrices of the contacts (thesis 7.20-7.55), of mass and stiffness, each computed in the stars and in centroidal form
-// by its own formulas, are the same after the map; and so is the step, as far as the stars' condition lets it be known.
+// Matrices of the contacts ([Qu2013] eq. 7.20-7.55), of mass and stiffness, each computed in the stars and in
+// centroidal form by its own formulas, are the same after the map; and so is the step, as far as the stars' condition
+// lets it be known.
 TEST(OnefoldForms, stars_and_centroidal_form_are_the_same_step) {
   const double h = 1e-3, eps = std::numeric_limits<double>::epsilon();
   for (const double width : {1.0, 10.0, 100.0, 1000.0}) {

@@ -196,7 +196,7 @@ TEST(RoundTripAtOnce, modes_keep_what_they_say) {
     EXPECT_LT(k.booked, 1e-12);
   }
   EXPECT_LT(strain.reservoir, reservoir.reservoir);  // some of it goes on as strain rates
-  EXPECT_GT(spin.spin, 1e-3);                        // the thesis's form breaks the angular momentum
+  EXPECT_GT(spin.spin, 1e-3);                        // that of [Qu2013] breaks the angular momentum
   EXPECT_EQ(spin.reservoir, 0.0);
 }
 

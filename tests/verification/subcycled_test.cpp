@@ -183,7 +183,7 @@ TEST(Subcycled, damped_contacts_have_broader_resonances) {
   for (const double xi : {0.02, 0.2, 0.5}) {
     Count all;
     for (const int m : {1, 2, 3, 5, 10, 20, 50}) {
-      const double shrink = std::sqrt(1.0 + xi * xi) - xi;  // of the step, by the damping (thesis 5.3.2)
+      const double shrink = std::sqrt(1.0 + xi * xi) - xi;  // of the step, by the damping ([Qu2013] 5.3.2)
       const Count c = count(0.5, 0.8 * shrink, m, xi);
       all.unstable += c.unstable;
       all.sets += c.sets;

@@ -25,7 +25,7 @@ class JointSprings {
   /// True if points carry shares of the overlap; false for a penalty a point.
   [[nodiscard]] bool per_area(JointId id) const;
   /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
-  /// @source thesis eq. 7.56 (there as an upper bound, ten times as stiff)
+  /// @source [Qu2013] eq. 7.56 (there as an upper bound, ten times as stiff)
   [[nodiscard]] double normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
   /// Length that a corner against an edge stands for [m].
   [[nodiscard]] double corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;

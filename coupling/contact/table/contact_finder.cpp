@@ -408,8 +408,9 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
 
 void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
-  // one (shortest path, thesis 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in along
-  // a joint that goes on over the next block, it is as deep there as it was before, and does not run against the side.
+  // one (shortest path, [Qu2013] 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in
+  // along a joint that goes on over the next block, it is as deep there as it was before, and does not run against the
+  // side.
   for (const std::int32_t index : paired_)
     for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
       if (other <= index) continue;

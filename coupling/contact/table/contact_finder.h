@@ -10,7 +10,8 @@ namespace scree::coupling {
 
 /// Finds contact points: the pairs of ContactPairs, each with the nearest segment of its edge, and what it remembers.
 /// Decisions rest on exact geometry and on the memory alone.
-/// @source contact.md "Contact points"; thesis 3.2.2, 2.4.3
+/// @source docs/theory/contact-geometry.md, "Edge-edge contact"; docs/theory/contact-geometry.md, "Angle-edge contact";
+///         [Qu2013] 3.2.2, 2.4.3
 class ContactFinder {
  public:
   /// @param detection  pairs nearer than this are listed, open or closed [m]

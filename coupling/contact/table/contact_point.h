@@ -32,7 +32,7 @@ struct ContactGeometry {
 using ContactRow = std::array<Vec2, 3>;
 
 /// Gradient of g: exactly n on P and -n shared by the foot.
-/// @source Qu 2013, eq. 3.11-3.12; deviation: exact current normal instead of the linearised one
+/// @source [Qu2013] eq. 3.11-3.12; deviation: exact current normal instead of the linearised one
 [[nodiscard]] ContactRow gap_row(const ContactGeometry& c);
 /// Gradient of the stretch e = t.(x_P - x_a), x_a at the fraction `anchor` of the segment:
 ///   t.(u_P - u_a) + (g/L) n.(u_2 - u_1)
@@ -71,7 +71,7 @@ struct ContactPoint {
 /// corner, for both tips, which faces the other's. Left to round-off, each might choose the way that the other stands
 /// in.
 /// @param depth,other  [m], > 0    @param ends  the edge of `depth` is the one that ends at the corner
-/// @source thesis 2.4.3 (shortest path); the tie is ours
+/// @source [Qu2013] 2.4.3 (shortest path); the rule for equal depths is not from there
 [[nodiscard]] bool leaves_by(double depth, double other, bool ends);
 
 /// Rate of a contact scalar at outline node velocities taken from v.

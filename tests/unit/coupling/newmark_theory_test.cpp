@@ -33,7 +33,7 @@ TEST(NewmarkTheory, spectral_radius_equals_that_of_a_general_solver) {
 TEST(NewmarkTheory, damping_peaks_are_the_thesis_s) {
   const std::pair<double, double> printed[] = {
       {0.50, 0.2845}, {0.52, 0.2659}, {0.54, 0.2518}, {0.60, 0.2222}, {1.00, 0.1457}};
-  for (const auto& [beta, xi] : printed)  // four digits; at 0.54 the thesis prints 0.2519 for 0.25178
+  for (const auto& [beta, xi] : printed)  // four digits; at 0.54 [Qu2013] prints 0.2519 for 0.25178
     EXPECT_NEAR((NewmarkTheory{beta, 1.0}.largest_damping(30.0).value), xi, 5.1e-5) << beta;
 }
 
