@@ -90,7 +90,8 @@ def sources_in(first, lines):
 
 def code_faults(root, pages, keys):
     files = 0
-    tails = {"/".join(path.relative_to(root).parts[-n:]) for path in root.rglob("*.md") if "build" not in path.parts for n in range(1, 6)}
+    tails = {"/".join(path.relative_to(root).parts[-n:]) for path in root.rglob("*.md")
+             if not path.relative_to(root).parts[0].startswith("build") for n in range(1, 6)}
     faults = []
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
