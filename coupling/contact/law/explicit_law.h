@@ -21,7 +21,7 @@ struct PointMotion {
 /// fdt; status; accumulated slip; the anchor moved by the slip; gap0 moved by what slip has opened; failure of the
 /// bond. The law depends on nothing else: same arguments, same result.
 /// @param tan_friction  tangent of law.friction   @pre m.kn, m.kt and m.share are those of the point
-/// @source docs/theory/contact-law.md
+/// @source docs/theory/contact-law.md, "Coulomb friction"
 void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& motion, ContactMemory& m);
 
 }  // namespace scree::coupling

@@ -1,0 +1,83 @@
+// Conjugate residuals against dense algebra: symmetric and unsymmetric systems, preconditioners near and far.
+#include "coupling/linear/conjugate_residuals.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <random>
+
+namespace scree::coupling {
+namespace {
+
+Eigen::MatrixXd drawn(int n, double unsymmetric, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd a(n, n), skew(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      a(i, j) = normal(random);
+      skew(i, j) = normal(random);
+    }
+  return a * a.transpose() + n * Eigen::MatrixXd::Identity(n, n) + unsymmetric * n * (skew - skew.transpose());
+}
+
+struct Solved {
+  int iterations = 0;
+  double error = 0.0;  // of the largest unknown
+};
+
+Solved solved(const Eigen::MatrixXd& a, const Eigen::MatrixXd& inverse, const Eigen::VectorXd& b, int most) {
+  const auto n = static_cast<std::size_t>(b.size());
+  const auto times = [](const Eigen::MatrixXd& m) {
+    return [&m](std::span<const double> x, std::span<double> y) {
+      Eigen::Map<Eigen::VectorXd>(y.data(), m.rows()) = m * Eigen::Map<const Eigen::VectorXd>(x.data(), m.cols());
+    };
+  };
+  std::vector<double> x(n, 0.0), unit(n, b.cwiseAbs().maxCoeff());
+  ConjugateResiduals residuals;
+  Solved out;
+  out.iterations =
+      residuals.solve(times(a), times(inverse), std::span<const double>(b.data(), n), unit, 1e-12, most, x);
+  const Eigen::VectorXd exact = a.partialPivLu().solve(b);
+  out.error = (Eigen::Map<const Eigen::VectorXd>(x.data(), b.size()) - exact).cwiseAbs().maxCoeff() /
+              exact.cwiseAbs().maxCoeff();
+  return out;
+}
+
+TEST(ConjugateResiduals, agrees_with_dense_algebra) {
+  std::mt19937_64 random(31);
+  for (const int n : {1, 2, 7, 30, 80})
+    for (const double unsymmetric : {0.0, 0.1, 0.5}) {
+      const Eigen::MatrixXd a = drawn(n, unsymmetric, random);
+      const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
+      const Eigen::MatrixXd symmetric = 0.5 * (a + a.transpose());
+      for (const Eigen::MatrixXd& inverse :
+           {Eigen::MatrixXd(symmetric.inverse()), Eigen::MatrixXd(a.diagonal().cwiseInverse().asDiagonal())}) {
+        const Solved s = solved(a, inverse, b, 2000);
+        EXPECT_GE(s.iterations, 0) << n;
+        EXPECT_LT(s.error, 1e-10) << n << ", " << unsymmetric;
+      }
+    }
+}
+
+TEST(ConjugateResiduals, ends_after_as_many_iterations_as_unknowns_and_at_once_with_the_inverse) {
+  std::mt19937_64 random(32);
+  for (const int n : {3, 10, 25}) {
+    const Eigen::MatrixXd a = drawn(n, 0.3, random);
+    const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
+    const Solved s = solved(a, Eigen::MatrixXd::Identity(n, n), b, 100);
+    EXPECT_GE(s.iterations, 1);
+    EXPECT_LE(s.iterations, n + 2);  // round-off may take one more, twice
+    EXPECT_LE(solved(a, a.inverse(), b, 100).iterations, 2);
+  }
+}
+
+TEST(ConjugateResiduals, says_where_it_is_not_there_in_time) {
+  std::mt19937_64 random(33);
+  const Eigen::MatrixXd a = drawn(30, 0.5, random);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(30);
+  EXPECT_EQ(solved(a, Eigen::MatrixXd::Identity(30, 30), b, 5).iterations, -1);
+  EXPECT_EQ(solved(a, Eigen::MatrixXd::Zero(30, 30), b, 100).iterations, -1);  // a preconditioner that offers nothing
+}
+
+}  // namespace
+}  // namespace scree::coupling
