@@ -12,7 +12,7 @@
 #include "app/completion.h"
 #include "app/output.h"
 #include "io/case/suggest.h"
-#include "io/results/snapshot.h"
+#include "io/pictures/snapshot.h"
 
 namespace scree::app {
 namespace {

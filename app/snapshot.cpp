@@ -1,4 +1,4 @@
-#include "io/results/snapshot.h"
+#include "io/pictures/snapshot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
-#include "io/results/picture_format.h"
+#include "io/pictures/picture_format.h"
 #include "io/results/run_reader.h"
 
 namespace scree::app {

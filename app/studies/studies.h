@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/line_plot.h"
+#include "io/pictures/line_plot.h"
 
 namespace scree::app {
 

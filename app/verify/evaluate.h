@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/verify/expected.h"
-#include "io/results/line_plot.h"
+#include "io/pictures/line_plot.h"
 
 namespace scree::app {
 

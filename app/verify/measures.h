@@ -8,7 +8,7 @@
 
 #include "app/verify/expected.h"
 #include "app/verify/run_record.h"
-#include "io/results/line_plot.h"
+#include "io/pictures/line_plot.h"
 
 namespace scree::app {
 

@@ -1,4 +1,4 @@
-#include "io/results/line_plot.h"
+#include "io/pictures/line_plot.h"
 
 #include <cairo/cairo.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/results/colour_map.h"
+#include "io/pictures/colour_map.h"
 #include "tests/unit/io/results_run.h"
 
 namespace scree::io::test {

@@ -6,11 +6,11 @@
 #include <set>
 #include <tuple>
 
-#include "io/results/colour_map.h"
+#include "io/pictures/colour_map.h"
+#include "io/pictures/frame_field.h"
+#include "io/pictures/frame_marks.h"
+#include "io/pictures/plot_curves.h"
 #include "io/results/file_error.h"
-#include "io/results/frame_field.h"
-#include "io/results/frame_marks.h"
-#include "io/results/plot_curves.h"
 
 namespace scree::io {
 namespace {

@@ -1,5 +1,5 @@
 // Stress for pictures: planes are kept, what alternates from element to element goes, blocks do not mix.
-#include "io/results/recovered_stress.h"
+#include "io/pictures/recovered_stress.h"
 
 #include <gtest/gtest.h>
 

@@ -14,13 +14,13 @@
 #include <set>
 #include <sstream>
 
+#include "io/pictures/snapshot.h"
+#include "io/pictures/ticks.h"
 #include "io/results/h5_read.h"
 #include "io/results/json.h"
 #include "io/results/results_sink.h"
 #include "io/results/run_reader.h"
 #include "io/results/sha256.h"
-#include "io/results/snapshot.h"
-#include "io/results/ticks.h"
 #include "tests/unit/io/results_run.h"
 
 namespace scree::io {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/plot_area.h"
+#include "io/pictures/plot_area.h"
 #include "io/results/run_reader.h"
 
 namespace scree::io {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/pictures/snapshot.h"
 #include "io/results/run_reader.h"
-#include "io/results/snapshot.h"
 
 namespace scree::io {
 

@@ -1,4 +1,4 @@
-#include "io/results/plot_area.h"
+#include "io/pictures/plot_area.h"
 
 #include <fmt/format.h>
 

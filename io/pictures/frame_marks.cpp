@@ -1,4 +1,4 @@
-#include "io/results/frame_marks.h"
+#include "io/pictures/frame_marks.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "io/results/colour_map.h"
-#include "io/results/plot_curves.h"
+#include "io/pictures/colour_map.h"
+#include "io/pictures/plot_curves.h"
+#include "io/pictures/snapshot.h"
 #include "io/results/run_reader.h"
-#include "io/results/snapshot.h"
 
 namespace scree::io {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/results/frame_field.h"
-#include "io/results/plot_area.h"
+#include "io/pictures/frame_field.h"
+#include "io/pictures/plot_area.h"
 
 namespace scree::io {
 

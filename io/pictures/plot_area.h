@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "io/results/canvas.h"
-#include "io/results/ticks.h"
+#include "io/pictures/canvas.h"
+#include "io/pictures/ticks.h"
 
 namespace scree::io {
 

@@ -1,12 +1,12 @@
-#include "io/results/line_plot.h"
+#include "io/pictures/line_plot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "io/results/colour_map.h"
-#include "io/results/plot_curves.h"
+#include "io/pictures/colour_map.h"
+#include "io/pictures/plot_curves.h"
 
 namespace scree::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/results/picture_format.h"
+#include "io/pictures/picture_format.h"
 
 #include <algorithm>
 #include <cctype>

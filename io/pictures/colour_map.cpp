@@ -1,4 +1,4 @@
-#include "io/results/colour_map.h"
+#include "io/pictures/colour_map.h"
 
 #include <algorithm>
 #include <array>

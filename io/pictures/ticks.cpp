@@ -1,4 +1,4 @@
-#include "io/results/ticks.h"
+#include "io/pictures/ticks.h"
 
 #include <fmt/format.h>
 

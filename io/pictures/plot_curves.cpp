@@ -1,4 +1,4 @@
-#include "io/results/plot_curves.h"
+#include "io/pictures/plot_curves.h"
 
 #include <algorithm>
 #include <cmath>

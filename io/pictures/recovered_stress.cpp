@@ -1,4 +1,4 @@
-#include "io/results/recovered_stress.h"
+#include "io/pictures/recovered_stress.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "io/results/frame_field.h"
+#include "io/pictures/frame_field.h"
 
 namespace scree::io {
 namespace {

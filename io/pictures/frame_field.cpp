@@ -1,4 +1,4 @@
-#include "io/results/frame_field.h"
+#include "io/pictures/frame_field.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "io/results/snapshot.h"
+#include "io/pictures/snapshot.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <numeric>
 #include <set>
 
-#include "io/results/colour_map.h"
-#include "io/results/frame_field.h"
-#include "io/results/frame_marks.h"
-#include "io/results/plot_area.h"
-#include "io/results/recovered_stress.h"
+#include "io/pictures/colour_map.h"
+#include "io/pictures/frame_field.h"
+#include "io/pictures/frame_marks.h"
+#include "io/pictures/plot_area.h"
+#include "io/pictures/recovered_stress.h"
 #include "model/check.h"
 
 namespace scree::io {

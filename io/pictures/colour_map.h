@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "io/results/canvas.h"
+#include "io/pictures/canvas.h"
 
 namespace scree::io {
 

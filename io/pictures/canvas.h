@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "io/results/picture_format.h"
+#include "io/pictures/picture_format.h"
 
 namespace scree::io {
 

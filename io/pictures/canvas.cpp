@@ -1,4 +1,4 @@
-#include "io/results/canvas.h"
+#include "io/pictures/canvas.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/results/colour_map.h"
-#include "io/results/plot_curves.h"
-#include "io/results/snapshot.h"
+#include "io/pictures/colour_map.h"
+#include "io/pictures/plot_curves.h"
+#include "io/pictures/snapshot.h"
 
 namespace scree::io {
 
