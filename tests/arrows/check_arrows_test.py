@@ -21,6 +21,15 @@ FORBIDDEN = {
     "io": ["nmm", "dda", "app", "tests"],
     "app": ["tests"],
 }
+FORBIDDEN_INSIDE = {
+    "io/text": ["io/case", "io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
+    "io/case": ["io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
+    "io/results": ["io/case", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
+    "io/pictures": ["io/case", "io/checkpoint", "io/live", "io/watch"],
+    "io/checkpoint": ["io/case", "io/pictures", "io/live", "io/watch"],
+    "io/live": ["io/case", "io/pictures", "io/checkpoint", "io/watch"],
+    "io/watch": ["io/case", "io/pictures", "io/checkpoint"],
+}
 
 
 class CheckArrows(unittest.TestCase):
@@ -52,6 +61,17 @@ class CheckArrows(unittest.TestCase):
                         shutil.rmtree(planted.parent)
                         self.assertEqual(lines, [f"{layer}/deep/planted.h:2: {layer} may not include {target}/some.h"])
                         self.assertEqual(code, 1)
+
+    def test_forbidden_include_inside_io_is_named(self):
+        expected = []
+        for folder, targets in sorted(FORBIDDEN_INSIDE.items()):
+            (self.root / folder / "planted.cpp").write_text("".join(f'#include "{t}/some.h"\n' for t in targets))
+            expected += [f"{folder}/planted.cpp:{i}: {folder} may not include {t}/some.h" for i, t in enumerate(targets, 1)]
+        self.assertEqual(self.check(), (1, expected))
+
+    def test_every_folder_of_io_has_its_rule(self):
+        folders = {f"io/{p.parent.name}" for p in (self.root / "io").glob("*/*.cpp")}
+        self.assertEqual(folders, set(FORBIDDEN_INSIDE))
 
     def test_include_by_relative_path_is_named(self):
         (self.root / "nmm/target.h").write_text("")
