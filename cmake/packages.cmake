@@ -9,6 +9,7 @@ find_package(tomlplusplus 3.3 REQUIRED)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C HL)
 find_package(Threads REQUIRED)
 find_package(ZLIB 1.2.9 REQUIRED)                     # crc32_z
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)  # SHA-256
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 pkg_check_modules(geos REQUIRED IMPORTED_TARGET geos)
