@@ -377,8 +377,8 @@ std::vector<Setting> short_table(const std::vector<Shape>& all) {
         s.integrator = Integrator::explicit_;
         s.dt = 0.0;
         s.method = "nmm";
-        s.covers = 2.0;
-        if (drive == Drive::pulse && shape.box().hi.x() > 5.0) out.push_back(s);
+        s.covers = 4.0;
+        if (drive == Drive::pulse && shape.box().hi.x() > 5.0 && stiffer > 1.0) out.push_back(s);
       }
   return out;
 }

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/point_springs.h"
 
 namespace scree::coupling {
+
+constexpr double kSteep = 2.0;  // of the cube of friction: twice what stops the flutter, or more
 
 double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticity& law) {
   // On D = (D11, D12, D21, D22): translations do not couple with D about the centre of mass.
@@ -26,6 +27,7 @@ SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
   most_.assign(n, 0.0);
   slipping_.assign(n, 0.0);
   all_.assign(n, 0.0);
+  steep_.assign(n, 0.0);
   rate_.assign(n, 0.0);
   const Model& model = setup.model();
   joints_ = &model.joints;
@@ -46,24 +48,30 @@ SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
 void SlidingDamping::begin() {
   std::fill(slipping_.begin(), slipping_.end(), 0.0);
   std::fill(all_.begin(), all_.end(), 0.0);
+  std::fill(steep_.begin(), steep_.end(), 0.0);
 }
 
 void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
-    const double slides = m.slide.last.slip != 0.0F ? m.fn * sliding_part(m) : 0.0;
+    double slides = 0.0, mu = 0.0;
+    if (m.slide.last.slip != 0.0F) {
+      const auto joint = static_cast<std::size_t>(m.joint);
+      const Strength now = strength((*joints_)[joint], tan_friction_[joint], m);
+      slides = m.fn * sliding_part(now, m);
+      mu = now.coefficient;
+    }
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
       const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
       all_[b] += m.fn;
       slipping_[b] += slides;
+      steep_[b] += slides * mu * mu * mu;
     }
   }
 }
 
-double SlidingDamping::sliding_part(const ContactMemory& m) const {
-  const auto joint = static_cast<std::size_t>(m.joint);
-  const Strength now = strength((*joints_)[joint], tan_friction_[joint], m);
+double SlidingDamping::sliding_part(const Strength& now, const ContactMemory& m) {
   const double friction = now.coefficient * m.fn, limit = now.cohesion + friction;
   const bool back = m.slide.slip * static_cast<double>(m.slide.last.slip) < 0.0;
   if (back && std::abs(m.slide.slip) * m.kt > limit) return 0.0;
@@ -75,7 +83,8 @@ bool SlidingDamping::find() {
   for (std::size_t b = 0; b < rate_.size(); ++b) {
     const double s = slipping_[b] > 0.0 ? slipping_[b] / all_[b] : 0.0;
     const double part = std::min(1.0, 3.0 * s);
-    rate_[b] = most_[b] * part * std::sqrt(part);
+    const double steep = slipping_[b] > 0.0 ? std::max(1.0, kSteep * steep_[b] / slipping_[b]) : 1.0;
+    rate_[b] = most_[b] * part * std::sqrt(part) * steep;
     any = any || rate_[b] > 0.0;
   }
   return any;
