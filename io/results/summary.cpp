@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "coupling/contact/audit/audit.h"
 #include "io/results/history_writer.h"
-#include "io/results/json.h"
+#include "io/text/printable.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -17,6 +18,8 @@ namespace scree::io {
 using coupling::Column;
 using coupling::Ledger;
 using coupling::Side;
+
+using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -28,82 +31,92 @@ rusage usage() {
   return use;
 }
 
-void write_run(JsonWriter& json, const coupling::RunStats& stats, double wall, double cpu) {
-  json.field("steps", stats.steps).field("cuts", stats.cuts).field("open_close_passes", stats.passes);
-  json.field("newton_iterations", stats.iterations).field("contact_switches", stats.switches);
-  json.field("factorisations", stats.factorisations).field("factor_updates", stats.updates);
-  json.field("corrections", stats.corrections);
-  if (stats.audit_checks > 0)
-    json.open('{', "audit").field("checks", stats.audit_checks).field("worst", stats.audit_worst).close('}');
-  json.open('{', "wall_seconds").field("explicit", stats.wall_explicit).field("implicit", stats.wall_implicit);
-  json.field("output", stats.wall_output).field("total", wall).close('}');
-  json.field("cpu_seconds", cpu);
-  json.field("peak_memory_bytes", std::int64_t{1024} * usage().ru_maxrss);  // Linux counts in KiB
-  json.field("blocks_count", stats.blocks).field("elements", stats.elements).field("unknowns", stats.unknowns);
-  json.field("element_steps_per_second", stats.wall_explicit > 0.0 ? stats.element_steps / stats.wall_explicit : 0.0);
-  json.field("contacts", stats.contacts);
+void add_run(Json& json, const coupling::RunStats& stats, double wall, double cpu) {
+  json["steps"] = stats.steps;
+  json["cuts"] = stats.cuts;
+  json["open_close_passes"] = stats.passes;
+  json["newton_iterations"] = stats.iterations;
+  json["contact_switches"] = stats.switches;
+  json["factorisations"] = stats.factorisations;
+  json["factor_updates"] = stats.updates;
+  json["corrections"] = stats.corrections;
+  if (stats.audit_checks > 0) json["audit"] = {{"checks", stats.audit_checks}, {"worst", stats.audit_worst}};
+  json["wall_seconds"] = {{"explicit", stats.wall_explicit},
+                          {"implicit", stats.wall_implicit},
+                          {"output", stats.wall_output},
+                          {"total", wall}};
+  json["cpu_seconds"] = cpu;
+  json["peak_memory_bytes"] = std::int64_t{1024} * usage().ru_maxrss;  // Linux counts in KiB
+  json["blocks_count"] = stats.blocks;
+  json["elements"] = stats.elements;
+  json["unknowns"] = stats.unknowns;
+  json["element_steps_per_second"] = stats.wall_explicit > 0.0 ? stats.element_steps / stats.wall_explicit : 0.0;
+  json["contacts"] = stats.contacts;
 }
 
-void write_ledger(JsonWriter& json, const Ledger& ledger) {
-  json.open('{', "ledger").open('{', "columns");
+Json ledger_json(const Ledger& ledger) {
+  Json json, columns = Json::object();
   double scheme = 0.0, watched = 0.0;
   for (const Side side : {Side::energy, Side::work, Side::dissipated, Side::scheme}) {
-    json.open('{', side_name(side));
+    Json& of_side = columns[std::string(side_name(side))] = Json::object();
     for (int c = 0; c < coupling::kColumns; ++c) {
       const auto column = static_cast<Column>(c);
       if (info(column).side != side) continue;
-      json.field(info(column).name, ledger[column]);
+      of_side[std::string(info(column).name)] = ledger[column];
       if (side == Side::scheme) scheme = std::max(scheme, std::abs(ledger[column]));
       if (info(column).watched) watched = std::max(watched, std::abs(ledger[column]));
     }
-    json.close('}');
   }
-  json.close('}');
-  json.field("energy", ledger.energy()).field("closure", ledger.closure()).field("moved", ledger.moved());
-  json.field("relative_closure", ledger.relative_closure()).field("last_places", ledger.last_places());
-  json.field("relative_closure_of", ledger.next_to_nothing(ledger.moved()) ? "next to nothing" : "the energy moved");
-  json.field("passed", ledger.passed()).field("passed_closure", ledger.passed_closure()).field("gain", ledger.gain());
-  json.field("scheme_share", ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0);
-  json.field("scheme_passed_share", ledger.passed() > 0.0 ? watched / ledger.passed() : 0.0).close('}');
+  json["columns"] = std::move(columns);
+  json["energy"] = ledger.energy();
+  json["closure"] = ledger.closure();
+  json["moved"] = ledger.moved();
+  json["relative_closure"] = ledger.relative_closure();
+  json["last_places"] = ledger.last_places();
+  json["relative_closure_of"] = ledger.next_to_nothing(ledger.moved()) ? "next to nothing" : "the energy moved";
+  json["passed"] = ledger.passed();
+  json["passed_closure"] = ledger.passed_closure();
+  json["gain"] = ledger.gain();
+  json["scheme_share"] = ledger.moved() > 0.0 ? scheme / ledger.moved() : 0.0;
+  json["scheme_passed_share"] = ledger.passed() > 0.0 ? watched / ledger.passed() : 0.0;
+  return json;
 }
 
-/// Of runs in which a contact has slid far enough.
-void write_friction(JsonWriter& json, const Model& model, const coupling::RunStats& stats) {
-  if (!std::isfinite(stats.friction_ratio)) return;
-  json.open('{', "friction").field("worst_ratio", stats.friction_ratio);
-  json.field("contact", coupling::contact_name(model, stats.friction_key)).close('}');
+Json stages_json(const Model& model, const std::vector<coupling::StageTravel>& travels) {
+  Json list = Json::array();
+  for (const coupling::StageTravel& t : travels)
+    list.push_back(Json{{"name", t.stage},
+                        {"farthest_displacement", t.farthest},
+                        {"farthest_block", t.block.valid() ? model.blocks[t.block.index()].name : std::string()}});
+  return list;
 }
 
-void write_stages(JsonWriter& json, const Model& model, const std::vector<coupling::StageTravel>& travels) {
-  json.open('[', "stages");
-  for (const coupling::StageTravel& t : travels) {
-    json.open('{').field("name", t.stage).field("farthest_displacement", t.farthest);
-    json.field("farthest_block", t.block.valid() ? model.blocks[t.block.index()].name : std::string()).close('}');
-  }
-  json.close(']');
-}
-
-void write_transfers(JsonWriter& json, const Model& model, const std::vector<coupling::TransferRow>& rows) {
-  json.open('[', "transfers");
+Json transfers_json(const Model& model, const std::vector<coupling::TransferRow>& rows) {
+  Json list = Json::array();
   for (const coupling::TransferRow& row : rows) {
-    json.open('{').field("time", row.time).field("block", model.blocks[row.block.index()].name);
-    json.field("from", row.from).field("to", row.to);
-    json.field("mass_error", row.mass_error).field("momentum_error", row.momentum_error);
-    json.field("angular_error", row.angular_error).field("energy_error", row.energy_error);
-    json.field("kinetic_before", row.before.kinetic).field("kinetic_after", row.after.kinetic);
-    json.field("elastic_before", row.before.elastic).field("elastic_after", row.after.elastic);
-    json.field("reservoir_kinetic", row.reservoir_kinetic).field("reservoir_elastic", row.reservoir_elastic);
-    json.field("booked", row.booked);
-    if (row.by_rule) {
-      const coupling::MethodMeasures& m = row.measures;
-      json.open('{', "by_rule").field("kinetic", m.kinetic).field("elastic", m.elastic);
-      json.field("inhomogeneity", m.inhomogeneity).field("strain_rate", m.strain_rate).field("stress", m.stress);
-      json.field("acceleration", m.acceleration).field("cost_before", m.cost_before);
-      json.field("cost_after", m.cost_after).close('}');
-    }
-    json.close('}');
+    Json& json = list.emplace_back(Json{{"time", row.time},
+                                        {"block", model.blocks[row.block.index()].name},
+                                        {"from", row.from},
+                                        {"to", row.to},
+                                        {"mass_error", row.mass_error},
+                                        {"momentum_error", row.momentum_error},
+                                        {"angular_error", row.angular_error},
+                                        {"energy_error", row.energy_error},
+                                        {"kinetic_before", row.before.kinetic},
+                                        {"kinetic_after", row.after.kinetic},
+                                        {"elastic_before", row.before.elastic},
+                                        {"elastic_after", row.after.elastic},
+                                        {"reservoir_kinetic", row.reservoir_kinetic},
+                                        {"reservoir_elastic", row.reservoir_elastic},
+                                        {"booked", row.booked}});
+    const coupling::MethodMeasures& m = row.measures;
+    if (row.by_rule)
+      json["by_rule"] = {
+          {"kinetic", m.kinetic},         {"elastic", m.elastic},      {"inhomogeneity", m.inhomogeneity},
+          {"strain_rate", m.strain_rate}, {"stress", m.stress},        {"acceleration", m.acceleration},
+          {"cost_before", m.cost_before}, {"cost_after", m.cost_after}};
   }
-  json.close(']');
+  return list;
 }
 
 /// Where a block went: the mean over the points of its cells, each point once.
@@ -130,16 +143,26 @@ std::vector<Travel> travels(std::size_t blocks, const coupling::FrameView& last)
   return travel;
 }
 
-void write_blocks(JsonWriter& json, const Model& model, const coupling::FrameView& last) {
+Json blocks_json(const Model& model, const coupling::FrameView& last) {
   const std::vector<Travel> travel = travels(model.blocks.size(), last);
-  json.open('[', "blocks");
+  Json list = Json::array();
   for (std::size_t b = 0; b < travel.size(); ++b) {
     const Travel& t = travel[b];
-    json.open('{').field("name", model.blocks[b].name);
-    json.field("method", t.method < 0 ? std::string() : last.mesh->methods[static_cast<std::size_t>(t.method)]);
-    json.field("displacement", t.points > 0 ? t.sum.norm() / t.points : 0.0).close('}');
+    list.push_back(
+        Json{{"name", model.blocks[b].name},
+             {"method", t.method < 0 ? std::string() : last.mesh->methods[static_cast<std::size_t>(t.method)]},
+             {"displacement", t.points > 0 ? t.sum.norm() / t.points : 0.0}});
   }
-  json.close(']');
+  return list;
+}
+
+/// Key of the first number that is not finite, which JSON writes as null; empty: all are finite.
+std::string not_finite(const Json& json, const std::string& key) {
+  if (json.is_number_float()) return std::isfinite(json.get<double>()) ? std::string() : key;
+  if (!json.is_structured()) return {};
+  for (const auto& [name, value] : json.items())
+    if (std::string found = not_finite(value, json.is_object() ? name : key); !found.empty()) return found;
+  return {};
 }
 
 }  // namespace
@@ -184,41 +207,54 @@ void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<co
   earlier_cpu_ = cpu_seconds;
 }
 
+/// Keeps the library out of the header.
+struct Summary::Document {
+  Json json;
+};
+
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
-  return document(end, last).text();
+  // Bytes that are not UTF-8 become U+FFFD. Characters that steer a terminal (printable.h) stand in texts only, where
+  // \u009B means the same in JSON.
+  return printable(document(end, last).json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 coupling::RunEnd Summary::checked(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   if (end.status != coupling::RunEnd::Status::done) return end;
-  const std::string wrong = document(end, last).not_finite();
+  const std::string wrong = not_finite(document(end, last).json, {});
   if (wrong.empty()) return end;
   return {coupling::RunEnd::Status::non_finite,
           fmt::format("t = {:.6g} s, stage '{}': '{}' of the summary is not finite, although every step was made",
                       last.time, last.stage_name, wrong)};
 }
 
-JsonWriter Summary::document(const coupling::RunEnd& end, const coupling::FrameView& last) const {
+Summary::Document Summary::document(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
-  JsonWriter json;
-  json.open('{').field("version", provenance_.version).field("commit", provenance_.commit);
-  json.field("case_sha256", case_hash(provenance_)).field("title", model_->title);
-  json.open('[', "origin").field({}, model_->origin.x()).field({}, model_->origin.y()).close(']');
-  json.field("status", status_name(end.status)).field("reason", end.reason);
-  json.field("final_time", last.time).field("end_time", last.end_time).field("stage", last.stage_name);
-  json.field("state_hash", fmt::format("{:016x}", coupling::state_hash(*last.state)));
-  json.field("threads", provenance_.threads).field("command_line", provenance_.command_line);
-  json.open('[', "set");
-  for (const std::string& option : provenance_.overrides) json.item(option);
-  json.close(']').open('[', "warnings");
-  for (const coupling::Warning& w : warnings_) json.open('{').field("time", w.time).field("text", w.text).close('}');
-  json.close(']');
-  write_run(json, *last.stats, wall_seconds(), cpu_seconds());
-  write_ledger(json, last.state->ledger);
-  write_friction(json, *model_, *last.stats);
-  write_stages(json, *model_, travels_);
-  write_transfers(json, *model_, transfers_);
-  write_blocks(json, *model_, last);
-  return json.close('}');
+  Json json;
+  json["version"] = provenance_.version;
+  json["commit"] = provenance_.commit;
+  json["case_sha256"] = case_hash(provenance_);
+  json["title"] = model_->title;
+  json["origin"] = {model_->origin.x(), model_->origin.y()};
+  json["status"] = status_name(end.status);
+  json["reason"] = end.reason;
+  json["final_time"] = last.time;
+  json["end_time"] = last.end_time;
+  json["stage"] = last.stage_name;
+  json["state_hash"] = fmt::format("{:016x}", coupling::state_hash(*last.state));
+  json["threads"] = provenance_.threads;
+  json["command_line"] = provenance_.command_line;
+  json["set"] = provenance_.overrides;
+  json["warnings"] = Json::array();
+  for (const coupling::Warning& w : warnings_) json["warnings"].push_back(Json{{"time", w.time}, {"text", w.text}});
+  add_run(json, *last.stats, wall_seconds(), cpu_seconds());
+  json["ledger"] = ledger_json(last.state->ledger);
+  if (std::isfinite(last.stats->friction_ratio))  // of runs in which a contact has slid far enough
+    json["friction"] = {{"worst_ratio", last.stats->friction_ratio},
+                        {"contact", coupling::contact_name(*model_, last.stats->friction_key)}};
+  json["stages"] = stages_json(*model_, travels_);
+  json["transfers"] = transfers_json(*model_, transfers_);
+  json["blocks"] = blocks_json(*model_, last);
+  return {std::move(json)};
 }
 
 }  // namespace scree::io

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coupling/sink.h"
-#include "io/results/json.h"
 #include "io/results/provenance.h"
 
 namespace scree::io {
@@ -48,7 +47,8 @@ class Summary {
   [[nodiscard]] coupling::RunEnd checked(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
  private:
-  [[nodiscard]] JsonWriter document(const coupling::RunEnd& end, const coupling::FrameView& last) const;
+  struct Document;
+  [[nodiscard]] Document document(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
   const Model* model_;
   Provenance provenance_;

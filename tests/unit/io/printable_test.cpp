@@ -6,7 +6,6 @@
 #include "io/case/case_error.h"
 #include "io/case/document.h"
 #include "io/results/file_error.h"
-#include "io/results/json.h"
 
 namespace scree::io {
 namespace {
@@ -30,9 +29,8 @@ TEST(Printable, other_texts_are_themselves) {
   EXPECT_EQ(printable(""), "");
 }
 
-TEST(Printable, errors_and_json_show_texts_so) {
+TEST(Printable, errors_show_texts_so) {
   EXPECT_STREQ(FileError("a\n\x1b]0;x\a", "gone").what(), "a\\n\\u001B]0;x\\u0007: gone");
-  EXPECT_EQ(json_quoted("\xc2\x9b\u202e"), "\"\\u009B\\u202E\"");
   EXPECT_EQ(in_quotes("\xc2\x9b\u202e"), "\"\\u009B\\u202E\"");
 }
 

@@ -18,7 +18,6 @@
 #include "io/pictures/snapshot.h"
 #include "io/pictures/ticks.h"
 #include "io/results/h5_read.h"
-#include "io/results/json.h"
 #include "io/results/results_sink.h"
 #include "io/results/run_reader.h"
 #include "io/results/sha256.h"
@@ -198,7 +197,7 @@ TEST_F(Results, positions_have_their_origin_beside_them) {
   EXPECT_EQ(far.blocks()[1].polygon.outer, near.blocks()[1].polygon.outer);
   std::string summary = text_of(folder / "summary.json");
   std::erase_if(summary, [](char c) { return c == ' ' || c == '\n'; });
-  EXPECT_NE(summary.find("\"origin\":[500000,-4000000]"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("\"origin\":[500000.0,-4000000.0]"), std::string::npos) << summary;
   EXPECT_EQ(stored_dashboard(folder).monitors.at(0).x, 500004.0) << "people see where the case has it";
 
   snapshot(folder, {}, other.path() / "far.svg");

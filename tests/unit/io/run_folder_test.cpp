@@ -11,16 +11,17 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "io/pictures/snapshot.h"
 #include "io/pictures/ticks.h"
 #include "io/results/h5_read.h"
-#include "io/results/json.h"
 #include "io/results/results_sink.h"
 #include "io/results/run_reader.h"
 #include "io/results/sha256.h"
+#include "io/results/summary.h"
 #include "tests/unit/io/results_run.h"
 
 namespace scree::io {
@@ -28,68 +29,9 @@ namespace {
 
 using namespace test;
 
-/// Accepts exactly JSON (RFC 8259); returns where it ends, or npos.
-class JsonCheck {
- public:
-  explicit JsonCheck(const std::string& text) : text_(text) {}
-  bool valid() {
-    if (!value()) return false;
-    space();
-    return at_ == text_.size();
-  }
-
- private:
-  char now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  void space() {
-    while (now() == ' ' || now() == '\n' || now() == '\t' || now() == '\r') ++at_;
-  }
-  bool take(char c) { return now() == c ? (++at_, true) : false; }
-  bool word(const std::string& w) { return text_.compare(at_, w.size(), w) == 0 ? (at_ += w.size(), true) : false; }
-  bool string() {
-    if (!take('"')) return false;
-    while (at_ < text_.size() && now() != '"') {
-      if (static_cast<unsigned char>(now()) < 0x20) return false;
-      if (take('\\') && std::string("\"\\/bfnrtu").find(now()) == std::string::npos) return false;
-      ++at_;
-    }
-    return take('"');
-  }
-  bool digits() {
-    const std::size_t from = at_;
-    while (std::isdigit(static_cast<unsigned char>(now()))) ++at_;
-    return at_ > from;
-  }
-  bool number() {
-    take('-');
-    if (!take('0') && !digits()) return false;
-    if (take('.') && !digits()) return false;
-    if (take('e') || take('E')) return (take('+') || take('-') || true) && digits();
-    return true;
-  }
-  bool members(char end, bool keys) {
-    space();
-    if (take(end)) return true;
-    do {
-      space();
-      if (keys && !(string() && (space(), take(':')))) return false;
-      if (!value()) return false;
-      space();
-    } while (take(','));
-    return take(end);
-  }
-  bool value() {
-    space();
-    if (take('{')) return members('}', true);
-    if (take('[')) return members(']', false);
-    return now() == '"' ? string() : word("true") || word("false") || word("null") || number();
-  }
-  const std::string& text_;
-  std::size_t at_ = 0;
-};
-
 TEST_F(Results, summary_is_valid_json_with_what_was_asked) {
   const std::string text = text_of(run / "summary.json");
-  EXPECT_TRUE(JsonCheck(text).valid()) << text;
+  EXPECT_TRUE(nlohmann::json::accept(text)) << text;
   for (const char* part : {"\"status\": \"done\"", "\"title\": \"A \\\"small\\\" run\\\\\"", "\"final_time\": 2",
                            "\"kinetic_before\": 12.5", "\"case_sha256\": \"", "\"state_hash\": \"",
                            "\"relative_closure\": ", "\"scheme_share\": 0", "\"method\": \"dda\"",
@@ -100,12 +42,28 @@ TEST_F(Results, summary_is_valid_json_with_what_was_asked) {
   EXPECT_NEAR(moved, std::hypot(0.2, 0.4), 1e-15);
 }
 
-TEST(Json, text_with_controls_and_bad_bytes_is_escaped) {
-  EXPECT_EQ(json_quoted("a\"b\\c\nd\x01\xc3\xa4"), "\"a\\\"b\\\\c\\nd\\u0001\xc3\xa4\"");
-  EXPECT_EQ(json_quoted("\xff\xc0\xaf\xed\xa0\x80"),
-            "\"\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\"");  // none is UTF-8
-  EXPECT_EQ(json_number(std::nan("")), "null");
-  EXPECT_EQ(std::stod(json_number(0.1 + 0.2)), 0.1 + 0.2);
+TEST(Summary, numbers_and_texts_read_back_and_none_steers_a_terminal) {
+  SmallRun small;
+  small.use_triangles();
+  const double third = 0.1 + 0.2;
+  const std::string texts = "a\"b\\c\nd\te\x01\x7f ä \u009b\u202e\u2028";
+  Provenance provenance;
+  provenance.overrides = {texts, "\xff\xc0\xaf\xed\xa0\x80", ""};  // the second: no byte of it is UTF-8
+  Summary summary(small.model, provenance);
+  summary.event({coupling::EventKind::warning, third, texts});
+  summary.event({coupling::EventKind::warning, 4e300, ""});
+  const std::string text = summary.text({}, small.frame(5e-324, 0, 0.0, 0.0, 0.0));
+  for (const char* bad : {"\t", "\x01", "\x7f", "\u009b", "\u202e", "\u2028", "\xff", "\xc0", "\xaf"})
+    EXPECT_EQ(text.find(bad), std::string::npos) << bad;
+  EXPECT_NE(text.find(" ä \\u009B\\u202E\\u2028\""), std::string::npos) << "letters stay as they are";
+  const nlohmann::json json = nlohmann::json::parse(text);
+  EXPECT_EQ(json.at("set").at(0), texts);
+  EXPECT_EQ(json.at("set").at(1), "\ufffd\ufffd\ufffd\ufffd\ufffd\ufffd");
+  EXPECT_EQ(json.at("set").at(2), "");
+  EXPECT_EQ(json.at("warnings").at(0).at("text"), texts);
+  EXPECT_EQ(json.at("warnings").at(0).at("time").get<double>(), third);
+  EXPECT_EQ(json.at("warnings").at(1).at("time").get<double>(), 4e300);
+  EXPECT_EQ(json.at("final_time").get<double>(), 5e-324);
 }
 
 // --- SHA-256 ------------------------------------------------------------------------------------------------------

@@ -18,7 +18,6 @@
 
 #include "io/pictures/ticks.h"
 #include "io/results/h5_read.h"
-#include "io/results/json.h"
 #include "io/results/results_sink.h"
 #include "io/results/run_reader.h"
 #include "io/results/sha256.h"
