@@ -199,6 +199,41 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   EXPECT_NEAR(rate({bound}, 1), 1.0, 1e-14);
 }
 
+TEST(SlidingDamping, rate_grows_with_the_cube_of_friction_on_steep_slopes) {
+  Scene scene(5e9, 0.2, 2600.0);
+  scene.add("plane", rectangle(-5, -2, 9, 0), true);
+  const BlockId b = scene.add("block", rectangle(0, 0, 2, 1));
+  const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+  scene.model.joints.push_back(scene.model.joints[0]);
+  const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  // Half of the force slides against each of two laws.
+  const auto rate = [&](double tan_first, double tan_second) {
+    scene.model.joints[0].friction = std::atan(tan_first);
+    scene.model.joints[1].friction = std::atan(tan_second);
+    const coupling::Setup setup(scene.model, standard_methods(), records);
+    SlidingDamping damping(setup, 1.0);
+    const auto node_of = [&](std::int32_t body) {
+      const auto& of = setup.outlines().node_body;
+      return static_cast<std::int32_t>(std::find(of.begin(), of.end(), body) - of.begin());
+    };
+    ContactList list;
+    list.memory = {pressed(2.0, ContactStatus::slip), pressed(2.0, ContactStatus::slip)};
+    list.memory[1].joint = 1;
+    list.points.resize(2);
+    for (ContactPoint& p : list.points) p.node = std::array<std::int32_t, 3>{node_of(1), node_of(0), node_of(0)};
+    damping.begin();
+    damping.count(setup.outlines(), list);
+    (void)damping.find();
+    return damping.rates()[1] /
+           (2.0 * lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b)));
+  };
+  EXPECT_NEAR(rate(0.5, 0.5), 1.0, 1e-12);
+  EXPECT_NEAR(rate(0.79, 0.79), 1.0, 1e-12);
+  EXPECT_NEAR(rate(1.0, 1.0), 2.0, 1e-12);
+  EXPECT_NEAR(rate(1.5, 1.5), 6.75, 1e-12);
+  EXPECT_NEAR(rate(0.5, 1.5), 0.125 + 3.375, 1e-12);  // 2 (0.125 + 3.375)/2
+}
+
 TEST(SlidingDamping, cohesion_alone_brings_none) {
   Scene scene(5e9, 0.2, 2600.0, 0.0);
   scene.model.joints[0].cohesion = scene.model.joints[0].residual_cohesion = 1e5;
