@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/completion.h"
+#include "app/libraries.h"
 #include "app/output.h"
 #include "io/case/suggest.h"
 #include "io/pictures/snapshot.h"
@@ -103,6 +104,12 @@ void add_set(CLI::App* command, std::vector<std::string>& set) {
   command->add_option("--set", set, "override a key of the case: key=value")->take_all()->type_name("KEY=VALUE");
 }
 
+void add_load(CLI::App* command, std::vector<std::string>& libraries) {
+  command->add_option("--load", libraries, "shared library with methods and laws of your own, before the case is read")
+      ->take_all()
+      ->type_name("LIBRARY");
+}
+
 void add_threads(CLI::App* command, int& threads) {
   command->add_option("--threads", threads, "threads (results do not depend on it)")->check(CLI::Range(1, 1024));
 }
@@ -122,9 +129,16 @@ void add_live(CLI::App* command, std::optional<std::string>& live) {
       ->type_name("[URL]");
 }
 
-void add_run(CLI::App& app, const std::string& command_line, Action& action) {
+/// What the options of the whole command line leave for dispatch().
+struct Line {
+  std::string text;                    // as it was typed
+  Action action;                       // of the command
+  std::vector<std::string> libraries;  // to be loaded before it
+};
+
+void add_run(CLI::App& app, Line& line) {
   const auto o = std::make_shared<RunOptions>();
-  o->command_line = command_line;
+  o->command_line = line.text;
   CLI::App* command = app.add_subcommand("run", "run a case");
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   command->add_option("--out", o->out, "run folder (default runs/<case folder>)");
@@ -140,10 +154,11 @@ void add_run(CLI::App& app, const std::string& command_line, Action& action) {
   command->add_flag("--audit", o->audit,
                     "check every step: contact laws and geometry, balance, energy; end where one is wrong");
   command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
-  carries_out(command, o, action, run);
+  add_load(command, line.libraries);
+  carries_out(command, o, line.action, run);
 }
 
-void add_resume(CLI::App& app, Action& action) {
+void add_resume(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ResumeOptions>();
   CLI::App* command = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
   command->add_option("run", o->run, "run folder")->required();
@@ -152,33 +167,36 @@ void add_resume(CLI::App& app, Action& action) {
   add_threads(command, o->threads);
   add_until(command, o->until, " (default: as the run was told)");
   command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
-  carries_out(command, o, action, resume);
+  add_load(command, line.libraries);
+  carries_out(command, o, line.action, resume);
 }
 
-void add_check(CLI::App& app, Action& action) {
+void add_check(CLI::App& app, Line& line) {
   const auto o = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "validate a case and say what it holds");
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   add_set(command, o->set);
   command->add_flag("--blocks", o->blocks, "a line for each block: name, material, area, centre");
-  prints(command, o, action, check);
+  add_load(command, line.libraries);
+  prints(command, o, line.action, check);
 }
 
-void add_digest(CLI::App& app, Action& action) {
+void add_digest(CLI::App& app, Line& line) {
   const auto o = std::make_shared<DigestOptions>();
   CLI::App* command = app.add_subcommand("digest", "run a case and print its motion in numbers, a line for each frame");
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   add_set(command, o->set);
   add_threads(command, o->threads);
   add_until(command, o->until, "");
-  prints(command, o, action, digest);
+  add_load(command, line.libraries);
+  prints(command, o, line.action, digest);
 }
 
-void add_cases(CLI::App& app, Action& action) {
+void add_cases(CLI::App& app, Line& line) {
   CLI::App* cases = app.add_subcommand("cases", "the case library");
   cases->require_subcommand(1);
   const auto nothing = std::make_shared<int>();
-  prints(cases->add_subcommand("list", "the cases there are"), nothing, action, [](int) { return cases_list(); });
+  prints(cases->add_subcommand("list", "the cases there are"), nothing, line.action, [](int) { return cases_list(); });
 
   const auto o = std::make_shared<VerifyCommand>();
   CLI::App* command = cases->add_subcommand("verify", "run cases and compare with what they must show");
@@ -195,10 +213,10 @@ void add_cases(CLI::App& app, Action& action) {
           },
           "FILE.md|FILE.html"));
   command->add_option("--report", o->report, "write tables and plots into a folder")->type_name("DIR");
-  carries_out(command, o, action, cases_verify);
+  carries_out(command, o, line.action, cases_verify);
 }
 
-void add_snapshot(CLI::App& app, Action& action) {
+void add_snapshot(CLI::App& app, Line& line) {
   const auto o = std::make_shared<SnapshotCommand>();
   CLI::App* command = app.add_subcommand("snapshot", "draw a stored run");
   command->add_option("run", o->run, "run folder")->required();
@@ -224,14 +242,28 @@ void add_snapshot(CLI::App& app, Action& action) {
           ->expected(0, -1)
           ->type_name("[MONITOR ...]")
           ->excludes(ledger);
-  prints(command, o, action, [history](SnapshotCommand& picture) {
+  prints(command, o, line.action, [history](SnapshotCommand& picture) {
     picture.history = history->count() > 0;
     std::erase(picture.monitors, "");  // what CLI11 gives for the option alone
     return snapshot(picture);
   });
 }
 
-void add_watch(CLI::App& app, Action& action) {
+void add_report(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<ReportCommand>();
+  CLI::App* command = app.add_subcommand("report", "write a stored run as one page of HTML that needs no network");
+  command->add_option("run", o->run, "run folder")->required();
+  command->add_option("--out", o->out, "file (default: report.html in the run folder)")->type_name("FILE");
+  command
+      ->add_option("--size", o->megabytes,
+                   "leave out frames until the file is not above so many megabytes; 0: every frame")
+      ->check(kNotNegative)
+      ->capture_default_str()
+      ->type_name("MB");
+  prints(command, o, line.action, report);
+}
+
+void add_watch(CLI::App& app, Line& line) {
   const auto o = std::make_shared<WatchOptions>();
   CLI::App* command = app.add_subcommand("watch", "watch a run that streams (run --live), or see a stored one");
   command
@@ -245,10 +277,10 @@ void add_watch(CLI::App& app, Action& action) {
       ->check(kNotNegative)
       ->capture_default_str();
   command->add_option("--for", o->seconds, "end after so many seconds")->check(kPositive);
-  carries_out(command, o, action, watch);
+  carries_out(command, o, line.action, watch);
 }
 
-void add_control(CLI::App& app, Action& action) {
+void add_control(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ControlOptions>();
   CLI::App* command = app.add_subcommand("control", "steer a run that was started with --live --control");
   command->add_option("run", o->target, "name of the run, or URL")->required()->type_name("RUN|URL");
@@ -262,10 +294,10 @@ void add_control(CLI::App& app, Action& action) {
   command->add_option("--timeout", o->timeout, "seconds to wait for the answer")
       ->check(kPositive)
       ->capture_default_str();
-  carries_out(command, o, action, control);
+  carries_out(command, o, line.action, control);
 }
 
-void add_replay(CLI::App& app, Action& action) {
+void add_replay(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand("replay", "stream a stored run as if it were running");
   command->add_option("run", o->run, "run folder")->required();
@@ -274,21 +306,22 @@ void add_replay(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--live", o->live, "URL to stream to (default: that of run --live)")->type_name("URL");
   command->add_option("--run", o->name, "name of the run in the stream (default: its folder)")->type_name("NAME");
-  carries_out(command, o, action, replay);
+  carries_out(command, o, line.action, replay);
 }
 
-void add_schema(CLI::App& app, Action& action) {
+void add_schema(CLI::App& app, Line& line) {
   const auto markdown = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("schema", "every key of a case file");
   command->add_flag("--markdown", *markdown, "as Markdown");
-  prints(command, markdown, action, schema);
+  add_load(command, line.libraries);
+  prints(command, markdown, line.action, schema);
 }
 
-void add_completion(CLI::App& app, Action& action) {
+void add_completion(CLI::App& app, Line& line) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("completion", "a script that completes this command line");
   command->add_option("shell", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  prints(command, shell, action, [&app](const std::string& name) {
+  prints(command, shell, line.action, [&app](const std::string& name) {
     say("{}", completion(app, name, choices()));
     return static_cast<int>(kDone);
   });
@@ -300,13 +333,11 @@ int dispatch(int argc, char** argv) {
   CLI::App app{"Scree: coupled block and continuum simulation of rock slopes in two dimensions", "scree"};
   app.require_subcommand(1);
   app.set_version_flag("--version", SCREE_VERSION);
-  std::string command_line;
-  for (int i = 0; i < argc; ++i) command_line += (i > 0 ? " " : "") + std::string(argv[i]);
-  Action action;
-  add_run(app, command_line, action);
-  for (const auto add : {add_resume, add_check, add_digest, add_cases, add_snapshot, add_watch, add_control, add_replay,
-                         add_schema, add_completion})
-    add(app, action);
+  Line line;
+  for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
+  for (const auto add : {add_run, add_resume, add_check, add_digest, add_cases, add_snapshot, add_report, add_watch, add_control,
+                         add_replay, add_schema, add_completion})
+    add(app, line);
 
   if (argc == 1) {
     complain("error: no command given\n\n{}", app.help());
@@ -329,7 +360,11 @@ int dispatch(int argc, char** argv) {
     complain("{}", err.str());
     return code == 0 ? kDone : kUsage;
   }
-  return action ? action() : static_cast<int>(kUsage);
+  if (const std::string wrong = load_libraries(line.libraries); !wrong.empty()) {
+    complain("error: {}\n", wrong);
+    return kUsage;
+  }
+  return line.action ? line.action() : static_cast<int>(kUsage);
 }
 
 }  // namespace scree::app

@@ -104,6 +104,13 @@ struct SnapshotCommand {
 };
 int snapshot(const SnapshotCommand& command);
 
+struct ReportCommand {
+  std::filesystem::path run, out;  // empty out: report.html in the run folder
+  double megabytes = 5.0;          // of the file; 0: every frame, however large
+};
+/// Writes a stored run as one page of HTML.
+int report(const ReportCommand& command);
+
 /// Folder of the case library: $SCREE_CASES, else cases/ in the working folder, else that installed with the program,
 /// else that of the sources.
 [[nodiscard]] std::filesystem::path case_library();

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/session.h"
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
 
@@ -88,10 +89,8 @@ class Lines final : public coupling::Sink {
 }  // namespace
 
 int digest(const DigestOptions& options) {
-  std::vector<std::string> names;
-  const coupling::Methods methods = coupling::standard_methods();
-  for (const auto& [name, factory] : methods) names.push_back(name);
-  const io::Case c = io::read_case(options.case_file, options.set, names, complain_line);
+  const io::Case c = io::read_case(options.case_file, options.set, method_names(), complain_line);
+  const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   coupling::Driver run(c.model, c.plan, methods);
   Lines lines;

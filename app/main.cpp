@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/signals.h"
+#include "app/waiting_threads.h"
 #include "coupling/stages/driver.h"
 #include "io/case/case_error.h"
 #include "io/results/file_error.h"
@@ -40,6 +41,7 @@ void end_of_library(int code, void* /*unused*/) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && computes(argv[1])) let_threads_sleep(argv);
   open_standard_streams();
   take_signals_of_writes();
   try {

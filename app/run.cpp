@@ -249,7 +249,7 @@ void tell_end(const coupling::Driver& driver, bool audit, const io::RunFolder& f
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const auto& [name, factory] : coupling::standard_methods()) names.push_back(name);
+  for (const coupling::Method& m : coupling::registered_methods()) names.push_back(m.name);
   return names;
 }
 
@@ -294,8 +294,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   provenance.command_line = options.command_line;
   provenance.overrides = options.set;
   provenance.threads = threads;
-  const coupling::Methods standard = coupling::standard_methods();
-  coupling::Driver driver(c.model, c.plan, standard);
+  const coupling::Methods methods = coupling::methods_with(c.plan.constants);
+  coupling::Driver driver(c.model, c.plan, methods);
   Signals signals(!options.quiet);
   driver.set_control(signals);
   Log log(folder.log(), from == nullptr ? "" : place_of(from->stored.checkpoint.state));
@@ -371,8 +371,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 }
 
 int check(const CheckOptions& options) {
-  const std::vector<std::string> methods = method_names();
-  const io::Case c = io::read_case(options.case_file, options.set, methods, complain_line);
+  const std::vector<std::string> names = method_names();
+  const io::Case c = io::read_case(options.case_file, options.set, names, complain_line);
   say("{}: {}\n", options.case_file.string(), c.model.title.empty() ? "untitled case" : c.model.title);
   say("  {} blocks, {} materials, {} joints, {} held or driven, {} monitors\n", c.model.blocks.size(),
       c.model.materials.size(), c.model.joints.size(), c.model.block_supports.size(), c.model.monitors.size());
@@ -395,10 +395,10 @@ int check(const CheckOptions& options) {
         f.final_velocity, f.final_displacement, f.arias);
   }
   tell_meshes(c.model, c.plan);
-  const coupling::Methods standard = coupling::standard_methods();
+  const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
     const coupling::Stage& s = c.plan.stages[i];
-    const coupling::Setup setup(c.model, standard, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
+    const coupling::Setup setup(c.model, methods, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
     std::int64_t cells = 0, unknowns = 0;
     for (std::size_t p = 0; p < setup.pools(); ++p) {
       MeshPart part;

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 namespace scree::coupling {
@@ -47,22 +48,24 @@ struct SlideMemory {
 struct ContactMemory {
   ContactKey key;
   ContactStatus status = ContactStatus::open;
-  std::int32_t failed = 0;     // 1 once cohesion is lost
-  std::int32_t bonded = 0;     // 1: closed since t = 0 with a tensile strength, which it still has
-  std::int32_t joint = -1;     // law, chosen when the pair was first seen
-  std::int32_t segment = -1;   // segment of the edge that the anchor below refers to, counted within the edge
-  double gap0 = 0.0;           // gap that counts as closed without stress (closed at t = 0, changed share) [m]
-  double gap = 0.0;            // gap at the present time, less gap0 [m]
-  double stretch = 0.0;        // elongation of the tangential spring [m]
-  double anchor = 0.0;         // its anchor: fraction of the segment
-  double fn = 0.0, ft = 0.0;   // forces on the corner, along the outward normal and the direction of the edge [N]
-  double fd = 0.0, fdt = 0.0;  // parts of fn and ft that are damping [N]
-  double water = 0.0;          // force of the water in the joint on the corner, along the outward normal [N]
-  double slip = 0.0;           // accumulated |slip| [m]
-  std::int32_t facing = 0;     // 1: part of an edge-edge contact; 0: a corner against an edge
-  double share = 0.0;          // length of joint that the point stands for [m]
-  double kn = 0.0, kt = 0.0;   // stiffness of its springs [N/m]
-  double impact = 0.0;         // time for which it still keeps the springs it closed with [s] (explicit steps)
+  std::int32_t failed = 0;       // 1 once cohesion is lost
+  std::int32_t bonded = 0;       // 1: closed since t = 0 with a tensile strength, which it still has
+  std::int32_t joint = -1;       // law, chosen when the pair was first seen
+  std::int32_t segment = -1;     // segment of the edge that the anchor below refers to, counted within the edge
+  double gap0 = 0.0;             // gap that counts as closed without stress (closed at t = 0, changed share) [m]
+  double gap = 0.0;              // gap at the present time, less gap0 [m]
+  double stretch = 0.0;          // elongation of the tangential spring [m]
+  double anchor = 0.0;           // its anchor: fraction of the segment
+  double fn = 0.0, ft = 0.0;     // forces on the corner, along the outward normal and the direction of the edge [N]
+  double fd = 0.0, fdt = 0.0;    // parts of fn and ft that are damping [N]
+  double water = 0.0;            // force of the water in the joint on the corner, along the outward normal [N]
+  double slip = 0.0;             // accumulated |slip| [m]
+  double slip_known = 0.0;       // of it, what the law of friction has seen (model/friction_law.h) [m]
+  double friction_change = 0.0;  // what that law has made of tan phi, less that of the friction angle
+  std::int32_t facing = 0;       // 1: part of an edge-edge contact; 0: a corner against an edge
+  double share = 0.0;            // length of joint that the point stands for [m]
+  double kn = 0.0, kt = 0.0;     // stiffness of its springs [N/m]
+  double impact = 0.0;           // time for which it still keeps the springs it closed with [s] (explicit steps)
   SlideMemory slide{};
   /// As State::visit().
   template <class Visitor>
@@ -102,6 +105,8 @@ void ContactMemory::visit(Visitor&& see) const {
   see("contact.fdt", fdt);
   see("contact.water", water);
   see("contact.slip", slip);
+  see("contact.slip_known", slip_known);
+  see("contact.friction_change", friction_change);
   see("contact.facing", facing);
   see("contact.share", share);
   see("contact.kn", kn);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -147,6 +148,7 @@ struct Plan {
   double detection = 0.0;  // contact detection distance [m]; 0: auto
   OutputPlan output;
   LivePlan live;
+  std::map<std::string, std::vector<double>> constants;  // of methods that have keys, by name
   int threads = 0;           // 0: as many as the machine has
   double max_closure = 0.0;  // a run ends once its ledger is open by more than this part of the energy moved; 0: never
   double max_passed_closure = 1e-3;  // the same, of the energy passed (Ledger::passed)

@@ -7,6 +7,7 @@
 
 #include "model/discontinuity.h"
 #include "model/elasticity.h"
+#include "model/friction_law.h"
 #include "model/geometry.h"
 #include "model/ground_motion.h"
 #include "model/ids.h"
@@ -38,11 +39,13 @@ struct JointLaw {
   double dilation = 0.0;                    // dilation angle [rad], 0 <= psi <= phi: slip opens the joint by tan psi
   std::optional<double> dilation_slip;      // [m] of slip after which it opens no further; empty: always
   double contact_length = 0.0;  // [m] of joint a corner stands for; 0: a tenth of the smaller block's root area
-  std::optional<double> normal_stiffness;  // [Pa/m]
-  std::optional<double> shear_stiffness;   // [Pa/m]; empty: as the normal one
-  std::optional<double> penalty;           // normal stiffness of a contact point [N/m]
-  std::optional<double> shear_penalty;     // tangential stiffness of a contact point [N/m]; empty: as the normal one
-  double damping = 0.5;                    // of closed contacts, a fraction of critical of the corner
+  std::optional<double> normal_stiffness;     // [Pa/m]
+  std::optional<double> shear_stiffness;      // [Pa/m]; empty: as the normal one
+  std::optional<double> penalty;              // normal stiffness of a contact point [N/m]
+  std::optional<double> shear_penalty;        // tangential stiffness of a contact point [N/m]; empty: as the normal one
+  double damping = 0.5;                       // of closed contacts, a fraction of critical of the corner
+  const FrictionLaw* friction_law = nullptr;  // how friction changes with motion; null: as above. Not with a residual
+  std::vector<double> friction_constants;     // of that law, in the order of its keys
 };
 
 /// A block: its polygon, material and joints.

@@ -3,11 +3,19 @@
 #
 #   packages_install SECTION...    0: all there; 2: takes rights that we lack, the line to type is printed; else apt's code
 
-# Packages of the given sections, one a line.
+# Packages of the given sections, one a line, without those whose command is there already from elsewhere.
 packages_list() {
+  local package command
+  packages_entries "$@" | while read -r package command; do
+    [ -n "$command" ] && command -v "$command" >/dev/null || echo "$package"
+  done
+}
+
+# Lines of the given sections: package, or package and command.
+packages_entries() {
   awk -v wanted=" $* " '
     /^# \[/ { section = $2; gsub(/[][]/, "", section) }
-    /^[^#]/ && index(wanted, " " section " ") { print $1; any = 1 }
+    /^[^#]/ && index(wanted, " " section " ") { print $1, $2; any = 1 }
     END { if (!any) { print "packages.txt has no section" wanted > "/dev/stderr"; exit 1 } }' "${root:?}/packages.txt"
 }
 
@@ -19,7 +27,8 @@ packages_missing() {
 
 packages_install() {
   local list missing log as_root=() code=0 start=$SECONDS
-  list=$(packages_list "$@") || return
+  packages_entries "$@" >/dev/null || return
+  list=$(packages_list "$@")
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo "Not a Debian system, so nothing is installed; packages.txt names what is needed."
     return 0

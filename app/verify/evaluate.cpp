@@ -18,7 +18,7 @@ namespace {
 
 io::Case read(const std::filesystem::path& file, const std::vector<std::string>& set) {
   std::vector<std::string> methods;
-  for (const auto& [name, factory] : coupling::standard_methods()) methods.push_back(name);
+  for (const coupling::Method& m : coupling::registered_methods()) methods.push_back(m.name);
   return io::read_case(file, set, methods);
 }
 

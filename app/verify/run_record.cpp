@@ -93,7 +93,7 @@ const MonitorHistory* RunRecord::monitor(std::string_view name) const {
 RunRecord record_run(const Model& model, const coupling::Plan& plan) {
   RunRecord record;
   Recorder recorder(model, record);
-  const coupling::Methods methods = coupling::standard_methods();
+  const coupling::Methods methods = coupling::methods_with(plan.constants);
   coupling::Driver run(model, plan, methods);
   run.add_sink(recorder);
   const int threads = omp_get_max_threads();

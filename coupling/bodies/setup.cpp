@@ -8,15 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "dda/dda_pool.h"
-#include "nmm/nmm_pool.h"
-
 namespace scree::coupling {
-
-Methods standard_methods() {
-  return {{"nmm", [] { return std::make_unique<nmm::NmmPool>(); }},
-          {"dda", [] { return std::make_unique<dda::DdaPool>(); }}};
-}
 
 ReferenceShape reference_shape(const Model& model, BlockId block) {
   const Block& b = model.blocks[block.index()];

@@ -1,23 +1,17 @@
 // The bodies of one stage, discretised: pools, their places in the state's arrays, and the outlines that may touch.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "coupling/bodies/clocks.h"
+#include "coupling/bodies/methods.h"
 #include "coupling/state.h"
 #include "model/pool.h"
 
 namespace scree::coupling {
-
-/// The methods that a run can use, by name. A new method is one more entry.
-using Methods = std::map<std::string, std::function<std::unique_ptr<Pool>()>>;
-/// "nmm" and "dda".
-[[nodiscard]] Methods standard_methods();
 
 /// One body, where it lives.
 struct Body {

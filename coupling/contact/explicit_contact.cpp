@@ -24,7 +24,11 @@ PointMotion motion_of(const ContactPoint& p) {
 }  // namespace
 
 ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool check_friction)
-    : setup_(&setup), finder_(setup, detection), friction_check_(setup), checks_friction_(check_friction) {
+    : setup_(&setup),
+      finder_(setup, detection),
+      friction_check_(setup),
+      friction_evolution_(setup.model().joints),
+      checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
   for (ContactList* list : {&now_, &before_, &ahead_}) {
     list->points.reserve(expected);
@@ -67,7 +71,11 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
     if (m.status != ContactStatus::open) {
       // The step took its friction from the slip that there was.
       ContactMemory then = m;
-      if (p.from >= 0) then.slip = before_.memory[static_cast<std::size_t>(p.from)].slip;
+      if (p.from >= 0) {
+        const ContactMemory& was = before_.memory[static_cast<std::size_t>(p.from)];
+        then.slip = was.slip;
+        then.friction_change = was.friction_change;
+      }
       const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
       audit_law(*setup_, then, m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn, m.ft, allowed,
                 audit);
@@ -246,7 +254,10 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   finder_.find(q, before_, false, now_);
   hand_over(h, v);
   respond(h, v, now_);
-  if (checks_friction_) follow_slides(h);
+  if (checks_friction_) {  // velocities are physical
+    follow_slides(h);
+    friction_evolution_.advance(h, now_.memory);
+  }
   Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
   for (std::size_t b = 0; b < now_.points.size(); ++b) {

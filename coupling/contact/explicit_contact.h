@@ -7,6 +7,7 @@
 #include "coupling/contact/audit/audit.h"
 #include "coupling/contact/audit/friction_check.h"
 #include "coupling/contact/contact_energy.h"
+#include "coupling/contact/law/friction_evolution.h"
 
 namespace scree::coupling {
 
@@ -70,6 +71,7 @@ class ExplicitContact {
   const Setup* setup_;
   ContactFinder finder_;
   FrictionCheck friction_check_;
+  FrictionEvolution friction_evolution_;
   bool checks_friction_;
   ContactList now_, before_, ahead_;
   double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/audit/friction_check.h"
+#include "coupling/contact/law/friction_evolution.h"
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/deformation_damping.h"
 #include "coupling/integrate/load_vectors.h"
@@ -167,6 +168,7 @@ class Newmark final : public Mover {
   ImplicitOptions options_;
   ContactFinder finder_;
   FrictionCheck friction_check_;
+  FrictionEvolution friction_evolution_;
   ContactList list_, before_;
   ImplicitSystem system_;
   OpenClose contacts_;

@@ -140,6 +140,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     m.ft = t.ft;
     if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
   }
+  if (checks_friction()) friction_evolution_.advance(seconds(state.last_step), list_.memory);
   return linear;
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The cells of any frame with a field of theirs, also where the mesh changes: read_mesh.py RUN/run.vtkhdf [ARRAY]"""
+"""The cells of any frame with a field of theirs, also where the mesh changes: read_mesh.py RUN [ARRAY]"""
+import os
 import sys
 
 import h5py
@@ -17,8 +18,13 @@ def read_frame(run, k, array):
     return vtk["Points"][p:p + points, :2], polygons, vtk["CellData/" + array][f:f + cells]
 
 
+def file_of(run):
+    """A run is its folder, or the file in it."""
+    return os.path.join(run, "run.vtkhdf") if os.path.isdir(run) else run
+
+
 if __name__ == "__main__":
-    with h5py.File(sys.argv[1], "r") as run:
+    with h5py.File(file_of(sys.argv[1]), "r") as run:
         array = sys.argv[2] if len(sys.argv) > 2 else "stress"
         for k, time in enumerate(run["VTKHDF/Steps/Values"]):
             points, polygons, field = read_frame(run, k, array)

@@ -1,11 +1,18 @@
 #!/usr/bin/env python3
-"""What a run came to, read by h5py: usage: read_results.py RUN/run.vtkhdf"""
+"""What a run came to, read by h5py: usage: read_results.py RUN"""
+import os
 import sys
 
 import h5py
 import numpy as np
 
-with h5py.File(sys.argv[1], "r") as run:
+
+def file_of(run):
+    """A run is its folder, or the file in it."""
+    return os.path.join(run, "run.vtkhdf") if os.path.isdir(run) else run
+
+
+with h5py.File(file_of(sys.argv[1]), "r") as run:
     vtk, steps = run["VTKHDF"], run["VTKHDF/Steps"]
     print(f'{run.attrs["title"]}: {len(run["blocks/name"])} blocks, {steps.attrs["NSteps"]} frames')
     for k, time in enumerate(steps["Values"]):

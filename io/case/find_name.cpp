@@ -20,7 +20,9 @@ std::int32_t index_of(const std::string& name, const std::vector<std::string>& k
 Unknown unknown(std::string_view what, const std::string& name, const std::vector<std::string>& known) {
   return {fmt::format("there is no {} of that name", what),
           known.empty() ? fmt::format("nothing: the case has no {}", what) : listed(known),
-          did_you_mean(name, known, fmt::format("define the {}, or correct the name", what))};
+          did_you_mean(name, known,
+                       what == "method" ? "correct the name, or name the library that has the method: --load LIBRARY"
+                                        : fmt::format("define the {}, or correct the name", what))};
 }
 
 }  // namespace

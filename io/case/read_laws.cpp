@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/contact/law/friction_laws.h"
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"
 
@@ -60,15 +61,35 @@ void read_dilation(const Section& s, JointLaw& law) {
         !law.dilation_slip || law.weakening_slip == 0.0 ? 1.0 : std::min(1.0, *law.dilation_slip / law.weakening_slip);
     least = std::atan(std::tan(law.friction) + lost * (std::tan(*law.residual_friction) - std::tan(law.friction)));
   }
+  if (law.friction_law != nullptr)
+    least = std::atan(law.friction_law->least(std::tan(law.friction), law.friction_constants));
   constexpr double kRounding = 1e-12;
   if (law.dilation > least * (1.0 + kRounding))
     throw s.error("dilation_deg", "the joint would open by more than its friction can lift",
                   fmt::format("0 <= value <= {:.4g}, the least friction angle while it dilates",
                               least * 180.0 / std::numbers::pi),
-                  law.residual_friction ? "give a smaller dilation_deg, or a dilation_slip that ends it before the "
-                                          "friction has fallen so far"
-                                        : "dilation angles of rock joints are below their friction angle: give a "
-                                          "smaller one");
+                  law.residual_friction || law.friction_law != nullptr
+                      ? "give a smaller dilation_deg, or a dilation_slip that ends it before the "
+                        "friction has fallen so far"
+                      : "dilation angles of rock joints are below their friction angle: give a "
+                        "smaller one");
+}
+
+void read_friction_law(const Section& s, JointLaw& law) {
+  for (const FrictionLaw& known : coupling::friction_laws()) {
+    if (!s.has(known.name)) continue;
+    if (law.friction_law != nullptr)
+      throw s.error(known.name, "the joint has two laws of friction", "one of them",
+                    fmt::format("remove this table or {}", law.friction_law->name));
+    if (law.residual_friction)
+      throw s.error(known.name, "the joint has a law of friction and a residual_friction_deg", "one of them",
+                    fmt::format("remove residual_friction_deg: {} changes the friction", known.name));
+    const Section table = s.table(known.name);
+    law.friction_law = &known;
+    for (const NumberKey& key : known.keys) law.friction_constants.push_back(table.number(key.name));
+    if (const std::string wrong = known.fault(std::tan(law.friction), law.friction_constants); !wrong.empty())
+      throw s.error(known.name, wrong, known.meaning, "`scree schema` tells what each key means");
+  }
 }
 
 JointLaw joint_law(const Section::Named& named) {
@@ -76,6 +97,7 @@ JointLaw joint_law(const Section::Named& named) {
   JointLaw law;
   law.name = named.name;
   read_strength(s, law);
+  read_friction_law(s, law);
   read_dilation(s, law);
   if (s.has("contact_length")) law.contact_length = s.number("contact_length");
   law.normal_stiffness = s.number_or_auto("normal_stiffness");

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <stdexcept>
 
+#include "coupling/bodies/methods.h"
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"
 
@@ -128,6 +131,37 @@ coupling::LivePlan read_live(const Section& s) {
   return {s.boolean("enabled"), url, s.number("rate")};
 }
 
+bool uses(const coupling::Stage& stage, const std::string& method) {
+  return stage.method == method ||
+         std::any_of(stage.rules.begin(), stage.rules.end(), [&](const auto& r) { return r.method == method; });
+}
+
+/// Constants of the methods that have keys; a method that nothing uses needs none.
+void read_constants(const Section& root, coupling::Plan& plan) {
+  const std::vector<Section> stages = root.list("stage");
+  for (const coupling::Method& m : coupling::registered_methods()) {
+    if (m.keys.empty()) continue;
+    const bool given = root.has("method") && root.table("method").has(m.name);
+    const auto lacks = std::find_if(m.keys.begin(), m.keys.end(), [](const NumberKey& k) { return k.fallback.empty(); });
+    if (!given && lacks != m.keys.end()) {
+      for (std::size_t i = 0; i < stages.size(); ++i)
+        if (uses(plan.stages[i], m.name))
+          throw stages[i].error("method", fmt::format("the method {} has no constants", in_quotes(m.name)),
+                                fmt::format("[method.{}] with {}", m.name, lacks->name),
+                                fmt::format("add the table; {}: {}", lacks->name, lacks->meaning));
+      continue;
+    }
+    std::vector<double>& values = plan.constants[m.name];
+    for (const NumberKey& key : m.keys)
+      values.push_back(given ? root.table("method").table(m.name).number(key.name)
+                             : std::strtod(key.fallback.c_str(), nullptr));
+    if (const std::string wrong = m.fault ? m.fault(values) : std::string(); !wrong.empty()) {
+      if (!given) throw std::logic_error(fmt::format("method '{}': its defaults are wrong: {}", m.name, wrong));
+      throw root.table("method").error(m.name, wrong, m.meaning, "`scree schema` tells what each key means");
+    }
+  }
+}
+
 }  // namespace
 
 coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods) {
@@ -150,6 +184,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
   for (const coupling::Stage& stage : plan.stages) run += stage.duration;
   plan.output = read_output(root.table("output"), run);
   plan.live = read_live(root.table("live"));
+  read_constants(root, plan);
   plan.threads = root.table("run").integer("threads");
   plan.max_closure = root.table("run").number("max_closure");
   plan.max_passed_closure = root.table("run").number("max_passed_closure");

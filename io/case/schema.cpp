@@ -1,5 +1,13 @@
 #include "io/case/schema.h"
 
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <vector>
+
+#include "coupling/bodies/methods.h"
+#include "coupling/contact/law/friction_laws.h"
+
 namespace scree::io {
 namespace {
 
@@ -562,6 +570,47 @@ constexpr Key kKeys[] = {
 
 }  // namespace
 
-std::span<const Key> schema() { return kKeys; }
+namespace {
+
+/// Appends a table and its numbers. The texts of what is registered stay where they are; those made here are kept.
+void append(std::vector<Key>& keys, const std::string& path, std::string_view meaning,
+            std::span<const NumberKey> numbers) {
+  static std::deque<std::string> paths;
+  const std::string& table = paths.emplace_back(path);
+  keys.push_back({table, Type::table, "", kAny, "", false, "", meaning});
+  for (const NumberKey& key : numbers)
+    keys.push_back({paths.emplace_back(table + "." + key.name), Type::number, key.unit,
+                    Range{key.low, key.high, key.low_open, key.high_open}, key.fallback, key.fallback.empty(), "",
+                    key.meaning});
+}
+
+void insert_after(std::vector<Key>& keys, std::string_view section, const std::vector<Key>& added) {
+  const auto last =
+      std::find_if(keys.rbegin(), keys.rend(), [&](const Key& k) { return k.path.starts_with(section); });
+  keys.insert(last.base(), added.begin(), added.end());
+}
+
+/// The keys of laws of friction follow those of the joints that they belong to; the keys of methods, those of stages.
+std::vector<Key> with_registered() {
+  std::vector<Key> keys(std::begin(kKeys), std::end(kKeys));
+  std::vector<Key> laws, methods;
+  for (const FrictionLaw& law : coupling::friction_laws()) append(laws, "joint.NAME." + law.name, law.meaning, law.keys);
+  for (const coupling::Method& m : coupling::registered_methods()) {
+    if (m.keys.empty()) continue;
+    if (methods.empty())
+      methods.push_back({"method", Type::table, "", kAny, "", false, "", "Constants of methods of libraries (--load)."});
+    append(methods, "method." + m.name, m.meaning, m.keys);
+  }
+  insert_after(keys, "joint.", laws);
+  insert_after(keys, "stage", methods);
+  return keys;
+}
+
+}  // namespace
+
+std::span<const Key> schema() {
+  static const std::vector<Key> kAll = with_registered();
+  return kAll;
+}
 
 }  // namespace scree::io

@@ -16,9 +16,9 @@ namespace scree::io {
 
 /// run.vtkhdf has the groups /VTKHDF (frames, vtkhdf_writer.h), /frames, /history, /energy (history_writer.h), /events,
 /// /transfers (event_writer.h), /progress (progress_writer.h), /contacts where asked for (contact_writer.h), /xdmf
-/// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /stages and /provenance (provenance.h). Histories
-/// are buffered; a frame and the end of the run bring everything to the operating system, so a run that is killed reads
-/// back as of its last frame.
+/// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /supports (supports_writer.h), /stages and
+/// /provenance (provenance.h). Histories are buffered; a frame and the end of the run bring everything to the operating
+/// system, so a run that is killed reads back as of its last frame.
 /// @throws FileError{path, reason} from every call: losing results ends a run
 class ResultsSink : public coupling::Sink {
  public:

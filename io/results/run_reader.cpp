@@ -23,14 +23,15 @@ namespace {
 
 std::vector<StoredBlock> read_blocks(const h5::File& file) {
   std::vector<StoredBlock> blocks;
-  for (const std::string& name : h5::read_texts(file, "/blocks/name")) blocks.push_back({name, false, {}});
+  for (const std::string& name : h5::read_texts(file, "/blocks/name")) blocks.push_back({name, false, {}, 0});
+  const auto material = h5::read<std::int32_t>(file, "/blocks/material");
   const auto held = h5::read<std::int32_t>(file, "/blocks/held");
   const auto owner = h5::read<std::int32_t>(file, "/blocks/ring_block");
   const auto offset = h5::read<std::int64_t>(file, "/blocks/ring_offset");
   const auto point = h5::read<double>(file, "/blocks/point");
-  if (held.size() != blocks.size() || offset.size() != owner.size() + 1)
+  if (held.size() != blocks.size() || material.size() != blocks.size() || offset.size() != owner.size() + 1)
     throw FileError(file.path(), "/blocks does not fit together");
-  for (std::size_t b = 0; b < blocks.size(); ++b) blocks[b].held = held[b] != 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) blocks[b].held = held[b] != 0, blocks[b].material = material[b];
   for (std::size_t r = 0; r < owner.size(); ++r) {
     Ring ring;
     for (std::int64_t i = offset[r]; i < offset[r + 1]; ++i)
@@ -46,9 +47,12 @@ std::vector<StoredBlock> read_blocks(const h5::File& file) {
 
 std::vector<StoredMaterial> read_materials(const h5::File& file) {
   const std::vector<std::string> names = h5::read_texts(file, "/materials/name");
-  const auto young = h5::read<double>(file, "/materials/young", 0, static_cast<std::int64_t>(names.size()));
+  const auto column = [&](const char* name) {
+    return h5::read<double>(file, std::string("/materials/") + name, 0, static_cast<std::int64_t>(names.size()));
+  };
+  const auto young = column("young"), density = column("density"), poisson = column("poisson");
   std::vector<StoredMaterial> materials;
-  for (std::size_t m = 0; m < names.size(); ++m) materials.push_back({names[m], young[m]});
+  for (std::size_t m = 0; m < names.size(); ++m) materials.push_back({names[m], young[m], density[m], poisson[m]});
   return materials;
 }
 
@@ -72,6 +76,26 @@ void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks,
   for (const std::int32_t m : f.material) good = good && inside(m, materials);
   if (!good)
     throw FileError(file.path(), "frame " + std::to_string(f.index) + " does not fit together; the file is damaged");
+}
+
+std::vector<StoredJointLine> read_lines(const h5::File& file, const std::string& group, std::size_t laws) {
+  const auto law = h5::read<std::int32_t>(file, group + "/joint");
+  const auto ends = [&](const char* name) {
+    return h5::read<double>(file, group + name, 0, static_cast<std::int64_t>(law.size()));
+  };
+  const auto from = ends("/from"), to = ends("/to");
+  std::vector<StoredJointLine> lines;
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    if (law[i] < 0 || static_cast<std::size_t>(law[i]) >= laws)
+      throw FileError(file.path(), group + " does not fit together");
+    lines.push_back({{from[2 * i], from[2 * i + 1]}, {to[2 * i], to[2 * i + 1]}, law[i]});
+  }
+  return lines;
+}
+
+bool has_child(const h5::File& file, const std::string& group, const std::string& name) {
+  const std::vector<std::string> there = h5::children(file, group);
+  return std::find(there.begin(), there.end(), name) != there.end();
 }
 
 /// Frame, or mesh, number k of a list of numbers.
@@ -113,10 +137,11 @@ std::vector<StoredStage> RunReader::stages() const {
   const auto frames = static_cast<std::int64_t>(times().size());
   const auto of_frame = h5::read<std::int32_t>(file, "/frames/stage", 0, frames);
   const std::vector<std::string> integrators = h5::read_texts(file, "/stages/integrator");
+  const auto duration = h5::read<double>(file, "/stages/duration", 0, static_cast<std::int64_t>(data_->stages.size()));
   std::vector<StoredStage> stages;
   for (std::size_t i = 0; i < data_->stages.size(); ++i) {
     const auto first = std::find(of_frame.begin(), of_frame.end(), static_cast<std::int32_t>(i));
-    StoredStage stage{data_->stages[i], integrators.at(i), {}};
+    StoredStage stage{data_->stages[i], integrators.at(i), {}, duration[i]};
     if (first != of_frame.end()) stage.start = times()[static_cast<std::size_t>(first - of_frame.begin())];
     stages.push_back(std::move(stage));
   }
@@ -125,6 +150,11 @@ std::vector<StoredStage> RunReader::stages() const {
 
 std::string RunReader::provenance(const std::string& key) const {
   return h5::text_attribute(data_->file, "/provenance", key);
+}
+
+std::vector<std::string> RunReader::provenance_list(const std::string& key) const {
+  if (!has_child(data_->file, "/provenance", key)) return {};
+  return h5::read_texts(data_->file, "/provenance/" + key);
 }
 
 std::size_t RunReader::at_time(double time) const {
@@ -245,8 +275,7 @@ std::vector<StoredEvent> RunReader::events() const {
 
 std::vector<StoredProgress> RunReader::progress() const {
   const h5::File& file = data_->file;
-  const std::vector<std::string> there = h5::children(file, "/");
-  if (std::find(there.begin(), there.end(), "progress") == there.end()) return {};
+  if (!has_child(file, "/", "progress")) return {};
   const std::string g = "/progress/";
   // The unknowns are written last.
   const auto unknowns = h5::read<std::int64_t>(file, g + "unknowns");
@@ -265,6 +294,66 @@ std::vector<StoredProgress> RunReader::progress() const {
     progress.push_back(
         {cuts[i], passes[i], contacts[i], unknowns[i], {times()[i], depth[i], force[i], depth_at[i], force_at[i]}});
   return progress;
+}
+
+StoredJoints RunReader::joints() const {
+  const h5::File& file = data_->file;
+  StoredJoints joints;
+  const std::vector<std::string> names = h5::read_texts(file, "/joints/name");
+  const auto column = [&](const char* name) {
+    return h5::read<double>(file, std::string("/joints/") + name, 0, static_cast<std::int64_t>(names.size()));
+  };
+  const auto friction = column("friction_deg"), cohesion = column("cohesion"), tension = column("tensile_strength");
+  for (std::size_t j = 0; j < names.size(); ++j)
+    joints.laws.push_back({names[j], friction[j], cohesion[j], tension[j]});
+  joints.lines = read_lines(file, "/joints/lines", names.size());
+  joints.cracks = read_lines(file, "/joints/cracks", names.size());
+  return joints;
+}
+
+std::vector<StoredSupport> RunReader::supports() const {
+  const h5::File& file = data_->file;
+  if (!has_child(file, "/", "supports")) return {};
+  const auto fix_x = h5::read<std::int32_t>(file, "/supports/fix_x");
+  const auto count = static_cast<std::int64_t>(fix_x.size());
+  const auto fix_y = h5::read<std::int32_t>(file, "/supports/fix_y", 0, count);
+  const auto point = h5::read<double>(file, "/supports/point", 0, count);
+  std::vector<StoredSupport> supports;
+  for (std::size_t i = 0; i < fix_x.size(); ++i)
+    supports.push_back({{point[2 * i], point[2 * i + 1]}, fix_x[i] != 0, fix_y[i] != 0});
+  return supports;
+}
+
+bool RunReader::has_contacts() const { return has_child(data_->file, "/", "contacts"); }
+
+StoredContacts RunReader::contacts(std::size_t frame) const {
+  const h5::File& file = data_->file;
+  const std::string g = "/contacts/";
+  const std::int64_t first = entry(file, g + "frames/first", static_cast<std::int64_t>(frame)),
+                     count = entry(file, g + "frames/count", static_cast<std::int64_t>(frame));
+  const auto numbers = [&](const char* name) { return h5::read<double>(file, g + name, first, count); };
+  const auto ids = [&](const char* name) { return h5::read<std::int32_t>(file, g + name, first, count); };
+  StoredContacts c{numbers("position"),
+                   numbers("normal"),
+                   numbers("fn"),
+                   numbers("ft"),
+                   numbers("gap"),
+                   numbers("slip"),
+                   ids("state"),
+                   ids("failed"),
+                   ids("joint"),
+                   {},
+                   {}};
+  const auto corner = ids("corner"), edge = ids("edge");
+  for (std::int64_t i = 0; i < count; ++i) {
+    c.corner_block.push_back(corner[static_cast<std::size_t>(4 * i)]);
+    c.edge_block.push_back(edge[static_cast<std::size_t>(3 * i)]);
+  }
+  for (const auto* blocks_of : {&c.corner_block, &c.edge_block})
+    for (const std::int32_t b : *blocks_of)
+      if (b < 0 || static_cast<std::size_t>(b) >= blocks().size())
+        throw FileError(file.path(), "/contacts does not fit together; the file is damaged");
+  return c;
 }
 
 double RunReader::end_time() const {

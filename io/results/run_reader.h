@@ -59,17 +59,53 @@ struct StoredProgress {
 struct StoredStage {
   std::string name, integrator;
   std::optional<double> start;  // time of its first frame [s]; none where the run did not reach it
+  double duration = 0.0;        // as planned [s]
 };
 
 struct StoredMaterial {
   std::string name;
-  double young = 0.0;  // [Pa]
+  double young = 0.0;    // [Pa]
+  double density = 0.0;  // [kg/m3]
+  double poisson = 0.0;
 };
 
 struct StoredBlock {
   std::string name;
   bool held = false;  // fixed or driven as a whole
   Polygon polygon;    // as the model first had it
+  std::int32_t material = 0;
+};
+
+/// A straight piece of a discontinuity, or of a crack that ends inside a block, as the model first had it.
+struct StoredJointLine {
+  Vec2 from, to;  // [m]
+  std::int32_t law = 0;
+};
+
+/// The joint laws and the lines that they belong to.
+struct StoredJoints {
+  struct Law {
+    std::string name;
+    double friction_deg = 0.0, cohesion = 0.0, tensile_strength = 0.0;  // [deg], [Pa], [Pa]
+  };
+  std::vector<Law> laws;
+  std::vector<StoredJointLine> lines, cracks;
+};
+
+/// A point that a spring ties to where it was at the start.
+struct StoredSupport {
+  Vec2 point;  // [m], in the model
+  bool fix_x = true, fix_y = true;
+};
+
+/// Contact points of one frame, an entry a point of each.
+struct StoredContacts {
+  std::vector<double> position, normal;   // x, y a point: of the corner [m]; of the edge, outward of its block
+  std::vector<double> fn, ft, gap, slip;  // [N], [N], [m], [m]; docs/results.md says how they are counted
+  std::vector<std::int32_t> state;        // 0 open, 1 slipping, 2 sticking
+  std::vector<std::int32_t> failed;       // 1 where what failure takes of the strength is lost
+  std::vector<std::int32_t> law;          // joint law
+  std::vector<std::int32_t> corner_block, edge_block;
 };
 
 /// What a dataset says about itself.
@@ -104,11 +140,20 @@ class RunReader {
   [[nodiscard]] std::vector<StoredEvent> events() const;
   /// One entry a frame; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredProgress> progress() const;
+  [[nodiscard]] StoredJoints joints() const;
+  /// Point supports; none in runs from before they were stored. Blocks held whole: StoredBlock::held.
+  [[nodiscard]] std::vector<StoredSupport> supports() const;
+  /// Whether the run stored its contact points (output.contacts).
+  [[nodiscard]] bool has_contacts() const;
+  /// Contact points of a frame.   @pre has_contacts()   @throws FileError when there is no such frame
+  [[nodiscard]] StoredContacts contacts(std::size_t frame) const;
   [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
   /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and
   /// reason; empty where there is none.
   [[nodiscard]] std::string provenance(const std::string& key) const;
+  /// A list of /provenance, such as case (one entry), set, library, library_version; empty where there is none.
+  [[nodiscard]] std::vector<std::string> provenance_list(const std::string& key) const;
 
  private:
   struct Data;

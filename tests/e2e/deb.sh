@@ -25,4 +25,4 @@ inside scree run /usr/share/scree/cases/incline/case.toml --out /root/run
 inside test -s /root/run/run.vtkhdf
 inside sh -c 'apt-get install -y --no-install-recommends make $(dpkg-query -f "\${Suggests}" -W scree | tr -d ,)' >"$root/apt.log" 2>&1 ||
   { tail -20 "$root/apt.log"; exit 1; }
-inside sh -c 'cp -r /usr/share/doc/scree/examples/embed /root && cd /root/embed && cmake -B build >/dev/null && cmake --build build && build/slide'
+inside sh -c 'cp -r /usr/share/doc/scree/examples/embed /root && cd /root/embed && cmake -B build >/dev/null && cmake --build build && build/slide && build/own_law'

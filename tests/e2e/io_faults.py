@@ -42,7 +42,7 @@ block = "base"
 name = "top"
 point = [0.5, 0.5]
 [output]
-every = 0.001
+every = 0.0005
 checkpoint_steps = 4
 contacts = true
 [[stage]]
@@ -50,12 +50,12 @@ name = "solid"
 method = "nmm"
 integrator = "implicit"
 dt = 0.0005
-duration = 0.004
+duration = 0.002
 [[stage]]
 name = "block"
 method = "dda"
 integrator = "explicit"
-duration = 0.004
+duration = 0.001
 """
 
 faults = resume_runs.faults

@@ -54,4 +54,37 @@ cp -r "$source/docs/examples/embed" embed
 cmake -G Ninja -S embed -B embed/build -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_BUILD_TYPE=Release >embed.log 2>&1 ||
   { cat embed.log; fail 'find_package(scree) fails'; }
 cmake --build embed/build >>embed.log 2>&1 || { cat embed.log; fail 'the example does not build'; }
-embed/build/slide || fail 'the example is wrong'
+
+# A method from a shared library, with a key of its own: it runs, resumes, is told of by schema, and wrong ones are refused.
+load=(--load embed/build/librigid_method.so)
+"$scree" schema "${load[@]}" | grep -q 'inertia_factor' || fail 'schema does not tell the keys of a loaded method'
+"$scree" check embed/rigid.toml "${load[@]}" | grep -q "stage 'fall': rigid" || fail 'check does not know a loaded method'
+for factor in 1 2; do
+  "$scree" run embed/rigid.toml "${load[@]}" --set method.rigid.inertia_factor=$factor --set stage.0.duration=0.1 \
+    --out rigid.$factor --quiet || fail 'a loaded method does not run'
+done
+python3 - <<'END' || fail 'the constant of a loaded method does not act'
+import json
+# What spins with 1 rad/s has I/2 more: I = m a^2/6 of a square, 2500 kg, 1 m; the fall adds the same to both.
+energy = [json.load(open(f"rigid.{n}/summary.json"))["ledger"]["columns"]["energy"]["kinetic"] for n in (1, 2)]
+assert abs(energy[1] - energy[0] - 2500.0 / 12.0) < 1e-6 * energy[0], energy
+END
+"$scree" run embed/rigid.toml "${load[@]}" --until 0.1 --out rigid.parts --quiet || fail 'a loaded method does not stop'
+"$scree" resume rigid.parts "${load[@]}" --until 0.2 --quiet || fail 'a run with a loaded method does not resume'
+"$scree" run embed/rigid.toml "${load[@]}" --out rigid.whole --quiet
+state() { sed -n 's/.*"state_hash": "\(.*\)".*/\1/p' "$1/summary.json"; }
+[ "$(state rigid.parts)" = "$(state rigid.whole)" ] || fail 'a run with a loaded method resumes to other bits'
+refused() { # CODE WORDS COMMAND...
+  local code=$1 words=$2 found=0; shift 2
+  "$scree" "$@" >refused.log 2>&1 || found=$?
+  [ $found = "$code" ] && grep -q -- "$words" refused.log || { cat refused.log; fail "scree $* ends with $found"; }
+}
+refused 3 '--load LIBRARY' check embed/rigid.toml
+refused 2 'no such file' check embed/rigid.toml --load absent.so
+refused 2 'it is no library of Scree' check embed/rigid.toml --load "$(ldd "$scree" | sed -n 's/.*=> \(.*libz\.so[^ ]*\) .*/\1/p')"
+refused 2 'cannot be loaded' check embed/rigid.toml --load embed/rigid.toml
+refused 2 'there is one of that name' check embed/rigid.toml "${load[@]}" --load embed/../embed/build/librigid_method.so
+refused 3 'out of range' check embed/rigid.toml "${load[@]}" --set method.rigid.inertia_factor=-1
+refused 3 'inertia_facto' check embed/rigid.toml "${load[@]}" --set method.rigid.inertia_facto=1
+
+for program in slide own_law; do embed/build/$program || fail "the example $program is wrong"; done

@@ -8,7 +8,7 @@ namespace scree::coupling {
 namespace {
 
 double coefficient(const JointLaw& law, double peak, const ContactMemory& memory) {
-  if (!law.residual_friction) return peak;
+  if (!law.residual_friction) return peak + memory.friction_change;
   const double lost = law.weakening_slip > 0.0 ? std::min(1.0, memory.slip / law.weakening_slip)
                                                : static_cast<double>(memory.failed != 0);
   return peak + lost * (std::tan(*law.residual_friction) - peak);

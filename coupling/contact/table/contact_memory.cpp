@@ -138,7 +138,8 @@ void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) con
   if (m.gap >= 0.0 && m.bonded == 0) return;
   m.status = ContactStatus::stick;
   m.failed = beside.failed;
-  m.slip = beside.slip;
+  m.slip = m.slip_known = beside.slip;
+  m.friction_change = beside.friction_change;
   m.stretch = beside.stretch;
   m.anchor = p.at.xi - m.stretch / p.at.length;
 }
@@ -212,7 +213,8 @@ void ContactFinder::interpolate(ContactList& out) const {
     m.status = ContactStatus::stick;
     m.failed = w < 0.5 ? a.failed : b.failed;
     m.gap0 = (1.0 - w) * a.gap0 + w * b.gap0;
-    m.slip = (1.0 - w) * a.slip + w * b.slip;
+    m.slip = m.slip_known = (1.0 - w) * a.slip + w * b.slip;
+    m.friction_change = (1.0 - w) * a.friction_change + w * b.friction_change;
     m.stretch = (1.0 - w) * a.stretch + w * b.stretch;
     m.gap = p.at.gap - m.gap0;
     if (within) {  // the traction is linear between them, however the edge is bent

@@ -28,11 +28,14 @@ void dump_model(Dump& d, const Model& m) {
     for (const Mat2& s : {x.initial_stress->stress, x.initial_stress->gradient})
       d.line("  {} {} {} {} from {}", s(0, 0), s(0, 1), s(1, 0), s(1, 1), x.initial_stress->level);
   }
-  for (const JointLaw& x : m.joints)
+  for (const JointLaw& x : m.joints) {
     d.line("joint {} {} {} {} {} {} {} {} {} tension {} residual {} {} over {} dilation {} {}", x.name, x.friction,
            x.cohesion, x.contact_length, Dump::of(x.normal_stiffness), Dump::of(x.shear_stiffness), Dump::of(x.penalty),
            Dump::of(x.shear_penalty), x.damping, x.tensile_strength, Dump::of(x.residual_friction), x.residual_cohesion,
            x.weakening_slip, x.dilation, Dump::of(x.dilation_slip));
+    if (x.friction_law != nullptr)
+      d.line("  friction by {} {}", x.friction_law->name, fmt::join(x.friction_constants, " "));
+  }
   for (const Block& b : m.blocks) {
     d.line("block {} material {} joint {} covers {}", b.name, b.material.value, b.joint.value, b.cover_size);
     for (std::size_t k = 0; k < b.polygon.rings(); ++k)

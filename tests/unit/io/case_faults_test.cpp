@@ -315,6 +315,22 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"enabled = true", "enabled = \"yes\"", "live.enabled", "wrong type"},
         Change{"[run]", "[[run]]", "run", "wrong type"}));
 
+TEST(FrictionLaw, what_does_not_go_together_is_refused_at_the_key) {
+  const std::string law = "joint.{}.velocity_weakening={{fast_friction_deg={}, velocity=1, slip=0.1}}";
+  const auto said = [&](const std::vector<std::string>& set) {
+    return error_in([&] { (void)read("full_case.toml", set); });
+  };
+  const CaseError grows = said({fmt::format(fmt::runtime(law), "plane", 80)});
+  EXPECT_EQ(grows.key, "joint.plane.velocity_weakening");
+  EXPECT_TRUE(holds(grows.problem, "friction would grow")) << grows.what();
+  const CaseError two = said({fmt::format(fmt::runtime(law), "rough", 1)});  // it has a residual friction angle
+  EXPECT_TRUE(holds(two.problem, "a law of friction and a residual_friction_deg")) << two.what();
+  const CaseError lacks = said({"joint.plane.velocity_weakening={velocity=1, slip=0.1}"});
+  EXPECT_TRUE(holds(lacks.problem, "\"fast_friction_deg\" is missing")) << lacks.what();
+  const CaseError bound = said({"joint.plane.velocity_weakening={fast_friction_deg=0, velocity=0, slip=0.1}"});
+  EXPECT_EQ(bound.key, "joint.plane.velocity_weakening.velocity") << bound.what();
+}
+
 TEST(Case, nmm_without_cover_size_asks_for_it) {
   std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = 0.5", "");
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));

@@ -73,6 +73,9 @@ const std::map<std::string, std::string> kChange = {
     {"joint.NAME.dilation_deg", "joint.rough.dilation_deg=4"},
     {"joint.NAME.dilation_slip", "joint.rough.dilation_slip=0.5"},
     {"joint.NAME.damping", "joint.plane.damping=0.4"},
+    {"joint.NAME.velocity_weakening.fast_friction_deg", "joint.plane.velocity_weakening.fast_friction_deg=0.1"},
+    {"joint.NAME.velocity_weakening.velocity", "joint.plane.velocity_weakening.velocity=2"},
+    {"joint.NAME.velocity_weakening.slip", "joint.plane.velocity_weakening.slip=3"},
     {"motion.NAME.file", "motion.pulse.file=\"./other_pulse.csv\""},
     {"motion.NAME.unit", "motion.pulse.unit=\"m/s2\""},
     {"motion.NAME.start", "motion.pulse.start=2.1"},
@@ -245,7 +248,11 @@ const std::map<std::string, std::string> kChange = {
     {"body_acceleration[].offset", "body_acceleration.0.offset=0.01"},
     {"stage[].sliding_damping", "stage.0.sliding_damping=0.5"}};
 // What a change needs beside it to make sense.
+const char* const kWeakening = "joint.plane.velocity_weakening={fast_friction_deg=0, velocity=1, slip=0.1}";
 const std::map<std::string, std::vector<std::string>> kBeside = {
+    {"joint.NAME.velocity_weakening.fast_friction_deg", {kWeakening}},
+    {"joint.NAME.velocity_weakening.velocity", {kWeakening}},
+    {"joint.NAME.velocity_weakening.slip", {kWeakening}},
     {"block[].name", {"support.1.blocks=[\"wall\"]"}},
     {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
     {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}"}},

@@ -1,0 +1,14 @@
+// Shared libraries that add methods and laws to the command (--load).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// Loads libraries in their order and lets each register what it has (coupling/library.h).
+/// @pre no case has been read, nor the schema
+/// @return what is wrong with the first that cannot be used; empty: all are loaded
+[[nodiscard]] std::string load_libraries(const std::vector<std::string>& files);
+
+}  // namespace scree::app

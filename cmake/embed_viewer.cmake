@@ -1,0 +1,16 @@
+# Writes the built page of the viewer as a source file: cmake -DFROM=io/viewer/dist -DTO=bundle.cpp -P embed_viewer.cmake
+# The built files are ASCII (io/viewer/build.mjs sees to it) and none holds the delimiter of the raw strings.
+set(source "// Made from io/viewer/dist by cmake/embed_viewer.cmake.\n#include \"io/viewer/bundle.h\"\n\nnamespace scree::io {\n\n")
+foreach(part script=viewer.js style=viewer.css body=body.html licences=LICENCES.txt)
+  string(REPLACE "=" ";" part ${part})
+  list(GET part 0 name)
+  list(GET part 1 file)
+  file(READ ${FROM}/${file} text)
+  string(FIND "${text}" ")viewer\"" delimiter)
+  if(NOT delimiter EQUAL -1)
+    message(FATAL_ERROR "${file} holds the delimiter of the raw strings")
+  endif()
+  string(APPEND source "std::string_view viewer_${name}() {\n  return R\"viewer(${text})viewer\";\n}\n")
+endforeach()
+string(APPEND source "\n}  // namespace scree::io\n")
+file(WRITE ${TO} "${source}")

@@ -1,0 +1,26 @@
+// Laws of friction at work on the contact points of a run.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact_memory.h"
+#include "model/model.h"
+
+namespace scree::coupling {
+
+/// Changes the friction of contact points whose joints have a law of friction, law by law.
+class FrictionEvolution {
+ public:
+  explicit FrictionEvolution(const std::vector<JointLaw>& joints) : joints_(&joints) {}
+  /// What the slip of a step does to tan phi.   @param step  that has been taken [s]
+  /// @param contacts  with their slip at the end of the step
+  void advance(double step, std::span<ContactMemory> contacts);
+
+ private:
+  const std::vector<JointLaw>* joints_;
+  std::vector<FrictionRow> rows_;     // of one joint
+  std::vector<std::size_t> contact_;  // of a row
+};
+
+}  // namespace scree::coupling

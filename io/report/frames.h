@@ -1,0 +1,51 @@
+// The frames of a stored run as chunks, thinned in time where a report would grow too large.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/pictures/snapshot.h"
+#include "io/results/run_reader.h"
+
+namespace scree::io {
+
+struct ReportFrame {
+  std::size_t index = 0;  // in the run
+  std::int64_t step = 0;
+  std::size_t mesh = 0;  // place in ReportFrames::meshes
+  double time = 0.0;     // [s]
+  std::string stage, integrator;
+  std::string text;  // chunk: displacement, velocity (x, y a point), stress (xx, yy, xy a point), integrator (a cell);
+                     // contact points that are closed
+};
+
+/// What the colours of a field span: all frames shown.
+struct ReportRange {
+  std::string field;
+  double low = 0.0, high = 1.0;
+};
+
+struct ReportFrames {
+  std::vector<std::string> meshes;  // chunk: origin (x, y a point), offsets, cells, block, material, method (a cell)
+  std::vector<ReportFrame> frames;
+  std::vector<ReportRange> ranges;
+  std::array<double, 4> bounds{};  // x0, y0, x1, y1 of all points shown [m], less `base`
+  std::size_t stored = 0;          // frames of the run
+};
+
+/// Reads, packs and thins.
+/// @param base   what positions in the chunks are counted from [m], beside the origin of the run
+/// @param bytes  that meshes and frames may take together; the first and the last frame of each mesh and stage stay
+/// even
+///               where they take more. 0: no limit
+/// @throws FileError
+[[nodiscard]] ReportFrames pack_frames(const RunReader& run, const Vec2& base, std::size_t bytes);
+
+/// Which of `count` frames stay where every `stride`-th does: those, and the kept ones, in order.
+/// @pre stride >= 1, kept.size() == count
+[[nodiscard]] std::vector<std::size_t> thinned(const std::vector<char>& kept, std::size_t stride);
+
+}  // namespace scree::io

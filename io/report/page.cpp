@@ -1,0 +1,88 @@
+#include "io/report/page.h"
+
+#include <cstdint>
+
+#include "io/report/chunk.h"
+#include "io/results/sha256.h"
+#include "io/viewer/bundle.h"
+
+namespace scree::io {
+namespace {
+
+/// The name of a script or a style in a security policy: 'sha256-...' of its bytes.
+std::string policy_hash(std::string_view text) {
+  const std::string digits = sha256(text);
+  const auto value = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    bytes.push_back(static_cast<std::uint8_t>(16U * value(digits[i]) + value(digits[i + 1])));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+}  // namespace
+
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string json_in_html(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else if (c == '>')
+      out += "\\u003e";
+    else if (c == '&')
+      out += "\\u0026";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string report_page(const PageParts& parts) {
+  const std::string policy = "default-src 'none'; script-src " + policy_hash(viewer_script()) + "; style-src " +
+                             policy_hash(viewer_style()) + "; img-src data: blob:; base-uri 'none'; form-action 'none'";
+  std::string out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  out += "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\">\n";
+  out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  out += "<meta name=\"color-scheme\" content=\"light dark\">\n";
+  out += "<title>" + html_text(parts.title) + "</title>\n<style>";
+  out += viewer_style();
+  out += "</style>\n</head>\n<body>\n";
+  out += viewer_body();
+  out += "<script type=\"application/json\" id=\"scree-run\">" + json_in_html(parts.run) + "</script>\n";
+  for (const auto& [id, text] : parts.chunks)
+    out += "<script type=\"text/plain\" id=\"scree-" + id + "\">" + text + "</script>\n";
+  out += "<script type=\"text/plain\" id=\"scree-licences\">";
+  out += viewer_licences();
+  out += "</script>\n<script>";
+  out += viewer_script();
+  out += "</script>\n</body>\n</html>\n";
+  return out;
+}
+
+}  // namespace scree::io

@@ -1,0 +1,13 @@
+// The point supports of a model in the results file.
+#pragma once
+
+#include "io/results/h5.h"
+#include "model/model.h"
+
+namespace scree::io {
+
+/// Writes /supports: points that springs tie to where they were at the start; tables without rows where there are none.
+/// Blocks that are held whole are in /blocks/held.     @throws FileError
+void write_supports(const h5::File& file, const Model& model);
+
+}  // namespace scree::io

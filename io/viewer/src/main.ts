@@ -1,0 +1,734 @@
+// The page: binds the source, the scene, the charts and the controls.
+import { ledger_series, Chart, closure, monitor_series, MONITOR_QUANTITIES, type Series } from "./charts";
+import { css, name_colour, type Rgb } from "./colours";
+import { corner_values, field_named, FIELDS, frame_range } from "./fields";
+import { cell_areas, cell_at } from "./geometry";
+import { contact_lines, COMPRESSION, crosses, diamonds, FAILED, joint_lines, original_outline, SLIPPING, STICKING, support_marks, TENSION, type ContactLines, type Crosses } from "./layers";
+import { legend_text, show_legend, type LegendText } from "./legend";
+import { picture } from "./picture";
+import { Scene, type Layer } from "./scene";
+import { ReportSource, type Frame, type FrameNote, type Mesh, type Source } from "./source";
+import { element, pairs, show_asked, show_events, show_found, status_of } from "./tables";
+import { prefixed, quantity, round_below, seconds, short } from "./units";
+
+const by_id = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
+const DARK = matchMedia("(prefers-color-scheme: dark)");
+const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
+const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
+
+function trouble(error: unknown): void {
+  const box = by_id("trouble");
+  box.textContent = `This report cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+  box.hidden = false;
+}
+
+function rgb_of(name: string): Rgb {
+  const hex = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as Rgb;
+}
+
+class Page {
+  private readonly run;
+  private readonly frames: FrameNote[];
+  private readonly scene: Scene | null;
+  private readonly charts: Chart[] = [];
+  private rows = new Map<string, Float32Array>();
+  private mesh: Mesh | null = null;
+  private mesh_index = -1;
+  private frame: Frame | null = null;
+  private index = -1;
+  private wanted = 0;
+  private loading = false;
+  private playing = false;
+  private clock = 0; // simulated time while playing [s]
+  private last_tick = 0;
+  private still = 0; // [ms] since the clock met an instant with two frames
+  private field = FIELDS[0]!;
+  private legend: LegendText = { what: "", ticks: [], names: [] };
+  private chosen = -1;
+  private scale_bar = { pixels: 0, text: "" };
+  private labels: [string, number, number][] = []; // of monitors: text, place of its middle on the left [CSS pixels]
+  private draw_asked = false;
+  private own_view = false; // the user has moved the view: it no longer follows the size of the window
+  private crosses: Crosses | null = null;
+  private forces: ContactLines | null = null;
+  private readonly shown: Record<Layer, boolean> = { original: true, joints: false, outline: true, crosses: false, contacts: false, supports: true, monitors: true, chosen: true };
+  private block_chart: Chart | null = null;
+  private block_history: { block: number; time: Float64Array; rows: Float64Array[] } | null = null;
+
+  constructor(private readonly source: Source) {
+    this.run = source.run;
+    this.frames = this.run.frames.list;
+    let scene: Scene | null = null;
+    try {
+      scene = new Scene(by_id<HTMLCanvasElement>("view"));
+    } catch {
+      trouble("this browser has no WebGL 2, which the animation needs; histories and tables are below");
+    }
+    this.scene = scene;
+  }
+
+  private held = (block: number): boolean => this.run.model.blocks[block]?.held ?? false;
+
+  async start(): Promise<void> {
+    this.show_text();
+    this.fill_controls();
+    this.bind();
+    this.use_theme();
+    this.scene?.resize();
+    this.fit();
+    await this.go(0);
+    this.rows = await this.source.history();
+    this.make_charts();
+    this.redraw();
+    document.body.dataset.ready = "true";
+  }
+
+  // ------------------------------------------------------------------------------------------- text
+
+  private show_text(): void {
+    const run = this.run;
+    const last = this.frames[this.frames.length - 1]!;
+    by_id("title").textContent = run.title || "Scree run";
+    const held = run.model.blocks.filter((b) => b.held).length;
+    by_id("subtitle").textContent = [
+      status_of(run), `${short(last.time, 4)} s simulated`, `${run.model.blocks.length} blocks${held > 0 ? `, ${held} of them held` : ""}`,
+      `${run.stages.length} ${run.stages.length === 1 ? "stage" : "stages"}`, `Scree ${String(run.asked.version ?? "")}`,
+    ].join(" · ");
+    const shown = this.frames.length;
+    by_id("thinning").textContent =
+      (shown < run.frames.stored ? `${shown} of the ${run.frames.stored} stored frames are in this file (scree report --size says how large it may be). ` : `All ${shown} stored frames are in this file. `) +
+      "Positions have 24 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot. " +
+      (run.history.whole ? "" : "Histories are thinned in time. ") +
+      (run.contacts ? "Of the contact points, those that are closed are here." : "The run stored no contacts (output.contacts).");
+    by_id("licences").textContent = document.getElementById("scree-licences")?.textContent ?? "";
+    show_found(run, by_id("found"));
+    show_asked(run, by_id("asked"));
+    show_events(run, by_id("events"), (t) => this.go_to_time(t));
+  }
+
+  private fill_controls(): void {
+    const fill = (id: string, entries: [string, string][], value?: string) => {
+      const select = by_id<HTMLSelectElement>(id);
+      for (const [key, text] of entries) {
+        const option = element("option", text);
+        option.value = key;
+        select.append(option);
+      }
+      if (value !== undefined) select.value = value;
+    };
+    fill("field", FIELDS.map((f) => [f.id, f.label]));
+    fill("block", this.run.model.blocks.map((b, i) => [String(i), b.name]));
+    fill("monitor-quantity", MONITOR_QUANTITIES.map((q) => [q, q]));
+    fill("block-quantity", MONITOR_QUANTITIES.map((q) => [q, q]));
+    const length = this.frames[this.frames.length - 1]!.time - this.frames[0]!.time;
+    const speeds = [0.001, 0.01, 0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000];
+    // The run as a whole takes about ten seconds.
+    const near = speeds.reduce((a, b) => (Math.abs(Math.log((b * 10) / length)) < Math.abs(Math.log((a * 10) / length)) ? b : a), 1);
+    fill("speed", speeds.map((s) => [String(s), s === 1 ? "real time" : `× ${s}`]), String(near));
+    const layers = by_id("layers");
+    const entries: [Layer, string][] = [["outline", "outlines of the blocks"], ["original", "original outline"], ["joints", "joints as drawn"], ["crosses", "principal stress crosses"]];
+    if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
+    if (this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
+    if (this.run.contacts) entries.push(["contacts", "contact forces and states"]);
+    const drawn = this.run.model.joints.lines.length + this.run.model.joints.cracks.length > 0;
+    for (const [layer, text] of entries) {
+      if (layer === "joints" && !drawn) continue;
+      const label = element("label");
+      const box = element("input");
+      box.type = "checkbox";
+      box.id = `layer-${layer}`;
+      box.checked = this.shown[layer];
+      box.addEventListener("change", () => {
+        this.shown[layer] = box.checked;
+        this.scene?.show(layer, box.checked);
+        this.update_layers();
+        this.update_marks();
+        this.redraw();
+      });
+      label.append(box, ` ${text}`);
+      layers.append(label);
+    }
+    const time = by_id<HTMLInputElement>("time");
+    time.max = String(this.frames.length - 1);
+    this.mark_stages();
+  }
+
+  /// Names of the stages below the slider, where they begin.
+  private mark_stages(): void {
+    const marks: [number, string][] = [];
+    this.frames.forEach((f, i) => {
+      if (i === 0 || f.stage !== this.frames[i - 1]!.stage) marks.push([i, f.stage]);
+    });
+    const last = Math.max(1, this.frames.length - 1);
+    marks.forEach(([i, name], k) => {
+      const mark = element("span", name);
+      mark.title = name;
+      mark.style.left = `${(100 * i) / last}%`;
+      mark.style.width = `${(100 * ((marks[k + 1]?.[0] ?? last) - i)) / last}%`;
+      by_id("stages").append(mark);
+    });
+  }
+
+  // --------------------------------------------------------------------------------------- controls
+
+  private bind(): void {
+    const on = (id: string, event: string, act: () => void) => by_id(id).addEventListener(event, act);
+    on("play", "click", () => this.play(!this.playing));
+    on("back", "click", () => this.step(-1));
+    on("next", "click", () => this.step(1));
+    on("time", "input", () => this.seek(Number(by_id<HTMLInputElement>("time").value)));
+    on("zoom-in", "click", () => this.zoom(1.3));
+    on("zoom-out", "click", () => this.zoom(1 / 1.3));
+    on("fit", "click", () => this.fit());
+    on("save", "click", () => void this.save());
+    on("field", "change", () => {
+      this.field = field_named(by_id<HTMLSelectElement>("field").value);
+      by_id<HTMLSelectElement>("range").disabled = this.field.kind === "names";
+      this.update_colours();
+      this.redraw();
+    });
+    on("range", "change", () => (this.update_colours(), this.redraw()));
+    on("factor", "change", () => (this.update_places(), this.redraw()));
+    on("block", "change", () => this.choose(Number(by_id<HTMLSelectElement>("block").value)));
+    on("monitor-quantity", "change", () => this.draw_monitors());
+    on("block-quantity", "change", () => this.draw_block());
+    on("ledger-sides", "change", () => this.draw_ledger());
+    document.addEventListener("keydown", (e) => this.key(e));
+    DARK.addEventListener("change", () => (this.use_theme(), this.redraw()));
+    if (!this.scene) return;
+    new ResizeObserver(() => {
+      this.scene!.resize();
+      if (this.own_view) this.redraw(true);
+      else this.fit();
+    }).observe(by_id("picture"));
+    this.bind_pointer(by_id<HTMLCanvasElement>("view"), this.scene);
+  }
+
+  private bind_pointer(view: HTMLCanvasElement, scene: Scene): void {
+    const pointers = new Map<number, [number, number]>();
+    let moved = 0;
+    view.addEventListener("pointerdown", (e) => {
+      view.setPointerCapture(e.pointerId);
+      pointers.set(e.pointerId, [e.offsetX, e.offsetY]);
+      moved = 0;
+    });
+    view.addEventListener("pointermove", (e) => {
+      const [x, y] = scene.place(e.offsetX, e.offsetY);
+      by_id("pointer").textContent = `x = ${(x + this.run.origin[0]).toFixed(2)} m, y = ${(y + this.run.origin[1]).toFixed(2)} m`;
+      const from = pointers.get(e.pointerId);
+      if (!from) return;
+      const [dx, dy] = [e.offsetX - from[0], e.offsetY - from[1]];
+      moved += Math.abs(dx) + Math.abs(dy);
+      if (pointers.size === 2) {
+        const other = [...pointers].find(([id]) => id !== e.pointerId)![1];
+        const spread = (p: number, q: number) => Math.hypot(p - other[0], q - other[1]);
+        scene.zoom(spread(e.offsetX, e.offsetY) / Math.max(1, spread(...from)), other[0], other[1]);
+      } else if (moved > 3) {
+        scene.view.x -= dx / scene.view.scale;
+        scene.view.y += dy / scene.view.scale;
+      }
+      pointers.set(e.pointerId, [e.offsetX, e.offsetY]);
+      if (moved > 3) this.own_view = true;
+      this.redraw(true);
+    });
+    const up = (e: PointerEvent) => pointers.delete(e.pointerId);
+    view.addEventListener("pointercancel", up);
+    view.addEventListener("pointerleave", () => (by_id("pointer").textContent = ""));
+    view.addEventListener("pointerup", (e) => {
+      up(e);
+      if (moved <= 3 && this.mesh) {
+        const [x, y] = scene.place(e.offsetX, e.offsetY);
+        const cell = cell_at(this.mesh, scene.position, x, y);
+        this.choose(cell < 0 ? -1 : this.mesh.block[cell]!);
+      }
+    });
+    view.addEventListener("wheel", (e) => {
+      e.preventDefault();
+      scene.zoom(Math.exp(-e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)), e.offsetX, e.offsetY);
+      this.own_view = true;
+      this.redraw(true);
+    }, { passive: false });
+  }
+
+  private key(e: KeyboardEvent): void {
+    if (e.ctrlKey || e.metaKey || e.altKey) return;
+    const target = e.target as HTMLElement;
+    if (target.closest("input, select, textarea, pre, summary, .scroll")) return;
+    const in_view = target.id === "view";
+    const pan = (dx: number, dy: number) => {
+      const view = this.scene!.view;
+      view.x += (dx * 40) / view.scale;
+      view.y += (dy * 40) / view.scale;
+      this.own_view = true;
+      this.redraw(true);
+    };
+    const pans: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    if (in_view && this.scene && pans[e.key]) {
+      pan(...pans[e.key]!);
+      e.preventDefault();
+      return;
+    }
+    const acts: Record<string, () => void> = {
+      " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
+      Home: () => this.seek(0), End: () => this.seek(this.frames.length - 1), "+": () => this.zoom(1.3), "=": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3),
+      "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(),
+    };
+    const act = acts[e.key];
+    if (!act || (e.key === " " && target.tagName === "BUTTON")) return;
+    e.preventDefault();
+    act();
+  }
+
+  // ------------------------------------------------------------------------------------------- time
+
+  private step(by: number): void {
+    this.seek(Math.min(this.frames.length - 1, Math.max(0, this.wanted + by)));
+  }
+
+  /// Shows a frame and stops playing.
+  private seek(index: number): void {
+    this.play(false);
+    void this.go(index).then(() => this.say());
+  }
+
+  private go_to_time(time: number): void {
+    let index = 0;
+    this.frames.forEach((f, i) => {
+      if (f.time <= time + 1e-9) index = i;
+    });
+    this.seek(index);
+  }
+
+  /// The frame asked for last is shown; those in between may be left out.
+  private async go(index: number): Promise<void> {
+    this.wanted = index;
+    if (this.loading) return;
+    this.loading = true;
+    try {
+      while (this.index !== this.wanted) {
+        const now = this.wanted;
+        const note = this.frames[now]!;
+        const [frame, mesh] = await Promise.all([this.source.frame(now), this.source.mesh(note.mesh)]);
+        if (this.mesh_index !== note.mesh) {
+          this.mesh = mesh;
+          this.mesh_index = note.mesh;
+          this.scene?.use_mesh(mesh, this.held);
+        }
+        this.frame = frame;
+        this.index = now;
+        this.update_places();
+        this.update_colours();
+        this.show_instant();
+        this.redraw();
+      }
+    } catch (error) {
+      this.play(false);
+      trouble(error);
+    } finally {
+      this.loading = false;
+    }
+  }
+
+  private play(on: boolean): void {
+    if (on === this.playing) return;
+    this.playing = on;
+    const button = by_id("play");
+    button.textContent = on ? "Pause" : "Play";
+    button.setAttribute("aria-pressed", String(on));
+    if (!on) return this.say();
+    if (this.wanted >= this.frames.length - 1) this.wanted = 0;
+    this.clock = this.frames[this.wanted]!.time;
+    this.last_tick = performance.now();
+    this.still = 0;
+    const tick = (now: number) => {
+      if (!this.playing) return;
+      const passed = Math.min(250, Math.max(0, now - this.last_tick));
+      this.last_tick = now;
+      if (!this.loading) this.advance(passed);
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+    void this.go(this.wanted);
+  }
+
+  private advance(passed: number): void {
+    const next = this.frames[this.wanted + 1];
+    if (!next) return this.play(false);
+    // Two frames of one instant, as where a stage ends and the next begins: each is seen.
+    if (next.time <= this.frames[this.wanted]!.time) {
+      this.still += passed;
+      if (this.still >= FRAME_TIME) {
+        this.still = 0;
+        void this.go(this.wanted + 1);
+      }
+      return;
+    }
+    this.clock += (passed / 1000) * Number(by_id<HTMLSelectElement>("speed").value);
+    let index = this.wanted;
+    while (index + 1 < this.frames.length && this.frames[index + 1]!.time <= this.clock && this.frames[index + 1]!.time > this.frames[index]!.time) ++index;
+    if (index !== this.wanted) void this.go(index);
+    for (const ahead of [1, 2]) if (index + ahead < this.frames.length) void this.source.frame(index + ahead).catch(() => undefined);
+  }
+
+  private instant(): string {
+    const f = this.frames[this.index]!;
+    return `t = ${seconds(f.time)}, ${f.stage}`;
+  }
+
+  private show_instant(): void {
+    const f = this.frames[this.index]!;
+    by_id("instant").textContent = this.instant();
+    const time = by_id<HTMLInputElement>("time");
+    time.value = String(this.index);
+    time.setAttribute("aria-valuetext", `${seconds(f.time)}, stage ${f.stage}, frame ${this.index + 1} of ${this.frames.length}`);
+    by_id("view").setAttribute("aria-label", `The blocks at ${seconds(f.time)} in stage ${f.stage}, coloured by ${this.field.label}`);
+    for (const chart of this.charts) chart.at(f.time);
+    this.show_block_facts();
+  }
+
+  private say(): void {
+    if (this.index >= 0) by_id("said").textContent = this.instant();
+  }
+
+  // ----------------------------------------------------------------------------------------- picture
+
+  private use_theme(): void {
+    this.scene?.use_theme({ ground: rgb_of("--paper"), ink: rgb_of("--edge"), held: rgb_of("--held"), hatch: rgb_of("--hatch"), original: rgb_of("--original") });
+    if (!this.scene) return;
+    const original = original_outline(this.run, rgb_of("--original"));
+    this.scene.use_lines("original", original.ends, original.tint);
+    const joints = joint_lines(this.run);
+    this.scene.use_lines("joints", joints.ends, joints.tint);
+    for (const layer of Object.keys(this.shown) as Layer[]) this.scene.show(layer, this.shown[layer]);
+    if (this.frame) this.update_places();
+  }
+
+  private factor(): number {
+    return Number(by_id<HTMLSelectElement>("factor").value);
+  }
+
+  private update_places(): void {
+    if (!this.scene || !this.frame) return;
+    this.scene.use_displacement(this.frame.displacement, this.factor());
+    this.scene.choose(this.chosen);
+    this.update_layers();
+  }
+
+  private update_layers(): void {
+    if (!this.scene || !this.frame || !this.mesh) return;
+    this.crosses = this.shown.crosses ? crosses(this.mesh, this.frame, this.scene.position, this.held, CROSS_SPACING / this.scene.view.scale) : null;
+    if (this.crosses) this.scene.use_lines("crosses", this.crosses.ends, this.crosses.tint);
+    this.forces = null;
+    if (this.shown.contacts && this.frame.contacts) {
+      const [x0, y0, x1, y1] = this.run.frames.bounds;
+      this.forces = contact_lines(this.frame.contacts, 0.08 * Math.hypot(x1 - x0, y1 - y0));
+      this.scene.use_lines("contacts", this.forces.ends, this.forces.tint);
+    }
+    this.show_layer_key();
+  }
+
+  /// What keeps its size on the screen: supports, and monitors with their names.
+  private update_marks(): void {
+    if (!this.scene || this.index < 0) return;
+    const pixel = 1 / this.scene.view.scale;
+    const supports = support_marks(this.run, rgb_of("--mark"), 11 * pixel);
+    this.scene.use_lines("supports", supports.ends, supports.tint);
+    const time = this.frames[this.index]!.time;
+    const places: [number, number][] = [];
+    const labels: HTMLElement[] = [];
+    this.labels = [];
+    if (this.shown.monitors)
+      this.run.history.monitors.forEach((m, i) => {
+        const at = this.monitor_place(m.at, i, time);
+        if (!at) return;
+        places.push(at);
+        const [px, py] = this.scene!.pixel(...at);
+        const label = element("span", m.name);
+        label.style.transform = `translate(${px + 8}px, ${py - 20}px)`;
+        labels.push(label);
+        this.labels.push([m.name, px + 12, py - 11]);
+      });
+    by_id("labels").replaceChildren(...labels);
+    const marks = diamonds(places, rgb_of("--mark"), 5 * pixel);
+    this.scene.use_lines("monitors", marks.ends, marks.tint);
+  }
+
+  /// Where a monitor is: its place in the model and the last stored displacement that is not later.
+  private monitor_place(at: [number, number] | undefined, monitor: number, time: number): [number, number] | null {
+    const times = this.rows.get(`m${monitor}.time`);
+    const u = this.rows.get(`m${monitor}.u`);
+    if (!at || !times || !u || times.length === 0) return null;
+    let [low, high] = [0, times.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (times[middle]! <= time * (1 + 1e-6) + 1e-9) low = middle;
+      else high = middle - 1;
+    }
+    return [at[0] + this.factor() * u[2 * low]!, at[1] + this.factor() * u[2 * low + 1]!];
+  }
+
+  private show_layer_key(): void {
+    const key = by_id("layer-key");
+    key.replaceChildren();
+    const line = (entries: [Rgb, string][], more = "") => {
+      const row = element("div");
+      for (const [colour, text] of entries) {
+        const swatch = element("span", undefined, "swatch");
+        swatch.style.background = css(colour);
+        row.append(swatch, `${text}  `);
+      }
+      row.append(more);
+      key.append(row);
+    };
+    if (this.run.model.blocks.some((b) => b.held)) line([], "Hatched: held or driven as a whole.");
+    if (this.shown.joints) line(this.run.model.joints.laws.map((l, i) => [name_colour(i + 3), l.name]));
+    if (this.crosses && this.crosses.stress > 0) line([[COMPRESSION, "compression"], [TENSION, "tension"]], `· Longest arm: ${quantity(this.crosses.stress, "Pa", 2)}.`);
+    if (this.forces) {
+      const f = this.forces;
+      line([[STICKING, `sticking (${f.sticking})`], [SLIPPING, `slipping (${f.slipping})`], [FAILED, `slipping, strength failed (${f.failed})`]],
+        f.force > 0 ? `· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
+    }
+  }
+
+  private names(): [string, Rgb][] {
+    if (this.field.kind !== "names") return [];
+    if (!this.field.names) return Array.from({ length: 10 }, (_, i) => ["", name_colour(i)] as [string, Rgb]);
+    return this.field.names(this.run).map((n, i) => [n, name_colour(i)]);
+  }
+
+  private update_colours(): void {
+    if (!this.scene || !this.frame || !this.mesh) return;
+    const values = this.scene.values;
+    corner_values(this.field, this.mesh, this.frame, values);
+    const whole = this.run.frames.ranges[this.field.id];
+    const of_run = by_id<HTMLSelectElement>("range").value === "run" && whole;
+    const range = this.field.kind === "names" ? ([0, 1] as [number, number]) : of_run ? whole : frame_range(this.field, this.mesh, values, this.held);
+    const names = this.names();
+    this.scene.use_colours(this.field, range, names.map(([, c]) => c));
+    this.legend = legend_text(this.field, range, names.filter(([n]) => n !== ""));
+    if (this.field.id === "block") this.legend.what = "block (neighbours differ in colour; the list below has the names)";
+    show_legend(by_id("legend"), this.field, this.legend);
+    by_id("view").setAttribute("aria-label", `The blocks at ${seconds(this.frames[this.index]!.time)} in stage ${this.frames[this.index]!.stage}, coloured by ${this.field.label}`);
+  }
+
+  /// @param moved  the view has, so what has a size on the screen is made anew
+  private redraw(moved = false): void {
+    if (moved && this.shown.crosses) this.update_layers();
+    if (this.draw_asked || !this.scene) return;
+    this.draw_asked = true;
+    requestAnimationFrame(() => {
+      this.draw_asked = false;
+      this.update_marks();
+      this.scene!.render();
+      this.show_scale();
+    });
+  }
+
+  private show_scale(): void {
+    const scale = this.scene!.view.scale;
+    const metres = round_below(140 / scale);
+    const unit = prefixed("m", metres);
+    this.scale_bar = { pixels: metres * scale, text: metres >= 1000 ? `${metres / 1000} km` : `${Number((metres / unit.factor).toPrecision(3))} ${unit.name}` };
+    by_id("scale-bar").style.width = `${this.scale_bar.pixels}px`;
+    by_id("scale-text").textContent = this.scale_bar.text;
+  }
+
+  private fit(): void {
+    this.own_view = false;
+    this.scene?.fit(...this.run.frames.bounds);
+    this.redraw(true);
+  }
+
+  private zoom(factor: number): void {
+    this.own_view = true;
+    this.scene?.zoom(factor, 0.5 * this.scene.width, 0.5 * this.scene.height);
+    this.redraw(true);
+  }
+
+  private async save(): Promise<void> {
+    if (!this.scene) return;
+    this.scene.render();
+    const blob = await picture(this.scene.canvas, {
+      title: this.run.title || "Scree run", instant: this.instant(), scale: this.scale_bar, field: this.field, legend: this.legend, dark: DARK.matches,
+      labels: this.labels,
+    });
+    const link = element("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `${this.run.folder || "scree"}-${this.field.id}-${this.frames[this.index]!.time.toFixed(3)}s.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  // ------------------------------------------------------------------------------------------ block
+
+  private choose(block: number): void {
+    this.chosen = block;
+    by_id<HTMLSelectElement>("block").value = String(block);
+    this.scene?.choose(block);
+    this.redraw();
+    this.show_block_facts();
+    by_id("block-figure").hidden = block < 0;
+    if (block >= 0) void this.follow_block(block);
+  }
+
+  /// Means over the cells of a block, weighted by their areas in the model: displacement, velocity, stress.
+  private block_mean(mesh: Mesh, frame: Frame, block: number, areas: Float64Array): number[] | null {
+    const sum = new Float64Array(7);
+    let area = 0;
+    for (let c = 0; c < areas.length; ++c) {
+      if (mesh.block[c] !== block) continue;
+      const first = mesh.offsets[c]!;
+      const end = mesh.offsets[c + 1]!;
+      const weight = areas[c]! / (end - first);
+      area += areas[c]!;
+      for (let i = first; i < end; ++i) {
+        const p = mesh.cells[i]!;
+        for (const k of [0, 1]) {
+          sum[k] += weight * frame.displacement[2 * p + k]!;
+          sum[2 + k] += weight * frame.velocity[2 * p + k]!;
+        }
+        for (const k of [0, 1, 2]) sum[4 + k] += weight * frame.stress[3 * p + k]!;
+      }
+    }
+    return area > 0 ? Array.from(sum, (s) => s / area) : null;
+  }
+
+  private show_block_facts(): void {
+    const box = by_id("block-facts");
+    const block = this.run.model.blocks[this.chosen];
+    if (!block || !this.mesh || !this.frame) return box.replaceChildren();
+    const cell = this.mesh.block.indexOf(this.chosen);
+    const mean = cell < 0 ? null : this.block_mean(this.mesh, this.frame, this.chosen, this.areas(this.mesh));
+    const area = this.ring_area(block.rings);
+    const rows: [string, string | undefined][] = [
+      ["Material", this.run.model.materials[block.material]?.name],
+      ["Area", `${short(area)} m²`],
+      ["Held", block.held ? "yes" : undefined],
+    ];
+    if (mean && cell >= 0) {
+      const radius = Math.hypot(0.5 * (mean[4]! - mean[5]!), mean[6]!);
+      const middle = 0.5 * (mean[4]! + mean[5]!);
+      rows.push(
+        ["Method", `${(this.run.model.methods[this.mesh.method[cell]!] ?? "").toUpperCase()}, ${this.frame.integrator[cell] === 0 ? "explicit" : "implicit"}`],
+        ["Displacement", `${quantity(Math.hypot(mean[0]!, mean[1]!), "m")} (${quantity(mean[0]!, "m")}, ${quantity(mean[1]!, "m")})`],
+        ["Speed", quantity(Math.hypot(mean[2]!, mean[3]!), "m/s")],
+        ["Mean σ₁, σ₃", `${quantity(middle + radius, "Pa")}, ${quantity(middle - radius, "Pa")}`],
+      );
+      const contacts = this.frame.contacts;
+      if (contacts) {
+        let touching = 0;
+        for (let i = 0; i < contacts.state.length; ++i) if (contacts.blocks[3 * i] === this.chosen || contacts.blocks[3 * i + 1] === this.chosen) touching += 1;
+        rows.push(["Closed contacts", String(touching)]);
+      }
+    }
+    pairs(box, rows);
+  }
+
+  private readonly area_of = new WeakMap<Mesh, Float64Array>();
+  private areas(mesh: Mesh): Float64Array {
+    let found = this.area_of.get(mesh);
+    if (!found) this.area_of.set(mesh, (found = cell_areas(mesh)));
+    return found;
+  }
+
+  /// The outer ring less the holes.
+  private ring_area(rings: number[][]): number {
+    const areas = rings.map((r) => {
+      let twice = 0;
+      for (let i = 0; i < r.length; i += 2) {
+        const j = (i + 2) % r.length;
+        twice += r[i]! * r[j + 1]! - r[j]! * r[i + 1]!;
+      }
+      return Math.abs(0.5 * twice);
+    });
+    return areas.reduce((sum, a, i) => (i === 0 ? a : sum - a), 0);
+  }
+
+  /// Reads all frames for the history of one block; another choice ends it.
+  private async follow_block(block: number): Promise<void> {
+    const time: number[] = [];
+    const rows: number[][] = [];
+    for (let i = 0; i < this.frames.length && this.chosen === block; ++i) {
+      const note = this.frames[i]!;
+      const [frame, mesh] = await Promise.all([this.source.frame(i), this.source.mesh(note.mesh)]);
+      const mean = this.block_mean(mesh, frame, block, this.areas(mesh));
+      if (!mean) continue;
+      time.push(note.time);
+      rows.push(mean);
+    }
+    if (this.chosen !== block) return;
+    this.block_history = { block, time: Float64Array.from(time), rows: rows.map((r) => Float64Array.from(r)) };
+    this.draw_block();
+  }
+
+  private draw_block(): void {
+    const history = this.block_history;
+    if (!history || history.block !== this.chosen) return;
+    if (!this.block_chart) this.charts.push((this.block_chart = this.chart("block-chart", 220)));
+    by_id("block-title").textContent = `Block ${this.run.model.blocks[history.block]!.name}`;
+    const what = by_id<HTMLSelectElement>("block-quantity").value;
+    const principal = (r: Float64Array, sign: number) => 0.5 * (r[4]! + r[5]!) + sign * Math.hypot(0.5 * (r[4]! - r[5]!), r[6]!);
+    const pick: Record<string, (r: Float64Array) => number> = {
+      displacement: (r) => Math.hypot(r[0]!, r[1]!), "horizontal displacement": (r) => r[0]!, "vertical displacement": (r) => r[1]!,
+      speed: (r) => Math.hypot(r[2]!, r[3]!), "principal stress σ₁": (r) => principal(r, 1), "principal stress σ₃": (r) => principal(r, -1),
+    };
+    const unit = what.includes("stress") ? "Pa" : what === "speed" ? "m/s" : "m";
+    const series: Series[] = [{ label: `mean ${what}`, values: history.rows.map(pick[what]!) }];
+    this.block_chart.draw({ what, unit }, history.time, series);
+    this.block_chart.at(this.frames[this.index]!.time);
+  }
+
+  // ----------------------------------------------------------------------------------------- charts
+
+  private chart(id: string, height: number): Chart {
+    return new Chart(by_id(id), height, this.run.stages, (t) => this.go_to_time(t));
+  }
+
+  private monitor_chart: Chart | null = null;
+  private ledger_chart: Chart | null = null;
+
+  private make_charts(): void {
+    if (this.run.history.monitors.length > 0) {
+      this.monitor_chart = this.chart("monitor-chart", 240);
+      this.charts.push(this.monitor_chart);
+      this.draw_monitors();
+    } else {
+      by_id("monitor-figure").hidden = true;
+    }
+    this.ledger_chart = this.chart("energy-chart", 240);
+    const closure_chart = this.chart("closure-chart", 200);
+    this.charts.push(this.ledger_chart, closure_chart);
+    this.draw_ledger();
+    const values = closure(this.rows);
+    if (values.some((v) => v > 0)) closure_chart.draw({ what: "|closure| / moved", unit: "", log: true }, this.rows.get("l.time")!, [{ label: "closure", values }]);
+    else by_id("closure-chart").textContent = "Zero at every stored time.";
+    for (const chart of this.charts) chart.at(this.frames[this.index]!.time);
+  }
+
+  private draw_monitors(): void {
+    const quantity_ = by_id<HTMLSelectElement>("monitor-quantity").value;
+    const { time, series, unit } = monitor_series(this.run, this.rows, quantity_);
+    this.monitor_chart?.draw({ what: quantity_, unit }, time, series);
+    this.describe("monitor-chart", `Histories of the monitors, ${quantity_}`, series, unit);
+  }
+
+  private draw_ledger(): void {
+    const sides = by_id<HTMLSelectElement>("ledger-sides").value.split(" ");
+    const series = ledger_series(this.run, this.rows, sides);
+    this.ledger_chart?.draw({ what: "energy", unit: "J" }, this.rows.get("l.time") ?? [], series);
+    this.describe("energy-chart", "Energy ledger over time", series, "J");
+  }
+
+  /// What a screen reader says of a chart: its last values.
+  private describe(id: string, what: string, series: Series[], unit: string): void {
+    const ends = series.map((s) => `${s.label} ${quantity(s.values[s.values.length - 1] ?? NaN, unit)}`);
+    by_id(id).setAttribute("aria-label", `${what}. At the end: ${ends.join("; ")}`);
+  }
+}
+
+try {
+  void new Page(new ReportSource()).start().catch(trouble);
+} catch (error) {
+  trouble(error);
+}

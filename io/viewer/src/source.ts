@@ -1,0 +1,236 @@
+// What the page shows, and where it comes from. A report has everything in its own elements; a stream would implement
+// the same `Source` with chunks that arrive over a WebSocket.
+
+export interface Stage {
+  name: string;
+  integrator: string;
+  duration: number; // [s]
+  start: number | null; // [s]; null: not reached
+}
+
+export interface FrameNote {
+  index: number; // in the run
+  time: number; // [s]
+  step: number;
+  mesh: number;
+  stage: string;
+  integrator: string;
+}
+
+export interface Block {
+  name: string;
+  material: number;
+  held: boolean;
+  rings: number[][]; // x, y, x, y, ... as the model first had it
+}
+
+export interface Law {
+  name: string;
+  friction_deg: number;
+  cohesion: number;
+  tensile_strength: number | null; // null: without limit
+}
+
+export type Piece = [number, number, number, number, number]; // x0, y0, x1, y1, law
+
+export interface Run {
+  format: number;
+  written_by: string;
+  title: string;
+  folder: string;
+  origin: [number, number]; // what all positions are counted from [m]
+  model: {
+    blocks: Block[];
+    materials: { name: string; density: number; young: number; poisson: number }[];
+    methods: string[];
+    supports: [number, number, boolean, boolean][]; // x, y, held along x, along y
+    joints: { laws: Law[]; lines: Piece[]; cracks: Piece[] };
+  };
+  stages: Stage[];
+  frames: {
+    list: FrameNote[];
+    stored: number;
+    meshes: number;
+    ranges: Record<string, [number, number]>;
+    bounds: [number, number, number, number];
+  };
+  history: {
+    monitors: { name: string; stress: boolean; at?: [number, number] }[]; // at: in the model
+    ledger: { name: string; side: string; meaning: string }[];
+    whole: boolean;
+  };
+  contacts: boolean;
+  events: [number, string, string][];
+  asked: Record<string, unknown> & { case: string; set: string[]; libraries: [string, string][] };
+  found: Record<string, unknown> | null;
+}
+
+/// Cells of one topology: cell c has the corners cells[offsets[c]] .. cells[offsets[c + 1] - 1].
+export interface Mesh {
+  origin: Float32Array; // x, y a point, where it was in the model
+  offsets: Int32Array;
+  cells: Int32Array;
+  block: Int32Array; // a cell, as the two below
+  material: Int32Array;
+  method: Int32Array;
+}
+
+export interface Contacts {
+  position: Float32Array; // x, y a contact point
+  normal: Float32Array; // of the edge, outward of its block; the corner is pushed along it
+  force: Float32Array; // normal, tangential a contact point [N]
+  slip: Float32Array; // [m]
+  blocks: Int32Array; // block of the corner, block of the edge, joint law
+  state: Uint8Array; // 1 slipping, 2 sticking; + 4 where its strength has failed
+}
+
+export interface Frame {
+  displacement: Float32Array; // x, y a point
+  velocity: Float32Array; // x, y a point
+  stress: Float32Array; // xx, yy, xy a point
+  integrator: Uint8Array; // a cell
+  contacts: Contacts | null;
+}
+
+export interface Source {
+  readonly run: Run;
+  mesh(index: number): Promise<Mesh>;
+  frame(index: number): Promise<Frame>;
+  /// Monitors and the ledger: rows by name (m0.time, m0.u, l.time, l.0, ...).
+  history(): Promise<Map<string, Float32Array>>;
+}
+
+type Numbers = Float32Array | Int32Array | Uint8Array;
+
+/// The arrays of a chunk as io/report/chunk.h lays them out.
+export function unpack(bytes: Uint8Array): Map<string, Numbers> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const count = view.getUint32(0, true);
+  const arrays = new Map<string, Numbers>();
+  let at = 4 + 24 * count;
+  for (let a = 0; a < count; ++a) {
+    const head = 4 + 24 * a;
+    let name = "";
+    for (let i = 0; i < 16 && bytes[head + i] !== 0; ++i) name += String.fromCharCode(bytes[head + i]!);
+    const type = view.getUint32(head + 16, true);
+    const length = view.getUint32(head + 20, true);
+    const width = type === 2 ? 1 : 4;
+    if (at + width * length > bytes.length) throw new Error(`array ${name} is cut short`);
+    const planes = bytes.subarray(at, at + width * length);
+    at += width * length;
+    if (type === 2) {
+      arrays.set(name, planes.slice());
+      continue;
+    }
+    const out = new Uint8Array(4 * length);
+    for (let byte = 0; byte < 4; ++byte)
+      for (let i = 0, from = byte * length; i < length; ++i) out[4 * i + byte] = planes[from + i]!;
+    arrays.set(name, type === 0 ? new Float32Array(out.buffer) : new Int32Array(out.buffer));
+  }
+  return arrays;
+}
+
+async function inflate(text: string): Promise<Uint8Array> {
+  if (typeof DecompressionStream === "undefined")
+    throw new Error("this browser is too old to read a report: it takes Chrome 80, Firefox 113, Safari 16.4 or later");
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function array<T extends Numbers>(arrays: Map<string, Numbers>, name: string): T {
+  const found = arrays.get(name);
+  if (!found) throw new Error(`the report has no array ${name}; it is damaged`);
+  return found as T;
+}
+
+export function mesh_of(a: Map<string, Numbers>): Mesh {
+  return {
+    origin: array(a, "origin"),
+    offsets: array(a, "offsets"),
+    cells: array(a, "cells"),
+    block: array(a, "block"),
+    material: array(a, "material"),
+    method: array(a, "method"),
+  };
+}
+
+export function frame_of(a: Map<string, Numbers>): Frame {
+  return {
+    displacement: array(a, "displacement"),
+    velocity: array(a, "velocity"),
+    stress: array(a, "stress"),
+    integrator: array(a, "integrator"),
+    contacts: !a.has("c.state")
+      ? null
+      : {
+          position: array(a, "c.position"),
+          normal: array(a, "c.normal"),
+          force: array(a, "c.force"),
+          slip: array(a, "c.slip"),
+          blocks: array(a, "c.blocks"),
+          state: array(a, "c.state"),
+        },
+  };
+}
+
+const KEPT_BYTES = 300e6; // of unpacked frames
+
+/// The elements of the page itself.
+export class ReportSource implements Source {
+  readonly run: Run;
+  private readonly meshes = new Map<number, Promise<Mesh>>();
+  private readonly frames = new Map<number, Promise<Frame>>();
+  private readonly sizes = new Map<number, number>();
+  private kept = 0;
+
+  constructor() {
+    this.run = JSON.parse(this.text("run")) as Run;
+    if (this.run.format !== 1) throw new Error(`the report has format ${this.run.format}, which this page cannot read`);
+  }
+
+  mesh(index: number): Promise<Mesh> {
+    let found = this.meshes.get(index);
+    if (!found) this.meshes.set(index, (found = this.chunk(`mesh-${index}`).then(mesh_of)));
+    return found;
+  }
+
+  frame(index: number): Promise<Frame> {
+    let found = this.frames.get(index);
+    if (found) {
+      this.frames.delete(index); // the last one used stands last
+    } else {
+      found = this.chunk(`frame-${index}`).then(frame_of);
+      void found.then((f) => this.keep(index, 4 * (f.displacement.length + f.velocity.length + f.stress.length)), () => 0);
+    }
+    this.frames.set(index, found);
+    return found;
+  }
+
+  async history(): Promise<Map<string, Float32Array>> {
+    return (await this.chunk("history")) as Map<string, Float32Array>;
+  }
+
+  private keep(index: number, bytes: number): void {
+    this.sizes.set(index, bytes);
+    this.kept += bytes;
+    for (const oldest of this.frames.keys()) {
+      if (this.kept <= KEPT_BYTES || oldest === index) break;
+      this.kept -= this.sizes.get(oldest) ?? 0;
+      this.sizes.delete(oldest);
+      this.frames.delete(oldest);
+    }
+  }
+
+  private async chunk(name: string): Promise<Map<string, Numbers>> {
+    return unpack(await inflate(this.text(name)));
+  }
+
+  private text(name: string): string {
+    const element = document.getElementById(`scree-${name}`);
+    if (!element || element.textContent === null) throw new Error(`the report lacks its part ${name}; it is damaged`);
+    return element.textContent;
+  }
+}

@@ -1,0 +1,219 @@
+// The page of tests/e2e/report/case.toml in headless Chromium: pixels of known blocks at known times, controls, text that
+// stays text, no request, no fault of accessibility.
+// Usage: CHROMIUM=... MODULES=.../node_modules node page.mjs REPORT THIN
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+const require = createRequire(process.env.MODULES + "/");
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const [report, thin] = process.argv.slice(2);
+const GRAVITY = 10; // of the case [m/s2]
+const TITLE = `</script><img src=x onerror="document.title='run'"> falling & resting`;
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM,
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+});
+const faults = [];
+
+async function open(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  page.on("console", (m) => ["error", "warning"].includes(m.type()) && !/GPU stall|swiftshader/i.test(m.text()) && faults.push(`console: ${m.text()}`));
+  page.on("pageerror", (e) => faults.push(`page: ${e.message}`));
+  const address = pathToFileURL(file).href;
+  page.on("request", (r) => r.url() !== address && !r.url().startsWith("blob:") && faults.push(`request: ${r.url()}`));
+  await page.goto(address);
+  await page.waitForSelector("body[data-ready=true]", { timeout: 60000 });
+  return page;
+}
+
+/// The instant that the page shows [s].
+const instant = async (page) => Number((await page.textContent("#instant")).match(/t = ([\d.]+) s/)[1]);
+
+/// Waits until something holds in the page. (waitForFunction evaluates text in the page, which its policy forbids.)
+async function until(page, holds, argument) {
+  for (const end = Date.now() + 30000; Date.now() < end; await page.waitForTimeout(30)) if (await page.evaluate(holds, argument)) return;
+  assert.fail(`never holds: ${holds}`);
+}
+
+/// Two frames of the browser, in which a picture asked for has been drawn.
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
+
+async function show_frame(page, index) {
+  await page.locator("#time").fill(String(index));
+  await until(page, (i) => document.getElementById("time").getAttribute("aria-valuetext").includes(`frame ${i + 1} of`), index);
+  await drawn(page);
+}
+
+/// Places [m] -> pixels of the canvas, from what the page says of two pixels below the pointer.
+async function places(page) {
+  const box = await page.locator("#view").boundingBox();
+  const at = async (px, py) => {
+    await page.mouse.move(box.x + px, box.y + py);
+    const text = (await page.textContent("#pointer")).replaceAll("−", "-");
+    const [, x, y] = text.match(/x = (-?[\d.]+) m, y = (-?[\d.]+) m/);
+    return [Number(x), Number(y)];
+  };
+  const [px, qx, py, qy] = [100, box.width - 100, 100, box.height - 100];
+  const p = await at(px, py);
+  const q = await at(qx, qy);
+  return (x, y) => [px + ((x - p[0]) / (q[0] - p[0])) * (qx - px), py + ((y - p[1]) / (q[1] - p[1])) * (qy - py)];
+}
+
+/// Red, green, blue of a pixel of the canvas (CSS pixels).
+const colour = (page, [x, y]) =>
+  page.evaluate(([x, y]) => {
+    const view = document.getElementById("view");
+    const copy = document.createElement("canvas");
+    copy.width = view.width;
+    copy.height = view.height;
+    const c = copy.getContext("2d");
+    c.drawImage(view, 0, 0);
+    return [...c.getImageData(Math.round((x * view.width) / view.clientWidth), Math.round((y * view.height) / view.clientHeight), 1, 1).data].slice(0, 3);
+  }, [x, y]);
+
+const near = (a, b, within, what) => {
+  for (let k = 0; k < 3; ++k) assert.ok(Math.abs(a[k] - b[k]) <= within, `${what}: ${a} is not ${b} within ${within}`);
+};
+
+/// viridis at ten places, straight between them; written down here a second time.
+const VIRIDIS = [[68, 1, 84], [72, 40, 120], [62, 74, 137], [49, 104, 142], [38, 130, 142], [31, 158, 137], [53, 183, 121], [110, 206, 88], [181, 222, 43], [253, 231, 37]];
+function viridis(x) {
+  const at = Math.min(1, Math.max(0, x)) * 9;
+  const i = Math.min(8, Math.floor(at));
+  return [0, 1, 2].map((k) => VIRIDIS[i][k] + (at - i) * (VIRIDIS[i + 1][k] - VIRIDIS[i][k]));
+}
+const LEVELS = 4; // of 255: a table of 256 colours, and 1 % of time steps
+
+async function test_pixels(page) {
+  const pixel = await places(page);
+  const middle = (t) => pixel(-6, 7.5 - 0.5 * GRAVITY * t * t);
+  const last = Number(await page.getAttribute("#time", "max"));
+  const ground = await colour(page, pixel(-10, 3));
+  near(ground, [255, 255, 255], 1, "the ground");
+  for (const layer of ["original", "monitors", "supports", "outline"]) await page.uncheck(`#layer-${layer}`);
+  const end = 0.8;
+  for (const index of [0, 4, 11, last]) {
+    await show_frame(page, index);
+    const t = await instant(page);
+    near(await colour(page, middle(t)), viridis((t / end) ** 2), LEVELS, `displacement at ${t} s`);
+  }
+  near(await colour(page, middle(0)), ground, 1, "where the block has been");
+  await page.selectOption("#field", "speed");
+  await show_frame(page, 11);
+  const t = await instant(page);
+  near(await colour(page, middle(t)), viridis(t / end), LEVELS, `speed at ${t} s`);
+  // The range of the instant: the fastest block has the colour of the upper end.
+  await page.selectOption("#range", "frame");
+  await drawn(page);
+  near(await colour(page, middle(t)), viridis(1), LEVELS, "speed in the range of the instant");
+  await page.selectOption("#range", "run");
+  // Methods: the mesh of the NMM gives way to the blocks of the DDA at one time, in two frames.
+  await page.selectOption("#field", "method");
+  const before = await page.evaluate(() => JSON.parse(document.getElementById("scree-run").textContent).frames.list.findIndex((f) => f.stage === "fall"));
+  const seen = [];
+  for (const index of [before - 1, before]) {
+    await show_frame(page, index);
+    seen.push([await instant(page), await colour(page, middle(await instant(page)))]);
+  }
+  assert.ok(Math.abs(seen[0][0] - seen[1][0]) < 2e-3, `the hand-over takes from ${seen[0][0]} to ${seen[1][0]} s`);
+  assert.notDeepEqual(seen[0][1], seen[1][1], "the hand-over does not show");
+  // The held base is hatched in grey, whatever the field.
+  const [r, g, b] = await colour(page, pixel(-10, -1));
+  assert.ok(Math.abs(r - g) < 12 && Math.abs(g - b) < 12, `the base is ${[r, g, b]}`);
+  return { pixel, middle };
+}
+
+async function test_controls(page, { pixel, middle }) {
+  await page.locator("#time").focus();
+  const before = Number(await page.inputValue("#time"));
+  await page.keyboard.press("ArrowRight");
+  await until(page, (i) => Number(document.getElementById("time").value) === i, before + 1);
+  await show_frame(page, 0);
+  await page.selectOption("#speed", "1");
+  await page.locator("#fit").focus();
+  await page.locator("#fit").press("ArrowRight");
+  await until(page, () => document.getElementById("time").value === "1");
+  await page.click("#play");
+  assert.equal(await page.getAttribute("#play", "aria-pressed"), "true");
+  await until(page, () => Number(document.getElementById("time").value) >= 5);
+  await until(page, () => document.getElementById("play").getAttribute("aria-pressed") === "false"); // ends by itself
+  assert.ok((await instant(page)) > 0.799, "playing does not reach the end");
+  // Choose a block by a click, where it is now.
+  await show_frame(page, 11);
+  const box = await page.locator("#view").boundingBox();
+  const [x, y] = middle(await instant(page));
+  await page.mouse.click(box.x + x, box.y + y);
+  assert.equal(await page.$eval("#block", (s) => s.selectedOptions[0].textContent), "falling");
+  assert.match(await page.textContent("#block-facts"), /Materialrock.*12\.0 m².*DDA, implicit/);
+  await page.waitForSelector("#block-chart canvas");
+  const [u, v] = pixel(1, 1.5);
+  await page.mouse.click(box.x + u, box.y + v);
+  assert.equal(await page.$eval("#block", (s) => s.selectedOptions[0].textContent), "<b>resting");
+  assert.match(await page.textContent("#block-facts"), /NMM|DDA/);
+  // Contacts: those of the resting block are closed.
+  await page.check("#layer-contacts");
+  assert.match(await page.textContent("#layer-key"), /sticking \(\d+\)/);
+  await page.check("#layer-crosses");
+  assert.match(await page.textContent("#layer-key"), /compression.*Longest arm: [\d.]+ kPa/);
+  // Zoom keeps the place below the middle; the scale bar follows.
+  const scale = await page.textContent("#scale-text");
+  for (let i = 0; i < 6; ++i) await page.click("#zoom-in");
+  await drawn(page);
+  assert.notEqual(await page.textContent("#scale-text"), scale);
+  await page.locator("#view").focus();
+  await page.keyboard.press("0");
+  await drawn(page);
+  assert.equal(await page.textContent("#scale-text"), scale);
+  // The picture as PNG.
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+  const png = readFileSync(await download.path());
+  assert.equal(png.subarray(1, 4).toString(), "PNG");
+  assert.ok(png.length > 5000, `the PNG has ${png.length} bytes`);
+}
+
+async function test_text(page) {
+  assert.equal(await page.title(), TITLE);
+  assert.equal(await page.textContent("#title"), TITLE);
+  assert.equal(await page.$$eval("img, b, iframe, object", (all) => all.length), 0, "a name of the case has become an element");
+  const found = await page.textContent("#found");
+  assert.match(found, /Statusdone/);
+  assert.match(found, /Ledger closure/);
+  assert.match(await page.textContent("#asked"), /report\/case\.toml.*onerror/s);
+  assert.match(await page.textContent("#events"), /touches nothing/);
+  assert.equal(await page.$$eval("#stages span", (all) => all.map((s) => s.textContent).join(" ")), "shake fall");
+  assert.ok((await page.$$eval(".u-legend .u-series", (all) => all.length)) > 4, "the charts have no series");
+  assert.match(await page.textContent("#thinning"), /All 18 stored frames/);
+  assert.match(await page.textContent("#licences"), /three.*MIT/s);
+}
+
+async function test_accessibility(page, scheme) {
+  await page.evaluate(() => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  await page.evaluate(axe);
+  const { violations, passes } = await page.evaluate(() => globalThis.axe.run(document));
+  assert.ok(passes.length > 15, `only ${passes.length} rules of accessibility apply`);
+  const serious = violations.filter((v) => ["serious", "critical"].includes(v.impact));
+  assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3).join(", ")}`), [], `accessibility, ${scheme}`);
+}
+
+try {
+  const page = await open(report);
+  await test_text(page);
+  await test_controls(page, await test_pixels(page));
+  await test_accessibility(page, "light");
+  const dark = await open(report, { colorScheme: "dark" });
+  near(await colour(dark, [30, 200]), [28, 32, 36], 2, "the dark ground");
+  await dark.selectOption("#block", { label: "falling" });
+  await dark.waitForSelector("#block-chart canvas");
+  await test_accessibility(dark, "dark");
+  const few = await open(thin);
+  assert.match(await few.textContent("#thinning"), /[45] of the 18 stored frames/);
+  assert.deepEqual(faults, []);
+  console.log("page: fine");
+} finally {
+  await browser.close();
+}

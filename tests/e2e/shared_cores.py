@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+"""Threads that wait give way: two on cores that others use too take little more processor time than one.
+
+Usage: shared_cores.py SCREE
+OpenMP's own default is to spin, which costs tens of times as much wherever something else computes on the machine.
+"""
+import os
+import subprocess
+import sys
+
+MOST = 3.0  # times the processor time of one thread
+SKIPPED = 77
+
+
+def seconds(scree, threads):
+    """Processor time of a case of many short parallel loops."""
+    environment = {k: v for k, v in os.environ.items() if k not in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT")}
+    environment["OMP_NUM_THREADS"] = str(threads)
+    run = subprocess.Popen([scree, "cases", "verify", "plate-hole", "--quick"], env=environment, stdout=subprocess.DEVNULL)
+    _, status, used = os.wait4(run.pid, 0)
+    run.returncode = os.waitstatus_to_exitcode(status)
+    assert run.returncode == 0, run.returncode
+    return used.ru_utime + used.ru_stime
+
+
+def main():
+    cores = sorted(os.sched_getaffinity(0))[:2]
+    if len(cores) < 2:
+        print("SKIPPED: one core only")
+        sys.exit(SKIPPED)
+    os.sched_setaffinity(0, cores)
+    others = [subprocess.Popen([sys.executable, "-c", "while True: pass"], preexec_fn=lambda: os.sched_setaffinity(0, {core}))
+              for core in cores for _ in range(2)]
+    try:
+        one = seconds(sys.argv[1], 1)
+        two = seconds(sys.argv[1], 2)
+    finally:
+        for other in others:
+            other.kill()
+            other.wait()
+    print(f"beside four others on two cores: one thread {one:.2f} s, two {two:.2f} s of processor time, {two / one:.2f} times")
+    sys.exit(0 if two <= MOST * one else 1)
+
+
+if __name__ == "__main__":
+    main()
