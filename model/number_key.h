@@ -14,8 +14,8 @@ struct NumberKey {
   bool low_open = true;  // the bound itself is not allowed
   double high = std::numeric_limits<double>::infinity();
   bool high_open = false;
-  std::string meaning;   // a full sentence
-  std::string fallback;  // value where the key is absent, as a case file has it; empty: the key must be given
+  std::string meaning;        // a full sentence
+  std::string fallback = {};  // value where the key is absent, as a case file has it; empty: the key must be given
 };
 
 }  // namespace scree
