@@ -25,8 +25,8 @@ std::string load(const std::string& file) {
     return "there is no such file; --load takes a shared library (.so) that was built for Scree";
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (library == nullptr) return fmt::format("it cannot be loaded: {}", ::dlerror());
-  const auto* version = symbol<const char*()>(library, "scree_library_version");
-  const auto* add = symbol<void()>(library, "scree_library_add");
+  auto* const version = symbol<const char*()>(library, "scree_library_version");
+  auto* const add = symbol<void()>(library, "scree_library_add");
   if (version == nullptr || add == nullptr)
     return "it is no library of Scree: it has no SCREE_LIBRARY (coupling/library.h)";
   if (std::string_view(version()) != SCREE_VERSION)

@@ -94,7 +94,7 @@ class Checker {
     for (const Key& key : schema())
       if (parent_of(key.path) == row) known.emplace_back(last_part(key.path));
     const std::string where = row.empty() ? "at the top of the case file" : fmt::format("in [{}]", path);
-    std::string hint;
+    std::string hint = row == "method" ? "name the library that has this method: --load LIBRARY" : "";
     for (const Key& key : schema())  // the right key in the wrong table
       if (hint.empty() && last_part(key.path) == m.key)
         hint = fmt::format("a key of that name belongs to {}", key.path);

@@ -585,8 +585,7 @@ void append(std::vector<Key>& keys, const std::string& path, std::string_view me
 }
 
 void insert_after(std::vector<Key>& keys, std::string_view section, const std::vector<Key>& added) {
-  const auto last =
-      std::find_if(keys.rbegin(), keys.rend(), [&](const Key& k) { return k.path.starts_with(section); });
+  const auto last = std::find_if(keys.rbegin(), keys.rend(), [&](const Key& k) { return k.path.starts_with(section); });
   keys.insert(last.base(), added.begin(), added.end());
 }
 
@@ -594,11 +593,11 @@ void insert_after(std::vector<Key>& keys, std::string_view section, const std::v
 std::vector<Key> with_registered() {
   std::vector<Key> keys(std::begin(kKeys), std::end(kKeys));
   std::vector<Key> laws, methods;
-  for (const FrictionLaw& law : coupling::friction_laws()) append(laws, "joint.NAME." + law.name, law.meaning, law.keys);
+  methods.push_back({"method", Type::table, "", kAny, "", false, "", "Constants of methods of libraries (--load)."});
+  for (const FrictionLaw& law : coupling::friction_laws())
+    append(laws, "joint.NAME." + law.name, law.meaning, law.keys);
   for (const coupling::Method& m : coupling::registered_methods()) {
     if (m.keys.empty()) continue;
-    if (methods.empty())
-      methods.push_back({"method", Type::table, "", kAny, "", false, "", "Constants of methods of libraries (--load)."});
     append(methods, "method." + m.name, m.meaning, m.keys);
   }
   insert_after(keys, "joint.", laws);
