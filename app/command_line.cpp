@@ -335,8 +335,8 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", SCREE_VERSION);
   Line line;
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
-  for (const auto add : {add_run, add_resume, add_check, add_digest, add_cases, add_snapshot, add_report, add_watch, add_control,
-                         add_replay, add_schema, add_completion})
+  for (const auto add : {add_run, add_resume, add_check, add_digest, add_cases, add_snapshot, add_report, add_watch,
+                         add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

@@ -149,7 +149,7 @@ struct Plan {
   OutputPlan output;
   LivePlan live;
   std::map<std::string, std::vector<double>> constants;  // of methods that have keys, by name
-  int threads = 0;           // 0: as many as the machine has
+  int threads = 0;                                       // 0: as many as the machine has
   double max_closure = 0.0;  // a run ends once its ledger is open by more than this part of the energy moved; 0: never
   double max_passed_closure = 1e-3;  // the same, of the energy passed (Ledger::passed)
   double max_gain = 1.0;  // a run ends once it holds more than it was given by this part of the energy passed; 0: never

@@ -142,7 +142,8 @@ void read_constants(const Section& root, coupling::Plan& plan) {
   for (const coupling::Method& m : coupling::registered_methods()) {
     if (m.keys.empty()) continue;
     const bool given = root.has("method") && root.table("method").has(m.name);
-    const auto lacks = std::find_if(m.keys.begin(), m.keys.end(), [](const NumberKey& k) { return k.fallback.empty(); });
+    const auto lacks =
+        std::find_if(m.keys.begin(), m.keys.end(), [](const NumberKey& k) { return k.fallback.empty(); });
     if (!given && lacks != m.keys.end()) {
       for (std::size_t i = 0; i < stages.size(); ++i)
         if (uses(plan.stages[i], m.name))
