@@ -76,7 +76,7 @@ std::string report_page(const PageParts& parts) {
   out += viewer_body();
   out += "<script type=\"application/json\" id=\"scree-run\">" + json_in_html(parts.run) + "</script>\n";
   for (const auto& [id, text] : parts.chunks)
-    out += "<script type=\"text/plain\" id=\"scree-" + id + "\">" + text + "</script>\n";
+    out.append("<script type=\"text/plain\" id=\"scree-").append(id).append("\">").append(text).append("</script>\n");
   out += "<script type=\"text/plain\" id=\"scree-licences\">";
   out += viewer_licences();
   out += "</script>\n<script>";
