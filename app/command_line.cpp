@@ -134,6 +134,7 @@ void add_live(CLI::App* command, std::optional<std::string>& live) {
 /// What the options of the whole command line leave for dispatch().
 struct Line {
   std::string text;                    // as it was typed
+  std::vector<std::string> words;      // of it
   Action action;                       // of the command
   std::vector<std::string> libraries;  // to be loaded before it
 };
@@ -334,7 +335,7 @@ void add_sweep_modes(CLI::App* command, SweepCommand& o) {
 
 void add_sweep(CLI::App& app, Line& line) {
   const auto o = std::make_shared<SweepCommand>();
-  o->command_line = line.text;
+  o->words = line.words;
   CLI::App* command = app.add_subcommand("sweep", "run a case with many values of its keys, and tabulate the results");
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   CLI::Option* param =
@@ -393,6 +394,7 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", SCREE_VERSION);
   Line line;
+  line.words.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
   for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_cases, add_snapshot, add_report,
                          add_watch, add_control, add_replay, add_schema, add_completion})

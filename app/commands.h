@@ -126,7 +126,7 @@ struct SweepCommand {
   bool collect = false;                    // only make the table
   std::string only;                        // number of the one run to make; empty: all
   bool quiet = false;
-  std::string command_line;
+  std::vector<std::string> words;  // of the command line
 };
 /// Makes the runs of a sweep and their table. kDone where all runs are done, kFailed where some are not, kInterrupted
 /// where it was stopped.

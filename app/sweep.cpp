@@ -82,8 +82,9 @@ Sweep checked_sweep(const SweepCommand& c) {
   std::iota(sweep.runs.begin(), sweep.runs.end(), 1);
   if (!c.only.empty()) {
     const std::optional<std::size_t> only = run_number(c.only, record.runs());
-    if (!only) return {};
-    sweep.runs = {*only};
+    sweep.runs.clear();
+    if (!only) return sweep;
+    sweep.runs.push_back(*only);
   }
   std::vector<std::size_t> checked = sweep.runs;
   if (c.collect) checked.resize(1);  // all were checked when the sweep began, and the record tells of changes
@@ -132,7 +133,7 @@ int tabulate(const Sweep& sweep, const SweepFolder& folder) {
 
 int interrupted(const Sweep& sweep, std::size_t left) {
   complain("interrupted: {} of {} runs have not ended; the same command goes on with them:\n  {}\n", left,
-           sweep.record.runs(), sweep.command->command_line);
+           sweep.record.runs(), shell_words(sweep.command->words));
   return kInterrupted;
 }
 
@@ -247,7 +248,7 @@ int sweep(const SweepCommand& command) {
   }
   const Sweep sweep = checked_sweep(command);
   if (sweep.runs.empty()) {
-    complain("error: --only {}: there is no such run\n  allowed: 1 to the number of runs\n", command.only);
+    complain("error: --only {}: there is no such run\n  allowed: 1 to {}\n", command.only, sweep.record.runs());
     return kUsage;
   }
   if (!command.emit.empty()) return emit(sweep);

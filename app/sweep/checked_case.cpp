@@ -39,7 +39,7 @@ io::CaseError at_origin(const io::CaseError& e, std::size_t common, const Parame
     }
   }
   io::CaseError moved(at.file, {at.line, at.column}, {e.problem, e.key, e.value, e.allowed, e.hint});
-  if (!parameters.keys.empty())
+  if (e.line > 0 || run > 1)  // what is wrong with the file as a whole has nothing to do with the first run
     moved.message += fmt::format("\n  in run {} of the sweep: {}", run, fmt::join(parameters.overrides(run), ", "));
   return moved;
 }

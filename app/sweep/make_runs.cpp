@@ -41,7 +41,10 @@ class Pool {
       if (stop && processes_.running() == 0) break;
       if (!stop) fill();
       while (const auto ended = processes_.poll()) see(*ended, stop);
-      std::this_thread::sleep_for(processes_.running() > 0 ? kGlance : kWait);
+      if (processes_.running() > 0)
+        std::this_thread::sleep_for(kGlance);
+      else if (!queue_.empty())
+        std::this_thread::sleep_for(kWait);
     }
     counts_.left = queue_.size() + interrupted_;
     return counts_;
