@@ -24,15 +24,6 @@ std::string python_text(std::string_view text) {
 /// Comments stay on their line.
 std::string comment(const Workflow& w) { return io::printable_line(w.title); }
 
-std::string doubled_braces(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    out += c;
-    if (c == '{' || c == '}') out += c;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string shell_word(std::string_view text) {
@@ -53,28 +44,28 @@ std::string snakemake_workflow(const Workflow& w) {
   const std::string width = std::to_string(run_name(1, w.runs).size());
   return fmt::format(R"(# {}: {} runs. Use: snakemake --snakefile THIS_FILE --cores {}
 COMMAND = {}
-ENDED = {}  # braces are doubled: names of files are patterns
 RUNS = [f"{{n:0{}d}}" for n in range(1, {})]
+
+workdir: {}
 
 
 # Has no output: a table is made anew each time, also of runs that failed.
 rule table:
-    input: expand(ENDED + "/{{run}}", run=RUNS)
-    params: command=COMMAND
+    input: expand("ended/{{run}}", run=RUNS)
+    params: command=lambda wildcards: COMMAND
     shell: "{{params.command}} --collect"
 
 
 # A run that failed has an outcome too, which the table tells.
 rule run:
-    output: touch(ENDED + "/{{run}}")
+    output: touch("ended/{{run}}")
     wildcard_constraints: run="[0-9]+"
-    params: command=COMMAND
+    params: command=lambda wildcards: COMMAND
     threads: {}
     shell: "{{params.command}} --only {{wildcards.run}}"
 )",
                      comment(w), w.runs, w.jobs * static_cast<std::size_t>(w.threads),
-                     python_text(shell_words(w.command)), python_text(doubled_braces((w.folder / "ended").string())),
-                     width, w.runs + 1, w.threads);
+                     python_text(shell_words(w.command)), width, w.runs + 1, python_text(w.folder.string()), w.threads);
 }
 
 std::string gnu_parallel_script(const Workflow& w) {

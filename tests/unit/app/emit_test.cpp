@@ -41,11 +41,11 @@ TEST(ArrayText, joins_neighbours) {
   EXPECT_EQ(array_text({5}), "5");
 }
 
-TEST(SnakemakeWorkflow, names_every_run_and_doubles_braces_of_patterns) {
+TEST(SnakemakeWorkflow, names_every_run_and_quotes_paths) {
   const std::string text = snakemake_workflow(example());
   EXPECT_TRUE(holds(text, "for n in range(1, 65)")) << text;
   EXPECT_TRUE(holds(text, "{n:04d}")) << text;
-  EXPECT_TRUE(holds(text, "ENDED = \"/work/out {{1}}/ended\"")) << text;
+  EXPECT_TRUE(holds(text, "workdir: \"/work/out {1}\"")) << text;
   EXPECT_TRUE(holds(text, R"('/work/it'\\''s/case.toml')")) << text;
   EXPECT_TRUE(holds(text, "threads: 3")) << text;
   EXPECT_TRUE(holds(text, "\"{params.command} --only {wildcards.run}\"")) << text;
@@ -57,7 +57,7 @@ TEST(SnakemakeWorkflow, python_reads_the_command_back) {
   const std::string text = snakemake_workflow(example());
   const std::size_t from = text.find("COMMAND = ");
   folder.put("part.py",
-             "import shlex\n" + text.substr(from, text.find("\nENDED") - from) + "\nprint(shlex.split(COMMAND))\n");
+             "import shlex\n" + text.substr(from, text.find("\nRUNS") - from) + "\nprint(shlex.split(COMMAND))\n");
   EXPECT_EQ(printed("python3 " + (folder.path() / "part.py").string()),
             "['/usr/bin/scree', 'sweep', \"/work/it's/case.toml\", '--param', 'a=[1, 2],\"x {y}\"', '--quiet']\n");
 }
