@@ -152,9 +152,9 @@ std::string csv_text(const ResultTable& table) {
   return out;
 }
 
-void write_h5(const ResultTable& table, const std::filesystem::path& path) {
+void write_h5(const ResultTable& table, const std::filesystem::path& to) {
   namespace h5 = io::h5;
-  h5::File file = h5::File::create_beside(path);
+  h5::File file = h5::File::create_beside(to);
   file.attribute("/", "title", table.title);
   file.attribute("/", "case_sha256", table.case_sha256);
   std::vector<std::int64_t> numbers(table.runs());

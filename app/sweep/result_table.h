@@ -49,7 +49,7 @@ struct ResultTable {
 [[nodiscard]] std::string csv_text(const ResultTable& table);
 /// /run, /parameters/<key>, /outcome, /reason, /results/<name>, /farthest_block, /state_hash; '/' in names becomes '_'.
 /// @throws FileError
-void write_h5(const ResultTable& table, const std::filesystem::path& file);
+void write_h5(const ResultTable& table, const std::filesystem::path& to);
 /// run, wall_seconds, cpu_seconds, peak_memory, threads of the runs that ended: differs from one machine to another.
 [[nodiscard]] std::string costs_text(const SweepFolder& folder, const ResultTable& table);
 
