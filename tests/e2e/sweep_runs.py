@@ -5,6 +5,7 @@ run, runs that fail, and workflows for other programs.
 Usage: sweep_runs.py SCREE
 """
 import csv
+import json
 import os
 import pathlib
 import shutil
@@ -75,14 +76,15 @@ def begin(folder):
                                 start_new_session=True)
 
 
-def half_way(process, folder):
-    """Waits until three runs have ended and another has a checkpoint."""
+def half_way(process, folder, checkpoints):
+    """Waits until three runs have ended and another has so many checkpoints of its eight: it has most of its way before it."""
     until = time.monotonic() + 60
     while time.monotonic() < until and process.poll() is None:
         ended = set(summaries(folder))
-        if len(ended) >= 3 and any(p.parent.name not in ended for p in folder.glob("*/checkpoint.*.scree")):
+        others = [p.parent for p in folder.glob("*/run.log") if p.parent.name not in ended]
+        if len(ended) >= 3 and any(len(list(p.glob("checkpoint.*.scree"))) == checkpoints for p in others):
             return True
-        time.sleep(0.005)
+        time.sleep(0.002)
     return False
 
 
@@ -109,7 +111,7 @@ def whole(folder):
 
 def killed(folder, reference):
     process = begin(folder)
-    expect("killed with three runs ended", half_way(process, folder), pathlib.Path(f"{folder}.out").read_text())
+    expect("killed with three runs ended", half_way(process, folder, 1), pathlib.Path(f"{folder}.out").read_text())
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     ended = summaries(folder)
@@ -126,12 +128,14 @@ def killed(folder, reference):
 
 def stopped(folder, reference):
     process = begin(folder)
-    half_way(process, folder)
+    expect("stopped with three runs ended", half_way(process, folder, 0), pathlib.Path(f"{folder}.out").read_text())
     process.send_signal(signal.SIGINT)
     code = process.wait(timeout=20)
     text = pathlib.Path(f"{folder}.out").read_text()
     expect("SIGINT ends it with 130 and says how to go on", code == 130 and "the same command goes on" in text and "scree" in text, (code, text))
     running = subprocess.run(["pgrep", "-g", str(process.pid)], capture_output=True, text=True).stdout.split()
+    begun, done = len(list(folder.glob("logs/*.log"))), [json.loads(p.read_text())["status"] for p in folder.glob("*/summary.json")].count("done")
+    expect(f"its runs end at once: {done} of {begun} begun are done", done < begun)
     expect("no run is left behind", not running, running)
     code, out, err = sweep(*GRID, "--out", folder)
     expect("and goes on to the same table", code == 0 and (folder / "sweep.csv").read_bytes() == (reference / "sweep.csv").read_bytes(), (code, out, err))
