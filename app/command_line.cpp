@@ -63,6 +63,8 @@ Choices choices() {
           {"scree snapshot --at", {"start", "end", "handover"}},
           {"scree cases verify", case_names()},
           {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
+          {"scree sweep --on", {"local", "slurm"}},
+          {"scree sweep --emit", {"snakemake", "gnu-parallel"}},
           {"scree completion", {"bash", "zsh", "fish"}}};
 }
 
@@ -132,6 +134,7 @@ void add_live(CLI::App* command, std::optional<std::string>& live) {
 /// What the options of the whole command line leave for dispatch().
 struct Line {
   std::string text;                    // as it was typed
+  std::vector<std::string> words;      // of it
   Action action;                       // of the command
   std::vector<std::string> libraries;  // to be loaded before it
 };
@@ -309,6 +312,63 @@ void add_replay(CLI::App& app, Line& line) {
   carries_out(command, o, line.action, replay);
 }
 
+/// What `scree sweep` does beside making the runs.
+void add_sweep_modes(CLI::App* command, SweepCommand& o) {
+  CLI::Option* emit =
+      command->add_option("--emit", o.emit, "write a workflow for snakemake or gnu-parallel into FILE instead")
+          ->expected(2)
+          ->type_name("KIND FILE");
+  CLI::Option* on = command->add_option("--on", o.on, "where the runs are made: local, or slurm as a job array")
+                        ->check(CLI::IsMember({"local", "slurm"}))
+                        ->capture_default_str()
+                        ->excludes(emit);
+  command->add_flag("--no-wait", o.no_wait, "end when the job is submitted; collect later")->needs(on);
+  CLI::Option* collect = command->add_flag("--collect", o.collect, "make no run, only the table of those there are")
+                             ->excludes(emit)
+                             ->excludes(on);
+  command->add_option("--only", o.only, "make one run by its number, and no table: what workflows call")
+      ->type_name("N")
+      ->excludes(emit)
+      ->excludes(on)
+      ->excludes(collect);
+}
+
+void add_sweep(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<SweepCommand>();
+  o->words = line.words;
+  CLI::App* command = app.add_subcommand("sweep", "run a case with many values of its keys, and tabulate the results");
+  command->add_option("case", o->case_file, "case file (TOML)")->required();
+  CLI::Option* param =
+      command
+          ->add_option("--param", o->params,
+                       "values of a key: KEY=A:B:N, N numbers from A to B, or KEY=V1,V2,...; several make a grid")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->type_name("KEY=VALUES");
+  command->add_option("--table", o->table, "parameters of the runs: a heading of keys, then a row a run (CSV)")
+      ->type_name("FILE")
+      ->excludes(param);
+  command->add_option("--out", o->out, "folder of the sweep (default runs/<case folder>-sweep)")->type_name("DIR");
+  command->add_option("--jobs", o->jobs, "runs at a time (default: cores / threads of a run)")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--threads-per-run", o->threads, "threads of a run")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_until(command, o->until, "");
+  add_set(command, o->set);
+  command->add_option("--block", o->blocks, "block whose displacement is to be in the table")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  add_sweep_modes(command, *o);
+  command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
+  add_load(command, line.libraries);
+  carries_out(command, o, line.action, [&line](SweepCommand& c) {
+    c.load = line.libraries;
+    return sweep(c);
+  });
+}
+
 void add_schema(CLI::App& app, Line& line) {
   const auto markdown = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("schema", "every key of a case file");
@@ -334,9 +394,10 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", SCREE_VERSION);
   Line line;
+  line.words.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
-  for (const auto add : {add_run, add_resume, add_check, add_digest, add_cases, add_snapshot, add_report, add_watch,
-                         add_control, add_replay, add_schema, add_completion})
+  for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_cases, add_snapshot, add_report,
+                         add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

@@ -111,6 +111,27 @@ struct ReportCommand {
 /// Writes a stored run as one page of HTML.
 int report(const ReportCommand& command);
 
+struct SweepCommand {
+  std::filesystem::path case_file, table;  // table of parameters; empty: params
+  std::vector<std::string> params;         // KEY=A:B:N or KEY=V1,V2,...
+  std::filesystem::path out;               // empty: runs/<name of the case>-sweep
+  std::size_t jobs = 0;                    // runs at a time; 0: as many as cores allow, of Slurm without limit
+  int threads = 1;                         // of a run
+  std::vector<std::string> set, load;      // of all runs
+  std::optional<double> until;             // [s]
+  std::vector<std::string> blocks;         // whose displacement is to be in the table
+  std::vector<std::string> emit;           // snakemake or gnu-parallel, and the file; empty: make the runs
+  std::string on = "local";                // or slurm
+  bool no_wait = false;                    // for the job of Slurm
+  bool collect = false;                    // only make the table
+  std::string only;                        // number of the one run to make; empty: all
+  bool quiet = false;
+  std::vector<std::string> words;  // of the command line
+};
+/// Makes the runs of a sweep and their table. kDone where all runs are done, kFailed where some are not, kInterrupted
+/// where it was stopped.
+int sweep(const SweepCommand& command);
+
 /// Folder of the case library: $SCREE_CASES, else cases/ in the working folder, else that installed with the program,
 /// else that of the sources.
 [[nodiscard]] std::filesystem::path case_library();

@@ -95,11 +95,6 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
   return limits.empty() ? text : text + "; others above " + limits;
 }
 
-std::string run_name(const std::filesystem::path& case_file) {
-  const std::filesystem::path full = std::filesystem::absolute(case_file);
-  return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
-}
-
 /// What there is of functions, loads, viscous edges and cracks.
 void print_loads(const Model& m) {
   std::string line;
@@ -253,11 +248,16 @@ std::vector<std::string> method_names() {
   return names;
 }
 
+std::string case_name(const std::filesystem::path& case_file) {
+  const std::filesystem::path full = std::filesystem::absolute(case_file);
+  return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
+}
+
 int run(const RunOptions& options) {
   take_signals_of_runs();
   const std::vector<std::string> methods = method_names();
   io::Case c = io::read_case(options.case_file, options.set, methods, complain_line);
-  const std::string name = run_name(options.case_file);
+  const std::string name = case_name(options.case_file);
   const std::filesystem::path out = options.out.empty() ? std::filesystem::path("runs") / name : options.out;
   const auto open_folder = [&] {
     std::unique_ptr<io::FolderLock> lock;  // before an earlier run is cleared: it may not have ended

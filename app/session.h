@@ -27,6 +27,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 
 /// Names of the methods that cases may use.
 [[nodiscard]] std::vector<std::string> method_names();
+/// Name of a case: of its file, or of its folder where the file is called case.toml.
+[[nodiscard]] std::string case_name(const std::filesystem::path& case_file);
 /// What checkpoints say of a run.   @throws FileError where a file that the case names cannot be read
 [[nodiscard]] io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name);
 /// "t = 0.5 s, step 120".

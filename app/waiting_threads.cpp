@@ -7,7 +7,7 @@
 namespace scree::app {
 
 bool computes(std::string_view command) {
-  return command == "run" || command == "resume" || command == "cases" || command == "digest";
+  return command == "run" || command == "resume" || command == "cases" || command == "digest" || command == "sweep";
 }
 
 void let_threads_sleep(char** argv) {
