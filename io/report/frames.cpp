@@ -151,6 +151,7 @@ void thin(std::vector<ReportFrame>& frames, std::size_t bytes) {
     for (const std::size_t i : stay) size += frames[i].text.size();
     if (size > bytes && stride < frames.size()) continue;
     std::vector<ReportFrame> out;
+    out.reserve(stay.size());
     for (const std::size_t i : stay) out.push_back(std::move(frames[i]));
     frames = std::move(out);
     return;

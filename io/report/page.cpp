@@ -86,12 +86,13 @@ std::string served_page(const std::string& title, std::string_view source) {
 }
 
 std::string pair_page(const std::string& left, const std::string& right) {
-  const auto frame = [](const std::string& title, std::string_view folder) {
-    return "<iframe src=\"" + std::string(folder) + "/\" title=\"" + html_text(title) + "\"></iframe>\n";
-  };
   std::string out = head(left + " | " + right,
                          "<link rel=\"stylesheet\" href=\"viewer.css\">\n<link rel=\"icon\" href=\"data:,\">\n");
-  return out + "</head>\n<body class=\"pair\">\n" + frame(left, "left") + frame(right, "right") + "</body>\n</html>\n";
+  out += "</head>\n<body class=\"pair\">\n";
+  out += "<iframe src=\"left/\" title=\"" + html_text(left) + "\"></iframe>\n";
+  out += "<iframe src=\"right/\" title=\"" + html_text(right) + "\"></iframe>\n";
+  out += "</body>\n</html>\n";
+  return out;
 }
 
 std::string report_page(const PageParts& parts) {
@@ -104,7 +105,7 @@ std::string report_page(const PageParts& parts) {
   out += viewer_body();
   out += "<script type=\"application/json\" id=\"scree-run\">" + json_in_html(parts.run) + "</script>\n";
   for (const auto& [id, text] : parts.chunks)
-    out += "<script type=\"text/plain\" id=\"scree-" + id + "\">" + text + "</script>\n";
+    out.append("<script type=\"text/plain\" id=\"scree-").append(id).append("\">").append(text).append("</script>\n");
   out += licences();
   out += "<script>";
   out += viewer_script();

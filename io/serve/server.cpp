@@ -22,7 +22,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
-using tcp = asio::ip::tcp;
+using Tcp = asio::ip::tcp;
 using Failure = beast::error_code;
 
 constexpr std::string_view kLivePath = "/live";
@@ -187,7 +187,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
 /// A connection of HTTP: one request after the other.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(tcp::socket socket, Shared& shared)
+  Connection(Tcp::socket socket, Shared& shared)
       : counted_(shared), stream_(std::move(socket)), shared_(&shared), buffer_(2 * shared.limits.header_bytes) {}
 
   void read() {
@@ -275,7 +275,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void close() {
     Failure ignored;  // the other side may have gone already
-    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
     if (drained_) return;
     // Closed with bytes unread, the connection would be reset, and the reply that says why would be lost.
     drained_ = true;
@@ -311,7 +311,7 @@ struct Server::Impl {
   Impl(Site& site, const ServerLimits& limits) : shared{site, limits, 0, {}, 0, {}} {}
 
   void listen(std::uint16_t port) {
-    const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
+    const Tcp::endpoint here(asio::ip::address_v4::loopback(), port);
     Failure error;
     acceptor.open(here.protocol(), error);
     if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
@@ -324,14 +324,14 @@ struct Server::Impl {
 
   void accept() {
     accepting = true;
-    acceptor.async_accept([this](Failure error, tcp::socket socket) {
+    acceptor.async_accept([this](Failure error, Tcp::socket socket) {
       accepting = false;
       if (error) return;  // no file descriptors left, for example: the timer tries again
       if (shared.connections >= shared.limits.connections) {
         ++shared.counts.refused;
       } else {
         ::fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
-        socket.set_option(tcp::no_delay(true), error);
+        socket.set_option(Tcp::no_delay(true), error);
         std::make_shared<Connection>(std::move(socket), shared)->read();
       }
       accept();
@@ -352,7 +352,7 @@ struct Server::Impl {
 
   Shared shared;
   asio::io_context context{1};
-  tcp::acceptor acceptor{context};
+  Tcp::acceptor acceptor{context};
   asio::steady_timer timer{context};
   bool accepting = false;
 };
