@@ -5,11 +5,9 @@
 namespace scree::io {
 namespace {
 
-/// The path inside of a folder, with its first slash; empty where it is not in it.
+/// The path inside of a folder, which begins with a slash where it is one that a site may have.
 std::string_view inside(std::string_view path, std::string_view folder) {
-  if (!path.starts_with(folder)) return {};
-  const std::string_view rest = path.substr(folder.size());
-  return rest.starts_with('/') ? rest : std::string_view();
+  return path.starts_with(folder) ? path.substr(folder.size()) : std::string_view();
 }
 
 }  // namespace
