@@ -122,11 +122,12 @@ void add_until(CLI::App* command, std::optional<double>& until, const std::strin
 }
 
 /// --live [URL]: an empty text keeps the URL of the case.
-void add_live(CLI::App* command, std::optional<std::string>& live) {
-  command
+CLI::Option* add_live(CLI::App* command, std::optional<std::string>& live,
+                      const std::string& what = "stream over LCM, to URL if one is given") {
+  return command
       ->add_option_function<std::vector<std::string>>(
           "--live", [&live](const std::vector<std::string>& url) { live = url.empty() ? std::string() : url.front(); },
-          "stream over LCM, to URL if one is given")
+          what)
       ->expected(0, 1)
       ->type_name("[URL]");
 }
@@ -266,6 +267,26 @@ void add_report(CLI::App& app, Line& line) {
   prints(command, o, line.action, report);
 }
 
+void add_view(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<ViewOptions>();
+  CLI::App* command =
+      app.add_subcommand("view", "show a stored run, the model of a case, or a run that streams, in a browser");
+  CLI::Option* source =
+      command->add_option("source", o->source, "run folder, or case file (.toml): the model before its run")
+          ->type_name("RUN|CASE");
+  command->add_option("--compare", o->compare, "a second run, to be shown beside the first")
+      ->type_name("RUN2")
+      ->needs(source);
+  add_live(command, o->live, "show a run that streams, on URL if one is given")->excludes(source);
+  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_option("--port", o->port, "port of 127.0.0.1 to serve on (default: a free one)")
+      ->check(CLI::Range(1, 65535));
+  command->add_flag("--open", o->open, "open the page in the browser of the desktop (xdg-open)");
+  add_set(command, o->set);
+  add_load(command, line.libraries);
+  carries_out(command, o, line.action, view);
+}
+
 void add_watch(CLI::App& app, Line& line) {
   const auto o = std::make_shared<WatchOptions>();
   CLI::App* command = app.add_subcommand("watch", "watch a run that streams (run --live), or see a stored one");
@@ -397,7 +418,7 @@ int dispatch(int argc, char** argv) {
   line.words.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
   for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_cases, add_snapshot, add_report,
-                         add_watch, add_control, add_replay, add_schema, add_completion})
+                         add_view, add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

@@ -132,6 +132,19 @@ struct SweepCommand {
 /// where it was stopped.
 int sweep(const SweepCommand& command);
 
+struct ViewOptions {
+  std::string source;               // run folder, or case file (.toml); empty with `live`
+  std::optional<std::string> live;  // a run that streams; an empty text: on the default URL
+  std::string compare;              // a second run folder, to be shown beside the first
+  std::string run;                  // of the runs on that URL the one with this name; empty: the one that started last
+  std::vector<std::string> set;     // of a case: key=value
+  int port = 0;                     // 0: a free one
+  bool open = false;                // in the browser of the desktop
+};
+/// Serves the page of a run, of a model before its run, or of a run that streams, on this machine alone, until SIGINT,
+/// SIGTERM or SIGHUP ends it with kDone.
+int view(const ViewOptions& options);
+
 /// Folder of the case library: $SCREE_CASES, else cases/ in the working folder, else that installed with the program,
 /// else that of the sources.
 [[nodiscard]] std::filesystem::path case_library();

@@ -18,6 +18,7 @@ pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 if(NOT SCREE_INSTALLED)
   find_package(CLI11 2.1 REQUIRED)
   find_package(nlohmann_json 3.11 REQUIRED)
+  find_package(Boost 1.74 REQUIRED)  # headers: Asio, Beast
   find_program(LCM_GEN lcm-gen REQUIRED)
 endif()
 

@@ -110,12 +110,15 @@ std::string schema_text() {
 
 std::string schema_markdown() {
   constexpr std::string_view kHead = "\n| key | value | if absent | meaning |\n|---|---|---|---|\n";
-  std::string out = "\n## Top of the file\n" + std::string(kHead);
+  std::string out = "\n## Top of the file\n";
+  bool in_table = false;
   for (const Key& key : schema()) {
     if (is_section(key)) {
       out += fmt::format("\n## `{}`\n\n{} ({})\n", header_text(key), key.meaning, presence(key));
-      out += kHead;
+      in_table = false;
     } else {
+      if (!in_table) out += kHead;
+      in_table = true;
       out += fmt::format("| `{}` | {} | {} | {} |\n", last_part(key.path), in_cell(allowed_text(key)),
                          in_cell(presence(key)), in_cell(key.meaning));
     }

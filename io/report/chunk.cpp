@@ -19,11 +19,11 @@ void put(std::vector<std::uint8_t>& out, std::uint32_t value) {
   for (int byte = 0; byte < 4; ++byte) out.push_back(static_cast<std::uint8_t>(value >> (8 * byte)));
 }
 
-std::vector<std::uint8_t> compressed(const std::vector<std::uint8_t>& bytes) {
+std::vector<std::uint8_t> compressed(const std::vector<std::uint8_t>& bytes, int level) {
   uLongf size = compressBound(bytes.size());
   std::vector<std::uint8_t> out(size);
-  if (compress2(out.data(), &size, bytes.data(), bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
-    throw std::runtime_error("cannot compress an array of a report: out of memory");
+  if (compress2(out.data(), &size, bytes.data(), bytes.size(), level) != Z_OK)
+    throw std::runtime_error("cannot compress an array of a page: out of memory");
   out.resize(size);
   return out;
 }
@@ -63,7 +63,8 @@ std::vector<std::uint8_t> Chunk::bytes() const {
   return out;
 }
 
-std::string Chunk::text() const { return base64(compressed(bytes())); }
+std::vector<std::uint8_t> Chunk::packed(int level) const { return compressed(bytes(), level); }
+std::string Chunk::text() const { return base64(packed(Z_BEST_COMPRESSION)); }
 
 float rounded(double value, int bits) {
   const auto number = static_cast<float>(value);

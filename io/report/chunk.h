@@ -12,7 +12,8 @@ namespace scree::io {
 /// Bytes of a chunk before compression, little endian:
 ///   u32 count of arrays; for each: 16 bytes of name (ASCII, filled with zeros), u32 type, u32 length
 ///   then the arrays in that order, the bytes of each in planes: all first bytes of its numbers, all second bytes, ...
-/// Types: 0 float32, 1 int32, 2 uint8. The page reads the same layout from a report and from a stream.
+/// Types: 0 float32, 1 int32, 2 uint8. The page reads the same layout from a report, from `scree view` and from a
+/// stream.
 class Chunk {
  public:
   /// @pre the name has 1 to 15 characters and is new in this chunk
@@ -21,7 +22,9 @@ class Chunk {
   void add(std::string_view name, std::span<const std::uint8_t> values);
 
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
-  /// bytes() compressed (zlib) in base64.
+  /// bytes() compressed (zlib).   @param level  1: fastest, 9: smallest
+  [[nodiscard]] std::vector<std::uint8_t> packed(int level) const;
+  /// packed(9) in base64.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "io/pictures/frame_field.h"
 #include "io/pictures/recovered_stress.h"
-#include "io/report/chunk.h"
 
 namespace scree::io {
 namespace {
@@ -36,24 +36,6 @@ std::vector<double> point_stress(const StoredFrame& f) {
   return sum;
 }
 
-std::string packed_mesh(const StoredFrame& f, const Vec2& base) {
-  std::vector<float> origin;
-  for (std::size_t p = 0; p < f.points(); ++p)
-    for (const int axis : {0, 1}) {
-      const std::size_t i = 2 * p + static_cast<std::size_t>(axis);
-      origin.push_back(static_cast<float>(f.position[i] - f.displacement[i] - base[axis]));
-    }
-  const auto ints = [](const auto& values) { return std::vector<std::int32_t>(values.begin(), values.end()); };
-  Chunk chunk;
-  chunk.add("origin", std::span<const float>(origin));
-  chunk.add("offsets", std::span<const std::int32_t>(ints(f.offsets)));
-  chunk.add("cells", std::span<const std::int32_t>(ints(f.connectivity)));
-  chunk.add("block", std::span<const std::int32_t>(f.block));
-  chunk.add("material", std::span<const std::int32_t>(f.material));
-  chunk.add("method", std::span<const std::int32_t>(f.method));
-  return chunk.text();
-}
-
 /// The closed contact points of a frame.
 void add_contacts(Chunk& chunk, const StoredContacts& c, const Vec2& base) {
   std::vector<float> position, normal, force, slip;
@@ -76,17 +58,6 @@ void add_contacts(Chunk& chunk, const StoredContacts& c, const Vec2& base) {
   chunk.add("c.slip", std::span<const float>(slip));
   chunk.add("c.blocks", std::span<const std::int32_t>(blocks));
   chunk.add("c.state", std::span<const std::uint8_t>(state));
-}
-
-std::string packed_frame(const RunReader& run, const StoredFrame& f, const Vec2& base) {
-  Chunk chunk;
-  chunk.add("displacement", std::span<const float>(floats(f.displacement)));
-  chunk.add("velocity", std::span<const float>(floats(f.velocity, kBits)));
-  chunk.add("stress", std::span<const float>(floats(point_stress(f), kBits)));
-  const std::vector<std::uint8_t> integrator(f.cell_integrator.begin(), f.cell_integrator.end());
-  chunk.add("integrator", std::span<const std::uint8_t>(integrator));
-  if (run.has_contacts()) add_contacts(chunk, run.contacts(static_cast<std::size_t>(f.index)), base);
-  return chunk.text();
 }
 
 /// The ranges of all fields that have numbers, grown frame by frame.
@@ -189,6 +160,35 @@ void thin(std::vector<ReportFrame>& frames, std::size_t bytes) {
 
 }  // namespace
 
+Chunk mesh_chunk(const StoredFrame& f, const Vec2& base) {
+  std::vector<float> origin;
+  for (std::size_t p = 0; p < f.points(); ++p)
+    for (const int axis : {0, 1}) {
+      const std::size_t i = 2 * p + static_cast<std::size_t>(axis);
+      origin.push_back(static_cast<float>(f.position[i] - f.displacement[i] - base[axis]));
+    }
+  const auto ints = [](const auto& values) { return std::vector<std::int32_t>(values.begin(), values.end()); };
+  Chunk chunk;
+  chunk.add("origin", std::span<const float>(origin));
+  chunk.add("offsets", std::span<const std::int32_t>(ints(f.offsets)));
+  chunk.add("cells", std::span<const std::int32_t>(ints(f.connectivity)));
+  chunk.add("block", std::span<const std::int32_t>(f.block));
+  chunk.add("material", std::span<const std::int32_t>(f.material));
+  chunk.add("method", std::span<const std::int32_t>(f.method));
+  return chunk;
+}
+
+Chunk frame_chunk(const RunReader& run, const StoredFrame& f, const Vec2& base) {
+  Chunk chunk;
+  chunk.add("displacement", std::span<const float>(floats(f.displacement)));
+  chunk.add("velocity", std::span<const float>(floats(f.velocity, kBits)));
+  chunk.add("stress", std::span<const float>(floats(point_stress(f), kBits)));
+  const std::vector<std::uint8_t> integrator(f.cell_integrator.begin(), f.cell_integrator.end());
+  chunk.add("integrator", std::span<const std::uint8_t>(integrator));
+  if (run.has_contacts()) add_contacts(chunk, run.contacts(static_cast<std::size_t>(f.index)), base);
+  return chunk;
+}
+
 std::vector<std::size_t> thinned(const std::vector<char>& kept, std::size_t stride) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -207,15 +207,46 @@ ReportFrames pack_frames(const RunReader& run, const Vec2& base, std::size_t byt
     if (i % std::max<std::size_t>(1, stride) != 0 && i + 1 != out.stored) continue;
     const StoredFrame f = run.frame(i);
     const auto [place, is_new] = mesh_place.emplace(f.mesh, out.meshes.size());
-    if (is_new) out.meshes.push_back(packed_mesh(f, base));
+    if (is_new) {
+      out.meshes.push_back(mesh_chunk(f, base).text());
+      out.first.push_back(i);
+    }
     ranges.add(f);
     bounds.add(f, base);
-    out.frames.push_back({i, f.step, place->second, f.time, f.stage, f.integrator, packed_frame(run, f, base)});
+    out.frames.push_back({i, f.step, place->second, f.time, f.stage, f.integrator, frame_chunk(run, f, base).text()});
   }
   if (bytes > 0) {
     std::size_t meshes = 0;
     for (const std::string& mesh : out.meshes) meshes += mesh.size();
     thin(out.frames, bytes > meshes ? bytes - meshes : 0);
+  }
+  out.ranges = ranges.all();
+  out.bounds = bounds.all();
+  return out;
+}
+
+ReportFrames list_frames(const RunReader& run, const Vec2& base, std::size_t looked) {
+  ReportFrames out;
+  const std::vector<StoredNote> notes = run.notes();
+  out.stored = notes.size();
+  std::map<std::int64_t, std::size_t> mesh_place;
+  std::set<std::size_t> seen;
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const StoredNote& n = notes[i];
+    const auto [place, is_new] = mesh_place.emplace(n.mesh, out.first.size());
+    if (is_new) out.first.push_back(i), seen.insert(i);
+    out.frames.push_back({i, n.step, place->second, n.time, n.stage, n.integrator, {}});
+  }
+  out.meshes.resize(out.first.size());
+  const std::size_t stride = std::max<std::size_t>(1, (notes.size() + looked - 1) / looked);
+  for (std::size_t i = 0; i < notes.size(); i += stride) seen.insert(i);
+  if (!notes.empty()) seen.insert(notes.size() - 1);
+  Ranges ranges(run);
+  Bounds bounds;
+  for (const std::size_t i : seen) {
+    const StoredFrame f = run.frame(i);
+    ranges.add(f);
+    bounds.add(f, base);
   }
   out.ranges = ranges.all();
   out.bounds = bounds.all();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/pictures/snapshot.h"
+#include "io/report/chunk.h"
 #include "io/results/run_reader.h"
 
 namespace scree::io {
@@ -30,6 +31,7 @@ struct ReportRange {
 
 struct ReportFrames {
   std::vector<std::string> meshes;  // chunk: origin (x, y a point), offsets, cells, block, material, method (a cell)
+  std::vector<std::size_t> first;   // first frame of each mesh, a frame of the run
   std::vector<ReportFrame> frames;
   std::vector<ReportRange> ranges;
   std::array<double, 4> bounds{};  // x0, y0, x1, y1 of all points shown [m], less `base`
@@ -43,6 +45,15 @@ struct ReportFrames {
 ///               where they take more. 0: no limit
 /// @throws FileError
 [[nodiscard]] ReportFrames pack_frames(const RunReader& run, const Vec2& base, std::size_t bytes);
+
+/// Every frame of the run and every mesh, without their chunks.
+/// @param looked  ranges and bounds are those of so many frames, spread evenly, and of the first frame of each mesh and
+///                the last of all   @pre looked >= 1   @throws FileError
+[[nodiscard]] ReportFrames list_frames(const RunReader& run, const Vec2& base, std::size_t looked);
+
+/// The chunks that ReportFrames describes.   @throws FileError where contacts cannot be read
+[[nodiscard]] Chunk mesh_chunk(const StoredFrame& frame, const Vec2& base);
+[[nodiscard]] Chunk frame_chunk(const RunReader& run, const StoredFrame& frame, const Vec2& base);
 
 /// Which of `count` frames stay where every `stride`-th does: those, and the kept ones, in order.
 /// @pre stride >= 1, kept.size() == count

@@ -18,6 +18,14 @@ struct PageParts {
 /// every request.   @pre ids of chunks are letters, digits and '-'; chunks are base64
 [[nodiscard]] std::string report_page(const PageParts& parts);
 
+/// The page as a server gives it: script, styles and data come from where it came from (viewer.js, viewer.css,
+/// run.json, mesh/N, frame/N, history, live), so that its policy needs no hashes.
+/// @param source  where the script takes its data: stored, case, live
+[[nodiscard]] std::string served_page(const std::string& title, std::string_view source);
+
+/// Two served pages side by side, left/ and right/, with their titles.
+[[nodiscard]] std::string pair_page(const std::string& left, const std::string& right);
+
 /// Text for HTML: & < > " ' as entities.
 [[nodiscard]] std::string html_text(std::string_view text);
 /// JSON that cannot end or open an element of HTML: '<', '>', '&' as \u003c, \u003e, \u0026 (they stand in strings

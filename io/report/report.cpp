@@ -1,183 +1,19 @@
 #include "io/report/report.h"
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "io/report/chunk.h"
 #include "io/report/frames.h"
 #include "io/report/page.h"
+#include "io/report/run_text.h"
 #include "io/results/atomic_file.h"
-#include "io/results/run_folder.h"
 #include "io/results/run_reader.h"
 #include "io/viewer/bundle.h"
 
 namespace scree::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kMegabyte = 1e6;
-constexpr std::size_t kMostRows = 4000;  // of histories and the ledger: more than a chart has pixels
-constexpr std::size_t kSlack = 20000;    // bytes of the page's own elements
-
-/// The middle of the model in whole metres: float32 then resolves positions to 1e-7 of its extent.
-Vec2 base_of(const RunReader& run) {
-  Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
-  for (const StoredBlock& block : run.blocks())
-    for (const Vec2& p : block.polygon.outer) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  if (!(low.x() <= high.x())) return {0.0, 0.0};
-  return {std::round(0.5 * (low.x() + high.x())), std::round(0.5 * (low.y() + high.y()))};
-}
-
-Json ring_json(const Ring& ring, const Vec2& base) {
-  Json out = Json::array();
-  for (const Vec2& p : ring) {
-    out.push_back(static_cast<float>(p.x() - base.x()));
-    out.push_back(static_cast<float>(p.y() - base.y()));
-  }
-  return out;
-}
-
-Json model_json(const RunReader& run, const Vec2& base) {
-  Json blocks = Json::array(), materials = Json::array(), laws = Json::array();
-  for (const StoredBlock& b : run.blocks()) {
-    Json rings = Json::array({ring_json(b.polygon.outer, base)});
-    for (const Ring& hole : b.polygon.holes) rings.push_back(ring_json(hole, base));
-    blocks.push_back({{"name", b.name}, {"material", b.material}, {"held", b.held}, {"rings", std::move(rings)}});
-  }
-  for (const StoredMaterial& m : run.materials())
-    materials.push_back({{"name", m.name}, {"density", m.density}, {"young", m.young}, {"poisson", m.poisson}});
-  const StoredJoints joints = run.joints();
-  for (const StoredJoints::Law& law : joints.laws)
-    laws.push_back({{"name", law.name},
-                    {"friction_deg", law.friction_deg},
-                    {"cohesion", law.cohesion},
-                    {"tensile_strength", law.tensile_strength}});
-  const auto lines = [&](const std::vector<StoredJointLine>& pieces) {
-    Json out = Json::array();
-    for (const StoredJointLine& l : pieces)
-      out.push_back({static_cast<float>(l.from.x() - base.x()), static_cast<float>(l.from.y() - base.y()),
-                     static_cast<float>(l.to.x() - base.x()), static_cast<float>(l.to.y() - base.y()), l.law});
-    return out;
-  };
-  Json supports = Json::array();
-  for (const StoredSupport& s : run.supports())
-    supports.push_back(
-        {static_cast<float>(s.point.x() - base.x()), static_cast<float>(s.point.y() - base.y()), s.fix_x, s.fix_y});
-  return {{"blocks", std::move(blocks)},
-          {"supports", std::move(supports)},
-          {"materials", std::move(materials)},
-          {"methods", run.methods()},
-          {"joints", {{"laws", std::move(laws)}, {"lines", lines(joints.lines)}, {"cracks", lines(joints.cracks)}}}};
-}
-
-Json asked_json(const RunReader& run) {
-  const std::vector<std::string> text = run.provenance_list("case"), names = run.provenance_list("library"),
-                                 versions = run.provenance_list("library_version");
-  Json libraries = Json::array();
-  for (std::size_t i = 0; i < std::min(names.size(), versions.size()); ++i)
-    libraries.push_back({names[i], versions[i]});
-  Json out{{"case", text.empty() ? std::string() : text.front()},
-           {"set", run.provenance_list("set")},
-           {"libraries", std::move(libraries)}};
-  for (const char* key : {"command_line", "case_sha256", "version", "commit", "compiler", "instruction_set", "status",
-                          "reason", "resumed"})
-    out[key] = run.provenance(key);
-  return out;
-}
-
-/// summary.json of the run; null where there is none, as in a run that was killed, or none that can be read.
-Json found_json(const std::filesystem::path& run_folder) {
-  std::ifstream in(RunFolder::open(run_folder).summary(), std::ios::binary);
-  if (!in) return nullptr;
-  std::ostringstream text;
-  text << in.rdbuf();
-  Json found = Json::parse(text.str(), nullptr, false);
-  return found.is_object() ? found : Json(nullptr);
-}
-
-/// Rows that a chart shows: all, or every k-th and the last.
-std::vector<std::size_t> rows_of(std::size_t count) {
-  const std::size_t stride = std::max<std::size_t>(1, (count + kMostRows - 1) / kMostRows);
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < count; ++i)
-    if (i % stride == 0 || i + 1 == count) rows.push_back(i);
-  return rows;
-}
-
-void add_rows(Chunk& chunk, const std::string& name, const std::vector<double>& values, std::size_t width,
-              const std::vector<std::size_t>& rows) {
-  std::vector<float> out;
-  for (const std::size_t row : rows)
-    for (std::size_t k = 0; k < width; ++k) out.push_back(static_cast<float>(values[width * row + k]));
-  chunk.add(name, std::span<const float>(out));
-}
-
-/// Monitors and the ledger: what they are as JSON, their rows in the chunk.
-Json history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
-  Json monitors = Json::array(), columns = Json::array();
-  bool all = true;
-  const std::vector<StoredMonitor> stored = run.monitors();
-  for (std::size_t i = 0; i < stored.size(); ++i) {
-    const StoredMonitor& m = stored[i];
-    const std::vector<std::size_t> rows = rows_of(m.time.size());
-    all = all && rows.size() == m.time.size();
-    const std::string at = "m" + std::to_string(i) + ".";
-    add_rows(chunk, at + "time", m.time, 1, rows);
-    add_rows(chunk, at + "u", m.displacement, 2, rows);
-    add_rows(chunk, at + "v", m.velocity, 2, rows);
-    if (!m.stress.empty()) add_rows(chunk, at + "s", m.stress, 3, rows);
-    Json entry{{"name", m.name}, {"stress", !m.stress.empty()}};
-    if (!m.position.empty())
-      entry["at"] = {m.position[0] - m.displacement[0] - base.x(), m.position[1] - m.displacement[1] - base.y()};
-    monitors.push_back(std::move(entry));
-  }
-  const StoredLedger ledger = run.ledger();
-  const std::vector<std::size_t> rows = rows_of(ledger.time.size());
-  all = all && rows.size() == ledger.time.size();
-  add_rows(chunk, "l.time", ledger.time, 1, rows);
-  for (const auto& [name, values] : {std::pair{"l.energy", &ledger.energy},
-                                     {"l.closure", &ledger.closure},
-                                     {"l.moved", &ledger.moved},
-                                     {"l.passed", &ledger.passed}})
-    add_rows(chunk, name, *values, 1, rows);
-  for (std::size_t c = 0; c < ledger.columns.size(); ++c) {
-    const StoredLedger::Column& column = ledger.columns[c];
-    columns.push_back({{"name", column.name}, {"side", column.side}, {"meaning", column.meaning}});
-    add_rows(chunk, "l." + std::to_string(c), column.value, 1, rows);
-  }
-  return {{"monitors", std::move(monitors)}, {"ledger", std::move(columns)}, {"whole", all}};
-}
-
-Json stages_json(const RunReader& run) {
-  Json out = Json::array();
-  for (const StoredStage& s : run.stages()) {
-    Json stage{{"name", s.name}, {"integrator", s.integrator}, {"duration", s.duration}};
-    stage["start"] = s.start ? Json(*s.start) : Json(nullptr);
-    out.push_back(std::move(stage));
-  }
-  return out;
-}
-
-Json frames_json(const ReportFrames& frames) {
-  Json list = Json::array(), ranges = Json::object();
-  for (const ReportFrame& f : frames.frames)
-    list.push_back({{"index", f.index},
-                    {"time", f.time},
-                    {"step", f.step},
-                    {"mesh", f.mesh},
-                    {"stage", f.stage},
-                    {"integrator", f.integrator}});
-  for (const ReportRange& r : frames.ranges) ranges[r.field] = {r.low, r.high};
-  return {{"list", std::move(list)},
-          {"stored", frames.stored},
-          {"meshes", frames.meshes.size()},
-          {"ranges", std::move(ranges)},
-          {"bounds", frames.bounds}};
-}
+constexpr std::size_t kSlack = 20000;  // bytes of the page's own elements
 
 }  // namespace
 
@@ -185,34 +21,18 @@ ReportNote write_report(const std::filesystem::path& run_folder, const ReportOpt
                         const std::filesystem::path& file) {
   const RunReader run(run_folder);
   if (run.times().empty()) throw FileError(run_folder, "has no frame yet; there is nothing to report");
-  const Vec2 base = base_of(run);
-  Chunk history;
-  Json page{{"format", 1},
-            {"written_by", options.version},
-            {"title", run.title()},
-            {"folder", std::filesystem::absolute(run_folder).lexically_normal().filename().string()},
-            {"origin", {run.origin().x() + base.x(), run.origin().y() + base.y()}},
-            {"model", model_json(run, base)},
-            {"stages", stages_json(run)},
-            {"history", history_json(run, base, history)},
-            {"contacts", run.has_contacts()},
-            {"asked", asked_json(run)},
-            {"found", found_json(run_folder)}};
-  page["events"] = Json::array();
-  for (const StoredEvent& e : run.events()) page["events"].push_back({e.time, e.kind, e.text});
-
+  RunText page(run, run_folder, options.version);
   PageParts parts;
   parts.title = run.title().empty() ? "Scree run" : run.title();
-  parts.chunks.emplace_back("history", history.text());
-  const auto text = [&] { return page.dump(-1, ' ', false, Json::error_handler_t::replace); };
-  const std::size_t rest = text().size() + parts.chunks.front().second.size() + viewer_script().size() +
+  parts.chunks.emplace_back("history", page.history().text());
+  const std::size_t rest = page.text().size() + parts.chunks.front().second.size() + viewer_script().size() +
                            viewer_style().size() + viewer_body().size() + viewer_licences().size() + kSlack;
   const auto limit = static_cast<std::size_t>(options.megabytes * kMegabyte);
   // A report always has its model, its histories and the ends of its stages, whatever they take.
   const std::size_t room = limit == 0 ? 0 : std::max<std::size_t>(1, limit > rest ? limit - rest : 1);
-  ReportFrames frames = pack_frames(run, base, room);
-  page["frames"] = frames_json(frames);
-  parts.run = text();
+  ReportFrames frames = pack_frames(run, page.base(), room);
+  page.add_frames(frames);
+  parts.run = page.text();
   for (std::size_t m = 0; m < frames.meshes.size(); ++m)
     parts.chunks.emplace_back("mesh-" + std::to_string(m), std::move(frames.meshes[m]));
   for (std::size_t i = 0; i < frames.frames.size(); ++i)

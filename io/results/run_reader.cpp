@@ -214,6 +214,27 @@ StoredFrame RunReader::frame(std::size_t index) const {
   return f;
 }
 
+std::vector<StoredNote> RunReader::notes() const {
+  const h5::File& file = data_->file;
+  const auto count = static_cast<std::int64_t>(times().size());
+  const auto step = h5::read<std::int64_t>(file, "/frames/step", 0, count),
+             mesh = h5::read<std::int64_t>(file, "/VTKHDF/Steps/PartOffsets", 0, count);
+  const auto stage = h5::read<std::int32_t>(file, "/frames/stage", 0, count),
+             integrator = h5::read<std::int32_t>(file, "/frames/integrator", 0, count);
+  std::vector<StoredNote> notes;
+  for (std::size_t i = 0; i < times().size(); ++i) {
+    StoredNote note{step[i],
+                    mesh[i],
+                    times()[i],
+                    {},
+                    std::string(coupling::name(static_cast<coupling::Integrator>(integrator[i])))};
+    if (static_cast<std::size_t>(stage[i]) < data_->stages.size())
+      note.stage = data_->stages[static_cast<std::size_t>(stage[i])];
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
 StoredLedger RunReader::ledger() const {
   const h5::File& file = data_->file;
   StoredLedger ledger;

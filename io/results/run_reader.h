@@ -29,6 +29,13 @@ struct StoredFrame {
   [[nodiscard]] std::size_t points() const { return position.size() / 2; }
 };
 
+/// What is known of a frame without reading it.
+struct StoredNote {
+  std::int64_t step = 0, mesh = 0;
+  double time = 0.0;  // [s]
+  std::string stage, integrator;
+};
+
 /// The ledger over time [J].
 struct StoredLedger {
   struct Column {
@@ -134,6 +141,8 @@ class RunReader {
   [[nodiscard]] std::size_t at_time(double time) const;
   /// @throws FileError when there is no such frame
   [[nodiscard]] StoredFrame frame(std::size_t index) const;
+  /// One entry a frame.
+  [[nodiscard]] std::vector<StoredNote> notes() const;
   [[nodiscard]] StoredLedger ledger() const;
   /// In the order of the case (in older runs by name).
   [[nodiscard]] std::vector<StoredMonitor> monitors() const;

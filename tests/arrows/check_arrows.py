@@ -18,7 +18,7 @@ ALLOWED = {
 ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/contact/law", "coupling/contact/geometry",
          "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
          "coupling/integrate", "coupling/transfer", "coupling/stages"]
-# Inside io:  watch -> live -> results,  report -> {pictures, viewer},  pictures -> results,  checkpoint -> results;  text is below all of them.
+# Inside io:  watch -> live -> results,  report -> {pictures, viewer},  serve -> {report, live},  pictures -> results,  checkpoint -> results;  text is below all of them.
 INSIDE = {
     "io/text": set(),
     "io/case": {"io/text"},
@@ -28,6 +28,7 @@ INSIDE = {
     "io/live": {"io/results", "io/text"},
     "io/viewer": set(),
     "io/report": {"io/pictures", "io/results", "io/text", "io/viewer"},
+    "io/serve": {"io/live", "io/report", "io/results", "io/text", "io/viewer"},
     "io/watch": {"io/live", "io/results", "io/text"},
 }
 # Folders that no layer may include from.

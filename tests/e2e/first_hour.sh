@@ -88,7 +88,7 @@ grep -qvE '^[0-9]{4}-[0-9]{2}-[0-9]{2} ' runs/d/run.log && fail 'the log of a re
 python3 -c 'import json; w = json.load(open("runs/d/summary.json"))["warnings"]; assert len(w) == 1, w'
 
 # the keys of the manual
-for command in run resume check sweep watch control replay snapshot report; do
+for command in run resume check sweep watch control replay snapshot report view; do
   grep -q "^\.B scree $command\$" "$source/docs/scree.1" || fail "the synopsis of the manual lacks 'scree $command'"
 done
 echo "first_hour.sh: all said"

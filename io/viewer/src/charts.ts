@@ -63,11 +63,11 @@ export class Chart {
           ...(text.log ? { splits: (_u: uPlot, _i: number, low: number, high: number) => decades(low, high), filter: (_u: uPlot, all: number[]) => all } : {}) },
       ],
       series: [
-        { label: "time", value: (_u, v) => (v === null ? "–" : `${v.toFixed(3)} s`) },
+        { label: "time", value: (_u, v) => (v == null ? "–" : `${v.toFixed(3)} s`) },
         ...series.map((s, i) => ({
           label: s.label, stroke: line_colour(i, DARK.matches), width: 1.5, points: { show: false },
           ...(s.dash ? { dash: s.dash } : {}),
-          value: (_u: uPlot, v: number | null) => (v === null ? "–" : `${short(v)}${unit.name ? ` ${unit.name}` : ""}`),
+          value: (_u: uPlot, v: number | null) => (v == null ? "–" : `${short(v)}${unit.name ? ` ${unit.name}` : ""}`),
         })),
       ],
       cursor: { drag: { x: true, y: false }, points: { size: 6 } },

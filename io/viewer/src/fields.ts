@@ -33,7 +33,13 @@ export const FIELDS: Field[] = [
   { id: "block", label: "block", unit: "", kind: "names", cell: (m, _f, c) => m.block[c]! },
 ];
 
-export const field_named = (id: string): Field => FIELDS.find((f) => f.id === id) ?? FIELDS[0]!;
+/// Those that a stream has: its frames have displacements, and one scalar a cell.
+export function fields_of_stream(scalar: string): Field[] {
+  const carried: Field = scalar === "speed"
+    ? { id: "scalar", label: "mean speed", unit: "m/s", kind: "magnitude", cell: (_m, f, c) => f.scalar![c]! }
+    : { id: "scalar", label: scalar, unit: "Pa", kind: "signed", cell: (_m, f, c) => f.scalar![c]! };
+  return [...FIELDS.filter((f) => ["displacement", "ux", "uy"].includes(f.id)), carried, ...FIELDS.filter((f) => ["method", "material", "block"].includes(f.id))];
+}
 
 /// A value a corner (entry of mesh.cells).
 export function corner_values(field: Field, mesh: Mesh, frame: Frame, out: Float32Array): void {

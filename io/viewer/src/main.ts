@@ -1,12 +1,15 @@
 // The page: binds the source, the scene, the charts and the controls.
 import { ledger_series, Chart, closure, monitor_series, MONITOR_QUANTITIES, type Series } from "./charts";
 import { css, name_colour, type Rgb } from "./colours";
-import { corner_values, field_named, FIELDS, frame_range } from "./fields";
+import { corner_values, FIELDS, fields_of_stream, frame_range } from "./fields";
 import { cell_areas, cell_at } from "./geometry";
 import { contact_lines, COMPRESSION, crosses, diamonds, FAILED, joint_lines, original_outline, SLIPPING, STICKING, support_marks, TENSION, type ContactLines, type Crosses } from "./layers";
 import { legend_text, show_legend, type LegendText } from "./legend";
+import { merged, Pair, type Shown } from "./pair";
 import { picture } from "./picture";
 import { Scene, type Layer } from "./scene";
+import { LiveSource } from "./live";
+import { ServedSource } from "./served";
 import { ReportSource, type Frame, type FrameNote, type Mesh, type Source } from "./source";
 import { element, pairs, show_asked, show_events, show_found, status_of } from "./tables";
 import { prefixed, quantity, round_below, seconds, short } from "./units";
@@ -14,11 +17,16 @@ import { prefixed, quantity, round_below, seconds, short } from "./units";
 const by_id = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
 const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
+const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
+
+const SERVED = document.body.dataset.source !== undefined;
+const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved; blocks and materials have numbers, as the stream has no names of them.";
+const MODEL = document.body.dataset.source === "model"; // before a run
 
 function trouble(error: unknown): void {
   const box = by_id("trouble");
-  box.textContent = `This report cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+  box.textContent = `This page cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
   box.hidden = false;
 }
 
@@ -37,13 +45,20 @@ class Page {
   private mesh_index = -1;
   private frame: Frame | null = null;
   private index = -1;
+  private note: FrameNote | null = null; // of the frame that is shown
   private wanted = 0;
   private loading = false;
   private playing = false;
   private clock = 0; // simulated time while playing [s]
   private last_tick = 0;
   private still = 0; // [ms] since the clock met an instant with two frames
+  private fields = FIELDS;
   private field = FIELDS[0]!;
+  private following = false; // a stream: the newest frame is shown as it comes
+  private slow_asked = false;
+  private pair: Pair | null = null;
+  private led = false; // the page beside decides what is shown
+  private events_shown: unknown = null;
   private legend: LegendText = { what: "", ticks: [], names: [] };
   private chosen = -1;
   private scale_bar = { pixels: 0, text: "" };
@@ -59,6 +74,7 @@ class Page {
   constructor(private readonly source: Source) {
     this.run = source.run;
     this.frames = this.run.frames.list;
+    if (source.live) this.fields = fields_of_stream(source.live.scalar);
     let scene: Scene | null = null;
     try {
       scene = new Scene(by_id<HTMLCanvasElement>("view"));
@@ -71,38 +87,149 @@ class Page {
   private held = (block: number): boolean => this.run.model.blocks[block]?.held ?? false;
 
   async start(): Promise<void> {
+    this.pair = Pair.find((what) => this.heard(what));
     this.show_text();
     this.fill_controls();
     this.bind();
     this.use_theme();
     this.scene?.resize();
     this.fit();
-    await this.go(0);
+    await this.go(this.source.live ? this.frames.length - 1 : 0);
     this.rows = await this.source.history();
     this.make_charts();
     this.redraw();
+    this.tell_extent(true);
+    if (this.source.live) {
+      this.set_following(true);
+      this.source.live.follow((thinned) => this.stream_changed(thinned));
+    }
     document.body.dataset.ready = "true";
+  }
+
+  // ------------------------------------------------------------------------------- the page beside
+
+  private tell_extent(hello: boolean): void {
+    const [x, y] = this.run.origin;
+    const [x0, y0, x1, y1] = this.run.frames.bounds;
+    this.pair?.tell({ ranges: this.run.frames.ranges, bounds: [x0 + x, y0 + y, x1 + x, y1 + y], ...(hello ? { hello } : {}) });
+  }
+
+  private heard(what: Shown): void {
+    const [x, y] = this.run.origin;
+    const select = (id: string, value: string | undefined) => {
+      if (value !== undefined) by_id<HTMLSelectElement>(id).value = value;
+    };
+    if (what.ranges && what.bounds) {
+      const frames = this.run.frames;
+      const [a, b] = [frames.bounds, what.bounds];
+      frames.ranges = merged(frames.ranges, what.ranges);
+      frames.bounds = [Math.min(a[0], b[0] - x), Math.min(a[1], b[1] - y), Math.max(a[2], b[2] - x), Math.max(a[3], b[3] - y)];
+      this.update_colours();
+      if (what.hello) this.tell_extent(false);
+    }
+    select("field", what.field);
+    select("range", what.range);
+    select("factor", what.factor);
+    if (what.field !== undefined) this.use_choices();
+    if (what.fit || what.bounds) this.fit(true);
+    if (what.view && this.scene) {
+      this.own_view = true;
+      Object.assign(this.scene.view, { x: what.view[0] - x, y: what.view[1] - y, scale: what.view[2] });
+      this.redraw(true, true);
+    }
+    if (what.time !== undefined) {
+      this.play(false);
+      this.led = true;
+      void this.go(this.index_at(what.time));
+    }
+  }
+
+  /// Colours and places as the controls say.
+  private use_choices(): void {
+    const field = by_id<HTMLSelectElement>("field");
+    this.field = this.fields.find((f) => f.id === field.value) ?? this.fields[0]!;
+    by_id<HTMLSelectElement>("range").disabled = this.field.kind === "names";
+    this.update_places();
+    this.update_colours();
+    this.redraw();
+  }
+
+  private choices_changed(): void {
+    this.use_choices();
+    const value = (id: string) => by_id<HTMLSelectElement>(id).value;
+    this.pair?.tell({ field: value("field"), range: value("range"), factor: value("factor") });
+  }
+
+  // ------------------------------------------------------------------------------------------ stream
+
+  private set_following(on: boolean): void {
+    this.following = on;
+    by_id("follow").setAttribute("aria-pressed", String(on));
+    if (on) void this.go(this.frames.length - 1);
+  }
+
+  private stream_changed(thinned: boolean): void {
+    if (thinned && this.note) {
+      const at = this.frames.indexOf(this.note);
+      this.index = this.wanted = at >= 0 ? at : Math.min(this.index, this.frames.length - 1);
+    }
+    by_id<HTMLInputElement>("time").max = String(this.frames.length - 1);
+    if (this.following) void this.go(this.frames.length - 1);
+    if (this.slow_asked) return;
+    this.slow_asked = true;
+    setTimeout(() => {
+      this.slow_asked = false;
+      void this.refresh_texts();
+    }, REFRESH);
+  }
+
+  /// What people read of a stream: once a second.
+  private async refresh_texts(): Promise<void> {
+    this.show_subtitle();
+    show_found(this.run, by_id("found"));
+    if (this.events_shown !== this.run.events) {
+      this.events_shown = this.run.events;
+      show_events(this.run, by_id("events"), (t) => this.go_to_time(t));
+    }
+    this.mark_stages();
+    this.rows = await this.source.history();
+    this.make_charts();
+    this.update_colours();
+    this.redraw();
   }
 
   // ------------------------------------------------------------------------------------------- text
 
-  private show_text(): void {
+  private show_subtitle(): void {
     const run = this.run;
     const last = this.frames[this.frames.length - 1]!;
     by_id("title").textContent = run.title || "Scree run";
     const held = run.model.blocks.filter((b) => b.held).length;
+    const how_far = this.source.live ? [this.source.live.status()] : MODEL ? ["before its run"] : [status_of(run), `${short(last.time, 4)} s simulated`];
     by_id("subtitle").textContent = [
-      status_of(run), `${short(last.time, 4)} s simulated`, `${run.model.blocks.length} blocks${held > 0 ? `, ${held} of them held` : ""}`,
+      ...(this.pair ? [run.folder] : []), ...how_far, `${run.model.blocks.length} blocks${held > 0 ? `, ${held} of them held` : ""}`,
       `${run.stages.length} ${run.stages.length === 1 ? "stage" : "stages"}`, `Scree ${String(run.asked.version ?? "")}`,
     ].join(" · ");
+  }
+
+  private show_text(): void {
+    const run = this.run;
+    this.show_subtitle();
     const shown = this.frames.length;
-    by_id("thinning").textContent =
-      (shown < run.frames.stored ? `${shown} of the ${run.frames.stored} stored frames are in this file (scree report --size says how large it may be). ` : `All ${shown} stored frames are in this file. `) +
-      "Positions have 24 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot. " +
-      (run.history.whole ? "" : "Histories are thinned in time. ") +
-      (run.contacts ? "Of the contact points, those that are closed are here." : "The run stored no contacts (output.contacts).");
+    by_id("thinning").textContent = this.source.live ? LIVE_TEXT : [
+      MODEL ? "This is the model before its run."
+        : SERVED ? `All ${shown} stored frames are served as they are asked for; the range of colours is that of at most 300 of them.`
+        : shown < run.frames.stored ? `${shown} of the ${run.frames.stored} stored frames are in this file (scree report --size says how large it may be).`
+        : `All ${shown} stored frames are in this file.`,
+      "Positions have 24 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot.",
+      run.history.whole ? "" : "Histories are thinned in time.",
+      run.contacts ? "Of the contact points, those that are closed are here." : "The run stored no contacts (output.contacts).",
+    ].join(" ");
     by_id("licences").textContent = document.getElementById("scree-licences")?.textContent ?? "";
-    show_found(run, by_id("found"));
+    if (MODEL) by_id("found-box").hidden = by_id("charts").hidden = by_id("transport").hidden = true;
+    else show_found(run, by_id("found"));
+    by_id("asked-box").hidden = this.source.live !== undefined;
+    by_id("follow").hidden = this.source.live === undefined;
     show_asked(run, by_id("asked"));
     show_events(run, by_id("events"), (t) => this.go_to_time(t));
   }
@@ -117,19 +244,21 @@ class Page {
       }
       if (value !== undefined) select.value = value;
     };
-    fill("field", FIELDS.map((f) => [f.id, f.label]));
+    fill("field", this.fields.map((f) => [f.id, f.label]));
     fill("block", this.run.model.blocks.map((b, i) => [String(i), b.name]));
-    fill("monitor-quantity", MONITOR_QUANTITIES.map((q) => [q, q]));
-    fill("block-quantity", MONITOR_QUANTITIES.map((q) => [q, q]));
+    const live = this.source.live !== undefined; // without stresses, and without velocities of points
+    fill("monitor-quantity", MONITOR_QUANTITIES.filter((q) => !live || !q.includes("stress")).map((q) => [q, q]));
+    fill("block-quantity", MONITOR_QUANTITIES.filter((q) => !live || q.includes("displacement")).map((q) => [q, q]));
     const length = this.frames[this.frames.length - 1]!.time - this.frames[0]!.time;
     const speeds = [0.001, 0.01, 0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000];
     // The run as a whole takes about ten seconds.
-    const near = speeds.reduce((a, b) => (Math.abs(Math.log((b * 10) / length)) < Math.abs(Math.log((a * 10) / length)) ? b : a), 1);
+    const near = !(length > 0) ? 1 : speeds.reduce((a, b) => (Math.abs(Math.log((b * 10) / length)) < Math.abs(Math.log((a * 10) / length)) ? b : a), 1);
     fill("speed", speeds.map((s) => [String(s), s === 1 ? "real time" : `× ${s}`]), String(near));
     const layers = by_id("layers");
-    const entries: [Layer, string][] = [["outline", "outlines of the blocks"], ["original", "original outline"], ["joints", "joints as drawn"], ["crosses", "principal stress crosses"]];
+    const entries: [Layer, string][] = [["outline", "outlines of the blocks"]];
+    if (!live) entries.push(["original", "original outline"], ["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
     if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
-    if (this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
+    if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
     if (this.run.contacts) entries.push(["contacts", "contact forces and states"]);
     const drawn = this.run.model.joints.lines.length + this.run.model.joints.cracks.length > 0;
     for (const [layer, text] of entries) {
@@ -161,6 +290,7 @@ class Page {
       if (i === 0 || f.stage !== this.frames[i - 1]!.stage) marks.push([i, f.stage]);
     });
     const last = Math.max(1, this.frames.length - 1);
+    by_id("stages").replaceChildren();
     marks.forEach(([i, name], k) => {
       const mark = element("span", name);
       mark.title = name;
@@ -175,6 +305,7 @@ class Page {
   private bind(): void {
     const on = (id: string, event: string, act: () => void) => by_id(id).addEventListener(event, act);
     on("play", "click", () => this.play(!this.playing));
+    on("follow", "click", () => (this.play(false), this.set_following(true)));
     on("back", "click", () => this.step(-1));
     on("next", "click", () => this.step(1));
     on("time", "input", () => this.seek(Number(by_id<HTMLInputElement>("time").value)));
@@ -182,14 +313,7 @@ class Page {
     on("zoom-out", "click", () => this.zoom(1 / 1.3));
     on("fit", "click", () => this.fit());
     on("save", "click", () => void this.save());
-    on("field", "change", () => {
-      this.field = field_named(by_id<HTMLSelectElement>("field").value);
-      by_id<HTMLSelectElement>("range").disabled = this.field.kind === "names";
-      this.update_colours();
-      this.redraw();
-    });
-    on("range", "change", () => (this.update_colours(), this.redraw()));
-    on("factor", "change", () => (this.update_places(), this.redraw()));
+    for (const id of ["field", "range", "factor"]) on(id, "change", () => this.choices_changed());
     on("block", "change", () => this.choose(Number(by_id<HTMLSelectElement>("block").value)));
     on("monitor-quantity", "change", () => this.draw_monitors());
     on("block-quantity", "change", () => this.draw_block());
@@ -199,7 +323,7 @@ class Page {
     if (!this.scene) return;
     new ResizeObserver(() => {
       this.scene!.resize();
-      if (this.own_view) this.redraw(true);
+      if (this.own_view) this.redraw(true, true);
       else this.fit();
     }).observe(by_id("picture"));
     this.bind_pointer(by_id<HTMLCanvasElement>("view"), this.scene);
@@ -288,16 +412,22 @@ class Page {
 
   /// Shows a frame and stops playing.
   private seek(index: number): void {
+    this.led = false;
     this.play(false);
+    if (this.source.live) this.set_following(false);
     void this.go(index).then(() => this.say());
   }
 
   private go_to_time(time: number): void {
+    this.seek(this.index_at(time));
+  }
+
+  private index_at(time: number): number {
     let index = 0;
     this.frames.forEach((f, i) => {
       if (f.time <= time + 1e-9) index = i;
     });
-    this.seek(index);
+    return index;
   }
 
   /// The frame asked for last is shown; those in between may be left out.
@@ -306,7 +436,7 @@ class Page {
     if (this.loading) return;
     this.loading = true;
     try {
-      while (this.index !== this.wanted) {
+      while (this.note !== this.frames[this.wanted]) {
         const now = this.wanted;
         const note = this.frames[now]!;
         const [frame, mesh] = await Promise.all([this.source.frame(now), this.source.mesh(note.mesh)]);
@@ -316,11 +446,13 @@ class Page {
           this.scene?.use_mesh(mesh, this.held);
         }
         this.frame = frame;
-        this.index = now;
+        this.index = Math.max(0, this.frames.indexOf(note)); // frames of a stream may have been thinned meanwhile
+        this.note = note;
         this.update_places();
         this.update_colours();
         this.show_instant();
         this.redraw();
+        if (!this.led) this.pair?.tell({ time: note.time });
       }
     } catch (error) {
       this.play(false);
@@ -332,6 +464,8 @@ class Page {
 
   private play(on: boolean): void {
     if (on === this.playing) return;
+    if (on && this.source.live) this.set_following(false);
+    if (on) this.led = false;
     this.playing = on;
     const button = by_id("play");
     button.textContent = on ? "Pause" : "Play";
@@ -512,8 +646,12 @@ class Page {
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(this.frames[this.index]!.time)} in stage ${this.frames[this.index]!.stage}, coloured by ${this.field.label}`);
   }
 
-  /// @param moved  the view has, so what has a size on the screen is made anew
-  private redraw(moved = false): void {
+  /// @param moved  the view has, so what has a size on the screen is made anew   @param told  by the page beside
+  private redraw(moved = false, told = false): void {
+    if (moved && this.own_view && !told && this.scene) {
+      const { x, y, scale } = this.scene.view;
+      this.pair?.tell({ view: [x + this.run.origin[0], y + this.run.origin[1], scale] });
+    }
     if (moved && this.shown.crosses) this.update_layers();
     if (this.draw_asked || !this.scene) return;
     this.draw_asked = true;
@@ -534,7 +672,8 @@ class Page {
     by_id("scale-text").textContent = this.scale_bar.text;
   }
 
-  private fit(): void {
+  private fit(told = false): void {
+    if (!told && this.own_view) this.pair?.tell({ fit: true });
     this.own_view = false;
     this.scene?.fit(...this.run.frames.bounds);
     this.redraw(true);
@@ -569,7 +708,7 @@ class Page {
     this.redraw();
     this.show_block_facts();
     by_id("block-figure").hidden = block < 0;
-    if (block >= 0) void this.follow_block(block);
+    if (block >= 0 && !MODEL) void this.follow_block(block);
   }
 
   /// Means over the cells of a block, weighted by their areas in the model: displacement, velocity, stress.
@@ -600,7 +739,7 @@ class Page {
     if (!block || !this.mesh || !this.frame) return box.replaceChildren();
     const cell = this.mesh.block.indexOf(this.chosen);
     const mean = cell < 0 ? null : this.block_mean(this.mesh, this.frame, this.chosen, this.areas(this.mesh));
-    const area = this.ring_area(block.rings);
+    const area = block.rings.length > 0 ? this.ring_area(block.rings) : this.areas(this.mesh).reduce((sum, a, c) => (this.mesh!.block[c] === this.chosen ? sum + a : sum), 0);
     const rows: [string, string | undefined][] = [
       ["Material", this.run.model.materials[block.material]?.name],
       ["Area", `${short(area)} m²`],
@@ -610,11 +749,11 @@ class Page {
       const radius = Math.hypot(0.5 * (mean[4]! - mean[5]!), mean[6]!);
       const middle = 0.5 * (mean[4]! + mean[5]!);
       rows.push(
-        ["Method", `${(this.run.model.methods[this.mesh.method[cell]!] ?? "").toUpperCase()}, ${this.frame.integrator[cell] === 0 ? "explicit" : "implicit"}`],
+        ["Method", `${(this.run.model.methods[this.mesh.method[cell]!] ?? "").toUpperCase()}${this.frame.integrator.length === 0 ? "" : this.frame.integrator[cell] === 0 ? ", explicit" : ", implicit"}`],
         ["Displacement", `${quantity(Math.hypot(mean[0]!, mean[1]!), "m")} (${quantity(mean[0]!, "m")}, ${quantity(mean[1]!, "m")})`],
-        ["Speed", quantity(Math.hypot(mean[2]!, mean[3]!), "m/s")],
-        ["Mean σ₁, σ₃", `${quantity(middle + radius, "Pa")}, ${quantity(middle - radius, "Pa")}`],
       );
+      if (!this.source.live)
+        rows.push(["Speed", quantity(Math.hypot(mean[2]!, mean[3]!), "m/s")], ["Mean σ₁, σ₃", `${quantity(middle + radius, "Pa")}, ${quantity(middle - radius, "Pa")}`]);
       const contacts = this.frame.contacts;
       if (contacts) {
         let touching = 0;
@@ -688,21 +827,22 @@ class Page {
   private monitor_chart: Chart | null = null;
   private ledger_chart: Chart | null = null;
 
+  private closure_chart: Chart | null = null;
+
   private make_charts(): void {
+    if (MODEL) return;
+    by_id("monitor-figure").hidden = this.run.history.monitors.length === 0;
     if (this.run.history.monitors.length > 0) {
-      this.monitor_chart = this.chart("monitor-chart", 240);
-      this.charts.push(this.monitor_chart);
+      if (!this.monitor_chart) this.charts.push((this.monitor_chart = this.chart("monitor-chart", 240)));
       this.draw_monitors();
-    } else {
-      by_id("monitor-figure").hidden = true;
     }
-    this.ledger_chart = this.chart("energy-chart", 240);
-    const closure_chart = this.chart("closure-chart", 200);
-    this.charts.push(this.ledger_chart, closure_chart);
+    if (!this.ledger_chart) this.charts.push((this.ledger_chart = this.chart("energy-chart", 240)));
     this.draw_ledger();
     const values = closure(this.rows);
-    if (values.some((v) => v > 0)) closure_chart.draw({ what: "|closure| / moved", unit: "", log: true }, this.rows.get("l.time")!, [{ label: "closure", values }]);
-    else by_id("closure-chart").textContent = "Zero at every stored time.";
+    if (values.some((v) => v > 0)) {
+      if (!this.closure_chart) this.charts.push((this.closure_chart = this.chart("closure-chart", 200)));
+      this.closure_chart.draw({ what: "|closure| / moved", unit: "", log: true }, this.rows.get("l.time")!, [{ label: "closure", values }]);
+    } else by_id("closure-chart").textContent = "Zero at every stored time.";
     for (const chart of this.charts) chart.at(this.frames[this.index]!.time);
   }
 
@@ -727,8 +867,15 @@ class Page {
   }
 }
 
-try {
-  void new Page(new ReportSource()).start().catch(trouble);
-} catch (error) {
-  trouble(error);
+/// Where the data of this page are: `data-source` of the body as the server wrote it, none in a report.
+async function open_source(): Promise<Source> {
+  const kind = document.body.dataset.source;
+  if (kind === undefined) return new ReportSource();
+  if (kind !== "live") return ServedSource.open();
+  const source = await LiveSource.open((what) => (by_id("subtitle").textContent = what));
+  return source;
 }
+
+void open_source()
+  .then((source) => new Page(source).start())
+  .catch(trouble);

@@ -1,5 +1,5 @@
-// What the page shows, and where it comes from. A report has everything in its own elements; a stream would implement
-// the same `Source` with chunks that arrive over a WebSocket.
+// What the page shows, and where it comes from. A report has everything in its own elements; `scree view` serves the same
+// chunks by their names (served.ts), or sends what a stream brings (live.ts).
 
 export interface Stage {
   name: string;
@@ -86,21 +86,33 @@ export interface Contacts {
 
 export interface Frame {
   displacement: Float32Array; // x, y a point
-  velocity: Float32Array; // x, y a point
-  stress: Float32Array; // xx, yy, xy a point
-  integrator: Uint8Array; // a cell
+  velocity: Float32Array; // x, y a point; of a stream: none
+  stress: Float32Array; // xx, yy, xy a point; of a stream: none
+  integrator: Uint8Array; // a cell; of a stream: none
   contacts: Contacts | null;
+  scalar?: Float32Array; // a cell, of a stream: the field that it carries
 }
 
 export interface Source {
   readonly run: Run;
+  /// Of a stream: `run` and the frames grow.
+  readonly live?: Stream;
   mesh(index: number): Promise<Mesh>;
   frame(index: number): Promise<Frame>;
   /// Monitors and the ledger: rows by name (m0.time, m0.u, l.time, l.0, ...).
   history(): Promise<Map<string, Float32Array>>;
 }
 
-type Numbers = Float32Array | Int32Array | Uint8Array;
+export interface Stream {
+  /// The scalar of its frames: speed, mean stress.
+  readonly scalar: string;
+  /// What people are told of it: status, rate, time left.
+  status(): string;
+  /// Called after something came; `thinned`: frames that were there are gone.
+  follow(changed: (thinned: boolean) => void): void;
+}
+
+export type Numbers = Float32Array | Int32Array | Uint8Array;
 
 /// The arrays of a chunk as io/report/chunk.h lays them out.
 export function unpack(bytes: Uint8Array): Map<string, Numbers> {
@@ -130,19 +142,17 @@ export function unpack(bytes: Uint8Array): Map<string, Numbers> {
   return arrays;
 }
 
-async function inflate(text: string): Promise<Uint8Array> {
+/// The bytes of a chunk that was compressed (zlib).
+export async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
   if (typeof DecompressionStream === "undefined")
-    throw new Error("this browser is too old to read a report: it takes Chrome 80, Firefox 113, Safari 16.4 or later");
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+    throw new Error("this browser is too old to read a run: it takes Chrome 80, Firefox 113, Safari 16.4 or later");
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 function array<T extends Numbers>(arrays: Map<string, Numbers>, name: string): T {
   const found = arrays.get(name);
-  if (!found) throw new Error(`the report has no array ${name}; it is damaged`);
+  if (!found) throw new Error(`there is no array ${name}; the run is damaged`);
   return found as T;
 }
 
@@ -176,20 +186,21 @@ export function frame_of(a: Map<string, Numbers>): Frame {
   };
 }
 
-const KEPT_BYTES = 300e6; // of unpacked frames
+export const KEPT_BYTES = 300e6; // of unpacked frames
 
-/// The elements of the page itself.
-export class ReportSource implements Source {
-  readonly run: Run;
+/// Chunks by name: mesh-0, frame-0, history.
+export abstract class ChunkSource implements Source {
   private readonly meshes = new Map<number, Promise<Mesh>>();
   private readonly frames = new Map<number, Promise<Frame>>();
   private readonly sizes = new Map<number, number>();
   private kept = 0;
 
-  constructor() {
-    this.run = JSON.parse(this.text("run")) as Run;
-    if (this.run.format !== 1) throw new Error(`the report has format ${this.run.format}, which this page cannot read`);
+  constructor(readonly run: Run) {
+    if (run.format !== 1) throw new Error(`the run has format ${run.format}, which this page cannot read`);
   }
+
+  /// The compressed bytes of a chunk.
+  protected abstract packed(name: string): Promise<Uint8Array>;
 
   mesh(index: number): Promise<Mesh> {
     let found = this.meshes.get(index);
@@ -203,7 +214,10 @@ export class ReportSource implements Source {
       this.frames.delete(index); // the last one used stands last
     } else {
       found = this.chunk(`frame-${index}`).then(frame_of);
-      void found.then((f) => this.keep(index, 4 * (f.displacement.length + f.velocity.length + f.stress.length)), () => 0);
+      void found.then(
+        (f) => this.keep(index, 4 * (f.displacement.length + f.velocity.length + f.stress.length)),
+        () => this.frames.delete(index), // what failed is asked for again
+      );
     }
     this.frames.set(index, found);
     return found;
@@ -225,12 +239,26 @@ export class ReportSource implements Source {
   }
 
   private async chunk(name: string): Promise<Map<string, Numbers>> {
-    return unpack(await inflate(this.text(name)));
+    return unpack(await inflate(await this.packed(name)));
+  }
+}
+
+/// The elements of the page itself.
+export class ReportSource extends ChunkSource {
+  constructor() {
+    super(JSON.parse(text_of("run")) as Run);
   }
 
-  private text(name: string): string {
-    const element = document.getElementById(`scree-${name}`);
-    if (!element || element.textContent === null) throw new Error(`the report lacks its part ${name}; it is damaged`);
-    return element.textContent;
+  protected async packed(name: string): Promise<Uint8Array> {
+    const binary = atob(text_of(name));
+    const bytes = new Uint8Array(binary.length);
+    for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+    return bytes;
   }
+}
+
+function text_of(name: string): string {
+  const element = document.getElementById(`scree-${name}`);
+  if (!element || element.textContent === null) throw new Error(`the report lacks its part ${name}; it is damaged`);
+  return element.textContent;
 }

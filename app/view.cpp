@@ -1,0 +1,141 @@
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/session.h"
+#include "coupling/plan.h"
+#include "coupling/stages/driver.h"
+#include "io/case/read_case.h"
+#include "io/live/live_url.h"
+#include "io/results/results_sink.h"
+#include "io/serve/live_site.h"
+#include "io/serve/pair_site.h"
+#include "io/serve/server.h"
+#include "io/serve/stored_site.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it declared by the program
+
+namespace scree::app {
+namespace {
+
+volatile std::sig_atomic_t stop_signal = 0;
+extern "C" void on_view_signal(int signal) { stop_signal = signal; }
+
+/// A folder of this program's own, removed at its end.
+class OwnFolder {
+ public:
+  OwnFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "scree-view-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw io::FileError(name, "cannot be made");
+    path_ = name;
+  }
+  ~OwnFolder() {
+    std::error_code ignored;  // a folder left behind in the temporary one does no harm
+    std::filesystem::remove_all(path_, ignored);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The model of a case as its run would begin: the results of a run that takes no step. What was read stays open when
+/// the folder is gone.
+std::unique_ptr<io::StoredSite> model_site(const ViewOptions& options) {
+  const std::vector<std::string> names = method_names();
+  const io::Case c = io::read_case(options.source, options.set, names, complain_line);
+  const OwnFolder scratch;
+  // The title of the page names the folder of the case, as a run of it would be named.
+  const std::filesystem::path folder =
+      scratch.path() / std::filesystem::absolute(options.source).parent_path().filename();
+  {
+    io::Provenance provenance;
+    provenance.version = SCREE_VERSION;
+    provenance.commit = SCREE_COMMIT;
+    provenance.case_text = c.text;
+    provenance.overrides = options.set;
+    io::ResultsSink sink(io::RunFolder::create(folder, false), provenance);
+    const coupling::Methods methods = coupling::methods_with(c.plan.constants);
+    coupling::Driver driver(c.model, c.plan, methods);
+    driver.add_sink(sink);
+    driver.run(0.0);
+  }
+  return std::make_unique<io::StoredSite>(folder, SCREE_VERSION, io::StoredSite::Kind::model);
+}
+
+/// Asks the desktop to show a page; where there is no desktop the address is on the screen all the same.
+void open_browser(const std::string& address) {
+  std::signal(SIGCHLD, SIG_IGN);  // nobody waits for it
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  std::string program = "xdg-open", page = address;
+  char* arguments[] = {program.data(), page.data(), nullptr};
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) complain("warning: xdg-open cannot be started; open the address above in a browser\n");
+}
+
+int serve(io::Site& site, const ViewOptions& options) {
+  std::unique_ptr<io::Server> server;
+  try {
+    server = std::make_unique<io::Server>(site, static_cast<std::uint16_t>(options.port));
+  } catch (const std::runtime_error& e) {
+    complain("error: {}\n", e.what());
+    return kFiles;
+  }
+  stop_signal = 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_view_signal);
+  say("{}\n", server->address());
+  if (options.open) open_browser(server->address());
+  server->run([] { return stop_signal != 0; });
+  return kDone;
+}
+
+}  // namespace
+
+int view(const ViewOptions& options) {
+  if (options.live) {
+    const std::string url = options.live->empty() ? coupling::LivePlan{}.url : *options.live;
+    auto wrong = io::check_live_url(url, io::LiveSide::receiver);
+    if (!wrong && url.starts_with("memq:")) wrong = "memq:// reaches no other program; use udpm:// or file://";
+    if (wrong) {
+      complain("error: --live={}: {}\n", url, *wrong);
+      return kUsage;
+    }
+    io::LiveSite site(url, options.run);
+    return serve(site, options);
+  }
+  if (options.source.empty()) {
+    complain("error: nothing to show\n  allowed: a run folder, a case file (.toml), --live\n");
+    return kUsage;
+  }
+  const bool is_case = std::filesystem::path(options.source).extension() == ".toml";
+  if (is_case && !options.compare.empty()) {
+    complain("error: --compare takes two stored runs, not a case\n");
+    return kUsage;
+  }
+  if (is_case) {
+    const std::unique_ptr<io::StoredSite> site = model_site(options);
+    return serve(*site, options);
+  }
+  io::StoredSite site(options.source, SCREE_VERSION);
+  say("{}: {} frames\n", options.source, site.frames());
+  if (options.compare.empty()) return serve(site, options);
+  io::StoredSite other(options.compare, SCREE_VERSION);
+  say("{}: {} frames\n", options.compare, other.frames());
+  io::PairSite pair(site, other);
+  return serve(pair, options);
+}
+
+}  // namespace scree::app

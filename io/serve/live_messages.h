@@ -1,0 +1,37 @@
+// What a stream tells the page over a WebSocket, message by message.
+#pragma once
+
+#include <array>
+#include <scree/energy_v1_t.hpp>
+#include <scree/event_v1_t.hpp>
+#include <scree/info_v1_t.hpp>
+#include <string>
+#include <vector>
+
+#include "io/live/live_data.h"
+#include "io/serve/site.h"
+
+namespace scree::io {
+
+// A message is a u32 (little endian), so many bytes of JSON {"kind": ..., "session": ..., ...}, and the bytes of a
+// Chunk, which are none but for meshes and frames. Positions are counted from `base`, beside the origin of the run [m].
+
+/// "run": what does not change while a session lasts.
+[[nodiscard]] SharedBytes run_message(const info_v1_t& info, const std::array<double, 2>& base, std::size_t blocks,
+                                      std::size_t materials);
+/// "mesh": arrays as in a report.
+[[nodiscard]] SharedBytes mesh_message(std::int64_t session, const LiveMesh& mesh, const std::array<double, 2>& base);
+/// "frame": displacements of the points since the model, and the scalar of the cells.   @pre frame.mesh
+[[nodiscard]] SharedBytes frame_message(const LiveFrame& frame, const std::string& stage,
+                                        const std::string& integrator);
+/// "rows": monitors and the ledger at their newest instants.   @param history,energy  null: not known
+[[nodiscard]] SharedBytes rows_message(std::int64_t session, const LiveHistory* history, const energy_v1_t* energy,
+                                       const std::array<double, 2>& base);
+/// "status": how far the run is, once there is one.   @param silent  since its last message [s]
+[[nodiscard]] SharedBytes status_message(const info_v1_t& info, double silent);
+/// "status" while nothing has been heard.   @param trouble  why nothing can be heard; empty: nothing streams
+[[nodiscard]] SharedBytes waiting_message(const std::string& url, const std::string& run, const std::string& trouble);
+/// "events": all that are kept, oldest first.
+[[nodiscard]] SharedBytes events_message(std::int64_t session, const std::vector<event_v1_t>& events);
+
+}  // namespace scree::io

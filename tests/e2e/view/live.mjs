@@ -1,0 +1,146 @@
+// `scree view --live` in headless Chromium, inside a network namespace: a page that waits, a replay that streams, a late page,
+// a stage whose mesh is another, a run that begins anew, a server that is gone for a while. Times are printed.
+// Usage: CHROMIUM=... MODULES=.../node_modules node live.mjs SCREE RUN CASE SCRATCH
+//   RUN: stored run of tests/e2e/report/case.toml; CASE: a case of two stages
+import assert from "node:assert/strict";
+import { browser, colour, drawn, faults, instant, near, open_page, places, until } from "../report/browser.mjs";
+import { end, end_all, own, pause, start, view, wait } from "./program.mjs";
+
+const [scree, run, case_file, scratch] = process.argv.slice(2);
+const GRAVITY = 10; // of the run [m/s2]
+const SPEED = 0.04; // of the replay: simulated seconds a second
+const SWITCH = 0.3; // the DDA begins [s]
+const MOST = 2000; // [ms] in which a picture must be there
+const FALLING = [0xdd, 0xcc, 0x77]; // the second block, coloured by block
+const RESTING = [0x44, 0xaa, 0x99]; // the third
+
+const instant_of = (page) => page.textContent("#instant");
+const stage_of = async (page) => (await instant_of(page)).split(", ")[1];
+
+/// The falling block is where it must be at the instant that the page shows.
+async function test_pixels(page) {
+  await until(page, () => Number(document.getElementById("time").max) >= 2);
+  await page.click("#follow"); // the newest
+  await page.locator("#time").press("ArrowLeft"); // and then one that stays
+  await page.uncheck("#layer-outline");
+  await page.uncheck("#layer-monitors");
+  await page.selectOption("#field", "block");
+  await drawn(page);
+  assert.equal(await page.getAttribute("#follow", "aria-pressed"), "false");
+  const pixel = await places(page);
+  const t = await instant(page);
+  near(await colour(page, pixel(-6, 7.5 - 0.5 * GRAVITY * t * t)), FALLING, 1, `the falling block at ${t} s`);
+  near(await colour(page, pixel(-6, 9.3)), [255, 255, 255], 1, "above it");
+  near(await colour(page, pixel(0, 1.5)), RESTING, 1, "the block that rests");
+  await page.selectOption("#field", "scalar");
+  assert.match(await page.textContent("#legend"), /mean speed/);
+  await page.click("#follow");
+}
+
+/// A page that comes late: from the moment in which it connects, the quickest of three, as other programs may take the
+/// processors meanwhile. To load a page takes what it takes.
+async function late_page(server) {
+  const times = [];
+  let page = null;
+  while (times.length < 3 && !(Math.min(...times) < MOST)) {
+    await page?.close();
+    const opened = Date.now();
+    page = await open_page(server.address, own(server.address), { ready: false });
+    const connected = await page.evaluate(() => performance.timeOrigin + performance.getEntriesByType("navigation")[0].domInteractive);
+    await page.waitForSelector("body[data-ready=true]", { timeout: 20000 });
+    const ready = Date.now();
+    times.push(ready - Math.max(opened, connected));
+    console.log(`late page: picture after ${Math.round(times[times.length - 1])} ms; with the loading of the page ${ready - opened} ms`);
+  }
+  assert.ok(Math.min(...times) < MOST, "a late page waits too long");
+  return page;
+}
+
+async function test_replay(server) {
+  const early = await open_page(server.address, own(server.address), { ready: false });
+  await until(early, () => document.getElementById("subtitle").textContent.startsWith("Nothing is heard of any run on udpm://"));
+  const begin = Date.now();
+  const replay = start(scree, "replay", run, "--speed", String(SPEED));
+  await early.waitForSelector("body[data-ready=true]", { timeout: 10000 });
+  console.log(`replay: first picture after ${Date.now() - begin} ms, the start of the program included`);
+  assert.equal(await early.textContent("#title"), `</script><img src=x onerror="document.title='run'"> falling & resting`);
+  assert.equal(await early.$$eval("img, b, iframe, object", (all) => all.length), 0);
+  await early.evaluate(() => {
+    const instant = document.getElementById("instant");
+    new MutationObserver((_, observer) => {
+      if (!instant.textContent.endsWith(", fall")) return;
+      document.body.dataset.switched = String(Date.now());
+      observer.disconnect();
+    }).observe(instant, { childList: true, characterData: true, subtree: true });
+  });
+  await test_pixels(early);
+
+  const late = await late_page(server);
+
+  // The mesh of the NMM gives way to the blocks of the DDA.
+  await wait_for_stage(early, "fall");
+  const behind = Number(await early.getAttribute("body", "data-switched")) - begin - (1000 * SWITCH) / SPEED;
+  console.log(`stage switch: shown ${behind} ms after its time, the start of the program included`);
+  assert.ok(behind < MOST, "the stage switch shows too late");
+  await early.selectOption("#block", "1");
+  assert.match(await early.textContent("#block-facts"), /MethodDDA/);
+  assert.match(await early.textContent("#block-facts"), /Area12\.0 m²/);
+  assert.equal(await stage_of(late), "fall");
+  await test_pixels(late);
+  await until(late, () => document.querySelectorAll("#monitor-chart .u-series").length > 1);
+  await until(late, () => document.querySelectorAll("#energy-chart .u-series").length > 1);
+  assert.match(await late.textContent("#subtitle"), /running .* 4 blocks/);
+  await wait(() => replay.code !== null, "the replay ends");
+  assert.equal(replay.code, 0, replay.text);
+  await until(early, () => document.getElementById("subtitle").textContent.startsWith("done"));
+  assert.ok(Math.abs((await instant(early)) - 0.8) < 1e-9, "the last frame is not the newest");
+  assert.deepEqual(faults, []);
+  await late.close();
+  return early;
+}
+
+async function wait_for_stage(page, name) {
+  for (const limit = Date.now() + 20000; Date.now() < limit; await pause(10)) if ((await stage_of(page).catch(() => "")) === name) return;
+  assert.fail(`stage ${name} never shows`);
+}
+
+/// A run takes the place of the replay: the page begins anew by itself. Its server goes away and comes back.
+async function test_run(server, page) {
+  const begin = Date.now();
+  const live = start(scree, "run", case_file, "--live", "--quiet", "--out", `${scratch}/live`, "--set", "stage.runout.duration=1000");
+  for (const limit = Date.now() + 10000; Date.now() < limit; await pause(10)) {
+    const title = await page.textContent("#title").catch(() => "");
+    if (title === "Two blocks on a plane, two stages" && (await page.getAttribute("body", "data-ready").catch(() => null)) === "true") break;
+  }
+  console.log(`another run: its picture after ${Date.now() - begin} ms, the start of the program included`);
+  await wait_for_stage(page, "runout");
+  await page.selectOption("#block", "1");
+  assert.match(await page.textContent("#block-facts"), /MethodDDA/);
+  assert.deepEqual(faults, []);
+
+  const port = new URL(server.address).port;
+  assert.equal(await end(server), 0);
+  await until(page, () => /connection to scree view lost/.test(document.getElementById("subtitle").textContent));
+  const before = await instant(page);
+  const again = await view(scree, "--live", "--port", port);
+  const back = Date.now();
+  await until(page, (t) => Number(document.getElementById("instant").textContent.match(/t = ([\d.]+) s/)[1]) > t, before);
+  console.log(`connection lost: a newer picture ${Date.now() - back} ms after the server is back`);
+  assert.ok(Date.now() - back < MOST + 500, "the page is not back in time");
+  assert.ok(faults.every((f) => /WebSocket connection to/.test(f)), faults.join("\n")); // the browser says so itself
+  faults.length = 0;
+  await end(live);
+  await until(page, () => document.getElementById("subtitle").textContent.startsWith("interrupted"));
+  return again;
+}
+
+try {
+  const server = await view(scree, "--live");
+  const page = await test_replay(server);
+  const again = await test_run(server, page);
+  assert.equal(await end(again), 0);
+  console.log("view --live: fine");
+} finally {
+  end_all();
+  await browser.close();
+}
