@@ -25,12 +25,13 @@ FORBIDDEN_INSIDE = {
     "io/text": ["io/case", "io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
     "io/case": ["io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
     "io/results": ["io/case", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
-    "io/pictures": ["io/case", "io/checkpoint", "io/live", "io/watch", "io/report"],
+    "io/pictures": ["io/case", "io/checkpoint", "io/live", "io/watch", "io/report", "io/serve"],
     "io/checkpoint": ["io/case", "io/pictures", "io/live", "io/watch"],
     "io/live": ["io/case", "io/pictures", "io/checkpoint", "io/watch"],
     "io/watch": ["io/case", "io/pictures", "io/checkpoint"],
-    "io/report": ["io/case", "io/checkpoint", "io/live", "io/watch"],
-    "io/viewer": ["io/report", "io/results", "io/pictures"],
+    "io/report": ["io/case", "io/checkpoint", "io/live", "io/serve", "io/watch"],
+    "io/serve": ["io/case", "io/checkpoint", "io/pictures", "io/watch"],
+    "io/viewer": ["io/report", "io/results", "io/pictures", "io/serve"],
 }
 
 
