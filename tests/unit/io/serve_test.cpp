@@ -255,7 +255,7 @@ TEST(Server, refuses_what_is_not_meant_for_it) {
 TEST(Server, slow_requests_and_too_many_connections_end) {
   SmallSite site;
   ServerLimits limits;
-  limits.request = 300ms;
+  limits.request = 1s;
   limits.connections = 3;
   Served served(site, limits);
   Client slow(served.port()), idle(served.port()), other(served.port());
@@ -271,7 +271,13 @@ TEST(Server, slow_requests_and_too_many_connections_end) {
   slow.take_all();
   idle.take_all();
   EXPECT_TRUE(slow.ended() && idle.ended());
-  EXPECT_EQ(status_of(reply(served.port(), get(served.port(), "/"))), 200);
+  // The server counts a connection until it has put it away, a moment after the other end has seen it close.
+  int status = 0;
+  for (int k = 0; k < 100 && status != 200; ++k) {
+    if (k > 0) std::this_thread::sleep_for(20ms);
+    status = status_of(reply(served.port(), get(served.port(), "/")));
+  }
+  EXPECT_EQ(status, 200);
 }
 
 TEST(Server, listens_on_the_loopback_interface_alone_and_a_port_once) {
@@ -396,15 +402,16 @@ TEST(Server, a_viewer_that_does_not_take_frames_gets_two_and_later_the_newest) {
   std::vector<std::string> paced, all;
   for (int version = 1; version <= 6; ++version) {
     site.versions = version;
-    for (const std::string& message : slow.next(2, 150ms))
+    for (const std::string& message : slow.next(version <= 2 ? 2 : 1))
       if (message.front() == 'b') paced.push_back(message);
-    for (const std::string& message : quick.next(2, 150ms)) {
+    for (const std::string& message : quick.next(2)) {
       if (message.front() != 'b') continue;
       all.push_back(message);
       quick.client.send(ws_frame("n"));
     }
   }
   EXPECT_EQ(paced, (std::vector<std::string>{"b1", "b2"}));
+  EXPECT_EQ(slow.next(1, 150ms), std::vector<std::string>());
   EXPECT_EQ(all, (std::vector<std::string>{"b1", "b2", "b3", "b4", "b5", "b6"}));
   slow.client.send(ws_frame("n"));
   EXPECT_EQ(slow.next(1), std::vector<std::string>{"b6"});
