@@ -228,7 +228,7 @@ TEST_P(Rocking, changes_of_kind_keep_the_force_and_book_its_energy) {
     }
     const double share = state.ledger[Column::contact_tributary];
     if (changed) booked_error = std::max(booked_error, std::abs(share - before.share - expected) / std::abs(expected));
-    before.tributary = share;
+    before.share = share;
     before.contacts.clear();
     for (const ContactMemory& m : state.contacts) before.contacts[m.key] = m;
   };

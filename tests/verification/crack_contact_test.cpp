@@ -121,10 +121,10 @@ INSTANTIATE_TEST_SUITE_P(Schemes, CrackSliding, testing::Values(Integrator::expl
 
 /// A crack that a blow closes and opens again: momentum of the free block stays, the ledger closes.
 TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
-  for (const Integrator integrator : {Integrator::explicit_, Integrator::implicit}) {
+  for (const Integrator kind : {Integrator::explicit_, Integrator::implicit}) {
     Cracked cracked(30.0, rectangle(-0.5, -0.5, 0.5, 0.5), {{Vec2(-0.3, 0.05), Vec2(0.35, -0.02)}});
     coupling::Stage& stage = cracked.stage(
-        integrator, 4e-3, integrator == Integrator::implicit ? std::optional<double>(1e-5) : std::nullopt, 0.12);
+        kind, 4e-3, kind == Integrator::implicit ? std::optional<double>(1e-5) : std::nullopt, 0.12);
     ByHand hand(cracked.scene.model, stage);
     // The upper half against the lower one, and a spin.
     for (std::int32_t k = 0; k < hand.setup->nodes(); ++k) {
@@ -137,13 +137,13 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
     coupling::StepControl control;
     control.max_displacement = 0.01;
     std::unique_ptr<coupling::TimeIntegrator> integrator;
-    if (integrator == Integrator::implicit)
+    if (kind == Integrator::implicit)
       integrator = std::make_unique<coupling::Newmark>(*hand.setup, control, 0.02);
     else
       integrator =
           std::make_unique<coupling::CentralDifference>(*hand.setup, control, 0.02, coupling::ExplicitDamping{}, false);
     (void)integrator->enter(hand.state);
-    const double h = integrator == Integrator::implicit ? 1e-5 : 0.5 * integrator->stable_step(hand.state, nullptr);
+    const double h = kind == Integrator::implicit ? 1e-5 : 0.5 * integrator->stable_step(hand.state, nullptr);
     double most = 0.0;
     bool was_open = false, closed = false;
     for (int i = 0; i < 300; ++i) {
@@ -162,7 +162,7 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
     const double size = before.mass;  // times 1 m/s
     EXPECT_LT((after.momentum - before.momentum).norm(), 1e-9 * size);
     EXPECT_LT(std::abs(after.angular_momentum - before.angular_momentum),
-              (integrator == Integrator::explicit_ ? 1e-9 : 1e-4) * size);
+              (kind == Integrator::explicit_ ? 1e-9 : 1e-4) * size);
     EXPECT_LT(hand.state.ledger.relative_closure(), 1e-9);
   }
 }

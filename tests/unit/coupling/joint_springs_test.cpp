@@ -83,7 +83,7 @@ TEST(JointSprings, auto_stiffness_is_the_larger_modulus_over_width_of_the_two_bl
     const Springs half = s.springs(pair.one, a, b, 0.5);
     EXPECT_DOUBLE_EQ(half.kn, 0.5 * lower);
     EXPECT_DOUBLE_EQ(half.kt, 0.5 * lower);
-    EXPECT_DOUBLE_EQ(half.share, 0.5);
+    EXPECT_DOUBLE_EQ(half.tributary, 0.5);
   });
 }
 
@@ -116,7 +116,7 @@ TEST(JointSprings, given_stiffness_is_per_area_and_a_penalty_a_point) {
     const Springs found = s.springs(pair.one, a, b, 0.4);
     EXPECT_DOUBLE_EQ(found.kn, 5e10);
     EXPECT_DOUBLE_EQ(found.kt, 2e10);
-    EXPECT_DOUBLE_EQ(found.share, 0.4);
+    EXPECT_DOUBLE_EQ(found.tributary, 0.4);
     EXPECT_FALSE(s.per_area(pair.one));
   });
 }

@@ -38,7 +38,7 @@ struct Bent {
     integrator.enter(hand->state);
     hand->state.rules = {};
     MethodRules rules(scene.plan.stages[0], hand->methods, *hand->setup, hand->state);
-    return rules.look(hand->state, integrator);
+    return rules.evaluate(hand->state, integrator);
   }
 };
 

@@ -245,7 +245,7 @@ TEST(SlidingDamping, cohesion_alone_brings_none) {
   SlidingDamping damping(setup, 1.0);
   ContactList list;
   list.memory = {pressed(1.0, ContactStatus::slip)};
-  list.memory[0].share = 1.0;
+  list.memory[0].tributary = 1.0;
   list.points.resize(1);
   damping.begin();
   damping.count(setup.outlines(), list);
