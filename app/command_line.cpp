@@ -64,6 +64,7 @@ Choices choices() {
           {"scree cases verify", case_names()},
           {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
           {"scree sweep --on", {"local", "slurm"}},
+          {"scree slope --unit", {"g", "m/s2", "cm/s2"}},
           {"scree sweep --emit", {"snakemake", "gnu-parallel"}},
           {"scree completion", {"bash", "zsh", "fish"}}};
 }
@@ -390,6 +391,53 @@ void add_sweep(CLI::App& app, Line& line) {
   });
 }
 
+void add_slope(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<SlopeCommand>();
+  CLI::App* command = app.add_subcommand(
+      "slope", "pseudo-static factor of safety, Newmark's sliding block, regressions, response spectra of records");
+  const CLI::Range angle(0.001, 90.0);
+  command->add_option("--dip", o->dip, "of the plane [deg]")->check(angle);
+  command->add_option("--friction", o->friction, "friction angle of the plane [deg]")->check(CLI::Range(0.0, 89.9));
+  command->add_option("--cohesion", o->cohesion, "of the plane [Pa]")->check(kNotNegative);
+  command->add_option("--weight", o->weight, "of the block, a metre of thickness [N/m]")->check(kPositive);
+  command->add_option("--length", o->length, "of the plane under it [m]")->check(kPositive);
+  command->add_option("--uplift", o->uplift, "force of water on the plane [N/m]")->check(kNotNegative);
+  command->add_option("--thrust", o->thrust, "horizontal force of water behind the block [N/m]")->check(kNotNegative);
+  command->add_option("--height", o->height, "of a slope whose plane leaves at the toe [m]")->check(kPositive);
+  command->add_option("--face", o->face, "angle of its face [deg]")->check(angle);
+  command->add_option("--unit-weight", o->unit_weight, "of its rock [N/m3]")->check(kPositive)->capture_default_str();
+  command->add_option("--crack", o->crack, "depth of its tension crack, in the top [m]")->check(kNotNegative);
+  command->add_option("--water", o->water, "depth of the water in the crack [m]")->check(kNotNegative);
+  command->add_option("--kh", o->k_h, "horizontal coefficient, of ground that accelerates into the slope")
+      ->check(CLI::Range(-10.0, 10.0));
+  command->add_option("--kv", o->k_v, "vertical coefficient, of ground that accelerates downwards")
+      ->check(CLI::Range(-10.0, 0.999));
+  command->add_option("--yield", o->yield, "critical acceleration [g], in place of that of the slope")
+      ->check(kPositive);
+  command->add_option("--record", o->records, "recorded acceleration: .AT2, or two columns")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command->add_option("--unit", o->unit, "of records that do not say theirs: g, m/s2 or cm/s2")
+      ->check(CLI::IsMember({"g", "m/s2", "cm/s2"}));
+  CLI::Option* scale = command->add_option("--scale", o->scale, "factor on the records")->check(kPositive);
+  command
+      ->add_option("--pga", o->pga, "peak that the records are scaled to; without records that of the regressions [g]")
+      ->check(kPositive)
+      ->excludes(scale);
+  command->add_option("--magnitude", o->magnitude, "moment magnitude, for the regressions")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--arias", o->arias, "Arias intensity, for the regressions without records [m/s]")
+      ->check(kPositive);
+  command->add_option("--damping", o->damping, "of the response spectra, fraction of critical")
+      ->check(CLI::Range(0.0, 0.99))
+      ->capture_default_str();
+  command->add_option("--spectrum", o->spectrum, "write the response spectra (CSV)")->type_name("FILE");
+  command->add_option("--json", o->json, "write all numbers as JSON; -: print them in place of the table")
+      ->type_name("FILE");
+  prints(command, o, line.action, slope);
+}
+
 void add_schema(CLI::App& app, Line& line) {
   const auto markdown = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("schema", "every key of a case file");
@@ -417,8 +465,8 @@ int dispatch(int argc, char** argv) {
   Line line;
   line.words.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
-  for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_cases, add_snapshot, add_report,
-                         add_view, add_watch, add_control, add_replay, add_schema, add_completion})
+  for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_slope, add_cases, add_snapshot,
+                         add_report, add_view, add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

@@ -132,6 +132,26 @@ struct SweepCommand {
 /// where it was stopped.
 int sweep(const SweepCommand& command);
 
+struct SlopeCommand {
+  std::optional<double> dip, friction;     // of the plane [deg]
+  std::optional<double> weight, length;    // of a block [N/m], of its plane [m]
+  double cohesion = 0.0;                   // [Pa]
+  double uplift = 0.0, thrust = 0.0;       // of water on a block [N/m]
+  std::optional<double> height, face;      // of a slope with a face [m], [deg]
+  double unit_weight = 25e3;               // of its rock [N/m3]
+  double crack = 0.0, water = 0.0;         // depth of a tension crack, and of the water in it [m]
+  double k_h = 0.0, k_v = 0.0;             // pseudo-static
+  std::optional<double> yield, pga;        // [g]
+  std::optional<double> magnitude, arias;  // [-], [m/s]
+  std::vector<std::filesystem::path> records;
+  std::string unit;                      // of records that do not say theirs
+  double scale = 1.0;                    // of records
+  double damping = 0.05;                 // of spectra
+  std::filesystem::path json, spectrum;  // files; json may be "-"; empty: none
+};
+/// Prints pseudo-static, Newmark's and regression numbers of a slope, and facts and spectra of records.
+int slope(const SlopeCommand& command);
+
 struct ViewOptions {
   std::string source;               // run folder, or case file (.toml); empty with `live`
   std::optional<std::string> live;  // a run that streams; an empty text: on the default URL
