@@ -39,6 +39,7 @@ class Search {
       if (start == record_->least) break;
     }
     answer_.status = FosAnswer::Status::fails_at_least;
+    answer_.at_least = failure_to_rest(folder_->run(rest_run(record_->least).name), limit_, gravity_);
     if (!tilt()) answer_.status = FosAnswer::Status::interrupted;
     return answer_;
   }
@@ -99,10 +100,8 @@ class Search {
 
   /// Which way what fails moves along x: +1 or -1.
   [[nodiscard]] double direction() const {
-    const io::RunReader run(folder_->run(rest_run(record_->least).name));
-    if (run.times().size() < 2) return 1.0;
     double sum = 0.0;
-    for (const BlockMotion& m : block_motions(run, 0, run.times().size() - 1)) sum += m.area * m.displacement.x();
+    for (const BlockMotion& m : answer_.at_least->motions) sum += m.area * m.displacement.x();
     return sum < 0.0 ? -1.0 : 1.0;
   }
 
@@ -148,6 +147,7 @@ class Search {
 }  // namespace
 
 const TrialResult* FosAnswer::failure() const {
+  if (at_least) return &*at_least;
   const auto found = runs.find(fails);
   return found == runs.end() ? nullptr : &found->second;
 }

@@ -37,11 +37,12 @@ struct FosAnswer {
   /// Where it fails at the least factor: horizontal acceleration, in g, positive along x, with which it stands, and the
   /// largest without (absolute values); empty: not looked for, or none up to 1.6.
   std::optional<double> k_h, k_h_fails;
-  std::string why;   // of a run to rest that failed
-  double cpu = 0.0;  // of all processes [s]
+  std::string why;                      // of a run to rest that failed
+  std::optional<TrialResult> at_least;  // how it fails at the least factor
+  double cpu = 0.0;                     // of all processes [s]
 
   [[nodiscard]] double factor() const { return 0.5 * (stands + fails); }
-  /// The run that failed at the smallest factor; null: none.
+  /// The run that failed at the smallest factor, that to rest at the least factor included; null: none.
   [[nodiscard]] const TrialResult* failure() const;
 };
 [[nodiscard]] std::string_view name(FosAnswer::Status status);

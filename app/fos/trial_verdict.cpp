@@ -104,4 +104,19 @@ TrialResult trial_result(const std::filesystem::path& folder, const Decision& d)
   return out;
 }
 
+TrialResult failure_to_rest(const std::filesystem::path& folder, double limit, const Vec2& gravity) {
+  constexpr double kFar = 4.0;  // limits
+  const io::RunReader run(folder);
+  TrialResult out;
+  out.verdict = Verdict::failed;
+  for (std::size_t frame = 1; frame < run.times().size(); ++frame) {
+    out.motions = block_motions(run, 0, frame);
+    out.displacement = farthest(out.motions);
+    if (out.displacement >= kFar * limit) break;
+  }
+  out.why = run.provenance("reason");
+  name_modes(out.motions, 0.0, gravity);
+  return out;
+}
+
 }  // namespace scree::app

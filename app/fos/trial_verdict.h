@@ -39,4 +39,8 @@ struct Decision {
 /// @param folder  of a run of [reduction] with a factor that has ended   @throws FileError
 [[nodiscard]] TrialResult trial_result(const std::filesystem::path& folder, const Decision& decision);
 
+/// How a run that does not come to rest fails: its motion until a block has gone four times the limit, or to its end.
+/// @throws FileError
+[[nodiscard]] TrialResult failure_to_rest(const std::filesystem::path& folder, double limit, const Vec2& gravity);
+
 }  // namespace scree::app

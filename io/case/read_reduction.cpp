@@ -192,7 +192,8 @@ void read_reduction(const Section& root, std::span<const std::string> methods, M
     hold.end.hold = ticks(r.number("hold") / 50.0);
   }
   plan.stages = std::move(stages);
-  if (r.has("factor")) plan.output.every = plan.output.history_every = ticks(r.number("hold") / 25.0);
+  const Tick every = r.has("factor") ? ticks(r.number("hold") / 25.0) : plan.stages.back().duration / 200;
+  plan.output.every = plan.output.history_every = std::max<Tick>(every, 1);
   plan.output.contacts = true;
 }
 
