@@ -85,7 +85,7 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
   }
   if (explicit_ones > 5) names += fmt::format(" and {} more", explicit_ones - 5);
   std::string text = fmt::format("{} of {} free blocks {} as it begins{}{}", explicit_ones, free,
-                                 partition.others_explicit ? "fast" : "explicit", names.empty() ? "" : ": ", names);
+                                 partition.slow_explicit ? "fast" : "explicit", names.empty() ? "" : ": ", names);
   std::string limits;
   if (partition.speed.used())
     limits = fmt::format("{:g} m/s until they are below {:g} m/s", partition.speed.up, partition.speed.down);
@@ -268,11 +268,15 @@ int run(const RunOptions& options) {
   };
   const std::filesystem::path folder = std::filesystem::absolute(out).lexically_normal();
   const std::string folder_name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-  return carry_out(c, options, options.name.empty() ? folder_name : options.name, open_folder, nullptr);
+  std::optional<coupling::Checkpoint> begin;
+  if (!options.start_from.empty()) begin = end_of_run(options.start_from, c, options);
+  return carry_out(c, options, options.name.empty() ? folder_name : options.name, open_folder,
+                   {nullptr, begin ? &*begin : nullptr});
 }
 
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
-              const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from) {
+              const std::function<OpenFolder()>& open_folder, const Beginning& beginning) {
+  const io::FoundCheckpoint* from = beginning.resumed;
   if (!options.quiet) tell_meshes(c.model, c.plan);
   c.plan.audit = options.audit;
   if (!take_stream(c.plan.live, options)) return kUsage;
@@ -316,6 +320,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
                               from);
   driver.set_keeper(checkpoints);
   if (from != nullptr) driver.continue_from(from->stored.checkpoint);
+  if (beginning.after != nullptr) driver.continue_from(*beginning.after);
   driver.add_sink(results);
   driver.add_sink(log);
   std::unique_ptr<Progress> progress;
@@ -398,7 +403,8 @@ int check(const CheckOptions& options) {
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
     const coupling::Stage& s = c.plan.stages[i];
-    const coupling::Setup setup(c.model, methods, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
+    const coupling::Setup setup(c.model, methods,
+                                coupling::initial_records(c.model, coupling::body_requests(c.model, s)));
     std::int64_t cells = 0, unknowns = 0;
     for (std::size_t p = 0; p < setup.pools(); ++p) {
       MeshPart part;
