@@ -13,7 +13,9 @@ namespace scree::app {
 namespace {
 
 constexpr double kAccelerates = 1.5;  // v t over d; 2 for constant acceleration, 1 for a steady creep
-constexpr double kOfMargin = 0.3;     // acceleration of a failure, over (1 - F_s) g
+constexpr const char* kDetached =
+    "no path of closed contacts";  // of a block that has come off: coupling/stages/driver.h
+constexpr double kOfMargin = 0.3;  // acceleration of a failure, over (1 - F_s) g
 
 /// First and last frame of a stage; none where the run has none of it.
 std::optional<std::pair<std::size_t, std::size_t>> frames_of(const std::vector<io::StoredNote>& notes,
@@ -94,12 +96,12 @@ TrialResult trial_result(const std::filesystem::path& folder, const Decision& d)
     return out;
   }
   name_modes(out.motions, 0.0, d.gravity);
-  if (out.displacement >= d.limit) {
+  const std::string reason = run.provenance("reason");
+  if (out.displacement >= d.limit || reason.find(kDetached) != std::string::npos) {
     out.verdict = Verdict::failed;
-    out.why = fmt::format("moved {:.3g} m while its strength fell, and the run could not go on: {}", out.displacement,
-                          run.provenance("reason"));
+    out.why = fmt::format("moved {:.3g} m while its strength fell: {}", out.displacement, reason);
   } else {
-    out.why = "the run could not go on: " + run.provenance("reason");
+    out.why = "the run could not go on: " + reason;
   }
   return out;
 }

@@ -137,7 +137,26 @@ def resume():
 
 
 def modes():
-    pass
+    """Ten cases whose mode is known."""
+
+    def mode(name, text, wanted, *options):
+        a = fos(name, text, "--strength", "peak", "--tolerance", "0.05", *options)
+        expect(a.get("mode") == wanted, "%-44s %s, wanted %s (F %s, %s)" % (name, a.get("mode"), wanted, a.get("fos"), a.get("status")))
+
+    c = fos_cases
+    mode("block on a plane", c.block_on_plane(4.0, 2.0, 30.0, 40.0)[0], "slides")
+    mode("wedge behind a face, with cohesion", c.plane_slope(phi=30.0, c=30e3)[0], "slides")
+    mode("two wedges on a broken plane", c.two_wedges()[0], "slides")
+    mode("block on a plane under k_h", c.block_on_plane(4.0, 2.0, 20.0, 40.0)[0], "slides", "--kh", "-0.1")
+    mode("slender block on a steep plane", c.block_on_plane(1.0, 3.0, 30.0, 40.0)[0], "topples")
+    mode("slender block under k_h", c.block_on_plane(1.0, 3.0, 10.0, 40.0)[0], "topples", "--kh", "-0.3")
+    mode("columns on a stepped base", c.columns([2.0, 4.0, 6.0, 4.0], 2.0, 2.6, 2.4, 0.6, 25.0, 35.0, 3)[0], "topples")
+    mode("block under a roof", c.hanging_block()[0], "falls")
+    ledge = [(-6.0, -1.0), (0.0, -1.0), (0.0, 6.0), (-3.0, 6.0), (-3.0, 0.0), (-6.0, 0.0)]
+    law = {"friction_deg": 30.0, "cohesion": 30e3, "tensile_strength": 30e3}
+    mode("block bonded to a wall above the ground", c.case("block on a wall", ledge, [("block", [(0.0, 3.0), (0.4, 3.0), (0.4, 6.0), (0.0, 6.0)])], {"bond": law}), "slides")
+    mode("prop that carries nothing any more", c.case("block between walls", [(-5, -6), (5, -6), (5, 4), (1, 4), (2, 0), (2, -5), (-2, -5), (-2, 0), (-1, 4), (-5, 4)],
+                                                        [("block", [(-1.75, 1.0), (1.75, 1.0), (1.25, 3.0), (-1.25, 3.0)])], {"wall": {"friction_deg": 40.0}}), "falls")
 
 
 if __name__ == "__main__":
