@@ -27,6 +27,8 @@ SCREE = os.path.abspath(sys.argv[1])
 HEIGHT = 2.0  # of the block [m]
 TIME = 0.4  # of a run [s]
 SMALL = 2e-4  # slip [m] and turn times width [m]: what half a degree brings in that time is ten times as much, elastic settling a hundredth
+EARLY = 5e-3  # the regime is that of the beginning: a slender block that has turned far slides after all [m]
+PART = 0.02  # of the larger of the two, above which the smaller one counts; half a degree brings 0.05 and more
 
 
 def critical_phi(d, a):
@@ -52,7 +54,7 @@ def run(work, d, a, phi, method="dda"):
     s, k = math.sin(math.radians(a)), math.cos(math.radians(a))
     text += '[[monitor]]\nname = "toe"\nblock = "block"\npoint = [0, 0]\n'
     text += '[[monitor]]\nname = "heel"\nblock = "block"\npoint = [%.10g, %.10g]\n' % (width * k, width * s)
-    text += '[[stage]]\nname = "go"\nmethod = "%s"\nintegrator = "implicit"\ndt = "1 ms"\nduration = %g\n[output]\nevery = %g\n' % (method, TIME, TIME)
+    text += '[[stage]]\nname = "go"\nmethod = "%s"\nintegrator = "implicit"\ndt = "1 ms"\nduration = %g\n[output]\nevery = %g\nhistory_every = "4 ms"\n' % (method, TIME, TIME)
     name = "%s-%g-%g-%g" % (method, d, a, phi)
     path = os.path.join(work, name + ".toml")
     with open(path, "w") as f:
@@ -62,13 +64,16 @@ def run(work, d, a, phi, method="dda"):
     with open(os.path.join(out, "history.csv")) as f:
         rows = list(csv.reader(line for line in f if not line.startswith("#")))
     head = [h.split(" ")[0] for h in rows[0]]
-    last = dict(zip(head, rows[-1]))
-    u = lambda m: (float(last[m + ".ux"]), float(last[m + ".uy"]))
-    toe, heel = u("toe"), u("heel")
-    slip = abs(toe[0] * k + toe[1] * s)
-    turn = abs((heel[1] - toe[1]) * k - (heel[0] - toe[0]) * s)
+    for row in rows[1:]:
+        at = dict(zip(head, row))
+        toe, heel = ((float(at[m + ".ux"]), float(at[m + ".uy"])) for m in ("toe", "heel"))
+        slip = abs(toe[0] * k + toe[1] * s)
+        turn = abs((heel[1] - toe[1]) * k - (heel[0] - toe[0]) * s)
+        if max(slip, turn) >= EARLY:
+            break
     shutil.rmtree(out)
-    does_slide, does_topple = slip > SMALL, turn > SMALL
+    least = max(SMALL, PART * max(slip, turn))
+    does_slide, does_topple = slip > least, turn > least
     return ("both" if does_topple else "slides") if does_slide else ("topples" if does_topple else "stands"), slip, turn
 
 
@@ -96,6 +101,7 @@ def grid():
 def main():
     work = sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp(prefix="scree-topple-")
     assert abs(critical_phi(0.3, 30.0) - 20.1) < 0.05
+    os.makedirs(work, exist_ok=True)
     points = list(near_borders([30.0])) if sys.argv[2] == "quick" else list(near_borders([15.0, 20.0, 30.0, 40.0])) + list(grid())
     wrong = 0
     with ThreadPoolExecutor(2) as pool:

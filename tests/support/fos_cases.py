@@ -56,27 +56,28 @@ def block_on_plane(width, height, dip, phi, c=0.0, **how):
     block = [at(0, 0), at(width, 0), at(width, height), at(0, height)]
     law = {"friction_deg": phi, "cohesion": c}
     law.update(how.pop("law", {}))
-    f = la.plane_factor(DENSITY * GRAVITY * width * height, dip, phi, width, c)
+    f = la.plane_factor(DENSITY * GRAVITY * width * height, dip, phi, width, c) if dip > 0.0 else math.inf
     return case("block on a plane", base, [("block", block)], {"plane": law}, **how), f
 
 
 def two_wedges(phi=30.0, between=25.0, c=0.0, dip1=50.0, dip2=10.0, **how):
-    """@return case, factor"""
+    """The upper block has its tip cut off: it moves at dip1, and the tip would run into the lower plane. @return case, factor"""
     t1, t2 = math.tan(la.rad(dip1)), math.tan(la.rad(dip2))
     x2, h, run = 14.0, 7.0, 6.0
     joint = [(x2, x2 * t2), (x2, x2 * t2 + h)]
     top = (x2 + run, x2 * t2 + run * t1)
     lower = [(0.0, 0.0), joint[0], joint[1], (0.0, 4.0)]
-    upper = [joint[0], top, joint[1]]
+    tip = 0.4
+    upper = [(x2 + tip, x2 * t2 + tip * t1), top, joint[1], (x2, x2 * t2 + 2.0 * tip)]
     base = [(-15.0, -15.0 * t2 - 6.0), (top[0] + 12.0, -15.0 * t2 - 6.0), (top[0] + 12.0, top[1] + 12.0 * t1), joint[0], (-15.0, -15.0 * t2)]
     w = DENSITY * GRAVITY
-    f = la.two_wedge_factor(w * la.area(upper), dip1, phi, w * la.area(lower), dip2, phi, between, l1=run / math.cos(la.rad(dip1)), c1=c,
+    f = la.two_wedge_factor(w * la.area(upper), dip1, phi, w * la.area(lower), dip2, phi, between, l1=(run - tip) / math.cos(la.rad(dip1)), c1=c,
                             l2=x2 / math.cos(la.rad(dip2)), c2=c)
     joints = {"plane": {"friction_deg": phi, "cohesion": c}, "between": {"friction_deg": between}}
     text = case("two wedges", base, [("lower", lower), ("upper", upper)], joints, **how)
-    # the edge from joint[0] to joint[1] of either block has the law of the joint between them
+    # the edges from joint[0] to joint[1] have the law of the joint between the blocks
     text = text.replace('name = "lower"', 'name = "lower"\nedge_joints = ["plane", "between", "plane", "plane"]')
-    text = text.replace('name = "upper"', 'name = "upper"\nedge_joints = ["plane", "plane", "between"]')
+    text = text.replace('name = "upper"', 'name = "upper"\nedge_joints = ["plane", "plane", "between", "plane"]')
     return text, f
 
 

@@ -77,6 +77,8 @@ def two_wedge_factor(w1, dip1, phi1, w2, dip2, phi2, phi12, interface=90.0, l1=0
         r[1] += w1
         det = m[0][0] * m[1][1] - m[0][1] * m[1][0]
         n12 = (m[0][0] * r[1] - m[1][0] * r[0]) / det
+        if det <= 0.0 or n12 < 0.0 or t1 / f >= math.tan(a1):
+            n12 = 0.0  # block 1 stands by itself
         push = [n12 * across[i] - (t12 * n12 + c12 * l12) / f * along[i] for i in (0, 1)]  # on block 2
         n2 = -(push[0] * up2[0] + (push[1] - w2) * up2[1])
         drive = push[0] * down2[0] + (push[1] - w2) * down2[1]
