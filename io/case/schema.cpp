@@ -558,7 +558,7 @@ constexpr Key kKeys[] = {
      "Method of the stages after the rest, for all blocks."},
     {"reduction.integrator", Type::choice, "", kAny, "(that of the last stage to rest)", false, "explicit|implicit",
      "Time integration of the stages after the rest."},
-    {"reduction.dt", Type::number, "s", kTime, "(five traverses of a pressure wave through the free blocks)", false, "",
+    {"reduction.dt", Type::number, "s", kTime, "(two traverses of a pressure wave through the free blocks)", false, "",
      "Static step, implicit."},
     {"reduction.hold", Type::number, "s", kTime, "5.0", false, "", "Duration of the dynamic stage, at most."},
     {"reduction.limit", Type::number, "m", kPositive, "(5e-3 of the root of the smallest free block's area)", false, "",
