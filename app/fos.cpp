@@ -118,7 +118,7 @@ FosAnswer answer(const Question& q, const fs::path& path, const FosCommand& c, S
   settings.threads = c.threads;
   settings.jobs = c.jobs > 0 ? c.jobs : static_cast<std::size_t>(std::max(1, omp_get_num_procs() / c.threads));
   settings.stop = [&signals] { return signals.stop_requested(); };
-  if (!c.quiet) settings.note = [](const std::string& line) { say("  {}\n", line); };
+  if (!c.quiet && c.json != "-") settings.note = [](const std::string& line) { say("  {}\n", line); };
   FosAnswer a = search_factor(folder, q.record, q.title.limit, q.gravity, settings);
   if (a.status == FosAnswer::Status::interrupted) return a;
   io::write_atomically(folder.file("fos.csv"), fos_csv(a));
@@ -140,7 +140,7 @@ int fos(const FosCommand& c) {
   if (!path.has_filename()) path = path.parent_path();
   const bool both = c.strength.empty();
   const Question main = question(c, both ? "peak" : c.strength);
-  Signals signals(!c.quiet);
+  Signals signals(!c.quiet && c.json != "-");
   const auto interrupted = [&] {
     complain("interrupted; the same command goes on:\n  {}\n", shell_words(c.words));
     return kInterrupted;
