@@ -77,6 +77,11 @@ Handle access_list(const fs::path& path) {
   return list;
 }
 
+/// A node of a dataset's table of chunks has room for twice as many as said here, whether they are there or not; HDF5
+/// says 32, and the tables of a hundred short datasets are larger than what is in them.
+constexpr unsigned kChunksOfSmall = 4;
+constexpr double kSmall = 16.0 * 1024 * 1024;  // bytes
+
 Handle open_object(const File& file, const std::string& name) {
   return {check(H5Oopen(file.id(), name.c_str(), H5P_DEFAULT), file.path(), "open " + name), H5Oclose};
 }
@@ -115,21 +120,28 @@ Handle text_type(const fs::path& path) {
   return type;
 }
 
-File File::make(const fs::path& where, const fs::path& path) {
+File::File() = default;
+File::File(File&&) noexcept = default;
+File& File::operator=(File&&) noexcept = default;
+File::~File() = default;
+
+File File::make(const fs::path& where, const fs::path& path, double bytes) {
   quiet();
   File file;
   file.path_ = path;
-  file.undo_ = std::make_unique<UndoLog>(path);
+  file.writes_ = std::make_unique<Writes>(path);
   const Handle access = access_list(path);
-  write_through(access.get(), *file.undo_, path);
-  file.handle_ = Handle(
-      check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
+  write_through(access.get(), *file.writes_, path);
+  const Handle list(check(H5Pcreate(H5P_FILE_CREATE), path, "make the file"), H5Pclose);
+  if (bytes < kSmall) check(H5Pset_istore_k(list.get(), kChunksOfSmall), path, "make the file");
+  file.handle_ =
+      Handle(check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, list.get(), access.get()), path, "make the file"), H5Fclose);
   return file;
 }
 
-File File::create(const fs::path& path) { return make(path, path); }
+File File::create(const fs::path& path, double bytes) { return make(path, path, bytes); }
 
-File File::create_beside(const fs::path& path) { return make(beside(path), path); }
+File File::create_beside(const fs::path& path, double bytes) { return make(beside(path), path, bytes); }
 
 File File::open(const fs::path& path) {
   quiet();
@@ -154,6 +166,19 @@ bool File::has(const std::string& name) const {
     const std::string part = name.substr(0, at);
     if (part != "/" && check(H5Lexists(id(), part.c_str(), H5P_DEFAULT), path_, "look for " + part) == 0) return false;
     if (at == std::string::npos) return true;
+  }
+}
+
+void File::label(const Handle& object, const std::string& name, const Label& label) const {
+  const std::string what = "write attributes of " + name;
+  const Handle type = text_type(path_);
+  const Handle space(check(H5Screate(H5S_SCALAR), path_, what), H5Sclose);
+  for (const auto& [key, text] : {std::pair{"units", &label.units}, {"long_name", &label.long_name}}) {
+    Handle made(check(H5Acreate2(object.get(), key, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), path_, what),
+                H5Aclose);
+    const char* value = text->c_str();
+    check(H5Awrite(made.get(), type.get(), &value), path_, what);
+    if (!made.close()) fail(path_, what);
   }
 }
 
@@ -206,7 +231,12 @@ void File::attribute_pair(const std::string& name, const std::string& key, std::
   put(name, key, type_of<std::int64_t>(), space.get(), pair.data());
 }
 
-void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
+void File::flush() const {
+  check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk");
+  if (writes_) flushed_ = writes_->made;
+}
+
+bool File::touched() const { return writes_ && writes_->made != flushed_; }
 
 int File::descriptor() const {
   void* handle = nullptr;
@@ -222,7 +252,7 @@ void File::sync() const {
 
 void File::keep() {
   sync();
-  undo_->start(descriptor());
+  writes_->undo.start(descriptor());
 }
 
 void File::put_in_place() {
@@ -233,7 +263,7 @@ void File::put_in_place() {
 
 void File::close() {
   if (!handle_.close()) fail(path_, "close the file");
-  if (undo_) undo_->remove();
+  if (writes_) writes_->undo.remove();
 }
 
 }  // namespace scree::io::h5

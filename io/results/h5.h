@@ -11,9 +11,10 @@
 #include <string_view>
 
 #include "io/results/file_error.h"
-#include "io/results/undo_log.h"
 
 namespace scree::io::h5 {
+
+struct Writes;
 
 /// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
 class Handle {
@@ -71,11 +72,16 @@ template <>
 /// An open file. Not locked: a reader may look at a run that is going on (what it sees is as of the last flush).
 class File {
  public:
-  File() = default;
-  /// A new file in place of an old one.   @throws FileError
-  [[nodiscard]] static File create(const std::filesystem::path& path);
+  File();
+  File(File&&) noexcept;
+  File& operator=(File&&) noexcept;
+  ~File();
+  /// A new file in place of an old one.
+  /// @param bytes  that it is expected to hold, roughly: a small one has small tables of chunks (560 bytes a dataset in
+  ///               place of 2.6 kB)   @throws FileError
+  [[nodiscard]] static File create(const std::filesystem::path& path, double bytes = 0.0);
   /// A new file that stands beside an old one until put_in_place(); it goes by the name of that one in errors.
-  [[nodiscard]] static File create_beside(const std::filesystem::path& path);
+  [[nodiscard]] static File create_beside(const std::filesystem::path& path, double bytes = 0.0);
   /// What create_beside() calls it until then.
   [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& path) {
     return path.string() + ".new";
@@ -91,6 +97,8 @@ class File {
   void group(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
 
+  /// Attributes of a new object, which is open: `units` and `long_name`.   @param name  of the object, for errors
+  void label(const Handle& object, const std::string& name, const Label& label) const;
   /// Sets an attribute of the object `name` ("/" for the file), replacing an old one.
   void attribute(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute(const std::string& name, const std::string& key, std::int64_t value) const;
@@ -102,6 +110,8 @@ class File {
 
   /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
   void flush() const;
+  /// Whether something was written since flush(): what other programs see of the file may not be whole until the next.
+  [[nodiscard]] bool touched() const;
   /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
   void sync() const;
   /// The same, and from now on the file can be brought back to what it is now, until it is closed or this is called
@@ -114,10 +124,11 @@ class File {
 
  private:
   void put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const;
-  [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path);
+  [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path, double bytes);
   [[nodiscard]] int descriptor() const;
   std::filesystem::path path_;
-  std::unique_ptr<UndoLog> undo_;  // outlives the handle
+  std::unique_ptr<Writes> writes_;  // outlives the handle
+  mutable std::uint64_t flushed_ = 0;  // writes made by then
   Handle handle_;
 };
 

@@ -12,7 +12,9 @@ namespace scree::io::h5 {
 
 namespace {
 
-constexpr hsize_t kChunkBytes = 64 * 1024;    // at least; less than twice as much
+constexpr hsize_t kMostOfChunk = 64 * 1024;   // bytes; less than twice as much
+constexpr hsize_t kLeastOfChunk = 256;        // bytes
+constexpr double kChunks = 4.0;               // of what is expected
 constexpr std::uint32_t kSkipFilters = 0b11;  // shuffle and deflate, for one chunk
 constexpr unsigned kDeflate = 1;              // files 4 % larger than with 4, written in half the time
 
@@ -32,8 +34,7 @@ Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize
   Handle made(check(H5Dcreate2(file.id(), name.c_str(), type, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
                     file.path(), what),
               H5Dclose);
-  file.attribute(name, "units", label.units);
-  file.attribute(name, "long_name", label.long_name);
+  file.label(made, name, label);
   return made;
 }
 
@@ -53,11 +54,17 @@ void extend(const std::filesystem::path& path, const std::string& name, hid_t da
   const Handle memory(check(H5Screate_simple(rank, count.data(), nullptr), path, what), H5Sclose);
   // Texts are converted in a buffer, of 1 MiB if nothing is said.
   const Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), path, what), H5Pclose);
-  check(H5Pset_buffer(transfer.get(), kChunkBytes, nullptr, nullptr), path, what);
+  check(H5Pset_buffer(transfer.get(), kMostOfChunk, nullptr, nullptr), path, what);
   check(H5Dwrite(dataset, type, memory.get(), target.get(), transfer.get(), data), path, what);
 }
 
 }  // namespace
+
+hsize_t rows_of_chunk(double rows_expected, hsize_t bytes_of_row) {
+  const double bytes = std::clamp(rows_expected * static_cast<double>(bytes_of_row) / kChunks,
+                                  static_cast<double>(kLeastOfChunk), static_cast<double>(kMostOfChunk));
+  return std::bit_ceil((static_cast<hsize_t>(bytes) + bytes_of_row - 1) / bytes_of_row);
+}
 
 void RowHash::add(const void* data, std::size_t bytes) {
   const auto* at = static_cast<const unsigned char*>(data);
@@ -73,12 +80,12 @@ void RowHash::add(const void* data, std::size_t bytes) {
 }
 
 template <class T>
-Series<T>::Series(const File& file, std::string name, hsize_t width, const Label& label)
-    : path_(file.path()),
+Series<T>::Series(const Growing& in, std::string name, hsize_t width, const Label& label)
+    : path_(in.file->path()),
       name_(std::move(name)),
       width_(width),
-      chunk_(std::bit_ceil((kChunkBytes + width * sizeof(T) - 1) / (width * sizeof(T)))),
-      dataset_(make_dataset(file, name_, type_of<T>(), width, chunk_, label)) {
+      chunk_(rows_of_chunk(in.rows, width * sizeof(T))),
+      dataset_(make_dataset(*in.file, name_, type_of<T>(), width, chunk_, label)) {
   // Touched now: a long run needs the memory that it will need from its start.
   rows_.resize(chunk_ * width_);
   rows_.clear();
@@ -163,10 +170,10 @@ template class Series<std::int64_t>;
 template class Series<std::uint64_t>;
 template class Series<std::uint8_t>;
 
-TextSeries::TextSeries(const File& file, std::string name, const Label& label)
-    : path_(file.path()),
+TextSeries::TextSeries(const Growing& in, std::string name, const Label& label)
+    : path_(in.file->path()),
       name_(std::move(name)),
-      dataset_(make_dataset(file, name_, text_type(path_).get(), 1, kChunkBytes / sizeof(hvl_t), label)) {}
+      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_chunk(in.rows, sizeof(hvl_t)), label)) {}
 
 void TextSeries::append(std::string text) {
   hash_.add(text.c_str(), text.size() + 1);
@@ -200,7 +207,7 @@ void TextSeries::close() {
 }
 
 void write(const File& file, const std::string& name, std::span<const std::string> texts, const Label& label) {
-  TextSeries series(file, name, label);
+  TextSeries series({file, static_cast<double>(texts.size())}, name, label);
   for (const std::string& text : texts) series.append(text);
   series.close();
 }
