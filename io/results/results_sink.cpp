@@ -48,6 +48,7 @@ struct ResultsSink::Files {
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
   Clock::time_point next, next_open;             // nothing is brought out before; where the file was written in
+  bool broken = false;                           // bringing out failed
 
   Files(h5::File results, const RunFolder& folder, const std::array<TableMark, 2>& keep, const Provenance& provenance,
         const Model& model, const coupling::Plan& plan, const ResultsSize& size)
@@ -80,9 +81,11 @@ struct ResultsSink::Files {
   /// Everything so far, as other programs see it.
   void bring_out() {
     const Clock::time_point start = Clock::now();
+    broken = true;
     flush();
     file.flush();
     xdmf.flush();  // after what it refers to
+    broken = false;
     const Clock::time_point end = Clock::now();
     next = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
     next_open = end + std::max<Clock::duration>(kOpen, kShare * (end - start));
@@ -126,7 +129,15 @@ struct ResultsSink::Files {
 ResultsSink::ResultsSink(RunFolder folder, Provenance provenance, std::optional<GoOn> go_on)
     : folder_(std::move(folder)), provenance_(std::move(provenance)), go_on_(std::move(go_on)) {}
 
-ResultsSink::~ResultsSink() = default;
+/// A run that ends by an exception of another's keeps what it had.
+ResultsSink::~ResultsSink() {
+  if (!files_ || files_->broken) return;
+  try {
+    files_->bring_out();
+  } catch (const std::exception&) {  // the first exception says why the run ended
+    files_->broken = true;
+  }
+}
 
 namespace {
 
@@ -250,6 +261,7 @@ void ResultsSink::event(const coupling::Event& event) {
 
 void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
+  files().broken = true;
   outcome_ = files().summary.checked(end, last);
   files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has none
   files().file.attribute("/provenance", "reason", outcome_.reason);

@@ -45,7 +45,8 @@ def texts(dataset):
 def check_labels(file):
     """Every dataset, those that VTKHDF imposes included, has units and a name: there is no exception.
 
-    All but windows (virtual datasets, which hold nothing) have chunks of 64 KiB to 1 MiB, shuffle and deflate.
+    All but windows (virtual datasets, which hold nothing) have chunks of at most 128 KiB, small ones of what the case
+    lets expect, but no smaller than 128 bytes, shuffle and deflate.
     """
     seen = []
 
@@ -60,7 +61,9 @@ def check_labels(file):
             return
         text = h5py.check_string_dtype(item.dtype) is not None
         size = int(np.prod(item.chunks)) * (TEXT_BYTES if text else item.dtype.itemsize)
-        expect(64 * 1024 <= size <= 1024 * 1024, f"/{name} has chunks of {size} bytes")
+        held = len(item) * int(np.prod(item.shape[1:])) * item.dtype.itemsize
+        expect(128 <= size <= 128 * 1024, f"/{name} has chunks of {size} bytes")
+        expect(held < 64 * size or size >= 64 * 1024, f"/{name} has chunks of {size} bytes for {held}")
         expect(item.shuffle and item.compression == "gzip", f"/{name} is not shuffled and deflated")
     file.visititems(visit)
     expect(len(seen) > 60, f"only {len(seen)} datasets seen")
