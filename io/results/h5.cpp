@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/results/h5_chunk.h"
 #include "io/results/h5_driver.h"
 
 namespace scree::io::h5 {
@@ -77,9 +78,9 @@ Handle access_list(const fs::path& path) {
   return list;
 }
 
-/// A node of a dataset's table of chunks has room for twice as many as said here, whether they are there or not; HDF5
-/// says 32, and the tables of a hundred short datasets are larger than what is in them.
-constexpr unsigned kChunksOfSmall = 4;
+/// A node of a table of chunks, or of names, has room for twice as many as said here, whether they are there or not;
+/// HDF5 says 32 and 16, and the tables of a hundred short datasets are larger than what is in them.
+constexpr unsigned kEntriesOfSmall = 4;
 constexpr double kSmall = 16.0 * 1024 * 1024;  // bytes
 
 Handle open_object(const File& file, const std::string& name) {
@@ -129,11 +130,15 @@ File File::make(const fs::path& where, const fs::path& path, double bytes) {
   quiet();
   File file;
   file.path_ = path;
+  file.packer_ = std::make_shared<ChunkPacker>();
   file.writes_ = std::make_unique<Writes>(path);
   const Handle access = access_list(path);
   write_through(access.get(), *file.writes_, path);
   const Handle list(check(H5Pcreate(H5P_FILE_CREATE), path, "make the file"), H5Pclose);
-  if (bytes < kSmall) check(H5Pset_istore_k(list.get(), kChunksOfSmall), path, "make the file");
+  if (bytes < kSmall) {
+    check(H5Pset_istore_k(list.get(), kEntriesOfSmall), path, "make the file");
+    check(H5Pset_sym_k(list.get(), kEntriesOfSmall, kEntriesOfSmall), path, "make the file");
+  }
   file.handle_ =
       Handle(check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, list.get(), access.get()), path, "make the file"), H5Fclose);
   return file;

@@ -14,6 +14,7 @@
 
 namespace scree::io::h5 {
 
+class ChunkPacker;
 struct Writes;
 
 /// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
@@ -112,6 +113,8 @@ class File {
   void flush() const;
   /// Whether something was written since flush(): what other programs see of the file may not be whole until the next.
   [[nodiscard]] bool touched() const;
+  /// What packs the chunks of a file that is made.   @pre it is, not opened
+  [[nodiscard]] const std::shared_ptr<ChunkPacker>& packer() const { return packer_; }
   /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
   void sync() const;
   /// The same, and from now on the file can be brought back to what it is now, until it is closed or this is called
@@ -127,7 +130,8 @@ class File {
   [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path, double bytes);
   [[nodiscard]] int descriptor() const;
   std::filesystem::path path_;
-  std::unique_ptr<Writes> writes_;  // outlives the handle
+  std::shared_ptr<ChunkPacker> packer_;
+  std::unique_ptr<Writes> writes_;     // outlives the handle
   mutable std::uint64_t flushed_ = 0;  // writes made by then
   Handle handle_;
 };

@@ -83,6 +83,7 @@ template <class T>
 Series<T>::Series(const Growing& in, std::string name, hsize_t width, const Label& label)
     : path_(in.file->path()),
       name_(std::move(name)),
+      packer_(in.file->packer()),
       width_(width),
       chunk_(rows_of_chunk(in.rows, width * sizeof(T))),
       dataset_(make_dataset(*in.file, name_, type_of<T>(), width, chunk_, label)) {
@@ -101,23 +102,39 @@ void Series<T>::append(std::span<const T> rows) {
     rows_.insert(rows_.end(), rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(fits));
     rows = rows.subspan(fits);
     if (rows_.size() == chunk) {
-      write_rows(rows_);
+      grow(first_ + chunk_);
+      write_chunks(rows_);
       rows_.clear();
     }
   }
   if (const std::size_t whole = rows.size() / chunk * chunk; whole > 0) {
-    write_rows(rows.first(whole));
+    grow(first_ + whole / width_);
+    write_chunks(rows.first(whole));
     rows = rows.subspan(whole);
   }
   rows_.insert(rows_.end(), rows.begin(), rows.end());
 }
 
-/// Writes whole chunks through the filters.
 template <class T>
-void Series<T>::write_rows(std::span<const T> rows) {
-  const hsize_t count = rows.size() / width_;
-  extend(path_, name_, dataset_.get(), type_of<T>(), width_, first_, count, rows.data());
-  first_ += count;
+void Series<T>::grow(hsize_t rows) {
+  const std::array<hsize_t, 2> size{rows, width_};
+  check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
+}
+
+/// Writes whole chunks, packed.
+template <class T>
+void Series<T>::write_chunks(std::span<const T> rows) {
+  const std::string what = "write " + name_;
+  for (; !rows.empty(); rows = rows.subspan(chunk_ * width_)) {
+    const std::span<const T> chunk = rows.first(chunk_ * width_);
+    const auto packed =
+        packer_->pack({reinterpret_cast<const unsigned char*>(chunk.data()), chunk.size_bytes()}, sizeof(T));
+    const std::array<hsize_t, 2> at{first_, 0};
+    check(H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, packed.skipped, at.data(), packed.bytes.size(),
+                         packed.bytes.data()),
+          path_, what);
+    first_ += chunk_;
+  }
   stored_ = first_;
 }
 
@@ -137,8 +154,8 @@ template <class T>
 void Series<T>::flush() {
   const hsize_t rows = first_ + rows_.size() / width_;
   if (rows == stored_) return;
-  const std::array<hsize_t, 2> size{rows, width_}, at{first_, 0};
-  check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
+  const std::array<hsize_t, 2> at{first_, 0};
+  grow(rows);
   const std::size_t held = rows_.size();
   rows_.resize(chunk_ * width_);  // zeros behind what there is
   const herr_t written =
@@ -152,14 +169,13 @@ template <class T>
 void Series<T>::close() {
   if (!dataset_.valid()) return;
   if (const hsize_t rows = rows_.size() / width_; rows > 0) {
-    // As a whole chunk: for a part of one HDF5 reads the old chunk first, and 1.10 inflates it though it was not
-    // deflated.
-    const std::array<hsize_t, 2> size{first_ + rows, width_};
-    rows_.resize(chunk_ * width_);
-    write_rows(rows_);
+    // At its full length from the start: a dataset that shrinks has its last chunk read, cut and written again.
+    const hsize_t all = first_ + rows;
+    grow(all);
+    rows_.resize(chunk_ * width_);  // zeros behind what there is
+    write_chunks(rows_);
     rows_.clear();
-    check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
-    first_ = stored_ = size[0];
+    first_ = stored_ = all;
   }
   if (!dataset_.close()) fail(path_, "close " + name_);
 }
@@ -173,7 +189,8 @@ template class Series<std::uint8_t>;
 TextSeries::TextSeries(const Growing& in, std::string name, const Label& label)
     : path_(in.file->path()),
       name_(std::move(name)),
-      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_chunk(in.rows, sizeof(hvl_t)), label)) {}
+      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_chunk(in.rows, sizeof(hvl_t)), label)) {
+}
 
 void TextSeries::append(std::string text) {
   hash_.add(text.c_str(), text.size() + 1);

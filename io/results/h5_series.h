@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/results/h5.h"
+#include "io/results/h5_chunk.h"
 #include "io/results/results_mark.h"
 
 namespace scree::io::h5 {
@@ -63,8 +65,10 @@ class Series {
  private:
   std::filesystem::path path_;
   std::string name_;
-  void write_rows(std::span<const T> rows);
+  void grow(hsize_t rows);
+  void write_chunks(std::span<const T> rows);
 
+  std::shared_ptr<ChunkPacker> packer_;
   hsize_t width_ = 1, chunk_ = 0;   // rows
   hsize_t first_ = 0, stored_ = 0;  // first row of the last chunk; rows in the file
   std::vector<T> rows_;             // from first_ on, in the file or not yet

@@ -27,8 +27,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Readers of a run that goes on see it as of a second ago: bringing out takes longer than all else of a small frame. What
-// is in the file does not depend on when it gets there.
+// Readers of a run that goes on see it as of a second ago: bringing out takes longer than all else of a small frame.
+// What is in the file does not depend on when it gets there.
 constexpr std::chrono::milliseconds kBetween{1000};
 constexpr std::chrono::milliseconds kOpen{200};  // since something was written: until then readers see half of it
 constexpr int kShare = 50;                       // bringing out may take 1/50 of the time

@@ -60,8 +60,8 @@ class ResultsSink : public coupling::Sink {
   struct Files;
   [[nodiscard]] Files& files();
   /// Makes the files, with the heads that never change.
-  void make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,
-                  const coupling::Plan& plan, const ResultsSize& size);
+  void make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model, const coupling::Plan& plan,
+                  const ResultsSize& size);
   void take_up(const Model& model, const coupling::Plan& plan);
 
   RunFolder folder_;

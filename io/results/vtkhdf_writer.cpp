@@ -85,20 +85,26 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file, const ResultsSize& size) : file
   part_count_ = {of_frames, steps + "NumberOfParts", 1, {"1", "meshes of each frame: one"}};
   point_offset_ = {of_frames, steps + "PointOffsets", 1, {"1", "first row of Points of each frame"}};
   cell_offset_ = {of_frames, steps + "CellOffsets", 1, {"1", "first cell of each frame's mesh"}};
-  id_offset_ = {of_frames, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
+  id_offset_ = {
+      of_frames, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
   for (const char* name : {"displacement", "velocity"})
-    point_field_[name] = {of_frames, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+    point_field_[name] = {
+        of_frames, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   for (const char* name : {"block_id", "element_id", "material_id", "method", "integrator", "displacement", "velocity",
                            "stress", "principal_stress"})
-    cell_field_[name] = {of_frames, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+    cell_field_[name] = {
+        of_frames, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   file.attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
 
   frame_step_ = {of_frames, frames + "step", 1, {"1", "steps made since the start"}};
   frame_tick_ = {of_frames, frames + "tick", 1, {"ps", "time as a whole number of picoseconds"}};
   frame_stage_ = {of_frames, frames + "stage", 1, {"1", "stage, counted from 0 in /stages"}};
-  frame_integrator_ = {
-      of_frames, frames + "integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit, 2 partitioned: that of each block"}};
-  frame_hash_ = {of_frames, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
+  frame_integrator_ = {of_frames,
+                       frames + "integrator",
+                       1,
+                       {"1", "time scheme: 0 explicit, 1 implicit, 2 partitioned: that of each block"}};
+  frame_hash_ = {
+      of_frames, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
   frame_points_ = {of_frames, frames + "points", 1, {"1", "points of the frame"}};
   frame_cells_ = {of_frames, frames + "cells", 1, {"1", "cells of the frame"}};
   method_name_ = {file, "/methods/name", {"none", "names of the discretisations"}};

@@ -20,9 +20,9 @@ struct FrameRows {
 
 /// What is stored of the last frame, in these rows.
 struct FrameValues {
-  std::vector<double> points, displacement, velocity;              // three numbers a point
-  std::vector<double> cell_displacement, cell_velocity, stress;    // three numbers a cell
-  std::vector<double> principal_stress;                            // two numbers a cell
+  std::vector<double> points, displacement, velocity;            // three numbers a point
+  std::vector<double> cell_displacement, cell_velocity, stress;  // three numbers a cell
+  std::vector<double> principal_stress;                          // two numbers a cell
 };
 
 /// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)

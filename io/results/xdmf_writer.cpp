@@ -20,9 +20,9 @@ constexpr const char* kNode = "Node";
 constexpr const char* kCell = "Cell";
 constexpr std::string_view kFile = "run.vtkhdf:";
 constexpr std::chrono::seconds kBetween{1};
-constexpr int kShare = 50;        // a text may take 1/50 of the time
-constexpr int kMost = 64 * 1024;  // bytes that may wait to be written
-constexpr int kInText = 64;       // numbers of an array
+constexpr int kShare = 50;          // a text may take 1/50 of the time
+constexpr int kMost = 64 * 1024;    // bytes that may wait to be written
+constexpr int kInText = 100;        // numbers of an array
 constexpr std::size_t kDue = 8192;  // windows that may wait while frames are taken over
 
 /// HDF5 keeps the names of a group in one piece, read and written whole with each new one: groups must stay small.
@@ -37,17 +37,57 @@ XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
     : file_(&file), xmf_(std::move(xmf)), settled_(xdmf::opening()) {
   fields_ = {
       {"Points", "", "XYZ", "Points", 3, false, &FrameRows::first_point, &FrameValues::points, {}},
-      {"displacement", kNode, "Vector", "PointData/displacement", 3, false, &FrameRows::first_point, &FrameValues::displacement, {}},
-      {"velocity", kNode, "Vector", "PointData/velocity", 3, false, &FrameRows::first_point, &FrameValues::velocity, {}},
+      {"displacement",
+       kNode,
+       "Vector",
+       "PointData/displacement",
+       3,
+       false,
+       &FrameRows::first_point,
+       &FrameValues::displacement,
+       {}},
+      {"velocity",
+       kNode,
+       "Vector",
+       "PointData/velocity",
+       3,
+       false,
+       &FrameRows::first_point,
+       &FrameValues::velocity,
+       {}},
       {"block_id", kCell, "Scalar", "CellData/block_id", 1, true, &FrameRows::first_cell, nullptr, {}},
       {"element_id", kCell, "Scalar", "CellData/element_id", 1, true, &FrameRows::first_cell, nullptr, {}},
       {"material_id", kCell, "Scalar", "CellData/material_id", 1, true, &FrameRows::first_cell, nullptr, {}},
       {"method", kCell, "Scalar", "CellData/method", 1, true, &FrameRows::first_cell, nullptr, {}},
       {"integrator", kCell, "Scalar", "CellData/integrator", 1, true, &FrameRows::first_integrator, nullptr, {}},
-      {"displacement", kCell, "Vector", "CellData/displacement", 3, false, &FrameRows::first_value, &FrameValues::cell_displacement, {}},
-      {"velocity", kCell, "Vector", "CellData/velocity", 3, false, &FrameRows::first_value, &FrameValues::cell_velocity, {}},
+      {"displacement",
+       kCell,
+       "Vector",
+       "CellData/displacement",
+       3,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::cell_displacement,
+       {}},
+      {"velocity",
+       kCell,
+       "Vector",
+       "CellData/velocity",
+       3,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::cell_velocity,
+       {}},
       {"stress", kCell, "Vector", "CellData/stress", 3, false, &FrameRows::first_value, &FrameValues::stress, {}},
-      {"principal_stress", kCell, "Matrix", "CellData/principal_stress", 2, false, &FrameRows::first_value, &FrameValues::principal_stress, {}},
+      {"principal_stress",
+       kCell,
+       "Matrix",
+       "CellData/principal_stress",
+       2,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::principal_stress,
+       {}},
   };
   for (Field& field : fields_)
     field.label = {h5::text_attribute(file, "/VTKHDF/" + field.path, "units"),
@@ -89,7 +129,8 @@ void XdmfWriter::settle() {
   std::stable_sort(due_.begin(), due_.end(), [](const Due& a, const Due& b) { return a.field < b.field; });
   for (const Due& d : due_) {
     const Field& f = fields_[d.field];
-    h5::window(*file_, window_name(f.path, d.number), {"/VTKHDF/" + f.path, d.first, d.count, f.width, f.whole}, f.label);
+    h5::window(*file_, window_name(f.path, d.number), {"/VTKHDF/" + f.path, d.first, d.count, f.width, f.whole},
+               f.label);
   }
   due_.clear();
 }

@@ -18,7 +18,7 @@ namespace scree::io {
 ///   /xdmf/Points/<g>/<n>, /xdmf/PointData/<field>/<g>/<n>, /xdmf/CellData/<field>/<g>/<n>
 ///                          rows of the dataset of that name in /VTKHDF, as virtual datasets: nothing is stored twice.
 ///                          Counted anew by each field: one a frame, or one a mesh; 500 of them in a group. Arrays of
-///                          at most 64 numbers stand in the text itself: a window would take more room than they do,
+///                          at most 100 numbers stand in the text itself: a window would take more room than they do,
 ///                          and a hundred times as long to make
 ///   /xdmf/topology/<mesh>  cells as XDMF's "Mixed" topology: 3 (polygon), number of points, points
 /// The readers of ParaView 5.11 agree on one plain or virtual dataset a frame only; of selections in the text two of

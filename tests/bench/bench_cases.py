@@ -28,6 +28,11 @@ def wall_blocks(courses):
     return sum(courses + 1 if j % 2 == 0 else courses for j in range(courses))
 
 
+def shaking():
+    """The record of the shaken walls, shaking.csv."""
+    return "".join(f"{1e-3 * i:.3f}, {4.0 * math.sin(4.0 * math.pi * 1e-3 * i):.17g}\n" for i in range(2001))
+
+
 def wall(courses, integrator, shaken=False, apart=False, settle=True):
     """Courses of n + 1 and n blocks of 1 x 0.5 m in turn on a base that is held or shaken (2 Hz, 4 m/s2, horizontally).
 
@@ -36,17 +41,9 @@ def wall(courses, integrator, shaken=False, apart=False, settle=True):
     """
     pitch, rise = (1.25, 0.625) if apart else (1.0, 0.5)
     lines = [HEAD.format(young=5)]
-    support = '{ block = "base" }'
     if shaken:
-        # cos(w t) - 1 of the velocity: it starts at rest
-        lines.append(f'''
-[[motion]]
-name = "shaking"
-direction = [1.0, 0.0]
-start = {SETTLED}
-''')
-        support = '{ block = "base", motion = "shaking" }'
-    lines.append(f"support = [{support}]\n" if not shaken else f"[[support]]\nblock = \"base\"\nmotion = \"shaking\"\n")
+        lines.append(f'motion.shaking = {{ file = "shaking.csv", unit = "m/s2", start = {SETTLED} }}\n')
+    lines.append('support = [{ block = "base"' + (', motion = "shaking"' if shaken else "") + " }]\n")
     blocks = [("base", [(-3.0, -2.0), (pitch * courses + 4.0, -2.0), (pitch * courses + 4.0, 0.0), (-3.0, 0.0)])]
     lift = 0.125 if apart else 0.0
     for j in range(courses):

@@ -29,6 +29,8 @@ import bench_plots
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NEW, OLD = "new", "baseline"
+PLOTS = {"memory": ("Peak memory", "bytes"), "point": ("A closed contact point of an explicit wall, a step", "ns"),
+         "step": ("A step of a wall of N blocks", "ms")}
 
 
 class Program:
@@ -88,9 +90,14 @@ class Figure:
 class Table:
     def __init__(self, programs, repeats, full, scratch):
         self.programs, self.repeats, self.full, self.scratch, self.figures = programs, repeats, full, scratch, {}
+        self.growth = {name: (title, unit, {}) for name, (title, unit) in PLOTS.items()}
 
     def figure(self, row, unit, must=None, higher=False):
         return self.figures.setdefault(row, Figure(row, unit, must, higher))
+
+    def grow(self, plot, series, n, value):
+        """A point of a growth plot."""
+        self.growth[plot][2].setdefault(series, []).append((n, value))
 
     def case(self, name, text):
         path = self.scratch / f"{name}.toml"
@@ -129,6 +136,9 @@ def explicit_wall(table, courses=30):
         step.add(program, 1e3 * seconds)
         point.add(program, 1e9 * seconds / summary["contacts"])
     table.steps(f"explicit-{courses}", bench_cases.SETTLED, 0.002, 0.002 + 0.3 / courses, add)
+    for p in table.programs:
+        table.grow("point", f"{p.name}: explicit", 1e6 * step.median(p.name) / point.median(p.name), point.median(p.name))
+        table.grow("step", f"{p.name}: explicit", blocks, step.median(p.name))
 
 
 def explicit_points(table):
@@ -164,6 +174,8 @@ def implicit_wall(table, courses=30):
             program.run(case, name, "--until", bench_cases.SETTLED)
         figure = table.figure(f"implicit DDA, wall of {blocks} blocks, {kind}, 1 ms: a step", "ms", must if courses == 30 else None)
         table.steps(name, bench_cases.SETTLED, 0.005, 0.005 + long, lambda p, s, _, f=figure: f.add(p, 1e3 * s))
+        for p in table.programs:
+            table.grow("step", f"{p.name}: implicit, {kind}", blocks, figure.median(p.name))
 
 
 def implicit_growth(table):
@@ -237,7 +249,9 @@ def memory(table):
         table.figure("memory: a closed contact point", "kB").add(
             program, 1e-3 * (each(touching) - each(apart)) * (sizes and (touching[-1][0] - touching[0][0]) / (contacts[-1] - contacts[0])))
         table.figure("memory: an element of the NMM, explicit", "kB").add(program, 1e-3 * each(elements))
-        table.growth["bytes"] = {"blocks in a wall": touching, "blocks apart": apart, "NMM elements": elements}
+        for name, points in (("blocks in a wall", touching), ("blocks apart", apart), ("NMM elements", elements)):
+            for n, value in points:
+                table.grow("memory", name, n, value)
 
 
 def threads(table):
@@ -336,7 +350,7 @@ def main():
         if arguments.baseline:
             programs.append(Program(OLD, arguments.baseline, scratch))
         table = Table(programs, arguments.repeats, arguments.full, scratch)
-        table.growth = {}
+        (scratch / "shaking.csv").write_text(bench_cases.shaking())
         for name in arguments.rows:
             print(f"# {name} ...", file=sys.stderr, flush=True)
             ROWS[name](table)
@@ -348,12 +362,12 @@ def main():
               "figures": {f.row: {"unit": f.unit, "least": f.least(NEW), "median": f.median(NEW),
                                   **({"baseline": f.median(OLD), "ratio": f.ratio()} if OLD in f.values else {})}
                           for f in table.figures.values() if NEW in f.values},
-              "growth": table.growth}
+              "growth": {name: series for name, (_, _, series) in table.growth.items() if series}}
     history.parent.mkdir(parents=True, exist_ok=True)
     with history.open("a") as file:
         file.write(json.dumps(record) + "\n")
     if arguments.plots:
-        bench_plots.write(arguments.plots, table, NEW, OLD)
+        bench_plots.write(arguments.plots, table.growth)
     for row in slower:
         print(f"SLOWER than last time by more than 15 %: {row}")
 

@@ -29,10 +29,10 @@ TEST(XdmfText, mixed_polygons_tell_kind_and_number_of_points_before_the_points) 
 }
 
 TEST(XdmfText, item_of_one_number_a_row_has_one_dimension) {
-  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/a/0", 7, 1, true}),
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/a/0", 7, 1, true, {}}),
             "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"7\">run.vtkhdf:/xdmf/a/0"
             "</DataItem>\n");
-  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/b/1", 7, 3, false}),
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/b/1", 7, 3, false, {}}),
             "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"7 3\">run.vtkhdf:/xdmf/b/1"
             "</DataItem>\n");
 }
@@ -40,7 +40,8 @@ TEST(XdmfText, item_of_one_number_a_row_has_one_dimension) {
 TEST(XdmfText, item_with_numbers_holds_them_to_the_last_bit) {
   const std::vector<double> numbers{0.1 + 0.2, -0.0, 5e-324, -1.7976931348623157e308, 12.0, 1.0 / 3.0};
   const std::string text = xdmf::item({"", 2, 3, false, numbers});
-  EXPECT_TRUE(text.starts_with("<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"2 3\">")) << text;
+  EXPECT_TRUE(text.starts_with("<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"2 3\">"))
+      << text;
   const char* at = text.c_str() + text.find('>') + 1;
   for (const double number : numbers) {
     char* end = nullptr;
@@ -159,12 +160,12 @@ Chunk chunk_of(const h5::File& file, const char* name, hsize_t number) {
 }
 
 TEST(Chunks, hold_a_quarter_of_what_is_expected_within_bounds) {
-  EXPECT_EQ(h5::rows_of_chunk(0.0, 8), 32u);          // 256 bytes
-  EXPECT_EQ(h5::rows_of_chunk(101.0, 8), 32u);        // 808 bytes in all
-  EXPECT_EQ(h5::rows_of_chunk(1000.0, 8), 256u);      // 2 KiB of 8
-  EXPECT_EQ(h5::rows_of_chunk(1e12, 8), 8192u);       // 64 KiB
-  EXPECT_EQ(h5::rows_of_chunk(1e12, 24), 4096u);      // 96 KiB: the first power of two rows that reaches 64
-  EXPECT_EQ(h5::rows_of_chunk(1.0, 1 << 20), 1u);     // a row is the least
+  EXPECT_EQ(h5::rows_of_chunk(0.0, 8), 32u);       // 256 bytes
+  EXPECT_EQ(h5::rows_of_chunk(101.0, 8), 32u);     // 808 bytes in all
+  EXPECT_EQ(h5::rows_of_chunk(1000.0, 8), 256u);   // 2 KiB of 8
+  EXPECT_EQ(h5::rows_of_chunk(1e12, 8), 8192u);    // 64 KiB
+  EXPECT_EQ(h5::rows_of_chunk(1e12, 24), 4096u);   // 96 KiB: the first power of two rows that reaches 64
+  EXPECT_EQ(h5::rows_of_chunk(1.0, 1 << 20), 1u);  // a row is the least
 }
 
 TEST_F(Window, file_says_whether_it_was_written_in_since_it_was_brought_out) {
