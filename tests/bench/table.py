@@ -178,6 +178,19 @@ def implicit_wall(table, courses=30):
             table.grow("step", f"{p.name}: implicit, {kind}", blocks, figure.median(p.name))
 
 
+def box2d(table, courses=30):
+    """The same walls in Box2D, where tests/bench/box2d_wall.cpp was built (libbox2d-dev)."""
+    driver = table.programs[0].path.parents[1] / "tests/bench_box2d_wall"
+    if not driver.exists():
+        print(f"# box2d: skipped, there is no {driver}", file=sys.stderr)
+        return
+    for kind in ("rest", "shaken"):
+        figure = table.figure(f"Box2D, 8/3 iterations, wall of {bench_cases.wall_blocks(courses)} blocks, {kind}, 1 ms: a step", "ms")
+        for _ in range(table.repeats):
+            told = subprocess.run([driver, str(courses), "500", "0.001", kind], capture_output=True, text=True, check=True).stdout
+            figure.add(table.programs[0], float(told.rsplit(":", 1)[1].split()[0]))
+
+
 def implicit_growth(table):
     for courses in (15, 60) + ((100, 316) if table.full else ()):
         implicit_wall(table, courses)
@@ -289,7 +302,7 @@ def large(table):
         peak.add(program, 1e-9 * second[2])
 
 
-ROWS = {"explicit": explicit_wall, "points": explicit_points, "slope": slope, "implicit": implicit_wall, "growth": implicit_growth,
+ROWS = {"explicit": explicit_wall, "points": explicit_points, "slope": slope, "implicit": implicit_wall, "box2d": box2d, "growth": implicit_growth,
         "partitioned": partitioned, "jinping": jinping, "two-blocks": two_blocks, "memory": memory, "threads": threads, "large": large}
 
 
