@@ -72,6 +72,9 @@ Handle access_list(const fs::path& path) {
   H5AC_cache_config_t metadata;
   metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Pget_mdc_config(list.get(), &metadata), path, "set up HDF5");
+  metadata.incr_mode = H5C_incr__off;
+  metadata.flash_incr_mode = H5C_flash_incr__off;
+  metadata.decr_mode = H5C_decr__off;
   metadata.set_initial_size = 1;
   metadata.initial_size = metadata.min_size = metadata.max_size = kMetadata;
   check(H5Pset_mdc_config(list.get(), &metadata), path, "set up HDF5");
@@ -131,9 +134,9 @@ File File::make(const fs::path& where, const fs::path& path, double bytes) {
   File file;
   file.path_ = path;
   file.packer_ = std::make_shared<ChunkPacker>();
-  file.writes_ = std::make_unique<Writes>(path);
+  file.undo_ = std::make_unique<UndoLog>(path);
   const Handle access = access_list(path);
-  write_through(access.get(), *file.writes_, path);
+  write_through(access.get(), *file.undo_, path);
   const Handle list(check(H5Pcreate(H5P_FILE_CREATE), path, "make the file"), H5Pclose);
   if (bytes < kSmall) {
     check(H5Pset_istore_k(list.get(), kEntriesOfSmall), path, "make the file");
@@ -159,11 +162,8 @@ File File::open(const fs::path& path) {
 
 void File::group(const std::string& name) const {
   if (has(name)) return;
-  const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path_, "make group " + name), H5Pclose);
-  check(H5Pset_create_intermediate_group(links.get(), 1), path_, "make group " + name);
   const Handle made(
-      check(H5Gcreate2(id(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name),
-      H5Gclose);
+      check(H5Gcreate2(id(), name.c_str(), links(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name), H5Gclose);
 }
 
 bool File::has(const std::string& name) const {
@@ -174,15 +174,23 @@ bool File::has(const std::string& name) const {
   }
 }
 
+hid_t File::links() const {
+  if (!below_.valid()) {
+    below_ = Handle(check(H5Pcreate(H5P_LINK_CREATE), path_, "set up HDF5"), H5Pclose);
+    check(H5Pset_create_intermediate_group(below_.get(), 1), path_, "set up HDF5");
+  }
+  return below_.get();
+}
+
 void File::label(const Handle& object, const std::string& name, const Label& label) const {
   const std::string what = "write attributes of " + name;
-  const Handle type = text_type(path_);
-  const Handle space(check(H5Screate(H5S_SCALAR), path_, what), H5Sclose);
+  if (!text_.valid()) text_ = text_type(path_);
+  if (!scalar_.valid()) scalar_ = Handle(check(H5Screate(H5S_SCALAR), path_, what), H5Sclose);
   for (const auto& [key, text] : {std::pair{"units", &label.units}, {"long_name", &label.long_name}}) {
-    Handle made(check(H5Acreate2(object.get(), key, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), path_, what),
+    Handle made(check(H5Acreate2(object.get(), key, text_.get(), scalar_.get(), H5P_DEFAULT, H5P_DEFAULT), path_, what),
                 H5Aclose);
     const char* value = text->c_str();
-    check(H5Awrite(made.get(), type.get(), &value), path_, what);
+    check(H5Awrite(made.get(), text_.get(), &value), path_, what);
     if (!made.close()) fail(path_, what);
   }
 }
@@ -236,12 +244,15 @@ void File::attribute_pair(const std::string& name, const std::string& key, std::
   put(name, key, type_of<std::int64_t>(), space.get(), pair.data());
 }
 
-void File::flush() const {
-  check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk");
-  if (writes_) flushed_ = writes_->made;
-}
+void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
 
-bool File::touched() const { return writes_ && writes_->made != flushed_; }
+void File::hold(bool tables) const {
+  H5AC_cache_config_t config;
+  config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Fget_mdc_config(id(), &config), path_, "set up HDF5");
+  config.evictions_enabled = !tables;
+  check(H5Fset_mdc_config(id(), &config), path_, "set up HDF5");
+}
 
 int File::descriptor() const {
   void* handle = nullptr;
@@ -257,7 +268,7 @@ void File::sync() const {
 
 void File::keep() {
   sync();
-  writes_->undo.start(descriptor());
+  undo_->start(descriptor());
 }
 
 void File::put_in_place() {
@@ -268,7 +279,7 @@ void File::put_in_place() {
 
 void File::close() {
   if (!handle_.close()) fail(path_, "close the file");
-  if (writes_) writes_->undo.remove();
+  if (undo_) undo_->remove();
 }
 
 }  // namespace scree::io::h5

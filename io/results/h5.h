@@ -11,11 +11,11 @@
 #include <string_view>
 
 #include "io/results/file_error.h"
+#include "io/results/undo_log.h"
 
 namespace scree::io::h5 {
 
 class ChunkPacker;
-struct Writes;
 
 /// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
 class Handle {
@@ -98,6 +98,8 @@ class File {
   void group(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
 
+  /// List of properties with which a link is made with the groups above it. Kept by the file.
+  [[nodiscard]] hid_t links() const;
   /// Attributes of a new object, which is open: `units` and `long_name`.   @param name  of the object, for errors
   void label(const Handle& object, const std::string& name, const Label& label) const;
   /// Sets an attribute of the object `name` ("/" for the file), replacing an old one.
@@ -111,8 +113,9 @@ class File {
 
   /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
   void flush() const;
-  /// Whether something was written since flush(): what other programs see of the file may not be whole until the next.
-  [[nodiscard]] bool touched() const;
+  /// Lets HDF5 write its tables when it needs room for others (the default), or not before flush(): what other programs
+  /// see of the file stays whole until then.   @throws FileError
+  void hold(bool tables) const;
   /// What packs the chunks of a file that is made.   @pre it is, not opened
   [[nodiscard]] const std::shared_ptr<ChunkPacker>& packer() const { return packer_; }
   /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
@@ -131,8 +134,8 @@ class File {
   [[nodiscard]] int descriptor() const;
   std::filesystem::path path_;
   std::shared_ptr<ChunkPacker> packer_;
-  std::unique_ptr<Writes> writes_;     // outlives the handle
-  mutable std::uint64_t flushed_ = 0;  // writes made by then
+  std::unique_ptr<UndoLog> undo_;         // outlives the handle
+  mutable Handle text_, scalar_, below_;  // text type, space of one value, list that makes groups: kept for use
   Handle handle_;
 };
 

@@ -10,6 +10,9 @@ struct libdeflate_compressor;
 
 namespace scree::io::h5 {
 
+/// What H5Dwrite_chunk() is told of a chunk without filters: both are left out.
+inline constexpr std::uint32_t kFilters = 0b11;
+
 /// Packs chunks one after the other. What is read back is undone by HDF5's own filters.
 class ChunkPacker {
  public:
@@ -21,7 +24,8 @@ class ChunkPacker {
   /// @throws std::bad_alloc, as all of it
   ChunkPacker();
   /// Groups the first bytes of all numbers, then the second ones, and so on, and deflates them; what does not become
-  /// smaller so is only grouped.
+  /// smaller so stays as it is. Never is there a chunk of the full length with any filter but none: HDF5 1.10 does not
+  /// store which filters were left out where a chunk is replaced by one of its length.
   /// @param bytes   the whole chunk   @param number  bytes of a number
   [[nodiscard]] Packed pack(std::span<const unsigned char> bytes, std::size_t number);
 

@@ -11,14 +11,14 @@ namespace {
 /// HDF5's driver for plain files, of which this one is a copy with other functions in a few places.
 H5FD_class_t plain;
 /// Of the files that are open.
-std::unordered_map<const H5FD_t*, Writes*>& writes_of() {
-  static std::unordered_map<const H5FD_t*, Writes*> map;
+std::unordered_map<const H5FD_t*, UndoLog*>& logs() {
+  static std::unordered_map<const H5FD_t*, UndoLog*> map;
   return map;
 }
 
 bool saved(const H5FD_t* file, haddr_t at, hsize_t size) {
   try {
-    writes_of().at(file)->undo.save(at, size);
+    logs().at(file)->save(at, size);
     return true;
   } catch (const FileError& e) {
     // As HDF5's own driver gives the system's message.
@@ -31,17 +31,16 @@ bool saved(const H5FD_t* file, haddr_t at, hsize_t size) {
 H5FD_t* open(const char* name, unsigned flags, hid_t access, haddr_t most) {
   H5FD_t* file = plain.open(name, flags, access, most);
   if (file == nullptr) return nullptr;
-  writes_of()[file] = *static_cast<Writes* const*>(H5Pget_driver_info(access));
+  logs()[file] = *static_cast<UndoLog* const*>(H5Pget_driver_info(access));
   return file;
 }
 
 herr_t close(H5FD_t* file) {
-  writes_of().erase(file);
+  logs().erase(file);
   return plain.close(file);
 }
 
 herr_t write(H5FD_t* file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void* data) {
-  ++writes_of().at(file)->made;
   return saved(file, at, size) ? plain.write(file, type, transfer, at, size, data) : -1;
 }
 
@@ -64,7 +63,7 @@ hid_t driver(const std::filesystem::path& path) {
     H5FD_class_t mine = plain;
     mine.name = "scree";
     mine.terminate = nullptr;
-    mine.fapl_size = sizeof(Writes*);  // NOLINT(bugprone-sizeof-expression): what is stored is the pointer
+    mine.fapl_size = sizeof(UndoLog*);  // NOLINT(bugprone-sizeof-expression): what is stored is the pointer
     mine.open = open;
     mine.close = close;
     mine.write = write;
@@ -76,8 +75,8 @@ hid_t driver(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_through(hid_t access, Writes& writes, const std::filesystem::path& path) {
-  Writes* const info = &writes;
+void write_through(hid_t access, UndoLog& log, const std::filesystem::path& path) {
+  UndoLog* const info = &log;
   check(H5Pset_driver(access, driver(path), &info), path, "set up HDF5");
 }
 

@@ -22,10 +22,8 @@ void window(const File& file, const std::string& name, const Rows& rows, const L
 
   const Handle list(sure(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
   sure(H5Pset_virtual(list.get(), shown.get(), ".", rows.dataset.c_str(), mapped.get()));
-  const Handle links(sure(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
-  sure(H5Pset_create_intermediate_group(links.get(), 1));
   const hid_t type = rows.whole ? type_of<std::int32_t>() : type_of<double>();
-  Handle made(sure(H5Dcreate2(file.id(), name.c_str(), type, shown.get(), links.get(), list.get(), H5P_DEFAULT)),
+  Handle made(sure(H5Dcreate2(file.id(), name.c_str(), type, shown.get(), file.links(), list.get(), H5P_DEFAULT)),
               H5Dclose);
   file.label(made, name, label);
   if (!made.close()) fail(file.path(), what);

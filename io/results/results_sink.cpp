@@ -30,9 +30,8 @@ using Clock = std::chrono::steady_clock;
 // Readers of a run that goes on see it as of a second ago: bringing out takes longer than all else of a small frame.
 // What is in the file does not depend on when it gets there.
 constexpr std::chrono::milliseconds kBetween{1000};
-constexpr std::chrono::milliseconds kOpen{200};  // since something was written: until then readers see half of it
-constexpr int kShare = 50;                       // bringing out may take 1/50 of the time
-constexpr std::size_t kMostDue = 4096;           // windows that may wait: 40 bytes each
+constexpr int kShare = 50;              // bringing out may take 1/50 of the time
+constexpr std::size_t kMostDue = 4096;  // windows that may wait: 40 bytes each
 
 }  // namespace
 
@@ -47,7 +46,7 @@ struct ResultsSink::Files {
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
-  Clock::time_point next, next_open;             // nothing is brought out before; where the file was written in
+  Clock::time_point next;                        // nothing is brought out before
   bool broken = false;                           // bringing out failed
 
   Files(h5::File results, const RunFolder& folder, const std::array<TableMark, 2>& keep, const Provenance& provenance,
@@ -73,22 +72,21 @@ struct ResultsSink::Files {
   }
 
   void bring_out_if_due() {
-    if (const Clock::time_point now = Clock::now();
-        now >= next || (now >= next_open && file.touched()) || xdmf.due() > kMostDue)
-      bring_out();
+    if (Clock::now() >= next || xdmf.due() > kMostDue) bring_out();
   }
 
   /// Everything so far, as other programs see it.
   void bring_out() {
     const Clock::time_point start = Clock::now();
     broken = true;
+    file.hold(false);
     flush();
     file.flush();
+    file.hold(true);
     xdmf.flush();  // after what it refers to
     broken = false;
     const Clock::time_point end = Clock::now();
     next = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
-    next_open = end + std::max<Clock::duration>(kOpen, kShare * (end - start));
   }
 
   /// Buffers to HDF5 and the tables.
@@ -113,6 +111,7 @@ struct ResultsSink::Files {
   }
 
   void close() {
+    file.hold(false);
     frames.close();
     histories.close();
     events.close();
