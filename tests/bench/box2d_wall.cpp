@@ -1,7 +1,7 @@
-// The walls of the bench in Box2D, a solver for games, as a peer: the same blocks in running bond on a base that is held
-// or shaken, friction of 31 degrees, no restitution, no sleeping; 8 velocity and 3 position iterations, as its manual
-// recommends. It has no elasticity, no ledger and no balance to a tolerance: what it tells is how fast contacts of blocks
-// are found and pushed apart at all.
+// The walls of the bench in Box2D, a solver for games, as a peer: the same blocks in running bond on a base that is
+// held or shaken, friction of 31 degrees, no restitution, no sleeping; 8 velocity and 3 position iterations, as its
+// manual recommends. It has no elasticity, no ledger and no balance to a tolerance: what it tells is how fast contacts
+// of blocks are found and pushed apart at all.
 //
 //   usage: bench_box2d_wall COURSES STEPS SECONDS_A_STEP rest|shaken
 // Prints the processor time of a step in ms, after half a second of settling.
@@ -70,10 +70,11 @@ int main(int argc, char** argv) {
   constexpr double kOmega = 2.0 * std::numbers::pi * 2.0, kPeak = 4.0;  // 2 Hz, 4 m/s2
   const double begin = processor_time();
   for (int k = 0; k < steps; ++k) {
-    if (shaken) base->SetLinearVelocity(b2Vec2(static_cast<float>(kPeak / kOmega * (1.0 - std::cos(kOmega * dt * k))), 0.0F));
+    if (shaken)
+      base->SetLinearVelocity(b2Vec2(static_cast<float>(kPeak / kOmega * (1.0 - std::cos(kOmega * dt * k))), 0.0F));
     step();
   }
-  std::printf("%d blocks, %d contacts, %s: %.3f ms a step\n", world.GetBodyCount() - 1, world.GetContactCount(), argv[4],
-              1e3 * (processor_time() - begin) / steps);
+  std::printf("%d blocks, %d contacts, %s: %.3f ms a step\n", world.GetBodyCount() - 1, world.GetContactCount(),
+              argv[4], 1e3 * (processor_time() - begin) / steps);
   return 0;
 }
