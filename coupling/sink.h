@@ -32,9 +32,12 @@ struct RunStats {
   std::int64_t corrections = 0;  // solutions with a factor of another matrix
   std::int64_t contacts = 0;     // points closed now
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
-  double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // [s]
-  std::int64_t audit_checks = 0;                                       // made so far in an audited run
-  double audit_worst = 0.0;                                            // the largest value over what is allowed
+  double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // of attempts at steps; of output [s]
+  // Processor time of the process, all its threads [s]: of stages of explicit steps and of others (steps with all that
+  // is done for and after them: bounds, rules, checks, ledger), and of output (frames, histories, checkpoints).
+  double cpu_explicit = 0.0, cpu_implicit = 0.0, cpu_output = 0.0;
+  std::int64_t audit_checks = 0;  // made so far in an audited run
+  double audit_worst = 0.0;       // the largest value over what is allowed
   // Of partitioned stages, steps that failed too (Pace): so far, and as the present stage began.
   double effort = 0.0, effort_before = 0.0;
   double left_work = 0.0;      // of forces that round-off leaves in implicit steps [J]

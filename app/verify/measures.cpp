@@ -344,8 +344,9 @@ const std::vector<MeasureInfo>& measures() {
       {"transfer_momentum_error", "largest relative error of mass and momenta in hand-overs", {}},
       {"transfer_energy_error", "largest relative error of energy in hand-overs", {}},
       {"stepping_time",
-       "wall time of the steps, the least of the repeats [s], or with of = \"implicit\" of those in implicit and "
-       "partitioned stages; meant for ratios",
+       "processor time of the process, all its threads, in stages, the least of the repeats [s]: steps with their "
+       "contact search, bounds, rules, checks and ledger, but neither set-up and hand-overs nor output; with of = "
+       "\"implicit\" that of implicit and partitioned stages; meant for ratios",
        {{Kind::text, "of", false, ""}}},
       {"steps", "steps made", {}},
       {"refused", "1 where the plan was refused before a step, else 0", {}},

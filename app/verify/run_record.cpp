@@ -113,8 +113,8 @@ RunRecord record_run(const Model& model, const coupling::Plan& plan) {
   record.transfers = run.transfers();
   record.ledger = run.state().ledger;
   record.stats = run.stats();
-  record.stepping = record.stats.wall_explicit + record.stats.wall_implicit;
-  record.stepping_implicit = record.stats.wall_implicit;
+  record.stepping = record.stats.cpu_explicit + record.stats.cpu_implicit;
+  record.stepping_implicit = record.stats.cpu_implicit;
   return record;
 }
 

@@ -33,7 +33,7 @@ struct RunRecord {
   std::vector<coupling::TransferRow> transfers;
   coupling::Ledger ledger;
   coupling::RunStats stats;
-  double stepping = 0.0;           // wall time of the steps alone, the least of the repeats [s]
+  double stepping = 0.0;           // processor time of the steps, the least of the repeats [s]
   double stepping_implicit = 0.0;  // the same of implicit and partitioned stages
   double wall = 0.0;               // of everything, all repeats [s]
 

@@ -90,7 +90,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 26 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 29 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -106,6 +106,9 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.wall_explicit", s.wall_explicit);
   see("stats.wall_implicit", s.wall_implicit);
   see("stats.wall_output", s.wall_output);
+  see("stats.cpu_explicit", s.cpu_explicit);
+  see("stats.cpu_implicit", s.cpu_implicit);
+  see("stats.cpu_output", s.cpu_output);
   see("stats.audit_checks", s.audit_checks);
   see("stats.audit_worst", s.audit_worst);
   see("stats.left_work", s.left_work);

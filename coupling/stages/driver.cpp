@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <utility>
 
@@ -145,6 +146,20 @@ double Driver::wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+Driver::Phase Driver::enter(Phase next) {
+  timespec now{};
+  (void)::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);  // fails for a wrong argument only
+  const double time = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  const double used = time - phase_begin_;
+  phase_begin_ = time;
+  for (RunStats* stats : {&stats_, &committed_}) {
+    if (phase_ == Phase::explicit_steps) stats->cpu_explicit += used;
+    if (phase_ == Phase::implicit_steps) stats->cpu_implicit += used;
+    if (phase_ == Phase::output) stats->cpu_output += used;
+  }
+  return std::exchange(phase_, next);
+}
+
 void Driver::event(EventKind kind, std::string text, const TransferRow* row, const StageTravel* travel) {
   const Event e{kind, seconds(state_.time), std::move(text), row, travel};
   if (kind == EventKind::warning) warnings_.push_back({e.time, e.text});
@@ -182,6 +197,7 @@ void Driver::complete_ledger() {
 
 void Driver::sample(bool frame) {
   const double begin = wall();
+  const Phase before = enter(Phase::output);
   complete_ledger();
   stats_.contacts = std::count_if(state_.contacts.begin(), state_.contacts.end(),
                                   [](const ContactMemory& m) { return m.status != ContactStatus::open; });
@@ -196,6 +212,7 @@ void Driver::sample(bool frame) {
     view.end_time = seconds(end_);
     for (Sink* s : sinks_) s->frame(view);
   }
+  enter(before);
   stats_.wall_output += wall() - begin;
 }
 
@@ -502,6 +519,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
 
 RunEnd Driver::run(std::optional<double> until) {
   const Tick stop = until ? ticks(*until) : std::numeric_limits<Tick>::max();
+  enter(Phase::set_up);
   for (Sink* s : sinks_) s->begin(*model_, *plan_);
   const bool goes_on = from_.has_value();
   if (goes_on)
@@ -519,7 +537,9 @@ RunEnd Driver::run(std::optional<double> until) {
     if (!within) change_stage(i);
     try {
       if (!within) begin_stage(stage);
+      enter(stage.has_implicit_steps() ? Phase::implicit_steps : Phase::explicit_steps);
       result = run_stage(stage, stop);
+      enter(Phase::set_up);
     } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
       event(EventKind::not_converged, e.what());
       finish({RunEnd::Status::not_converged, e.what()});
@@ -557,6 +577,7 @@ void Driver::tell_idle_rules() {
 }
 
 void Driver::finish(const RunEnd& result) {
+  enter(Phase::output);
   complete_ledger();
   show_mesh();
   FrameView last = observer_->frame(state_, stats_);
@@ -564,7 +585,9 @@ void Driver::finish(const RunEnd& result) {
   last.stage_name = stage.name;
   last.integrator = shown_integrator(stage);
   last.end_time = seconds(end_);
+  enter(Phase::output);  // what the last view took counts in the summary
   for (Sink* s : sinks_) s->end(result, last);
+  enter(Phase::set_up);
 }
 
 }  // namespace scree::coupling

@@ -122,6 +122,10 @@ class Driver {
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
   [[nodiscard]] static double wall();  // time of a steady clock [s]
+  enum class Phase { set_up, explicit_steps, implicit_steps, output };
+  /// What the processor does from now on is charged to this phase; asked for where phases change, not at every step,
+  /// as the clock of a process takes a call of the system.   @return the phase so far
+  Phase enter(Phase next);
   /// One step, by as many attempts as it takes; and what is looked at after it.
   /// Finds anew how long steps may be, where that is due or a step has made it doubtful.
   void bound_step(const Stage& stage, bool due);
@@ -178,6 +182,8 @@ class Driver {
   Tick largest_ = 0;                           // step that is allowed; 0: to be found
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_, committed_;  // with and without the attempts at the present step
+  Phase phase_ = Phase::set_up;
+  double phase_begin_ = 0.0;  // by the clock of the process [s]
   Audit audit_;
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;

@@ -62,7 +62,9 @@ Checkpoint Driver::checkpoint() const {
 void Driver::keep(bool in_any_case) {
   if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
   const double begin = wall();
+  const Phase before = enter(Phase::output);
   keeper_->keep(checkpoint());
+  enter(before);
   stats_.wall_output += wall() - begin;
 }
 
@@ -71,6 +73,9 @@ void Driver::keep_checkpoint() {
   RunStats attempts = std::exchange(stats_, committed_);
   keep(true);
   attempts.wall_output = committed_.wall_output = stats_.wall_output;
+  attempts.cpu_explicit = stats_.cpu_explicit;
+  attempts.cpu_implicit = stats_.cpu_implicit;
+  attempts.cpu_output = stats_.cpu_output;
   stats_ = attempts;
 }
 

@@ -10,7 +10,8 @@ namespace scree::io {
 /// a row a frame in the order of /frames: the points of frame k are the rows first[k] to first[k] + count[k] - 1.
 class ContactWriter : public SeriesGroup<ContactWriter> {
  public:
-  explicit ContactWriter(const h5::File& file);
+  /// @param in  rows: contact points of all frames
+  ContactWriter(const h5::Growing& in, double frames);
   /// @pre frame.contacts
   void frame(const coupling::FrameView& frame);
 

@@ -2,43 +2,43 @@
 
 namespace scree::io {
 
-EventWriter::EventWriter(const h5::File& file)
-    : time_(file, "/events/time", 1, {"s", "time of the event"}),
-      kind_(file, "/events/kind", {"none", "kind of the event"}),
-      text_(file, "/events/text", {"none", "what happened"}) {
+EventWriter::EventWriter(const h5::Growing& in)
+    : time_(in, "/events/time", 1, {"s", "time of the event"}),
+      kind_(in, "/events/kind", {"none", "kind of the event"}),
+      text_(in, "/events/text", {"none", "what happened"}) {
   const std::string t = "/transfers/";
-  row_time_ = {file, t + "time", 1, {"s", "time of the hand-over"}};
-  block_ = {file, t + "block", 1, {"1", "block, counted from 0 in /blocks"}};
-  from_ = {file, t + "from", {"none", "method before"}};
-  to_ = {file, t + "to", {"none", "method after"}};
+  row_time_ = {in, t + "time", 1, {"s", "time of the hand-over"}};
+  block_ = {in, t + "block", 1, {"1", "block, counted from 0 in /blocks"}};
+  from_ = {in, t + "from", {"none", "method before"}};
+  to_ = {in, t + "to", {"none", "method after"}};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string when = i == 0 ? "before" : "after", g = t + when + "/", end = " " + when + " the hand-over";
-    totals_[i].mass = {file, g + "mass", 1, {"kg", "mass for unit thickness" + end}};
-    totals_[i].centre = {file, g + "centre", 2, {"m", "centre of mass x, y" + end}};
-    totals_[i].momentum = {file, g + "momentum", 2, {"kg m/s", "momentum x, y for unit thickness" + end}};
+    totals_[i].mass = {in, g + "mass", 1, {"kg", "mass for unit thickness" + end}};
+    totals_[i].centre = {in, g + "centre", 2, {"m", "centre of mass x, y" + end}};
+    totals_[i].momentum = {in, g + "momentum", 2, {"kg m/s", "momentum x, y for unit thickness" + end}};
     totals_[i].angular_momentum = {
-        file, g + "angular_momentum", 1, {"kg m2/s", "angular momentum about the origin" + end}};
-    totals_[i].kinetic = {file, g + "kinetic", 1, {"J", "kinetic energy for unit thickness" + end}};
-    totals_[i].elastic = {file, g + "elastic", 1, {"J", "elastic energy for unit thickness" + end}};
+        in, g + "angular_momentum", 1, {"kg m2/s", "angular momentum about the origin" + end}};
+    totals_[i].kinetic = {in, g + "kinetic", 1, {"J", "kinetic energy for unit thickness" + end}};
+    totals_[i].elastic = {in, g + "elastic", 1, {"J", "elastic energy for unit thickness" + end}};
   }
-  reservoir_kinetic_ = {file, t + "reservoir_kinetic", 1, {"J", "kinetic energy kept in the block's reservoir"}};
-  reservoir_elastic_ = {file, t + "reservoir_elastic", 1, {"J", "elastic energy kept in the block's reservoir"}};
-  booked_ = {file, t + "booked", 1, {"J", "energy booked in the ledger column transfer"}};
-  mass_error_ = {file, t + "mass_error", 1, {"1", "relative error of mass"}};
-  momentum_error_ = {file, t + "momentum_error", 1, {"1", "relative error of momentum"}};
-  angular_error_ = {file, t + "angular_error", 1, {"1", "relative error of angular momentum about the block's centre"}};
-  energy_error_ = {file, t + "energy_error", 1, {"1", "relative error of energy with reservoir and booked"}};
-  by_rule_ = {file, t + "by_rule", 1, {"1", "1: during a stage, by its rules for methods; 0: as a stage begins"}};
+  reservoir_kinetic_ = {in, t + "reservoir_kinetic", 1, {"J", "kinetic energy kept in the block's reservoir"}};
+  reservoir_elastic_ = {in, t + "reservoir_elastic", 1, {"J", "elastic energy kept in the block's reservoir"}};
+  booked_ = {in, t + "booked", 1, {"J", "energy booked in the ledger column transfer"}};
+  mass_error_ = {in, t + "mass_error", 1, {"1", "relative error of mass"}};
+  momentum_error_ = {in, t + "momentum_error", 1, {"1", "relative error of momentum"}};
+  angular_error_ = {in, t + "angular_error", 1, {"1", "relative error of angular momentum about the block's centre"}};
+  energy_error_ = {in, t + "energy_error", 1, {"1", "relative error of energy with reservoir and booked"}};
+  by_rule_ = {in, t + "by_rule", 1, {"1", "1: during a stage, by its rules for methods; 0: as a stage begins"}};
   const std::string m = t + "measures/";
-  measures_[0] = {file, m + "kinetic", 1, {"1", "kinetic energy beside the affine motion over the block's energy"}};
-  measures_[1] = {file, m + "elastic", 1, {"1", "elastic energy beside the affine stress over the block's energy"}};
-  measures_[2] = {file, m + "inhomogeneity", 1, {"1", "root of that part of the elastic energy"}};
-  measures_[3] = {file, m + "strain_rate", 1, {"1/s", "largest principal strain rate of the affine motion"}};
-  measures_[4] = {file, m + "stress", 1, {"Pa", "largest principal stress of the affine part, without its sign"}};
-  measures_[5] = {file, m + "acceleration", 1, {"m/s2", "resultant of the contact forces over the mass"}};
+  measures_[0] = {in, m + "kinetic", 1, {"1", "kinetic energy beside the affine motion over the block's energy"}};
+  measures_[1] = {in, m + "elastic", 1, {"1", "elastic energy beside the affine stress over the block's energy"}};
+  measures_[2] = {in, m + "inhomogeneity", 1, {"1", "root of that part of the elastic energy"}};
+  measures_[3] = {in, m + "strain_rate", 1, {"1/s", "largest principal strain rate of the affine motion"}};
+  measures_[4] = {in, m + "stress", 1, {"Pa", "largest principal stress of the affine part, without its sign"}};
+  measures_[5] = {in, m + "acceleration", 1, {"m/s2", "resultant of the contact forces over the mass"}};
   measures_[6] = {
-      file, m + "cost_before", 1, {"1", "predicted cost before: unknowns a step, explicit a second; 0: not asked"}};
-  measures_[7] = {file, m + "cost_after", 1, {"1", "predicted cost after, likewise"}};
+      in, m + "cost_before", 1, {"1", "predicted cost before: unknowns a step, explicit a second; 0: not asked"}};
+  measures_[7] = {in, m + "cost_after", 1, {"1", "predicted cost after, likewise"}};
 }
 
 void EventWriter::Totals::append(const BodyTotals& totals) {

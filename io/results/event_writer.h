@@ -12,7 +12,7 @@ namespace scree::io {
 /// measures/...}.
 class EventWriter : public SeriesGroup<EventWriter> {
  public:
-  explicit EventWriter(const h5::File& file);
+  explicit EventWriter(const h5::Growing& in);
   void append(const coupling::Event& event);
 
  private:

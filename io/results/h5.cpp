@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/results/h5_chunk.h"
 #include "io/results/h5_driver.h"
 
 namespace scree::io::h5 {
@@ -71,11 +72,19 @@ Handle access_list(const fs::path& path) {
   H5AC_cache_config_t metadata;
   metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Pget_mdc_config(list.get(), &metadata), path, "set up HDF5");
+  metadata.incr_mode = H5C_incr__off;
+  metadata.flash_incr_mode = H5C_flash_incr__off;
+  metadata.decr_mode = H5C_decr__off;
   metadata.set_initial_size = 1;
   metadata.initial_size = metadata.min_size = metadata.max_size = kMetadata;
   check(H5Pset_mdc_config(list.get(), &metadata), path, "set up HDF5");
   return list;
 }
+
+/// A node of a table of chunks, or of names, has room for twice as many as said here, whether they are there or not;
+/// HDF5 says 32 and 16, and the tables of a hundred short datasets are larger than what is in them.
+constexpr unsigned kEntriesOfSmall = 4;
+constexpr double kSmall = 16.0 * 1024 * 1024;  // bytes
 
 Handle open_object(const File& file, const std::string& name) {
   return {check(H5Oopen(file.id(), name.c_str(), H5P_DEFAULT), file.path(), "open " + name), H5Oclose};
@@ -115,21 +124,32 @@ Handle text_type(const fs::path& path) {
   return type;
 }
 
-File File::make(const fs::path& where, const fs::path& path) {
+File::File() = default;
+File::File(File&&) noexcept = default;
+File& File::operator=(File&&) noexcept = default;
+File::~File() = default;
+
+File File::make(const fs::path& where, const fs::path& path, double bytes) {
   quiet();
   File file;
   file.path_ = path;
+  file.packer_ = std::make_shared<ChunkPacker>();
   file.undo_ = std::make_unique<UndoLog>(path);
   const Handle access = access_list(path);
   write_through(access.get(), *file.undo_, path);
-  file.handle_ = Handle(
-      check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path, "make the file"), H5Fclose);
+  const Handle list(check(H5Pcreate(H5P_FILE_CREATE), path, "make the file"), H5Pclose);
+  if (bytes < kSmall) {
+    check(H5Pset_istore_k(list.get(), kEntriesOfSmall), path, "make the file");
+    check(H5Pset_sym_k(list.get(), kEntriesOfSmall, kEntriesOfSmall), path, "make the file");
+  }
+  file.handle_ =
+      Handle(check(H5Fcreate(where.c_str(), H5F_ACC_TRUNC, list.get(), access.get()), path, "make the file"), H5Fclose);
   return file;
 }
 
-File File::create(const fs::path& path) { return make(path, path); }
+File File::create(const fs::path& path, double bytes) { return make(path, path, bytes); }
 
-File File::create_beside(const fs::path& path) { return make(beside(path), path); }
+File File::create_beside(const fs::path& path, double bytes) { return make(beside(path), path, bytes); }
 
 File File::open(const fs::path& path) {
   quiet();
@@ -142,11 +162,8 @@ File File::open(const fs::path& path) {
 
 void File::group(const std::string& name) const {
   if (has(name)) return;
-  const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path_, "make group " + name), H5Pclose);
-  check(H5Pset_create_intermediate_group(links.get(), 1), path_, "make group " + name);
   const Handle made(
-      check(H5Gcreate2(id(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name),
-      H5Gclose);
+      check(H5Gcreate2(id(), name.c_str(), links(), H5P_DEFAULT, H5P_DEFAULT), path_, "make group " + name), H5Gclose);
 }
 
 bool File::has(const std::string& name) const {
@@ -154,6 +171,27 @@ bool File::has(const std::string& name) const {
     const std::string part = name.substr(0, at);
     if (part != "/" && check(H5Lexists(id(), part.c_str(), H5P_DEFAULT), path_, "look for " + part) == 0) return false;
     if (at == std::string::npos) return true;
+  }
+}
+
+hid_t File::links() const {
+  if (!below_.valid()) {
+    below_ = Handle(check(H5Pcreate(H5P_LINK_CREATE), path_, "set up HDF5"), H5Pclose);
+    check(H5Pset_create_intermediate_group(below_.get(), 1), path_, "set up HDF5");
+  }
+  return below_.get();
+}
+
+void File::label(const Handle& object, const std::string& name, const Label& label) const {
+  const std::string what = "write attributes of " + name;
+  if (!text_.valid()) text_ = text_type(path_);
+  if (!scalar_.valid()) scalar_ = Handle(check(H5Screate(H5S_SCALAR), path_, what), H5Sclose);
+  for (const auto& [key, text] : {std::pair{"units", &label.units}, {"long_name", &label.long_name}}) {
+    Handle made(check(H5Acreate2(object.get(), key, text_.get(), scalar_.get(), H5P_DEFAULT, H5P_DEFAULT), path_, what),
+                H5Aclose);
+    const char* value = text->c_str();
+    check(H5Awrite(made.get(), text_.get(), &value), path_, what);
+    if (!made.close()) fail(path_, what);
   }
 }
 
@@ -207,6 +245,14 @@ void File::attribute_pair(const std::string& name, const std::string& key, std::
 }
 
 void File::flush() const { check(H5Fflush(id(), H5F_SCOPE_LOCAL), path_, "write to the disk"); }
+
+void File::hold(bool tables) const {
+  H5AC_cache_config_t config;
+  config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Fget_mdc_config(id(), &config), path_, "set up HDF5");
+  config.evictions_enabled = !tables;
+  check(H5Fset_mdc_config(id(), &config), path_, "set up HDF5");
+}
 
 int File::descriptor() const {
   void* handle = nullptr;

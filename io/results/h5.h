@@ -15,6 +15,8 @@
 
 namespace scree::io::h5 {
 
+class ChunkPacker;
+
 /// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
 class Handle {
  public:
@@ -71,11 +73,16 @@ template <>
 /// An open file. Not locked: a reader may look at a run that is going on (what it sees is as of the last flush).
 class File {
  public:
-  File() = default;
-  /// A new file in place of an old one.   @throws FileError
-  [[nodiscard]] static File create(const std::filesystem::path& path);
+  File();
+  File(File&&) noexcept;
+  File& operator=(File&&) noexcept;
+  ~File();
+  /// A new file in place of an old one.
+  /// @param bytes  that it is expected to hold, roughly: a small one has small tables of chunks (560 bytes a dataset in
+  ///               place of 2.6 kB)   @throws FileError
+  [[nodiscard]] static File create(const std::filesystem::path& path, double bytes = 0.0);
   /// A new file that stands beside an old one until put_in_place(); it goes by the name of that one in errors.
-  [[nodiscard]] static File create_beside(const std::filesystem::path& path);
+  [[nodiscard]] static File create_beside(const std::filesystem::path& path, double bytes = 0.0);
   /// What create_beside() calls it until then.
   [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& path) {
     return path.string() + ".new";
@@ -91,6 +98,10 @@ class File {
   void group(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
 
+  /// List of properties with which a link is made with the groups above it. Kept by the file.
+  [[nodiscard]] hid_t links() const;
+  /// Attributes of a new object, which is open: `units` and `long_name`.   @param name  of the object, for errors
+  void label(const Handle& object, const std::string& name, const Label& label) const;
   /// Sets an attribute of the object `name` ("/" for the file), replacing an old one.
   void attribute(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute(const std::string& name, const std::string& key, std::int64_t value) const;
@@ -102,6 +113,11 @@ class File {
 
   /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
   void flush() const;
+  /// Lets HDF5 write its tables when it needs room for others (the default), or not before flush(): what other programs
+  /// see of the file stays whole until then.   @throws FileError
+  void hold(bool tables) const;
+  /// What packs the chunks of a file that is made.   @pre it is, not opened
+  [[nodiscard]] const std::shared_ptr<ChunkPacker>& packer() const { return packer_; }
   /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
   void sync() const;
   /// The same, and from now on the file can be brought back to what it is now, until it is closed or this is called
@@ -114,10 +130,12 @@ class File {
 
  private:
   void put(const std::string& name, const std::string& key, hid_t type, hid_t space, const void* value) const;
-  [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path);
+  [[nodiscard]] static File make(const std::filesystem::path& where, const std::filesystem::path& path, double bytes);
   [[nodiscard]] int descriptor() const;
   std::filesystem::path path_;
-  std::unique_ptr<UndoLog> undo_;  // outlives the handle
+  std::shared_ptr<ChunkPacker> packer_;
+  std::unique_ptr<UndoLog> undo_;         // outlives the handle
+  mutable Handle text_, scalar_, below_;  // text type, space of one value, list that makes groups: kept for use
   Handle handle_;
 };
 

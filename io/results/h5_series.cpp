@@ -12,9 +12,10 @@ namespace scree::io::h5 {
 
 namespace {
 
-constexpr hsize_t kChunkBytes = 64 * 1024;    // at least; less than twice as much
-constexpr std::uint32_t kSkipFilters = 0b11;  // shuffle and deflate, for one chunk
-constexpr unsigned kDeflate = 1;              // files 4 % larger than with 4, written in half the time
+constexpr hsize_t kMostOfChunk = 64 * 1024;  // bytes; less than twice as much
+constexpr hsize_t kLeastOfChunk = 256;       // bytes
+constexpr double kChunks = 4.0;              // of what is expected
+constexpr unsigned kDeflate = 1;             // files 4 % larger than with 4, written in half the time
 
 /// An empty dataset without limit in its first dimension.
 Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize_t width, hsize_t chunk_rows,
@@ -32,8 +33,7 @@ Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize
   Handle made(check(H5Dcreate2(file.id(), name.c_str(), type, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
                     file.path(), what),
               H5Dclose);
-  file.attribute(name, "units", label.units);
-  file.attribute(name, "long_name", label.long_name);
+  file.label(made, name, label);
   return made;
 }
 
@@ -53,11 +53,17 @@ void extend(const std::filesystem::path& path, const std::string& name, hid_t da
   const Handle memory(check(H5Screate_simple(rank, count.data(), nullptr), path, what), H5Sclose);
   // Texts are converted in a buffer, of 1 MiB if nothing is said.
   const Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), path, what), H5Pclose);
-  check(H5Pset_buffer(transfer.get(), kChunkBytes, nullptr, nullptr), path, what);
+  check(H5Pset_buffer(transfer.get(), kMostOfChunk, nullptr, nullptr), path, what);
   check(H5Dwrite(dataset, type, memory.get(), target.get(), transfer.get(), data), path, what);
 }
 
 }  // namespace
+
+hsize_t rows_of_chunk(double rows_expected, hsize_t bytes_of_row) {
+  const double bytes = std::clamp(rows_expected * static_cast<double>(bytes_of_row) / kChunks,
+                                  static_cast<double>(kLeastOfChunk), static_cast<double>(kMostOfChunk));
+  return std::bit_ceil((static_cast<hsize_t>(bytes) + bytes_of_row - 1) / bytes_of_row);
+}
 
 void RowHash::add(const void* data, std::size_t bytes) {
   const auto* at = static_cast<const unsigned char*>(data);
@@ -73,12 +79,13 @@ void RowHash::add(const void* data, std::size_t bytes) {
 }
 
 template <class T>
-Series<T>::Series(const File& file, std::string name, hsize_t width, const Label& label)
-    : path_(file.path()),
+Series<T>::Series(const Growing& in, std::string name, hsize_t width, const Label& label)
+    : path_(in.file->path()),
       name_(std::move(name)),
+      packer_(in.file->packer()),
       width_(width),
-      chunk_(std::bit_ceil((kChunkBytes + width * sizeof(T) - 1) / (width * sizeof(T)))),
-      dataset_(make_dataset(file, name_, type_of<T>(), width, chunk_, label)) {
+      chunk_(rows_of_chunk(in.rows, width * sizeof(T))),
+      dataset_(make_dataset(*in.file, name_, type_of<T>(), width, chunk_, label)) {
   // Touched now: a long run needs the memory that it will need from its start.
   rows_.resize(chunk_ * width_);
   rows_.clear();
@@ -94,23 +101,39 @@ void Series<T>::append(std::span<const T> rows) {
     rows_.insert(rows_.end(), rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(fits));
     rows = rows.subspan(fits);
     if (rows_.size() == chunk) {
-      write_rows(rows_);
+      grow(first_ + chunk_);
+      write_chunks(rows_);
       rows_.clear();
     }
   }
   if (const std::size_t whole = rows.size() / chunk * chunk; whole > 0) {
-    write_rows(rows.first(whole));
+    grow(first_ + whole / width_);
+    write_chunks(rows.first(whole));
     rows = rows.subspan(whole);
   }
   rows_.insert(rows_.end(), rows.begin(), rows.end());
 }
 
-/// Writes whole chunks through the filters.
 template <class T>
-void Series<T>::write_rows(std::span<const T> rows) {
-  const hsize_t count = rows.size() / width_;
-  extend(path_, name_, dataset_.get(), type_of<T>(), width_, first_, count, rows.data());
-  first_ += count;
+void Series<T>::grow(hsize_t rows) {
+  const std::array<hsize_t, 2> size{rows, width_};
+  check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
+}
+
+/// Writes whole chunks, packed.
+template <class T>
+void Series<T>::write_chunks(std::span<const T> rows) {
+  const std::string what = "write " + name_;
+  for (; !rows.empty(); rows = rows.subspan(chunk_ * width_)) {
+    const std::span<const T> chunk = rows.first(chunk_ * width_);
+    const auto packed =
+        packer_->pack({reinterpret_cast<const unsigned char*>(chunk.data()), chunk.size_bytes()}, sizeof(T));
+    const std::array<hsize_t, 2> at{first_, 0};
+    check(H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, packed.skipped, at.data(), packed.bytes.size(),
+                         packed.bytes.data()),
+          path_, what);
+    first_ += chunk_;
+  }
   stored_ = first_;
 }
 
@@ -130,12 +153,12 @@ template <class T>
 void Series<T>::flush() {
   const hsize_t rows = first_ + rows_.size() / width_;
   if (rows == stored_) return;
-  const std::array<hsize_t, 2> size{rows, width_}, at{first_, 0};
-  check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
+  const std::array<hsize_t, 2> at{first_, 0};
+  grow(rows);
   const std::size_t held = rows_.size();
   rows_.resize(chunk_ * width_);  // zeros behind what there is
   const herr_t written =
-      H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, kSkipFilters, at.data(), rows_.size() * sizeof(T), rows_.data());
+      H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, kFilters, at.data(), rows_.size() * sizeof(T), rows_.data());
   rows_.resize(held);
   check(written, path_, "write " + name_);
   stored_ = rows;
@@ -145,14 +168,13 @@ template <class T>
 void Series<T>::close() {
   if (!dataset_.valid()) return;
   if (const hsize_t rows = rows_.size() / width_; rows > 0) {
-    // As a whole chunk: for a part of one HDF5 reads the old chunk first, and 1.10 inflates it though it was not
-    // deflated.
-    const std::array<hsize_t, 2> size{first_ + rows, width_};
-    rows_.resize(chunk_ * width_);
-    write_rows(rows_);
+    // At its full length from the start: a dataset that shrinks has its last chunk read, cut and written again.
+    const hsize_t all = first_ + rows;
+    grow(all);
+    rows_.resize(chunk_ * width_);  // zeros behind what there is
+    write_chunks(rows_);
     rows_.clear();
-    check(H5Dset_extent(dataset_.get(), size.data()), path_, "write " + name_);
-    first_ = stored_ = size[0];
+    first_ = stored_ = all;
   }
   if (!dataset_.close()) fail(path_, "close " + name_);
 }
@@ -163,10 +185,11 @@ template class Series<std::int64_t>;
 template class Series<std::uint64_t>;
 template class Series<std::uint8_t>;
 
-TextSeries::TextSeries(const File& file, std::string name, const Label& label)
-    : path_(file.path()),
+TextSeries::TextSeries(const Growing& in, std::string name, const Label& label)
+    : path_(in.file->path()),
       name_(std::move(name)),
-      dataset_(make_dataset(file, name_, text_type(path_).get(), 1, kChunkBytes / sizeof(hvl_t), label)) {}
+      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_chunk(in.rows, sizeof(hvl_t)), label)) {
+}
 
 void TextSeries::append(std::string text) {
   hash_.add(text.c_str(), text.size() + 1);
@@ -200,7 +223,7 @@ void TextSeries::close() {
 }
 
 void write(const File& file, const std::string& name, std::span<const std::string> texts, const Label& label) {
-  TextSeries series(file, name, label);
+  TextSeries series({file, static_cast<double>(texts.size())}, name, label);
   for (const std::string& text : texts) series.append(text);
   series.close();
 }

@@ -1,12 +1,14 @@
-// Datasets that grow row by row, buffered: chunks of 64 to 128 KiB, shuffled and deflated.
+// Datasets that grow row by row, buffered, in chunks, shuffled and deflated.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/results/h5.h"
+#include "io/results/h5_chunk.h"
 #include "io/results/results_mark.h"
 
 namespace scree::io::h5 {
@@ -21,6 +23,18 @@ class RowHash {
   std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
+/// A file, and the rows that datasets which grow in it are expected to get.
+struct Growing {
+  // NOLINTNEXTLINE(google-explicit-constructor): a file of which nothing is expected
+  Growing(const File& in, double rows_expected = 0.0) : file(&in), rows(rows_expected) {}
+  const File* file;
+  double rows;
+};
+
+/// Rows of a chunk, a power of two: a quarter of what is expected, but at least 256 bytes and less than 128 KiB. Small
+/// runs leave small files so, and a chunk that is stored as it is (below) is no burden.
+[[nodiscard]] hsize_t rows_of_chunk(double rows_expected, hsize_t bytes_of_row);
+
 /// A growing table of numbers, `width` a row. A width of 1 makes a dataset of one dimension.
 /// flush() stores the last chunk, while it is not full, as it is, and at its full length: it stays where it is in the
 /// file, so what was there before is still read when the run is killed in the middle of a flush. Deflated it would
@@ -31,7 +45,7 @@ class Series {
  public:
   Series() = default;
   /// Makes the dataset (and its groups), empty.   @throws FileError
-  Series(const File& file, std::string name, hsize_t width, const Label& label);
+  Series(const Growing& in, std::string name, hsize_t width, const Label& label);
 
   /// Adds whole rows; written when a chunk is full or at flush().   @pre rows.size() is a multiple of the width
   void append(std::span<const T> rows);
@@ -51,8 +65,10 @@ class Series {
  private:
   std::filesystem::path path_;
   std::string name_;
-  void write_rows(std::span<const T> rows);
+  void grow(hsize_t rows);
+  void write_chunks(std::span<const T> rows);
 
+  std::shared_ptr<ChunkPacker> packer_;
   hsize_t width_ = 1, chunk_ = 0;   // rows
   hsize_t first_ = 0, stored_ = 0;  // first row of the last chunk; rows in the file
   std::vector<T> rows_;             // from first_ on, in the file or not yet
@@ -64,7 +80,7 @@ class Series {
 class TextSeries {
  public:
   TextSeries() = default;
-  TextSeries(const File& file, std::string name, const Label& label);
+  TextSeries(const Growing& in, std::string name, const Label& label);
   void append(std::string text);
   /// As Series::take().
   void take(const File& from, const SeriesMark& mark);
@@ -86,7 +102,7 @@ class TextSeries {
 /// A dataset written at once.
 template <class T>
 void write(const File& file, const std::string& name, hsize_t width, std::span<const T> rows, const Label& label) {
-  Series<T> series(file, name, width, label);
+  Series<T> series({file, static_cast<double>(rows.size()) / static_cast<double>(width)}, name, width, label);
   series.append(rows);
   series.close();
 }

@@ -33,34 +33,34 @@ std::vector<std::string> monitor_names(const Model& model) {
   return names;
 }
 
-HistoryWriter::HistoryWriter(const h5::File& file, const Model& model) {
-  file.group("/history");
+HistoryWriter::HistoryWriter(const h5::Growing& in, const Model& model) {
+  in.file->group("/history");
   const std::vector<std::string> names = monitor_names(model);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string group = "/history/" + names[i];
-    monitors_.push_back({{file, group + "/time", 1, {"s", "time"}},
-                         {file, group + "/position", 2, {"m", "position x, y"}},
-                         {file, group + "/displacement", 2, {"m", "displacement x, y since the start"}},
-                         {file, group + "/velocity", 2, {"m/s", "velocity x, y"}},
-                         {file, group + "/stress", 3, {"Pa", "recovered Cauchy stress xx, yy, xy; tension positive"}}});
-    file.attribute(group, "name", model.monitors[i].name);
-    file.attribute(group, "order", static_cast<std::int64_t>(i));
-    file.attribute(group, "block", model.blocks[model.monitors[i].block.index()].name);
-    file.attribute(group, "long_name", "monitor " + model.monitors[i].name);
+    monitors_.push_back({{in, group + "/time", 1, {"s", "time"}},
+                         {in, group + "/position", 2, {"m", "position x, y"}},
+                         {in, group + "/displacement", 2, {"m", "displacement x, y since the start"}},
+                         {in, group + "/velocity", 2, {"m/s", "velocity x, y"}},
+                         {in, group + "/stress", 3, {"Pa", "recovered Cauchy stress xx, yy, xy; tension positive"}}});
+    in.file->attribute(group, "name", model.monitors[i].name);
+    in.file->attribute(group, "order", static_cast<std::int64_t>(i));
+    in.file->attribute(group, "block", model.blocks[model.monitors[i].block.index()].name);
+    in.file->attribute(group, "long_name", "monitor " + model.monitors[i].name);
   }
   const std::string group = "/energy/";
-  time_ = {file, group + "time", 1, {"s", "time"}};
+  time_ = {in, group + "time", 1, {"s", "time"}};
   for (int c = 0; c < coupling::kColumns; ++c) {
     const coupling::ColumnInfo& column = coupling::info(static_cast<coupling::Column>(c));
     const std::string name = group + std::string(column.name);
-    columns_.emplace_back(file, name, 1, h5::Label{"J", std::string(column.meaning)});
-    file.attribute(name, "side", std::string(side_name(column.side)));
-    file.attribute(name, "order", std::int64_t{c});
+    columns_.emplace_back(in, name, 1, h5::Label{"J", std::string(column.meaning)});
+    in.file->attribute(name, "side", std::string(side_name(column.side)));
+    in.file->attribute(name, "order", std::int64_t{c});
   }
-  energy_ = {file, group + "energy", 1, {"J", "energy held: sum of the columns of side energy"}};
-  closure_ = {file, group + "closure", 1, {"J", "E - E_0 - W + D - R: zero but for rounding"}};
-  moved_ = {file, group + "moved", 1, {"J", "running sum of |increments| of all columns"}};
-  passed_ = {file, group + "passed", 1, {"J", "energy passed: the largest so far of what was given and what is held"}};
+  energy_ = {in, group + "energy", 1, {"J", "energy held: sum of the columns of side energy"}};
+  closure_ = {in, group + "closure", 1, {"J", "E - E_0 - W + D - R: zero but for rounding"}};
+  moved_ = {in, group + "moved", 1, {"J", "running sum of |increments| of all columns"}};
+  passed_ = {in, group + "passed", 1, {"J", "energy passed: the largest so far of what was given and what is held"}};
 }
 
 void HistoryWriter::append(const coupling::HistoryView& history) {

@@ -20,7 +20,7 @@ namespace scree::io {
 /// sides.
 class HistoryWriter : public SeriesGroup<HistoryWriter> {
  public:
-  HistoryWriter(const h5::File& file, const Model& model);
+  HistoryWriter(const h5::Growing& in, const Model& model);
   /// Adds one row everywhere.   @pre spans hold every monitor of the model; ledger is set
   void append(const coupling::HistoryView& history);
 

@@ -13,7 +13,7 @@ namespace scree::io {
 /// entry a frame.
 class ProgressWriter : public SeriesGroup<ProgressWriter> {
  public:
-  ProgressWriter(const h5::File& file, const Model& model);
+  ProgressWriter(const h5::Growing& in, const Model& model);
   /// @pre frame.state and frame.stats are set
   void frame(const coupling::FrameView& frame);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -21,6 +23,18 @@
 
 namespace scree::io {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Readers of a run that goes on see it as of a second ago: bringing out takes longer than all else of a small frame.
+// What is in the file does not depend on when it gets there.
+constexpr std::chrono::milliseconds kBetween{1000};
+constexpr int kShare = 50;              // bringing out may take 1/50 of the time
+constexpr std::size_t kMostDue = 4096;  // windows that may wait: 40 bytes each
+
+}  // namespace
+
 struct ResultsSink::Files {
   h5::File file;
   VtkhdfWriter frames;
@@ -32,28 +46,47 @@ struct ResultsSink::Files {
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
+  Clock::time_point next;                        // nothing is brought out before
+  bool broken = false;                           // bringing out failed
 
   Files(h5::File results, const RunFolder& folder, const std::array<TableMark, 2>& keep, const Provenance& provenance,
-        const Model& model, bool with_contacts)
+        const Model& model, const coupling::Plan& plan, const ResultsSize& size)
       : file(std::move(results)),
-        frames(file),
+        frames(file, size),
         xdmf(file, folder.xdmf()),
-        histories(file, model),
-        events(file),
-        progress(file, model),
+        histories({file, size.samples}, model),
+        events({file, static_cast<double>(model.blocks.size() * (plan.stages.size() - 1))}),
+        progress({file, size.frames}, model),
         tables(folder.history(), folder.energy(), model, keep),
         summary(model, provenance) {
-    if (with_contacts) contacts.emplace(file);
+    if (plan.output.contacts) contacts.emplace(h5::Growing(file, size.frames * size.contacts), size.frames);
   }
 
   void frame(const coupling::FrameView& view) {
-    xdmf.frame(view, frames.frame(view));
+    const FrameRows rows = frames.frame(view);
+    xdmf.frame(view, rows, frames.values());
     if (contacts) contacts->frame(view);
     progress.frame(view);
     stored = {view.tick, view.stage};
+    bring_out_if_due();
+  }
+
+  void bring_out_if_due() {
+    if (Clock::now() >= next || xdmf.due() > kMostDue) bring_out();
+  }
+
+  /// Everything so far, as other programs see it.
+  void bring_out() {
+    const Clock::time_point start = Clock::now();
+    broken = true;
+    file.hold(false);
     flush();
     file.flush();
+    file.hold(true);
     xdmf.flush();  // after what it refers to
+    broken = false;
+    const Clock::time_point end = Clock::now();
+    next = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
   }
 
   /// Buffers to HDF5 and the tables.
@@ -63,6 +96,7 @@ struct ResultsSink::Files {
     events.flush();
     if (contacts) contacts->flush();
     progress.flush();
+    xdmf.settle();
     tables.flush();
   }
 
@@ -77,11 +111,13 @@ struct ResultsSink::Files {
   }
 
   void close() {
+    file.hold(false);
     frames.close();
     histories.close();
     events.close();
     if (contacts) contacts->close();
     progress.close();
+    xdmf.settle();
     tables.close();
     file.flush();
     xdmf.close();
@@ -92,7 +128,15 @@ struct ResultsSink::Files {
 ResultsSink::ResultsSink(RunFolder folder, Provenance provenance, std::optional<GoOn> go_on)
     : folder_(std::move(folder)), provenance_(std::move(provenance)), go_on_(std::move(go_on)) {}
 
-ResultsSink::~ResultsSink() = default;
+/// A run that ends by an exception of another's keeps what it had.
+ResultsSink::~ResultsSink() {
+  if (!files_ || files_->broken) return;
+  try {
+    files_->bring_out();
+  } catch (const std::exception&) {  // the first exception says why the run ended
+    files_->broken = true;
+  }
+}
 
 namespace {
 
@@ -128,14 +172,15 @@ void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
     take_up(model, plan);
     files_->file.keep();  // until the next checkpoint the run may come back to where it goes on
   } else {
-    make_files(h5::File::create(folder_.results()), {}, model, plan);
+    const ResultsSize size = results_size(model, plan);
+    make_files(h5::File::create(folder_.results(), size.bytes()), {}, model, plan, size);
     files_->file.flush();
   }
 }
 
 void ResultsSink::make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,
-                             const coupling::Plan& plan) {
-  files_ = std::make_unique<Files>(std::move(file), folder_, tables, provenance_, model, plan.output.contacts);
+                             const coupling::Plan& plan, const ResultsSize& size) {
+  files_ = std::make_unique<Files>(std::move(file), folder_, tables, provenance_, model, plan, size);
   write_provenance(files_->file, provenance_);
   write_model(files_->file, model);
   write_joints(files_->file, model);
@@ -145,6 +190,7 @@ void ResultsSink::make_files(h5::File file, const std::array<TableMark, 2>& tabl
 
 void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
   const ResultsMark& mark = go_on_->mark;
+  const ResultsSize size = results_size(model, plan);
   std::array<TableMark, 2> tables = mark.tables;
   for (std::size_t i = 0; i < tables.size(); ++i)
     if (const std::string lost = set_aside_changed(i == 0 ? folder_.history() : folder_.energy(), tables[i]);
@@ -153,7 +199,7 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
       tables[i] = {};
     }
   const auto begin = [&](h5::File file, const std::string& past) {
-    make_files(std::move(file), tables, model, plan);
+    make_files(std::move(file), tables, model, plan, size);
     files_->file.attribute("/provenance", "resumed", past + go_on_->place);
     files_->summary.go_on(go_on_->transfers, go_on_->travels, go_on_->warnings, mark.wall_seconds, mark.cpu_seconds);
   };
@@ -161,7 +207,7 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
   try {
     const h5::File old = h5::from_whole([&] { return h5::File::open(folder_.results()); });
     const std::string past = h5::from_whole([&] { return h5::text_attribute(old, "/provenance", "resumed"); });
-    begin(h5::File::create_beside(folder_.results()), past.empty() ? past : past + "; ");
+    begin(h5::File::create_beside(folder_.results(), size.bytes()), past.empty() ? past : past + "; ");
     files_->take(old, mark);
     files_->flush();
     files_->file.sync();
@@ -171,13 +217,13 @@ void ResultsSink::take_up(const Model& model, const coupling::Plan& plan) {
     const std::filesystem::path aside = RunFolder::set_aside(folder_.results());
     const std::string kept = aside.empty() ? "it is missing" : "what there was of it is now in " + aside.string();
     go_on_->warn(fmt::format("{}; {}, and run.vtkhdf begins anew at {}", e.what(), kept, go_on_->place));
-    begin(h5::File::create(folder_.results()), "with what was before lost or put aside, ");
+    begin(h5::File::create(folder_.results(), size.bytes()), "with what was before lost or put aside, ");
   }
 }
 
 ResultsMark ResultsSink::mark() {
   Files& f = files();
-  f.flush();
+  f.bring_out();
   f.tables.sync();
   f.file.keep();
   ResultsMark mark;
@@ -199,17 +245,22 @@ void ResultsSink::topology(const coupling::MeshView& mesh) { files().frames.topo
 void ResultsSink::frame(const coupling::FrameView& frame) { files().frame(frame); }
 
 void ResultsSink::history(const coupling::HistoryView& history) {
-  files().histories.append(history);
-  files().tables.append(history);
+  Files& f = files();
+  f.histories.append(history);
+  f.tables.append(history);
+  if (f.stored.first >= 0) f.bring_out_if_due();  // the first frame is seen at once
 }
 
 void ResultsSink::event(const coupling::Event& event) {
-  files().events.append(event);
-  files().summary.event(event);
+  Files& f = files();
+  f.events.append(event);
+  f.summary.event(event);
+  if (event.kind == coupling::EventKind::stage_end || event.kind == coupling::EventKind::not_converged) f.bring_out();
 }
 
 void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& last) {
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
+  files().broken = true;
   outcome_ = files().summary.checked(end, last);
   files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has none
   files().file.attribute("/provenance", "reason", outcome_.reason);

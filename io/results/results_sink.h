@@ -10,6 +10,7 @@
 #include "coupling/sink.h"
 #include "io/results/provenance.h"
 #include "io/results/results_mark.h"
+#include "io/results/results_size.h"
 #include "io/results/run_folder.h"
 
 namespace scree::io {
@@ -17,8 +18,8 @@ namespace scree::io {
 /// run.vtkhdf has the groups /VTKHDF (frames, vtkhdf_writer.h), /frames, /history, /energy (history_writer.h), /events,
 /// /transfers (event_writer.h), /progress (progress_writer.h), /contacts where asked for (contact_writer.h), /xdmf
 /// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /supports (supports_writer.h), /stages and
-/// /provenance (provenance.h). Histories are buffered; a frame and the end of the run bring everything to the operating
-/// system, so a run that is killed reads back as of its last frame.
+/// /provenance (provenance.h). Everything is buffered, and brought to the operating system every second, as a stage
+/// ends, for a checkpoint and as the run ends. What is in the files at the end does not depend on when.
 /// @throws FileError{path, reason} from every call: losing results ends a run
 class ResultsSink : public coupling::Sink {
  public:
@@ -59,8 +60,8 @@ class ResultsSink : public coupling::Sink {
   struct Files;
   [[nodiscard]] Files& files();
   /// Makes the files, with the heads that never change.
-  void make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,
-                  const coupling::Plan& plan);
+  void make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model, const coupling::Plan& plan,
+                  const ResultsSize& size);
   void take_up(const Model& model, const coupling::Plan& plan);
 
   RunFolder folder_;

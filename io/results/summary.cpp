@@ -46,6 +46,8 @@ void add_run(Json& json, const coupling::RunStats& stats, double wall, double cp
                           {"output", stats.wall_output},
                           {"total", wall}};
   json["cpu_seconds"] = cpu;
+  json["cpu_seconds_of"] = {
+      {"explicit", stats.cpu_explicit}, {"implicit", stats.cpu_implicit}, {"output", stats.cpu_output}};
   json["peak_memory_bytes"] = std::int64_t{1024} * usage().ru_maxrss;  // Linux counts in KiB
   json["blocks_count"] = stats.blocks;
   json["elements"] = stats.elements;

@@ -15,23 +15,19 @@ namespace {
 constexpr std::uint8_t kPolygon = 7;  // VTK_POLYGON
 
 /// Two numbers a point to three, z = 0.
-std::vector<double> in_space(std::span<const double> xy) {
-  std::vector<double> xyz;
-  xyz.reserve(xy.size() / 2 * 3);
+void in_space(std::span<const double> xy, std::vector<double>& xyz) {
+  xyz.clear();
   for (std::size_t i = 0; i + 1 < xy.size(); i += 2) xyz.insert(xyz.end(), {xy[i], xy[i + 1], 0.0});
-  return xyz;
 }
 
 /// s1 >= s2 a cell from (xx, yy, xy):  s = m +- r,  m = (xx + yy)/2,  r = |((xx - yy)/2, xy)|.
-std::vector<double> principal(std::span<const double> stress) {
-  std::vector<double> s;
-  s.reserve(stress.size() / 3 * 2);
+void principal(std::span<const double> stress, std::vector<double>& s) {
+  s.clear();
   for (std::size_t i = 0; i + 2 < stress.size(); i += 3) {
     const double m = 0.5 * (stress[i] + stress[i + 1]);
     const double r = std::hypot(0.5 * (stress[i] - stress[i + 1]), stress[i + 2]);
     s.insert(s.end(), {m + r, m - r});
   }
-  return s;
 }
 
 /// Time scheme a cell, 0 explicit or 1 implicit: in a partitioned stage that of its block, or half of one.
@@ -54,55 +50,63 @@ std::vector<std::int64_t> widened(std::span<const std::int32_t> numbers) { retur
 
 }  // namespace
 
-VtkhdfWriter::VtkhdfWriter(const h5::File& file) : file_(&file) {
+VtkhdfWriter::VtkhdfWriter(const h5::File& file, const ResultsSize& size) : file_(&file) {
   file.group("/VTKHDF");
   file.attribute_ascii("/VTKHDF", "Type", "UnstructuredGrid");
   file.attribute_pair("/VTKHDF", "Version", 2, 0);
   const std::string vtk = "/VTKHDF/", steps = "/VTKHDF/Steps/", frames = "/frames/";
+  const h5::Growing points(file, size.frames * size.points), cells(file, size.frames * size.cells);
+  const h5::Growing of_mesh(file, size.cells), of_frames(file, size.frames);
 
-  points_ = {file, vtk + "Points", 3, {"m", "position, frame after frame"}};
-  displacement_ = {file, vtk + "PointData/displacement", 3, {"m", "position less the position in the model"}};
-  velocity_ = {file, vtk + "PointData/velocity", 3, {"m/s", "velocity"}};
-  cell_displacement_ = {file, vtk + "CellData/displacement", 3, {"m", "displacement, mean over the cell"}};
-  cell_velocity_ = {file, vtk + "CellData/velocity", 3, {"m/s", "velocity, mean over the cell"}};
-  stress_ = {file, vtk + "CellData/stress", 3, {"Pa", "Cauchy stress xx, yy, xy; tension positive"}};
+  points_ = {points, vtk + "Points", 3, {"m", "position, frame after frame"}};
+  displacement_ = {points, vtk + "PointData/displacement", 3, {"m", "position less the position in the model"}};
+  velocity_ = {points, vtk + "PointData/velocity", 3, {"m/s", "velocity"}};
+  cell_displacement_ = {cells, vtk + "CellData/displacement", 3, {"m", "displacement, mean over the cell"}};
+  cell_velocity_ = {cells, vtk + "CellData/velocity", 3, {"m/s", "velocity, mean over the cell"}};
+  stress_ = {cells, vtk + "CellData/stress", 3, {"Pa", "Cauchy stress xx, yy, xy; tension positive"}};
   principal_ = {
-      file, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
+      cells, vtk + "CellData/principal_stress", 2, {"Pa", "principal stresses, the larger first; tension positive"}};
 
-  connectivity_ = {file, vtk + "Connectivity", 1, {"1", "points of the cells, mesh after mesh"}};
-  offsets_ = {file, vtk + "Offsets", 1, {"1", "where the cells begin in their mesh's part of Connectivity"}};
-  types_ = {file, vtk + "Types", 1, {"1", "VTK cell type; 7 is a polygon"}};
+  connectivity_ = {{file, size.points}, vtk + "Connectivity", 1, {"1", "points of the cells, mesh after mesh"}};
+  offsets_ = {of_mesh, vtk + "Offsets", 1, {"1", "where the cells begin in their mesh's part of Connectivity"}};
+  types_ = {of_mesh, vtk + "Types", 1, {"1", "VTK cell type; 7 is a polygon"}};
   count_points_ = {file, vtk + "NumberOfPoints", 1, {"1", "points of each mesh"}};
   count_cells_ = {file, vtk + "NumberOfCells", 1, {"1", "cells of each mesh"}};
   count_ids_ = {file, vtk + "NumberOfConnectivityIds", 1, {"1", "length of each mesh's part of Connectivity"}};
 
-  block_ = {file, vtk + "CellData/block_id", 1, {"1", "block, counted from 0 in /blocks"}};
-  element_ = {file, vtk + "CellData/element_id", 1, {"1", "cell, counted from 0 in its mesh"}};
-  material_ = {file, vtk + "CellData/material_id", 1, {"1", "material, counted from 0 in /materials"}};
-  method_ = {file, vtk + "CellData/method", 1, {"1", "discretisation, counted from 0 in /methods"}};
-  integrator_cell_ = {file, vtk + "CellData/integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit"}};
+  block_ = {of_mesh, vtk + "CellData/block_id", 1, {"1", "block, counted from 0 in /blocks"}};
+  element_ = {of_mesh, vtk + "CellData/element_id", 1, {"1", "cell, counted from 0 in its mesh"}};
+  material_ = {of_mesh, vtk + "CellData/material_id", 1, {"1", "material, counted from 0 in /materials"}};
+  method_ = {of_mesh, vtk + "CellData/method", 1, {"1", "discretisation, counted from 0 in /methods"}};
+  integrator_cell_ = {of_mesh, vtk + "CellData/integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit"}};
 
-  time_ = {file, steps + "Values", 1, {"s", "time of each frame"}};
-  part_offset_ = {file, steps + "PartOffsets", 1, {"1", "mesh of each frame"}};
-  part_count_ = {file, steps + "NumberOfParts", 1, {"1", "meshes of each frame: one"}};
-  point_offset_ = {file, steps + "PointOffsets", 1, {"1", "first row of Points of each frame"}};
-  cell_offset_ = {file, steps + "CellOffsets", 1, {"1", "first cell of each frame's mesh"}};
-  id_offset_ = {file, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
+  time_ = {of_frames, steps + "Values", 1, {"s", "time of each frame"}};
+  part_offset_ = {of_frames, steps + "PartOffsets", 1, {"1", "mesh of each frame"}};
+  part_count_ = {of_frames, steps + "NumberOfParts", 1, {"1", "meshes of each frame: one"}};
+  point_offset_ = {of_frames, steps + "PointOffsets", 1, {"1", "first row of Points of each frame"}};
+  cell_offset_ = {of_frames, steps + "CellOffsets", 1, {"1", "first cell of each frame's mesh"}};
+  id_offset_ = {
+      of_frames, steps + "ConnectivityIdOffsets", 1, {"1", "first entry of Connectivity of each frame's mesh"}};
   for (const char* name : {"displacement", "velocity"})
-    point_field_[name] = {file, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+    point_field_[name] = {
+        of_frames, steps + "PointDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   for (const char* name : {"block_id", "element_id", "material_id", "method", "integrator", "displacement", "velocity",
                            "stress", "principal_stress"})
-    cell_field_[name] = {file, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
+    cell_field_[name] = {
+        of_frames, steps + "CellDataOffsets/" + name, 1, {"1", "first row of the field of each frame"}};
   file.attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
 
-  frame_step_ = {file, frames + "step", 1, {"1", "steps made since the start"}};
-  frame_tick_ = {file, frames + "tick", 1, {"ps", "time as a whole number of picoseconds"}};
-  frame_stage_ = {file, frames + "stage", 1, {"1", "stage, counted from 0 in /stages"}};
-  frame_integrator_ = {
-      file, frames + "integrator", 1, {"1", "time scheme: 0 explicit, 1 implicit, 2 partitioned: that of each block"}};
-  frame_hash_ = {file, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
-  frame_points_ = {file, frames + "points", 1, {"1", "points of the frame"}};
-  frame_cells_ = {file, frames + "cells", 1, {"1", "cells of the frame"}};
+  frame_step_ = {of_frames, frames + "step", 1, {"1", "steps made since the start"}};
+  frame_tick_ = {of_frames, frames + "tick", 1, {"ps", "time as a whole number of picoseconds"}};
+  frame_stage_ = {of_frames, frames + "stage", 1, {"1", "stage, counted from 0 in /stages"}};
+  frame_integrator_ = {of_frames,
+                       frames + "integrator",
+                       1,
+                       {"1", "time scheme: 0 explicit, 1 implicit, 2 partitioned: that of each block"}};
+  frame_hash_ = {
+      of_frames, frames + "state_hash", 1, {"1", "hash of every bit of the state; 0 where there is no state"}};
+  frame_points_ = {of_frames, frames + "points", 1, {"1", "points of the frame"}};
+  frame_cells_ = {of_frames, frames + "cells", 1, {"1", "cells of the frame"}};
   method_name_ = {file, "/methods/name", {"none", "names of the discretisations"}};
 }
 
@@ -165,16 +169,23 @@ FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
 
   std::vector<double> moved(frame.position.begin(), frame.position.end());
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= frame.mesh->origin[i];
-  points_.append(in_space(frame.position));
-  displacement_.append(in_space(moved));
-  velocity_.append(in_space(frame.velocity));
-  const auto of_cells = [&](std::span<const double> value) {
-    return in_space(cell_mean(frame.mesh->origin, value, frame.mesh->offsets, frame.mesh->connectivity));
+  const auto of_cells = [&](std::span<const double> value, std::vector<double>& xyz) {
+    in_space(cell_mean(frame.mesh->origin, value, frame.mesh->offsets, frame.mesh->connectivity), xyz);
   };
-  cell_displacement_.append(of_cells(moved));
-  cell_velocity_.append(of_cells(frame.velocity));
-  stress_.append(frame.stress);
-  principal_.append(principal(frame.stress));
+  in_space(frame.position, values_.points);
+  in_space(moved, values_.displacement);
+  in_space(frame.velocity, values_.velocity);
+  of_cells(moved, values_.cell_displacement);
+  of_cells(frame.velocity, values_.cell_velocity);
+  values_.stress.assign(frame.stress.begin(), frame.stress.end());
+  principal(frame.stress, values_.principal_stress);
+  points_.append(values_.points);
+  displacement_.append(values_.displacement);
+  velocity_.append(values_.velocity);
+  cell_displacement_.append(values_.cell_displacement);
+  cell_velocity_.append(values_.cell_velocity);
+  stress_.append(values_.stress);
+  principal_.append(values_.principal_stress);
 
   time_.append(frame.time);
   part_offset_.append(at_.part);
@@ -234,7 +245,8 @@ FrameRows VtkhdfWriter::rows_of(const h5::File& file, std::int64_t frame) {
 
 void VtkhdfWriter::flush() {
   each([](auto& series) { series.flush(); });
-  file_->attribute("/VTKHDF/Steps", "NSteps", frames_);
+  if (told_ != frames_) file_->attribute("/VTKHDF/Steps", "NSteps", frames_);
+  told_ = frames_;
 }
 
 void VtkhdfWriter::close() {

@@ -7,6 +7,7 @@
 #include "coupling/sink.h"
 #include "io/results/h5_series.h"
 #include "io/results/results_mark.h"
+#include "io/results/results_size.h"
 
 namespace scree::io {
 
@@ -15,6 +16,13 @@ struct FrameRows {
   std::int64_t mesh = 0, points = 0, cells = 0;       // number of its part; sizes
   std::int64_t first_point = 0, first_value = 0;      // of what is stored a frame, at points and at cells
   std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time schemes
+};
+
+/// What is stored of the last frame, in these rows.
+struct FrameValues {
+  std::vector<double> points, displacement, velocity;            // three numbers a point
+  std::vector<double> cell_displacement, cell_velocity, stress;  // three numbers a cell
+  std::vector<double> principal_stress;                          // two numbers a cell
 };
 
 /// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)
@@ -26,7 +34,7 @@ struct FrameRows {
 class VtkhdfWriter {
  public:
   /// Makes the groups, empty.   @throws FileError, as all of it
-  explicit VtkhdfWriter(const h5::File& file);
+  VtkhdfWriter(const h5::File& file, const ResultsSize& size);
 
   /// Stores a mesh unless it is the one stored last.
   void topology(const coupling::MeshView& mesh);
@@ -34,6 +42,8 @@ class VtkhdfWriter {
   /// sink.h gives them
   /// @return its rows, written or still buffered
   FrameRows frame(const coupling::FrameView& frame);
+  /// What the last frame() stored.
+  [[nodiscard]] const FrameValues& values() const { return values_; }
   /// Notes how much there is now.
   void mark(ResultsMark& mark);
   /// Starts with the frames that another file had then.   @pre nothing has been added yet
@@ -59,7 +69,8 @@ class VtkhdfWriter {
       schemes_;  // time scheme a cell that the present mesh was last written with; empty: none yet
   std::map<std::string, std::int32_t> methods_;
   Mesh at_;
-  std::int64_t frames_ = 0;
+  FrameValues values_;
+  std::int64_t frames_ = 0, told_ = 0;  // told_: NSteps, as the file has it
 
   h5::Series<double> points_, displacement_, velocity_, cell_displacement_, cell_velocity_, stress_, principal_, time_;
   h5::Series<std::int64_t> connectivity_, offsets_, count_points_, count_cells_, count_ids_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "model/check.h"
@@ -23,9 +24,11 @@ double just_before(double time) {
 }  // namespace
 
 std::string item(const Array& array) {
-  return fmt::format("<DataItem Format=\"HDF\" NumberType=\"{}\" Precision=\"{}\" Dimensions=\"{}{}\">{}</DataItem>\n",
-                     array.whole ? "Int" : "Float", array.whole ? 4 : 8, array.rows,
-                     array.width > 1 ? fmt::format(" {}", array.width) : "", array.path);
+  SCREE_ASSERT(array.numbers.empty() || (!array.whole && std::ssize(array.numbers) == array.rows * array.width));
+  return fmt::format("<DataItem Format=\"{}\" NumberType=\"{}\" Precision=\"{}\" Dimensions=\"{}{}\">{}{}</DataItem>\n",
+                     array.numbers.empty() ? "HDF" : "XML", array.whole ? "Int" : "Float", array.whole ? 4 : 8,
+                     array.rows, array.width > 1 ? fmt::format(" {}", array.width) : "", array.path,
+                     fmt::join(array.numbers, " "));
 }
 
 std::vector<std::int32_t> mixed_polygons(std::span<const std::int32_t> offsets,

@@ -1,4 +1,5 @@
-// The words of an XDMF 3 file: one temporal collection of grids of polygons, every array in an HDF5 file beside it.
+// The words of an XDMF 3 file: one temporal collection of grids of polygons, every array in an HDF5 file beside it or,
+// a short one, in the text itself.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ struct Array {
   std::string path;  // "run.vtkhdf:/xdmf/Points/0/0"
   std::int64_t rows = 0;
   int width = 1;
-  bool whole = false;  // numbers
+  bool whole = false;               // numbers
+  std::span<const double> numbers;  // the array itself, in place of a path; read back to the same bits
 };
 [[nodiscard]] std::string item(const Array& array);
 

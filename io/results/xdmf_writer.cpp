@@ -10,6 +10,7 @@
 #include "io/results/h5_read.h"
 #include "io/results/h5_series.h"
 #include "io/results/h5_window.h"
+#include "model/check.h"
 
 namespace scree::io {
 
@@ -19,8 +20,10 @@ constexpr const char* kNode = "Node";
 constexpr const char* kCell = "Cell";
 constexpr std::string_view kFile = "run.vtkhdf:";
 constexpr std::chrono::seconds kBetween{1};
-constexpr int kShare = 50;        // a text may take 1/50 of the time
-constexpr int kMost = 64 * 1024;  // bytes that may wait to be written
+constexpr int kShare = 50;          // a text may take 1/50 of the time
+constexpr int kMost = 64 * 1024;    // bytes that may wait to be written
+constexpr int kInText = 100;        // numbers of an array
+constexpr std::size_t kDue = 8192;  // windows that may wait while frames are taken over
 
 /// HDF5 keeps the names of a group in one piece, read and written whole with each new one: groups must stay small.
 std::string window_name(std::string_view field, std::int64_t n) {
@@ -33,18 +36,58 @@ std::string window_name(std::string_view field, std::int64_t n) {
 XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
     : file_(&file), xmf_(std::move(xmf)), settled_(xdmf::opening()) {
   fields_ = {
-      {"Points", "", "XYZ", "Points", 3, false, &FrameRows::first_point, {}},
-      {"displacement", kNode, "Vector", "PointData/displacement", 3, false, &FrameRows::first_point, {}},
-      {"velocity", kNode, "Vector", "PointData/velocity", 3, false, &FrameRows::first_point, {}},
-      {"block_id", kCell, "Scalar", "CellData/block_id", 1, true, &FrameRows::first_cell, {}},
-      {"element_id", kCell, "Scalar", "CellData/element_id", 1, true, &FrameRows::first_cell, {}},
-      {"material_id", kCell, "Scalar", "CellData/material_id", 1, true, &FrameRows::first_cell, {}},
-      {"method", kCell, "Scalar", "CellData/method", 1, true, &FrameRows::first_cell, {}},
-      {"integrator", kCell, "Scalar", "CellData/integrator", 1, true, &FrameRows::first_integrator, {}},
-      {"displacement", kCell, "Vector", "CellData/displacement", 3, false, &FrameRows::first_value, {}},
-      {"velocity", kCell, "Vector", "CellData/velocity", 3, false, &FrameRows::first_value, {}},
-      {"stress", kCell, "Vector", "CellData/stress", 3, false, &FrameRows::first_value, {}},
-      {"principal_stress", kCell, "Matrix", "CellData/principal_stress", 2, false, &FrameRows::first_value, {}},
+      {"Points", "", "XYZ", "Points", 3, false, &FrameRows::first_point, &FrameValues::points, {}},
+      {"displacement",
+       kNode,
+       "Vector",
+       "PointData/displacement",
+       3,
+       false,
+       &FrameRows::first_point,
+       &FrameValues::displacement,
+       {}},
+      {"velocity",
+       kNode,
+       "Vector",
+       "PointData/velocity",
+       3,
+       false,
+       &FrameRows::first_point,
+       &FrameValues::velocity,
+       {}},
+      {"block_id", kCell, "Scalar", "CellData/block_id", 1, true, &FrameRows::first_cell, nullptr, {}},
+      {"element_id", kCell, "Scalar", "CellData/element_id", 1, true, &FrameRows::first_cell, nullptr, {}},
+      {"material_id", kCell, "Scalar", "CellData/material_id", 1, true, &FrameRows::first_cell, nullptr, {}},
+      {"method", kCell, "Scalar", "CellData/method", 1, true, &FrameRows::first_cell, nullptr, {}},
+      {"integrator", kCell, "Scalar", "CellData/integrator", 1, true, &FrameRows::first_integrator, nullptr, {}},
+      {"displacement",
+       kCell,
+       "Vector",
+       "CellData/displacement",
+       3,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::cell_displacement,
+       {}},
+      {"velocity",
+       kCell,
+       "Vector",
+       "CellData/velocity",
+       3,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::cell_velocity,
+       {}},
+      {"stress", kCell, "Vector", "CellData/stress", 3, false, &FrameRows::first_value, &FrameValues::stress, {}},
+      {"principal_stress",
+       kCell,
+       "Matrix",
+       "CellData/principal_stress",
+       2,
+       false,
+       &FrameRows::first_value,
+       &FrameValues::principal_stress,
+       {}},
   };
   for (Field& field : fields_)
     field.label = {h5::text_attribute(file, "/VTKHDF/" + field.path, "units"),
@@ -59,30 +102,50 @@ std::string XdmfWriter::topology(std::span<const std::int32_t> offsets, std::spa
   const std::string name = fmt::format("/xdmf/topology/{}", number);
   h5::write<std::int32_t>(*file_, name, 1, mixed, {"1", "a cell: 3 for polygon, number of points, points"});
   return xdmf::topology(static_cast<std::int64_t>(offsets.size()) - 1,
-                        {std::string(kFile) + name, static_cast<std::int64_t>(mixed.size()), 1, true});
+                        {std::string(kFile) + name, static_cast<std::int64_t>(mixed.size()), 1, true, {}});
 }
 
-xdmf::Array XdmfWriter::window(Field& field, const FrameRows& rows) {
-  const bool of_cells = std::string_view(field.center) == kCell;
-  const std::int64_t first = rows.*field.first, count = of_cells ? rows.cells : rows.points;
-  if (field.shown != first) {
-    h5::window(*file_, window_name(field.path, field.made), {"/VTKHDF/" + field.path, first, count}, field.label);
-    field.shown = first;
-    ++field.made;
+std::int64_t XdmfWriter::count(const Field& field, const FrameRows& rows) {
+  return std::string_view(field.center) == kCell ? rows.cells : rows.points;
+}
+
+bool XdmfWriter::in_text(const Field& field, const FrameRows& rows) {
+  return field.values != nullptr && count(field, rows) * field.width <= kInText;
+}
+
+xdmf::Array XdmfWriter::window(std::size_t field, const FrameRows& rows) {
+  Field& f = fields_[field];
+  const std::int64_t first = rows.*f.first;
+  if (f.shown != first) {
+    due_.push_back({field, f.made, first, count(f, rows)});
+    f.shown = first;
+    ++f.made;
   }
-  return {std::string(kFile) + window_name(field.path, field.made - 1), count, field.width, field.whole};
+  return {std::string(kFile) + window_name(f.path, f.made - 1), count(f, rows), f.width, f.whole, {}};
 }
 
-void XdmfWriter::frame(const coupling::FrameView& frame, const FrameRows& rows) {
+void XdmfWriter::settle() {
+  // Field by field: neighbours lie in one group of the file.
+  std::stable_sort(due_.begin(), due_.end(), [](const Due& a, const Due& b) { return a.field < b.field; });
+  for (const Due& d : due_) {
+    const Field& f = fields_[d.field];
+    h5::window(*file_, window_name(f.path, d.number), {"/VTKHDF/" + f.path, d.first, d.count, f.width, f.whole},
+               f.label);
+  }
+  due_.clear();
+}
+
+void XdmfWriter::frame(const coupling::FrameView& frame, const FrameRows& rows, const FrameValues& values) {
   if (mesh_ != rows.mesh) {
     topology_ = topology(frame.mesh->offsets, frame.mesh->connectivity, rows.mesh);
     mesh_ = rows.mesh;
   }
-  add(frame.time, rows);
+  add(frame.time, rows, values);
 }
 
 void XdmfWriter::take(const h5::File& from, std::int64_t frames) {
   const std::string vtk = "/VTKHDF/";
+  FrameValues values;
   for (std::int64_t k = 0; k < frames; ++k) {
     const FrameRows rows = VtkhdfWriter::rows_of(from, k);
     if (mesh_ != rows.mesh) {
@@ -98,14 +161,23 @@ void XdmfWriter::take(const h5::File& from, std::int64_t frames) {
                            rows.mesh);
       mesh_ = rows.mesh;
     }
-    add(h5::from_whole([&] { return h5::read<double>(from, vtk + "Steps/Values", k, 1).front(); }), rows);
+    for (const Field& f : fields_)
+      if (in_text(f, rows))
+        values.*f.values =
+            h5::from_whole([&] { return h5::read<double>(from, vtk + f.path, rows.*f.first, count(f, rows)); });
+    add(h5::from_whole([&] { return h5::read<double>(from, vtk + "Steps/Values", k, 1).front(); }), rows, values);
+    if (due_.size() > kDue) settle();
   }
+  settle();
 }
 
-void XdmfWriter::add(double time, const FrameRows& rows) {
+void XdmfWriter::add(double time, const FrameRows& rows, const FrameValues& values) {
   std::string parts = topology_;
-  for (Field& field : fields_) {
-    const xdmf::Array array = window(field, rows);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Field& field = fields_[i];
+    const xdmf::Array array = in_text(field, rows)
+                                  ? xdmf::Array{{}, count(field, rows), field.width, field.whole, values.*field.values}
+                                  : window(i, rows);
     parts += *field.center == '\0' ? xdmf::geometry(field.type, array)
                                    : xdmf::attribute(field.name, field.center, field.type, array);
   }
@@ -141,9 +213,13 @@ void XdmfWriter::write() {
 }
 
 void XdmfWriter::flush() {
+  if (frames_ == 0) return;  // readers cannot open a run without a frame
   if (Clock::now() >= next_ || std::ssize(settled_) > kMost) write();
 }
 
-void XdmfWriter::close() { write(); }
+void XdmfWriter::close() {
+  SCREE_ASSERT(due_.empty());
+  write();
+}
 
 }  // namespace scree::io

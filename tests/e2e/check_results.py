@@ -10,6 +10,7 @@ import hashlib
 import json
 import pathlib
 import sys
+import xml.etree.ElementTree
 
 import h5py
 import numpy as np
@@ -45,7 +46,8 @@ def texts(dataset):
 def check_labels(file):
     """Every dataset, those that VTKHDF imposes included, has units and a name: there is no exception.
 
-    All but windows (virtual datasets, which hold nothing) have chunks of 64 KiB to 1 MiB, shuffle and deflate.
+    All but windows (virtual datasets, which hold nothing) have chunks of at most 128 KiB, small ones of what the case
+    lets expect, but no smaller than 128 bytes, shuffle and deflate.
     """
     seen = []
 
@@ -60,7 +62,9 @@ def check_labels(file):
             return
         text = h5py.check_string_dtype(item.dtype) is not None
         size = int(np.prod(item.chunks)) * (TEXT_BYTES if text else item.dtype.itemsize)
-        expect(64 * 1024 <= size <= 1024 * 1024, f"/{name} has chunks of {size} bytes")
+        held = len(item) * int(np.prod(item.shape[1:])) * item.dtype.itemsize
+        expect(128 <= size <= 128 * 1024, f"/{name} has chunks of {size} bytes")
+        expect(held < 64 * size or size >= 64 * 1024, f"/{name} has chunks of {size} bytes for {held}")
         expect(item.shuffle and item.compression == "gzip", f"/{name} is not shuffled and deflated")
     file.visititems(visit)
     expect(len(seen) > 60, f"only {len(seen)} datasets seen")
@@ -69,9 +73,9 @@ def check_labels(file):
 def check_windows(file):
     """Each window of /xdmf shows rows of the dataset of its name in /VTKHDF, of this same file, under its units."""
     for kind in ("Points", "PointData", "CellData"):
-        group, fields = file["xdmf"][kind], []
-        group.visititems(lambda name, item: fields.append((name, item)) if isinstance(item, h5py.Dataset) else None)
-        expect(len(fields) > 0, f"no windows in /xdmf/{kind}")
+        fields = []
+        if kind in file["xdmf"]:
+            file["xdmf"][kind].visititems(lambda name, item: fields.append((name, item)) if isinstance(item, h5py.Dataset) else None)
         for name, window in fields:
             source = file["VTKHDF"][f"{kind}/{name}".rsplit("/", 2)[0]]
             mapped = window.virtual_sources()
@@ -80,6 +84,34 @@ def check_windows(file):
             expect(dict(window.attrs) == dict(source.attrs), f"{window.name} has other units or another name than {source.name}")
             (first, *_), (last, *_) = mapped[0].src_space.get_select_bounds()
             expect(np.array_equal(window[...], source[first:last + 1]), f"{window.name} shows other values than {source.name}")
+
+
+def check_arrays(folder, file):
+    """Every frame of run.xmf has every array: a window that is there, or at most 100 numbers, which are those of /VTKHDF."""
+    vtk, steps = file["VTKHDF"], file["VTKHDF/Steps"]
+    frames = xml.etree.ElementTree.parse(folder / "run.xmf").getroot().findall("./Domain/Grid/Grid")
+    expect(len(frames) == len(steps["Values"]), f"run.xmf has {len(frames)} frames, not {len(steps['Values'])}")
+    for k, frame in enumerate(frames):
+        mesh = int(steps["PartOffsets"][k])
+        count = {"Node": int(vtk["NumberOfPoints"][mesh]), "Cell": int(vtk["NumberOfCells"][mesh])}
+        arrays = {("Node", None): (frame.find("Geometry/DataItem"), "Points", "PointOffsets")}
+        for attribute in frame.findall("Attribute"):
+            kind = {"Node": "PointData", "Cell": "CellData"}[attribute.get("Center")]
+            arrays[attribute.get("Center"), attribute.get("Name")] = (
+                attribute.find("DataItem"), f"{kind}/{attribute.get('Name')}", f"{kind}Offsets/{attribute.get('Name')}")
+        expect(set(arrays) == {("Node", None)} | {("Node", n) for n in POINT_FIELDS} | {("Cell", n) for n in CELL_FIELDS},
+               f"frame {k} of run.xmf has other arrays")
+        for (center, _), (item, name, offsets) in arrays.items():
+            first = int(steps[offsets][k])
+            stored = vtk[name][first:first + count[center]]
+            shape = tuple(int(n) for n in item.get("Dimensions").split())
+            expect(shape == stored.shape, f"frame {k}: {name} has the shape {shape} in run.xmf, not {stored.shape}")
+            if item.get("Format") == "XML":
+                expect(stored.size <= 100, f"frame {k}: {name} stands in run.xmf with {stored.size} numbers")
+                expect(np.array_equal(np.array(item.text.split(), dtype=float).reshape(shape), stored), f"frame {k}: {name} differs in run.xmf")
+            else:
+                path = item.text.strip().partition(":")[2]
+                expect(path in file and file[path].shape == shape, f"frame {k}: {name} has no window {path}")
 
 
 def check_frames(file):
@@ -262,6 +294,7 @@ def main():
         case = file["provenance/case"][0]
         expect(hashlib.sha256(case).hexdigest() == file["provenance"].attrs["case_sha256"], "SHA-256 is not that of the case text")
         if not arguments.unfinished:
+            attempt(check_arrays, arguments.run, file)
             attempt(check_tables, arguments.run, file)
             attempt(check_summary, arguments.run, file, times[-1])
     for fault in faults:

@@ -26,7 +26,7 @@ FULL = bool(os.environ.get("SCREE_FULL"))
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
 SKIPPED = 77
 # Of a summary: what depends on the machine and its clock, or on how the run was asked for.
-OF_THE_CLOCK = {"wall_seconds", "cpu_seconds", "peak_memory_bytes", "element_steps_per_second", "threads",
+OF_THE_CLOCK = {"wall_seconds", "cpu_seconds", "cpu_seconds_of", "peak_memory_bytes", "element_steps_per_second", "threads",
                 "command_line", "set"}
 
 faults = []

@@ -104,8 +104,24 @@ struct SmallRun {
     mesh.methods = {"dda"};  // counted anew in each mesh
     use(2);
   }
-  void use(std::uint32_t id) {
-    origin = {0, -2, 10, -2, 10, 0, 0, 0, 4, 0, 6, 0, 6, 2, 4, 2};
+  /// The base in 30 cells with points of their own: more numbers than stand in run.xmf.
+  void use_many() {
+    offsets = {0}, connectivity.clear(), block.clear();
+    std::vector<double> points;
+    for (std::int32_t c = 0; c < 30; ++c) {
+      const double x = c / 3.0, y = (c + 1) / 3.0;
+      points.insert(points.end(), {x, -2, y, -2, y, 0, x, 0});
+      for (std::int32_t i = 0; i < 4; ++i) connectivity.push_back(4 * c + i);
+      offsets.push_back(4 * (c + 1));
+      block.push_back(0);
+    }
+    material.assign(block.size(), 0), method = material;
+    mesh.methods = {"nmm"};
+    use(3, std::move(points));
+  }
+  void use(std::uint32_t id) { use(id, {0, -2, 10, -2, 10, 0, 0, 0, 4, 0, 6, 0, 6, 2, 4, 2}); }
+  void use(std::uint32_t id, std::vector<double> points) {
+    origin = std::move(points);
     position = origin;
     velocity.assign(origin.size(), 0.0);
     stress.assign(3 * block.size(), 0.0);

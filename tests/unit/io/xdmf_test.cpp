@@ -1,6 +1,7 @@
 // run.xmf: its words, the windows it refers to, the series behind them, and point values brought to the cells.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -28,12 +29,26 @@ TEST(XdmfText, mixed_polygons_tell_kind_and_number_of_points_before_the_points) 
 }
 
 TEST(XdmfText, item_of_one_number_a_row_has_one_dimension) {
-  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/a/0", 7, 1, true}),
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/a/0", 7, 1, true, {}}),
             "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"7\">run.vtkhdf:/xdmf/a/0"
             "</DataItem>\n");
-  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/b/1", 7, 3, false}),
+  EXPECT_EQ(xdmf::item({"run.vtkhdf:/xdmf/b/1", 7, 3, false, {}}),
             "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"7 3\">run.vtkhdf:/xdmf/b/1"
             "</DataItem>\n");
+}
+
+TEST(XdmfText, item_with_numbers_holds_them_to_the_last_bit) {
+  const std::vector<double> numbers{0.1 + 0.2, -0.0, 5e-324, -1.7976931348623157e308, 12.0, 1.0 / 3.0};
+  const std::string text = xdmf::item({"", 2, 3, false, numbers});
+  EXPECT_TRUE(text.starts_with("<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"2 3\">"))
+      << text;
+  const char* at = text.c_str() + text.find('>') + 1;
+  for (const double number : numbers) {
+    char* end = nullptr;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(at, &end)), std::bit_cast<std::uint64_t>(number)) << text;
+    at = end;
+  }
+  EXPECT_STREQ(at, "</DataItem>\n");
 }
 
 TEST(XdmfText, time_of_a_grid_reads_back_to_the_same_bits) {
@@ -88,7 +103,7 @@ TEST_F(Window, shows_its_rows_with_type_and_label) {
   std::vector<double> rows(30);
   std::iota(rows.begin(), rows.end(), 0.0);
   h5::write<double>(file_, "/table", 3, rows, {"m", "table"});
-  h5::window(file_, "/view/deep/0", {"/table", 4, 2}, {"m", "two rows"});
+  h5::window(file_, "/view/deep/0", {"/table", 4, 2, 3}, {"m", "two rows"});
   EXPECT_EQ(h5::read<double>(file_, "/view/deep/0"), (std::vector<double>{12, 13, 14, 15, 16, 17}));
   EXPECT_EQ(h5::extent(file_, "/view/deep/0").width, 3);
   EXPECT_EQ(h5::text_attribute(file_, "/view/deep/0", "units"), "m");
@@ -100,7 +115,7 @@ TEST_F(Window, shows_rows_that_are_written_after_it_was_made) {
   series.append(7);
   series.flush();
   series.append(8);  // in the buffer only
-  h5::window(file_, "/view", {"/numbers", 1, 2}, {"1", "later numbers"});
+  h5::window(file_, "/view", {"/numbers", 1, 2, 1, true}, {"1", "later numbers"});
   series.append(9);
   series.close();
   file_.flush();
@@ -116,8 +131,16 @@ TEST_F(Window, of_a_file_that_moved_still_finds_its_rows) {
   EXPECT_EQ(h5::read<double>(file_, "/view"), (std::vector<double>{3.0}));
 }
 
-TEST_F(Window, of_nothing_gives_file_error) {
-  EXPECT_THROW(h5::window(file_, "/view", {"/no/such", 0, 1}, {"m", "view"}), FileError);
+TEST_F(Window, made_before_its_dataset_shows_zeros_and_then_its_rows) {
+  h5::window(file_, "/view", {"/later", 1, 2}, {"m", "view"});
+  EXPECT_EQ(h5::read<double>(file_, "/view"), (std::vector<double>{0.0, 0.0}));
+  h5::write<double>(file_, "/later", 1, std::vector<double>{1.0, 2.0, 3.0}, {"m", "later"});
+  EXPECT_EQ(h5::read<double>(file_, "/view"), (std::vector<double>{2.0, 3.0}));
+}
+
+TEST_F(Window, of_a_name_that_is_taken_gives_file_error) {
+  h5::write<double>(file_, "/table", 1, std::vector<double>{1.0}, {"m", "table"});
+  EXPECT_THROW(h5::window(file_, "/table", {"/other", 0, 1}, {"m", "view"}), FileError);
 }
 
 // --- series -------------------------------------------------------------------------------------------------------
@@ -136,8 +159,50 @@ Chunk chunk_of(const h5::File& file, const char* name, hsize_t number) {
   return c;
 }
 
-TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
+TEST(Chunks, hold_a_quarter_of_what_is_expected_within_bounds) {
+  EXPECT_EQ(h5::rows_of_chunk(0.0, 8), 32u);       // 256 bytes
+  EXPECT_EQ(h5::rows_of_chunk(101.0, 8), 32u);     // 808 bytes in all
+  EXPECT_EQ(h5::rows_of_chunk(1000.0, 8), 256u);   // 2 KiB of 8
+  EXPECT_EQ(h5::rows_of_chunk(1e12, 8), 8192u);    // 64 KiB
+  EXPECT_EQ(h5::rows_of_chunk(1e12, 24), 4096u);   // 96 KiB: the first power of two rows that reaches 64
+  EXPECT_EQ(h5::rows_of_chunk(1.0, 1 << 20), 1u);  // a row is the least
+}
+
+TEST_F(Window, file_that_holds_its_tables_reads_as_of_its_flush) {
+  std::vector<h5::Series<double>> series;
+  for (int i = 0; i < 60; ++i)
+    series.emplace_back(file_, "/numbers/" + std::to_string(i), 1, h5::Label{"1", "numbers"});
+  const auto add = [&](double value) {
+    for (h5::Series<double>& s : series) s.append(std::vector<double>(40, value));  // more than a chunk
+  };
+  add(1.0);
+  for (h5::Series<double>& s : series) s.flush();
+  file_.flush();
+  file_.hold(true);
+  for (const double value : {2.0, 3.0, 4.0}) add(value);
+  for (int i = 0; i < 60; ++i) h5::window(file_, "/view/" + std::to_string(i), {"/numbers/0", i, 1}, {"1", "window"});
+  fs::copy_file(folder_ / "a.h5", folder_ / "copy.h5");
+  const h5::File copy = h5::File::open(folder_ / "copy.h5");
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(h5::extent(copy, "/numbers/" + std::to_string(i)).rows, 40);
+  EXPECT_FALSE(copy.has("/view"));
+  file_.hold(false);
+  for (h5::Series<double>& s : series) s.close();
+  file_.flush();
+  EXPECT_EQ(h5::extent(file_, "/numbers/59").rows, 160);
+  EXPECT_EQ(h5::read<double>(file_, "/view/59"), (std::vector<double>{2.0}));
+}
+
+TEST_F(Window, a_small_file_has_room_for_many_chunks_all_the_same) {
+  std::vector<double> rows(32 * 5000);
+  std::iota(rows.begin(), rows.end(), 0.0);
   h5::Series<double> series(file_, "/numbers", 1, {"1", "numbers"});
+  for (std::size_t at = 0; at < rows.size(); at += 100) series.append(std::span<const double>(rows).subspan(at, 100));
+  series.close();
+  EXPECT_EQ(h5::read<double>(file_, "/numbers"), rows);
+}
+
+TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
+  h5::Series<double> series(h5::Growing(file_, 1e6), "/numbers", 1, {"1", "numbers"});
   constexpr std::int64_t kChunk = 8192;  // 64 KiB of doubles
   std::vector<double> expected;
   const auto add = [&](std::int64_t count) {
@@ -164,6 +229,22 @@ TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
   file_.flush();
   EXPECT_EQ(h5::read<double>(file_, "/numbers"), expected);
   for (hsize_t i = 0; i < 4; ++i) EXPECT_EQ(chunk_of(file_, "/numbers", i).skipped, 0u) << "not deflated: " << i;
+}
+
+TEST_F(Window, rows_that_do_not_deflate_are_those_that_were_written) {
+  // Flushed first as they are: a chunk that is replaced by one of its length must not get other filters.
+  h5::Series<std::uint64_t> series(file_, "/noise", 1, {"1", "noise"});
+  std::vector<std::uint64_t> rows;
+  std::uint64_t x = 88172645463325252ULL;
+  for (int i = 0; i < 70; ++i) {
+    x ^= x << 13U, x ^= x >> 7U, x ^= x << 17U;
+    rows.push_back(x);
+    series.append(x);
+    if (i % 10 == 0) series.flush();
+  }
+  series.close();
+  file_.flush();
+  EXPECT_EQ(h5::read<std::uint64_t>(file_, "/noise"), rows);
 }
 
 TEST_F(Window, series_never_flushed_is_whole_after_close) {

@@ -1,0 +1,72 @@
+"""Cases of the bench: walls of blocks in running bond, a block with a mesh, two blocks."""
+import math
+
+SETTLED = 0.4  # [s]: static steps of 20 ms; what is measured comes after
+
+HEAD = """
+title = "bench"
+material.rock = {{ density = 2500.0, young = "{young} GPa", poisson = 0.2 }}
+joint.joint = {{ friction_deg = 31.0 }}
+model = {{ default_joint = "joint" }}
+"""
+
+TWO_BLOCKS = """
+title = "Block on a plane"
+material.rock = { density = 2600.0, young = "1 GPa", poisson = 0.2 }
+joint.plane = { friction_deg = 20.0 }
+support = [{ block = "plane" }]
+block = [
+  { name = "plane", material = "rock", polygon = [[-4, -12], [20, -12], [-4, 2]] },
+  { name = "slider", material = "rock", polygon = [[0, -0.333333333], [1, -0.916666667], [1.6, 0.1], [0.6, 0.7]] },
+]
+stage = [{ name = "slide", method = "dda", integrator = "implicit", dt = "1 ms", duration = 1.0 }]
+"""
+
+
+def wall_blocks(courses):
+    """30 courses are 915 blocks, 100 are 10,050 and 316 are 100,014."""
+    return sum(courses + 1 if j % 2 == 0 else courses for j in range(courses))
+
+
+def shaking():
+    """The record of the shaken walls, shaking.csv."""
+    return "".join(f"{1e-3 * i:.3f}, {4.0 * math.sin(4.0 * math.pi * 1e-3 * i):.17g}\n" for i in range(2001))
+
+
+def wall(courses, integrator, shaken=False, apart=False, settle=True):
+    """Courses of n + 1 and n blocks of 1 x 0.5 m in turn on a base that is held or shaken (2 Hz, 4 m/s2, horizontally).
+
+    apart: the same blocks a quarter of their width from each other, so that nothing touches.
+    settle: static steps first.
+    """
+    pitch, rise = (1.25, 0.625) if apart else (1.0, 0.5)
+    lines = [HEAD.format(young=5)]
+    if shaken:
+        lines.append(f'motion.shaking = {{ file = "shaking.csv", unit = "m/s2", start = {SETTLED} }}\n')
+    lines.append('support = [{ block = "base"' + (', motion = "shaking"' if shaken else "") + " }]\n")
+    blocks = [("base", [(-3.0, -2.0), (pitch * courses + 4.0, -2.0), (pitch * courses + 4.0, 0.0), (-3.0, 0.0)])]
+    lift = 0.125 if apart else 0.0
+    for j in range(courses):
+        for i in range(courses + 1 if j % 2 == 0 else courses):
+            x, y = pitch * (i + (0.0 if j % 2 == 0 else 0.5)), rise * j + lift
+            blocks.append((f"b{j}-{i}", [(x, y), (x + 1.0, y), (x + 1.0, y + 0.5), (x, y + 0.5)]))
+    for name, ring in blocks:
+        lines.append(f'[[block]]\nname = "{name}"\nmaterial = "rock"\npolygon = {[list(p) for p in ring]}\n')
+    if settle:
+        lines.append(f'[[stage]]\nname = "settle"\nmethod = "dda"\nintegrator = "implicit"\ndt = 0.02\nduration = {SETTLED}\nrest = true\n')
+    dt = "\"auto\"" if integrator == "explicit" else "0.001"
+    lines.append(f'[[stage]]\nname = "steps"\nmethod = "dda"\nintegrator = "{integrator}"\ndt = {dt}\nduration = 1.0\n')
+    lines.append("[output]\nevery = 10.0\nhistory_every = 10.0\n")
+    return "".join(lines)
+
+
+def mesh(cover):
+    """A held block and one with a mesh on it."""
+    return HEAD.format(young=5) + f"""
+support = [{{ block = "base" }}]
+block = [
+  {{ name = "base", material = "rock", polygon = [[-1, -1], [9, -1], [9, 0], [-1, 0]] }},
+  {{ name = "block", material = "rock", polygon = [[0, 0], [8, 0], [8, 8], [0, 8]], cover_size = {cover} }},
+]
+stage = [{{ name = "steps", method = "nmm", method_of = [{{ blocks = ["base"], method = "dda" }}], integrator = "explicit", dt = "auto", duration = 0.01 }}]
+"""
