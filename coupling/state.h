@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/bolt_memory.h"
 #include "coupling/contact_memory.h"
 #include "coupling/ledger/ledger.h"
 #include "coupling/visit.h"
@@ -79,6 +80,7 @@ struct State {
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
   std::vector<double> anchors;  // x, y a point support: how far hand-overs have shifted its anchor; empty: none yet [m]
+  std::vector<BoltMemory> bolts;  // of the model; empty: it has none
   RuleMemory rules;
   Ledger ledger;
 
@@ -176,6 +178,8 @@ void State::visit(Visitor&& see) const {
     see("rest.velocity", r.velocity);
   }
   see("anchors", anchors);
+  see.size("bolts", bolts);
+  for (const BoltMemory& b : bolts) b.visit(see);
   rules.visit(see);
   ledger.visit(see);
 }

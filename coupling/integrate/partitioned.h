@@ -103,9 +103,10 @@ class Partitioned final : public Mover, private PathForce {
   std::vector<Seam> seams_;                               // as the implicit side sees them
   // Cholesky's factor of the mass that the explicit half has at them, and the same as stiffness of a step.
   std::vector<double> seam_mass_, seam_factor_;
-  std::vector<std::size_t> explicit_at_, implicit_at_;  // a seam: first number of its nodes
-  std::vector<double> apart_, held_, held_back_;        // x, y a seam; held_back_: what the explicit side feels
-  Ledger base_;                                         // of the run until the first step
+  std::vector<std::size_t> explicit_at_, implicit_at_;        // a seam: first number of its nodes
+  std::vector<double> apart_, held_, held_back_;              // x, y a seam; held_back_: what the explicit side feels
+  std::vector<std::size_t> explicit_bolts_, implicit_bolts_;  // whose side applies them
+  Ledger base_;                                               // of the run until the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;

@@ -29,6 +29,7 @@ void Driver::go_on() {
                                    clocks());
   mover_ = make_mover(stage);
   mover_->resume(state_, c.mover);
+  bolt_watch_ = BoltWatch(state_);
   stats_ = c.stats;
   end_ = latest_end();
   observe();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coupling/bodies/partition.h"
+#include "coupling/bolts/bolt_rows.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/field_transfer.h"
@@ -411,6 +412,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
                    Clocks clocks) {
   Change change(model, methods, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
+  const std::vector<BoltRows> bolts = acting_bolts(from, state);
   const std::vector<double> q = state.q;
   change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
@@ -419,6 +421,7 @@ HandOver hand_over(const Model& model, const Methods& methods, const Setup& from
                                       std::move(clocks));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
+  keep_bolt_forces(bolts, q, *out.setup, state);
   change.book(*out.setup);
   out.rows = std::move(change.rows);
   return out;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/results/atomic_file.h"
+#include "io/results/bolt_writer.h"
 #include "io/results/contact_writer.h"
 #include "io/results/csv.h"
 #include "io/results/event_writer.h"
@@ -29,6 +30,7 @@ struct ResultsSink::Files {
   EventWriter events;
   ProgressWriter progress;
   std::optional<ContactWriter> contacts;  // where the plan asks for them
+  std::optional<BoltWriter> bolts;        // where the model has any
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
@@ -44,11 +46,13 @@ struct ResultsSink::Files {
         tables(folder.history(), folder.energy(), model, keep),
         summary(model, provenance) {
     if (with_contacts) contacts.emplace(file);
+    if (!model.bolts.empty()) bolts.emplace(file, model);
   }
 
   void frame(const coupling::FrameView& view) {
     xdmf.frame(view, frames.frame(view));
     if (contacts) contacts->frame(view);
+    if (bolts) bolts->frame(view);
     progress.frame(view);
     stored = {view.tick, view.stage};
     flush();
@@ -62,6 +66,7 @@ struct ResultsSink::Files {
     histories.flush();
     events.flush();
     if (contacts) contacts->flush();
+    if (bolts) bolts->flush();
     progress.flush();
     tables.flush();
   }
@@ -71,6 +76,7 @@ struct ResultsSink::Files {
     histories.take(from, mark.histories);
     events.take(from, mark.events);
     if (contacts) contacts->take(from, mark.contacts);
+    if (bolts) bolts->take(from, mark.bolts);
     progress.take(from, mark.progress);
     xdmf.take(from, mark.frame_count);
     stored = {mark.stored_tick, static_cast<std::int32_t>(mark.stored_stage)};
@@ -81,6 +87,7 @@ struct ResultsSink::Files {
     histories.close();
     events.close();
     if (contacts) contacts->close();
+    if (bolts) bolts->close();
     progress.close();
     tables.close();
     file.flush();
@@ -185,6 +192,7 @@ ResultsMark ResultsSink::mark() {
   mark.histories = f.histories.marks();
   mark.events = f.events.marks();
   if (f.contacts) mark.contacts = f.contacts->marks();
+  if (f.bolts) mark.bolts = f.bolts->marks();
   mark.progress = f.progress.marks();
   mark.tables = f.tables.marks();
   mark.stored_tick = f.stored.first;
@@ -200,6 +208,7 @@ void ResultsSink::frame(const coupling::FrameView& frame) { files().frame(frame)
 
 void ResultsSink::history(const coupling::HistoryView& history) {
   files().histories.append(history);
+  if (files().bolts) files().bolts->append(history);
   files().tables.append(history);
 }
 
