@@ -9,14 +9,14 @@ namespace {
 
 /// True if the forces of a bolt are this setup's to apply.
 bool applies(const Setup& setup, const BoltRows& rows) {
-  bool own = false, guest = false;
+  bool own = false, ghost = false;
   for (std::size_t k = 0; k < rows.row.size(); ++k) {
-    if (setup.on_guest(rows.row[k]))
-      guest = true;
+    if (setup.on_ghost(rows.row[k]))
+      ghost = true;
     else if (!setup.bodies()[static_cast<std::size_t>(rows.body[k])].driven)
       own = true;
   }
-  return own && (!guest || setup.applies(rows.row));
+  return own && (!ghost || setup.applies(rows.row));
 }
 
 double energy_of(const State& state) {

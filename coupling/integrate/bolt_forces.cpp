@@ -72,7 +72,7 @@ std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
   std::vector<BoltSpring> out;
   const auto mobility = [&](const BoltRows& rows, std::size_t k) {
     const Body& b = setup.bodies()[static_cast<std::size_t>(rows.body[k])];
-    return b.driven || setup.on_guest(rows.row[k]) ? 0.0
+    return b.driven || setup.on_ghost(rows.row[k]) ? 0.0
                                                    : setup.pool_of(b).compliance(b.index, setup.local(b, rows.row[k]));
   };
   for (const BoltRows& rows : acting_bolts(setup, state)) {
