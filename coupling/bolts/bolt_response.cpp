@@ -3,24 +3,22 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scree::coupling {
 namespace {
 
-constexpr int kIterations = 200, kHalvings = 40;
+constexpr int kIterations = 200, kHalvings = 60;
 constexpr double kBalanced = 1e-13;   // of the largest force
-constexpr double kLeastSlope = 1e-9;  // of the elastic one, so that Newton's matrix stays regular where all slips
+constexpr double kLeastSlope = 1e-6;  // of the elastic one, so that Newton's matrix stays regular where all slips
 
-/// A force that is linear up to a strength: the force itself, its slope as a share of the elastic one, and its energy.
+/// A force that is linear up to a strength: the force itself, and its slope as a share of the elastic one.
 struct Plastic {
-  double force, slope, potential;
+  double force, slope;
 };
 Plastic plastic_law(double stiffness, double elongation, double least, double most) {
   const double trial = stiffness * elongation, force = std::clamp(trial, least, most);
-  // Elastic energy up to the strength, work at the strength beyond.
-  const double elastic = stiffness > 0.0 ? 0.5 * force * force / stiffness : 0.0;
-  const double beyond = stiffness > 0.0 ? force * (elongation - force / stiffness) : 0.0;
-  return {force, trial == force ? 1.0 : 0.0, elastic + beyond};
+  return {force, trial == force ? 1.0 : 0.0};
 }
 
 }  // namespace
@@ -61,20 +59,36 @@ double BoltResponse::evaluate(const BoltMemory& before, std::span<const double> 
   return worst;
 }
 
-double BoltResponse::potential(const BoltMemory& before, std::span<const double> lengths) const {
-  double sum = 0.0;
-  for (std::size_t j = 0; j + 1 < slip_.size(); ++j) {
-    const double e = lengths[j] - before.rest[j] + slip_[j + 1] - slip_[j] - before.plastic[j];
-    if (j == 0 && pulled_ >= 0.0)
-      sum += pulled_ * e;
-    else if (carries(j))
-      sum += plastic_law(k_[j], e, bolt_->slack(j) ? 0.0 : -bolt_->yield, bolt_->yield).potential;
+double BoltResponse::round_off(const BoltMemory& before, std::span<const double> lengths) const {
+  double most = 0.0;
+  for (std::size_t j = 0; j < k_.size(); ++j)
+    if (carries(j))
+      most = std::max(most, k_[j] * (std::abs(lengths[j] - before.rest[j]) + std::abs(slip_[j]) +
+                                     std::abs(slip_[j + 1]) + std::abs(before.plastic[j])));
+  return 4.0 * std::numeric_limits<double>::epsilon() * most;
+}
+
+double BoltResponse::go(double part, const BoltMemory& before, std::span<const double> lengths) {
+  for (std::size_t i = 0; i < slip_.size(); ++i) slip_[i] = old_[i] + part * step_[i];
+  return evaluate(before, lengths);
+}
+
+double BoltResponse::search(const BoltMemory& before, std::span<const double> lengths) {
+  // The slope along the step grows with the way, since the function that is to be least is convex.
+  double low = 0.0, high = 1.0, worst = 0.0;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double part = halving == 0 ? 1.0 : 0.5 * (low + high);
+    worst = go(part, before, lengths);
+    double slope = 0.0;
+    for (std::size_t i = 0; i < slip_.size(); ++i) slope += residual_[i] * step_[i];
+    if (slope <= 0.0) {
+      low = part;
+      if (halving == 0) break;
+    } else {
+      high = part;
+    }
   }
-  for (std::size_t i = 0; i < slip_.size(); ++i)
-    if (!held(i))
-      sum +=
-          plastic_law(bond_stiffness(i), slip_[i] - before.slipped[i], -bond_strength(i), bond_strength(i)).potential;
-  return sum;
+  return worst;
 }
 
 void BoltResponse::newton_step() {
@@ -106,28 +120,28 @@ bool BoltResponse::solve(const BoltMemory& before, std::span<const double> lengt
   broken_ = before.broken;
   std::copy(before.slip.begin(), before.slip.end(), slip_.begin());
   double worst = evaluate(before, lengths);
+  bool found = false;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     double largest = 0.0;
     for (const double f : force_) largest = std::max(largest, std::abs(f));
     for (const double f : bond_) largest = std::max(largest, std::abs(f));
-    if (worst <= kBalanced * largest) break;
+    const double least = std::max(kBalanced * largest, round_off(before, lengths));
+    found = worst <= least;
+    if (found) break;
     newton_step();
     old_ = slip_;
-    const double energy = potential(before, lengths), left = worst;
-    double part = 1.0;
-    for (int halving = 0; halving < kHalvings; ++halving, part *= 0.5) {
-      for (std::size_t i = 0; i < n; ++i) slip_[i] = old_[i] + part * step_[i];
-      worst = evaluate(before, lengths);
-      // Near balance the energy no longer tells.
-      if (worst <= 0.5 * left || potential(before, lengths) < energy) break;
-    }
+    const double left = worst;
+    worst = go(1.0, before, lengths);
+    if (!(worst <= 0.5 * left)) worst = search(before, lengths);
     if (!std::isfinite(worst)) return false;
-    if (worst >= left && worst <= 1e-12 * largest) {  // round-off
+    if (worst >= left && worst <= 8.0 * least) {  // round-off
       slip_ = old_;
       worst = evaluate(before, lengths);
+      found = true;
       break;
     }
   }
+  if (!found) return false;
   after.slip = slip_;
   after.force = force_;
   after.bond = bond_;

@@ -52,8 +52,12 @@ class BoltResponse {
   [[nodiscard]] bool carries(std::size_t segment) const { return broken_[segment] == 0; }
   /// Forces and slopes of the trial slips; returns the largest unbalanced force of a free node [N].
   double evaluate(const BoltMemory& before, std::span<const double> lengths);
-  /// The energy that is least at balance, of the trial slips [J].
-  [[nodiscard]] double potential(const BoltMemory& before, std::span<const double> lengths) const;
+  /// What round-off of slips and lengths leaves of a segment's force [N].
+  [[nodiscard]] double round_off(const BoltMemory& before, std::span<const double> lengths) const;
+  /// Slips a part of the Newton step on from old_, and what is unbalanced there [N].
+  double go(double part, const BoltMemory& before, std::span<const double> lengths);
+  /// The least along the Newton step, by bisection; what is unbalanced there [N].
+  double search(const BoltMemory& before, std::span<const double> lengths);
   /// step_ = -H^-1 residual, H tridiagonal.
   void newton_step();
   void shear_forces(const BoltMemory& before, std::span<const double> shears, BoltMemory& after);

@@ -29,7 +29,7 @@ struct Law {
     bolt.bond_length = plate ? 1.8 : 2.5;
     bolt.bond_stiffness = 300e6;
     bolt.bond_strength = 60e3;
-    bolt.yield = 90e3;
+    bolt.yield = 25e3;
     bolt.shear_stiffness = 40e6;
     bolt.shear_strength = 30e3;
     EXPECT_EQ(lay_out(model, bolt), "");
@@ -73,12 +73,10 @@ TEST(BoltLaw, bar_balances_at_every_node_whatever_yields) {
       const std::vector<double> old = lengths;
       for (double& l : lengths) l += draw(random, 4e-4);
       shears[0] += draw(random, 5e-4);
-      const double old_shear = step == 0 ? 0.0 : shears[0];
-      (void)old_shear;
       ASSERT_TRUE(response.solve(before, lengths, shears, after));
       for (std::size_t s = 0; s < lengths.size(); ++s) {
         EXPECT_LE(std::abs(after.force[s]), law.bolt.yield * (1.0 + 1e-12));
-        if (law.bolt.slack(s)) EXPECT_GE(after.force[s], 0.0);
+        EXPECT_GE(after.force[s], law.bolt.slack(s) ? 0.0 : -law.bolt.yield * (1.0 + 1e-12));
         work += after.force[s] * (lengths[s] - old[s]);
         if (after.plastic[s] != before.plastic[s]) ++yielded;
       }
@@ -86,8 +84,8 @@ TEST(BoltLaw, bar_balances_at_every_node_whatever_yields) {
         const double length = law.bolt.nodes[i].length;
         if (length == 0.0) continue;
         EXPECT_LE(std::abs(after.bond[i]), law.bolt.bond_strength * length * (1.0 + 1e-12));
-        const double left = after.bond[i] + (i > 0 ? after.force[i - 1] : 0.0) -
-                            (i + 1 < law.bolt.nodes.size() ? after.force[i] : 0.0);
+        const double left =
+            after.bond[i] + (i > 0 ? after.force[i - 1] : 0.0) - (i + 1 < law.bolt.nodes.size() ? after.force[i] : 0.0);
         EXPECT_LT(std::abs(left), 1e-7) << i;  // of 90 kN
         if (after.slipped[i] != before.slipped[i]) ++slipped;
       }
@@ -95,10 +93,10 @@ TEST(BoltLaw, bar_balances_at_every_node_whatever_yields) {
       // Work of the rock = elastic change + dissipation + what implicit Euler damps; shear apart.
       const double shear_work = after.shear[0] * (after.shear[0] - before.shear[0]) / law.bolt.shear_stiffness +
                                 after.shear[0] * (after.sheared[0] - before.sheared[0]);
-      EXPECT_NEAR(work + shear_work,
-                  after.energy - before.energy + after.dissipated - before.dissipated +
-                      response.elastic_change(before, after),
-                  1e-9);
+      EXPECT_NEAR(
+          work + shear_work,
+          after.energy - before.energy + after.dissipated - before.dissipated + response.elastic_change(before, after),
+          1e-9);
       dissipated = after.dissipated;
       before = after;
     }

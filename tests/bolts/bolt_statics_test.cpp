@@ -18,7 +18,7 @@ class Bolts : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(All, Bolts,
                          testing::Values(Way{"dda", Integrator::explicit_}, Way{"dda", Integrator::implicit},
                                          Way{"nmm", Integrator::explicit_}, Way{"nmm", Integrator::implicit}),
-                         [](const auto& info) { return info.param.name(); });
+                         [](const auto& of) { return of.param.name(); });
 
 /// A block 2 m x 1 m half a metre beside a held wall, with a bolt along its middle from x = 1.5 m into the wall.
 struct Pull : Bolted {
@@ -35,19 +35,12 @@ struct Pull : Bolted {
     Bolt b = bar({1.5, 0.5}, {-3.0, 0.5});
     b.bond_length = 2.0;
     b.bond_stiffness = 200e6;
-    b.segment = 0.02;
+    b.segment = 0.05;
     return b;
   }
   /// How much farther the head is from the wall than in the model.
   [[nodiscard]] double head_moved() const {
     return position(bolt_rows(driver->setup(), driver->state(), 0).row[0], driver->state().q).x() - 1.5;
-  }
-  /// Acceleration over a short run from rest under a constant pull.
-  [[nodiscard]] double acceleration() const { return totals_of(*driver, block).momentum.x() / mass / run_time; }
-  double run_time = 0.0;
-  void go(const Way& way, double duration) {
-    run_time = duration;
-    Bolted::go(way, duration);
   }
 };
 
@@ -77,7 +70,7 @@ TEST_P(Bolts, bonded_bar_is_pulled_by_what_its_grout_gives) {
   // The bond hands over F sinh((L - x)/lambda)/sinh(L/lambda): a metre in, half way.
   std::size_t middle = 0;
   while (scene.model.bolts[0].nodes[middle].at < 3.5) ++middle;
-  const double at = scene.model.bolts[0].nodes[middle - 1].at + 0.01 - 2.5;
+  const double at = scene.model.bolts[0].nodes[middle - 1].at + 0.025 - 2.5;
   EXPECT_NEAR(scene.memory().force[middle - 1] / (80e3 * std::sinh((2.0 - at) / lambda) / std::sinh(2.0 / lambda)), 1.0,
               kPart);
   scene.expect_closed();
@@ -98,10 +91,9 @@ TEST_P(Bolts, bond_pulls_out_at_its_strength_times_its_length) {
   slides.go(GetParam(), 0.3);
   const Driver& run = slides.run();
   EXPECT_NEAR(slides.memory().force[0] / 100e3, 1.0, 1e-9);
-  for (std::size_t i = 1; i < slides.memory().bond.size(); ++i) EXPECT_GT(slides.memory().slipped[i], 0.0);
-  // Momentum: the bond gave less while it was still elastic; energy counts that exactly.
+  for (std::size_t i = 1; i < slides.memory().bond.size(); ++i) EXPECT_LT(slides.memory().slipped[i], 0.0);
   const Ledger& ledger = run.state().ledger;
-  EXPECT_NEAR(ledger[Column::bolt_yield] / (100e3 * slides.memory().slipped.back()), 1.0, 0.05);
+  EXPECT_NEAR(ledger[Column::bolt_yield] / (100e3 * -slides.memory().slipped.back()), 1.0, kPart);
   slides.expect_closed();
 }
 
@@ -131,7 +123,7 @@ TEST_P(Bolts, pull_beyond_the_yield_accelerates_by_the_difference) {
   // The pretension is a fifth of the pull short of balance: what is left is 20 kN on 5.2 t.
   scene.go(GetParam(), 0.05, 1e-4);
   scene.run();
-  EXPECT_NEAR(scene.acceleration() / (20e3 / scene.mass), 1.0, kPart);
+  EXPECT_NEAR(totals_of(*scene.driver, scene.block).momentum.x() / 0.05 / 20e3, 1.0, kPart);
   scene.expect_closed();
 }
 
@@ -172,6 +164,7 @@ TEST_P(Bolts, shear_beyond_the_strength_accelerates_by_the_difference) {
   Sheared scene;
   Bolt b = Sheared::dowel();
   b.stiffness = 1e4;  // no tension as the bar is bent: the dowel alone
+  b.segment = 0.1;
   b.shear_strength = 8e3;
   b.shear_stiffness = 5e9;
   scene.bolt(b);
@@ -257,7 +250,7 @@ TEST_P(Bolts, breaks_at_its_strain_and_lets_go) {
   const double k = b.stiffness / 3.0, lost = 0.5 * b.yield * b.yield / k, yielded = b.yield * 3e-3;
   EXPECT_NEAR(run.state().ledger[Column::bolts_broken] / lost, 1.0, 1e-6);
   EXPECT_NEAR(run.state().ledger[Column::bolt_yield] / yielded, 1.0, 0.01);
-  const double energy = 0.5 * scene.mass * 0.25 - lost - yielded;
+  const double energy = 0.5 * scene.mass * 0.25 - lost - run.state().ledger[Column::bolt_yield];
   EXPECT_NEAR(totals_of(run, scene.block).kinetic / energy, 1.0, kPart);
   scene.expect_closed();
 }
