@@ -178,9 +178,10 @@ void Newmark::prepare(const State& state, double h) {
   const auto loads_at = [&](double t, std::vector<double>& out) {
     node_scratch_.assign(q.size(), 0.0);
     add_loads(*setup_, loads_, t, node_scratch_);
+    add_incoming_waves(*setup_, dashpots_, t, trapezoidal() ? std::span<const double>(reference_) : q, node_scratch_);
     to_dofs(node_scratch_, out);
   };
-  if (!loads_.empty()) {
+  if (!loads_.empty() || !dashpots_.empty()) {
     loads_at(t0 + h, load_);
     if (trapezoidal()) loads_at(t0, load_before_);
   }

@@ -351,6 +351,13 @@ constexpr Key kKeys[] = {
     {"viscous_edge[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
     {"viscous_edge[].on", Type::line, "m", kCoordinate, "", false, "", "As traction.on. Either this or edge."},
     {"viscous_edge[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge."},
+    {"viscous_edge[].motion", Type::name, "", kAny, "(none)", false, "",
+     "Name of a ground motion that comes in as a wave from the rock beyond the edge (a compliant base): it adds the "
+     "tractions 2 rho c_s and 2 rho c_p times the velocity of the upgoing wave."},
+    {"viscous_edge[].motion_is", Type::choice, "", kAny, "\"outcrop\"", false, "outcrop|upgoing",
+     "What the motion was recorded on: an outcrop of that rock, where the upgoing wave has half of its velocity, or "
+     "the "
+     "upgoing wave itself. Goes with motion."},
 
     {"bolt", Type::table_list, "", kAny, "", false, "",
      "A bolt, cable or anchor through the blocks: a straight bar that a plate at its head, and an anchor or grout at "
