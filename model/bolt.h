@@ -15,7 +15,7 @@ struct Model;
 /// A straight bar from its head to its toe. Where it runs free it is tied to the rock at its ends alone; where it is
 /// grouted, a spring along the bar holds each piece of it until the bond slips. It has no mass. Forces and stiffnesses
 /// are for unit thickness: those of one bolt over the spacing of the bolts out of the plane.
-/// @source docs/theory/bolts.md; [StJohn1983]
+/// @source docs/theory/bolts.md, "Nodes"; [StJohn1983]
 struct Bolt {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
