@@ -49,7 +49,7 @@ struct BodyAcceleration {
 /// @source [Lysmer1969], [Joyner1975]; docs/theory/seismic-input.md, "Viscous edges", "Compliant base"
 struct ViscousEdge {
   EdgeSpan span;
-  MotionId motion;       // of the wave that comes in; invalid: none does
+  MotionId motion{};     // of the wave that comes in; invalid: none does
   double upgoing = 1.0;  // of the motion's velocity: 1 for that of the wave itself, 1/2 for an outcrop
 };
 

@@ -13,7 +13,7 @@ namespace scree::coupling {
 struct Dashpot {
   EdgeStretch stretch;
   double normal = 0.0, shear = 0.0;  // of one end: rho c_p L/2, rho c_s L/2 [N s/m]
-  MotionId motion;                   // of the wave that comes in; invalid: none
+  MotionId motion{};                 // of the wave that comes in; invalid: none
   double upgoing = 1.0;              // of its velocity
 };
 /// @source [Lysmer1969]; c_p = sqrt((lambda + 2 mu)/rho) with the in-plane constants, c_s = sqrt(mu/rho)
