@@ -258,7 +258,7 @@ void BoltResponse::install(std::span<const double> lengths, std::span<const doub
   begin.installed = 1;
   // The jack holds the force of the first segment; then its length is locked where it has that force.
   if (bolt_->pretension > 0.0) pulled_ = bolt_->pretension;
-  (void)solve(begin, lengths, shears, memory);
+  if (!solve(begin, lengths, shears, memory)) memory = begin;  // the bond cannot take it: no pretension
   if (pulled_ >= 0.0) memory.rest[0] = lengths[0] + memory.slip[1] - memory.slip[0] - pulled_ / k_[0];
   pulled_ = -1.0;
 }

@@ -15,7 +15,7 @@ BoltForces::BoltForces(const Setup& setup, std::vector<BoltRows> rows) {
 }
 
 void BoltForces::take(const State& state) {
-  for (One& one : bolts_) one.now = state.bolts[static_cast<std::size_t>(one.rows.bolt)];
+  for (One& one : bolts_) one.now = one.trial = state.bolts[static_cast<std::size_t>(one.rows.bolt)];
   time_ = seconds(state.time);
 }
 

@@ -31,7 +31,7 @@ void ImplicitBolts::begin(const State& state, std::span<const Vec2> driven_move,
   rows_.clear();
   for (One& one : bolts_) {
     const BoltRows& rows = one.rows;
-    one.before = state.bolts[static_cast<std::size_t>(rows.bolt)];
+    one.before = one.after = state.bolts[static_cast<std::size_t>(rows.bolt)];
     one.shape.measure(rows, state.q);
     charts_.assign(rows.row.size(), {});
     for (std::size_t k = 0; k < rows.row.size(); ++k)

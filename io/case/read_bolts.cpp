@@ -48,11 +48,18 @@ void check_pretension(const Section& s, const Bolt& bolt, double spacing) {
   if (bolt.pretension >= bolt.yield)
     throw s.error("pretension", "the bolt yields before it is reached",
                   fmt::format("less than yield, {:.6g} N", bolt.yield * spacing), "lower it, or raise yield");
-  const double bond = bolt.bond_strength * bolt.bond_length;
-  if (bolt.bond_length > 0.0 && bolt.pretension >= (1.0 - 1e-9) * bond)
-    throw s.error("pretension", "the bond slips before it is reached",
-                  fmt::format("less than bond_strength times bond_length, {:.6g} N", bond * spacing),
-                  "lower it, or lengthen the bond");
+}
+
+/// The bond acts where there is rock.   @pre it is laid out
+void check_bond(const Section& s, const Bolt& bolt) {
+  if (bolt.pretension == 0.0 || bolt.bond_length == 0.0) return;
+  double bond = 0.0;
+  for (const Bolt::Node& n : bolt.nodes) bond += bolt.bond_strength * n.length;
+  if (bolt.pretension >= (1.0 - 1e-9) * bond)
+    throw s.error(
+        "pretension", "the bond slips before it is reached",
+        fmt::format("less than bond_strength times the length of bond in rock, {:.6g} N", bond * s.number("spacing")),
+        "lower it, or lengthen the bond");
 }
 
 Bolt read_bolt(const Section& s, const std::vector<std::string>& stages, std::size_t number) {
@@ -102,6 +109,7 @@ void read_bolts(const Section& root, Model& model) {
       throw s.error("head", fmt::format("bolt {}: {}", in_quotes(bolt.name), wrong),
                     "a line from its head to its toe, both in or on blocks", "compare head and toe with the blocks");
     check_blocks(s, model, bolt);
+    check_bond(s, bolt);
     model.bolts.push_back(std::move(bolt));
   }
 }
