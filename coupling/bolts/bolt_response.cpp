@@ -258,7 +258,10 @@ void BoltResponse::install(std::span<const double> lengths, std::span<const doub
   begin.installed = 1;
   // The jack holds the force of the first segment; then its length is locked where it has that force.
   if (bolt_->pretension > 0.0) pulled_ = bolt_->pretension;
-  if (!solve(begin, lengths, shears, memory)) memory = begin;  // the bond cannot take it: no pretension
+  if (!solve(begin, lengths, shears, memory)) {  // the bond cannot take it: no pretension
+    memory = begin;
+    pulled_ = -1.0;
+  }
   if (pulled_ >= 0.0) memory.rest[0] = lengths[0] + memory.slip[1] - memory.slip[0] - pulled_ / k_[0];
   pulled_ = -1.0;
 }
