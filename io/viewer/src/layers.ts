@@ -1,6 +1,7 @@
 // Lines over the blocks: principal stress crosses, contacts, joints and outlines as the model first had them.
-import { name_colour, type Rgb } from "./colours";
-import type { Contacts, Frame, Mesh, Piece, Run } from "./source";
+import { mapped, name_colour, type Rgb } from "./colours";
+import { FAILED, SLIPPING, STICKING } from "./contacts";
+import type { Bolts, Contacts, Frame, Mesh, Piece, Run } from "./source";
 
 export interface LineSet {
   ends: Float32Array; // x0, y0, x1, y1 a line
@@ -21,9 +22,7 @@ class Builder {
 
 export const COMPRESSION: Rgb = [24, 82, 160];
 export const TENSION: Rgb = [200, 30, 30];
-export const STICKING: Rgb = [0, 114, 178];
-export const SLIPPING: Rgb = [213, 94, 0];
-export const FAILED: Rgb = [170, 20, 110];
+export const WATER: Rgb = [0, 96, 200];
 
 /// The value below which 98 % of the sizes are; 0 where there are none.
 function high_of(sizes: number[]): number {
@@ -108,15 +107,74 @@ export function contact_lines(contacts: Contacts, longest: number): ContactLines
   return { ...lines.done(), ...out };
 }
 
-export function original_outline(run: Run, colour: Rgb): LineSet {
+export interface SlipLines extends LineSet {
+  most: number; // slip of the upper end of the colours [m]
+}
+
+/// Slip at each closed contact point, as a stretch of its edge.   @param half  of a stretch [m]
+export function slip_lines(contacts: Contacts, half: number): SlipLines {
+  const slips = Array.from(contacts.slip, Math.abs);
+  const most = slips.reduce((m, s) => (Number.isFinite(s) && s > m ? s : m), 0);
   const lines = new Builder();
+  slips.forEach((slip, i) => {
+    const [dx, dy] = [-half * contacts.normal[2 * i + 1]!, half * contacts.normal[2 * i]!];
+    const [x, y] = [contacts.position[2 * i]!, contacts.position[2 * i + 1]!];
+    lines.add(x - dx, y - dy, x + dx, y + dy, mapped("magnitude", most > 0 ? slip / most : 0));
+  });
+  return { ...lines.done(), most };
+}
+
+export interface BoltLines extends LineSet {
+  most: number; // axial force of the upper end of the colours [N]
+}
+
+/// The segments of bolts, coloured by their axial force.
+export function bolt_lines(bolts: Bolts): BoltLines {
+  const most = bolts.force.reduce((m, f) => (Math.abs(f) > m ? Math.abs(f) : m), 0);
+  const lines = new Builder();
+  for (let i = 0; i + 1 < bolts.bolt.length; ++i)
+    if (bolts.bolt[i] === bolts.bolt[i + 1])
+      lines.add(bolts.position[2 * i]!, bolts.position[2 * i + 1]!, bolts.position[2 * i + 2]!, bolts.position[2 * i + 3]!,
+        mapped("magnitude", most > 0 ? Math.abs(bolts.force[i]!) / most : 0));
+  return { ...lines.done(), most };
+}
+
+/// Piezometric lines, level beyond their ends, with the sign that drawings have for a water level.
+/// @param size  of that sign [m]
+export function water_lines(run: Run, size: number): LineSet {
+  const lines = new Builder();
+  const [x0, , x1] = run.frames.bounds;
+  for (const { line } of run.model.water ?? []) {
+    const last = line.length - 2;
+    const points = [Math.min(x0, line[0]!), line[1]!, ...line, Math.max(x1, line[last]!), line[last + 1]!];
+    for (let i = 0; i + 3 < points.length; i += 2) lines.add(points[i]!, points[i + 1]!, points[i + 2]!, points[i + 3]!, WATER);
+    // On the middle of the longest stretch that is in the model.
+    let [best, x, y] = [-1, 0, 0];
+    for (let i = 0; i + 3 < points.length; i += 2) {
+      const [a, b] = [Math.max(x0, points[i]!), Math.min(x1, points[i + 2]!)];
+      if (b - a <= best) continue;
+      best = b - a;
+      x = 0.5 * (a + b);
+      y = points[i + 1]! + ((points[i + 3]! - points[i + 1]!) * (x - points[i]!)) / Math.max(points[i + 2]! - points[i]!, 1e-12);
+    }
+    lines.add(x, y, x - 0.6 * size, y + size, WATER);
+    lines.add(x - 0.6 * size, y + size, x + 0.6 * size, y + size, WATER);
+    lines.add(x + 0.6 * size, y + size, x, y, WATER);
+    for (const [below, half] of [[0.25, 0.45], [0.5, 0.25]] as const) lines.add(x - half * size, y - below * size, x + half * size, y - below * size, WATER);
+  }
+  return lines.done();
+}
+
+/// x0, y0, x1, y1 a line.
+export function original_outline(run: Run): Float32Array {
+  const ends: number[] = [];
   for (const block of run.model.blocks)
     for (const ring of block.rings)
       for (let i = 0; i < ring.length; i += 2) {
         const j = (i + 2) % ring.length;
-        lines.add(ring[i]!, ring[i + 1]!, ring[j]!, ring[j + 1]!, colour);
+        ends.push(ring[i]!, ring[i + 1]!, ring[j]!, ring[j + 1]!);
       }
-  return lines.done();
+  return Float32Array.from(ends);
 }
 
 /// Point supports as engineers draw them: a triangle below (held along y) or beside (held along x alone) the point, with a ground line where it is

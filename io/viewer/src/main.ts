@@ -1,24 +1,31 @@
 // The page: binds the source, the scene, the charts and the controls.
 import { ledger_series, Chart, closure, monitor_series, MONITOR_QUANTITIES, type Series } from "./charts";
-import { css, name_colour, type Rgb } from "./colours";
-import { corner_values, FIELDS, fields_of_stream, frame_range } from "./fields";
+import { css, mapped, name_colour, type Rgb } from "./colours";
+import { bind_control, show_control, told } from "./control";
+import { ContactBox } from "./contact_box";
+import { FAILED, SLIPPING, STICKING } from "./contacts";
+import { corner_values, FIELDS, frame_range, STREAM_FIELDS, STREAM_SCALARS } from "./fields";
+import { by_id } from "./elements";
 import { cell_areas, cell_at } from "./geometry";
-import { contact_lines, COMPRESSION, crosses, diamonds, FAILED, joint_lines, original_outline, SLIPPING, STICKING, support_marks, TENSION, type ContactLines, type Crosses } from "./layers";
+import {
+  bolt_lines, contact_lines, COMPRESSION, crosses, diamonds, joint_lines, original_outline, slip_lines, support_marks, TENSION, WATER, water_lines, type ContactLines, type Crosses,
+} from "./layers";
 import { legend_text, show_legend, type LegendText } from "./legend";
 import { merged, Pair, type Shown } from "./pair";
-import { picture } from "./picture";
+import { draw_picture, png_of, type PictureText } from "./picture";
 import { Scene, type Layer } from "./scene";
 import { LiveSource } from "./live";
 import { ServedSource } from "./served";
 import { ReportSource, type Frame, type FrameNote, type Mesh, type Source } from "./source";
+import { choose_theme, is_dark, on_theme } from "./theme";
 import { element, pairs, show_asked, show_events, show_found, status_of } from "./tables";
 import { prefixed, quantity, round_below, seconds, short } from "./units";
+import { film_times, make_film } from "./video";
 
-const by_id = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
-const DARK = matchMedia("(prefers-color-scheme: dark)");
 const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
 const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
+const READING = 150; // [ms] between looks of charts and facts at the instant, while playing
 
 const SERVED = document.body.dataset.source !== undefined;
 const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved; blocks and materials have numbers, as the stream has no names of them.";
@@ -67,17 +74,26 @@ class Page {
   private own_view = false; // the user has moved the view: it no longer follows the size of the window
   private crosses: Crosses | null = null;
   private forces: ContactLines | null = null;
-  private readonly shown: Record<Layer, boolean> = { original: true, joints: false, outline: true, crosses: false, contacts: false, supports: true, monitors: true, chosen: true };
+  private readonly contact_box;
+  private most_bolt = 0; // axial force of the frame that is shown [N]
+  private most_slip = 0; // of the frame that is shown, where the layer is [m]
+  private filming = false;
+  private read_at = 0; // when charts and facts were brought to the instant last [ms]
+  private was_dense = false;
+  private readonly shown: Record<Layer, boolean> = {
+    original: true, joints: false, outline: true, crosses: false, water: true, slip: false, contacts: false, bolts: true, supports: true, monitors: true, chosen: true, contact: true,
+  };
   private block_chart: Chart | null = null;
   private block_history: { block: number; time: Float64Array; rows: Float64Array[] } | null = null;
 
   constructor(private readonly source: Source) {
     this.run = source.run;
     this.frames = this.run.frames.list;
-    if (source.live) this.fields = fields_of_stream(source.live.scalar);
+    this.contact_box = new ContactBox(this.run, () => this.redraw());
+    this.fields = source.live ? STREAM_FIELDS.filter((f) => !STREAM_SCALARS.includes(f) || f.id === "speed") : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
     let scene: Scene | null = null;
     try {
-      scene = new Scene(by_id<HTMLCanvasElement>("view"));
+      scene = new Scene(by_id<HTMLCanvasElement>("view"), this.run.model.blocks.length);
     } catch {
       trouble("this browser has no WebGL 2, which the animation needs; histories and tables are below");
     }
@@ -101,7 +117,9 @@ class Page {
     this.tell_extent(true);
     if (this.source.live) {
       this.set_following(true);
-      this.source.live.follow((thinned) => this.stream_changed(thinned));
+      this.source.live.follow((thinned) => this.stream_changed(thinned), (answer) => this.tell(told(answer)));
+      bind_control((command) => this.source.live!.command(command));
+      this.show_stream();
     }
     document.body.dataset.ready = "true";
   }
@@ -156,6 +174,7 @@ class Page {
 
   private choices_changed(): void {
     this.use_choices();
+    this.ask_for_field();
     const value = (id: string) => by_id<HTMLSelectElement>(id).value;
     this.pair?.tell({ field: value("field"), range: value("range"), factor: value("factor") });
   }
@@ -168,7 +187,27 @@ class Page {
     if (on) void this.go(this.frames.length - 1);
   }
 
+  /// A field that the stream does not carry is asked for.
+  private ask_for_field(): void {
+    const live = this.source.live;
+    if (!live || !STREAM_SCALARS.includes(this.field) || this.newest_scalar() === this.field.id) return;
+    if (live.can_control()) live.command(`field ${this.field.id}`);
+    else this.tell(`The stream carries ${this.newest_scalar()}.`);
+  }
+
+  private newest_scalar(): string {
+    return this.frame?.scalar_field ?? "";
+  }
+
+  /// What of a stream does not wait for the next look of people.
+  private show_stream(): void {
+    const live = this.source.live!;
+    by_id("control-box").hidden = !live.can_control();
+    show_control(live.state());
+  }
+
   private stream_changed(thinned: boolean): void {
+    this.show_stream();
     if (thinned && this.note) {
       const at = this.frames.indexOf(this.note);
       this.index = this.wanted = at >= 0 ? at : Math.min(this.index, this.frames.length - 1);
@@ -230,6 +269,8 @@ class Page {
     else show_found(run, by_id("found"));
     by_id("asked-box").hidden = this.source.live !== undefined;
     by_id("follow").hidden = this.source.live === undefined;
+    by_id("contact-box").hidden = !run.contacts;
+    by_id("film").hidden = MODEL;
     show_asked(run, by_id("asked"));
     show_events(run, by_id("events"), (t) => this.go_to_time(t));
   }
@@ -256,10 +297,13 @@ class Page {
     fill("speed", speeds.map((s) => [String(s), s === 1 ? "real time" : `× ${s}`]), String(near));
     const layers = by_id("layers");
     const entries: [Layer, string][] = [["outline", "outlines of the blocks"]];
-    if (!live) entries.push(["original", "original outline"], ["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
+    entries.push(["original", "original outline"]);
+    if (!live) entries.push(["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
     if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
     if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
-    if (this.run.contacts) entries.push(["contacts", "contact forces and states"]);
+    if ((this.run.model.water ?? []).length > 0) entries.push(["water", "water levels"]);
+    if (this.run.bolts) entries.push(["bolts", "bolts and their forces"]);
+    if (this.run.contacts) entries.push(["contacts", "contact forces and states"], ["slip", "slip of the joints"]);
     const drawn = this.run.model.joints.lines.length + this.run.model.joints.cracks.length > 0;
     for (const [layer, text] of entries) {
       if (layer === "joints" && !drawn) continue;
@@ -313,13 +357,16 @@ class Page {
     on("zoom-out", "click", () => this.zoom(1 / 1.3));
     on("fit", "click", () => this.fit());
     on("save", "click", () => void this.save());
+    on("film", "click", () => void this.film());
+    on("contact-next", "click", () => this.contact_box.next(this.chosen));
+    on("theme", "change", () => choose_theme(by_id<HTMLSelectElement>("theme").value));
     for (const id of ["field", "range", "factor"]) on(id, "change", () => this.choices_changed());
     on("block", "change", () => this.choose(Number(by_id<HTMLSelectElement>("block").value)));
     on("monitor-quantity", "change", () => this.draw_monitors());
     on("block-quantity", "change", () => this.draw_block());
     on("ledger-sides", "change", () => this.draw_ledger());
     document.addEventListener("keydown", (e) => this.key(e));
-    DARK.addEventListener("change", () => (this.use_theme(), this.redraw()));
+    on_theme(() => (this.use_theme(), this.redraw()));
     if (!this.scene) return;
     new ResizeObserver(() => {
       this.scene!.resize();
@@ -363,8 +410,10 @@ class Page {
       up(e);
       if (moved <= 3 && this.mesh) {
         const [x, y] = scene.place(e.offsetX, e.offsetY);
+        if (this.contact_box.clicked(x, y, this.shown.contacts || this.shown.slip ? scene.view.scale : 0)) return;
         const cell = cell_at(this.mesh, scene.position, x, y);
         this.choose(cell < 0 ? -1 : this.mesh.block[cell]!);
+        if (cell >= 0) by_id("block-box").scrollIntoView({ block: "nearest" });
       }
     });
     view.addEventListener("wheel", (e) => {
@@ -396,7 +445,8 @@ class Page {
     const acts: Record<string, () => void> = {
       " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
       Home: () => this.seek(0), End: () => this.seek(this.frames.length - 1), "+": () => this.zoom(1.3), "=": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3),
-      "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(),
+      "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(), v: () => void this.film(), V: () => void this.film(),
+      c: () => this.contact_box.next(this.chosen), C: () => this.contact_box.next(this.chosen),
     };
     const act = acts[e.key];
     if (!act || (e.key === " " && target.tagName === "BUTTON")) return;
@@ -444,6 +494,7 @@ class Page {
           this.mesh = mesh;
           this.mesh_index = note.mesh;
           this.scene?.use_mesh(mesh, this.held);
+          if (this.source.live && this.scene) this.show_original();
         }
         this.frame = frame;
         this.index = Math.max(0, this.frames.indexOf(note)); // frames of a stream may have been thinned meanwhile
@@ -470,7 +521,10 @@ class Page {
     const button = by_id("play");
     button.textContent = on ? "Pause" : "Play";
     button.setAttribute("aria-pressed", String(on));
-    if (!on) return this.say();
+    if (!on) {
+      if (this.index >= 0) this.show_instant();
+      return this.say();
+    }
     if (this.wanted >= this.frames.length - 1) this.wanted = 0;
     this.clock = this.frames[this.wanted]!.time;
     this.last_tick = performance.now();
@@ -517,8 +571,13 @@ class Page {
     time.value = String(this.index);
     time.setAttribute("aria-valuetext", `${seconds(f.time)}, stage ${f.stage}, frame ${this.index + 1} of ${this.frames.length}`);
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(f.time)} in stage ${f.stage}, coloured by ${this.field.label}`);
+    // What people read need not keep pace with what they see.
+    const now = performance.now();
+    if (this.playing && now - this.read_at < READING) return;
+    this.read_at = now;
     for (const chart of this.charts) chart.at(f.time);
     this.show_block_facts();
+    this.contact_box.show(this.frame?.contacts ?? null);
   }
 
   private say(): void {
@@ -530,12 +589,17 @@ class Page {
   private use_theme(): void {
     this.scene?.use_theme({ ground: rgb_of("--paper"), ink: rgb_of("--edge"), held: rgb_of("--held"), hatch: rgb_of("--hatch"), original: rgb_of("--original") });
     if (!this.scene) return;
-    const original = original_outline(this.run, rgb_of("--original"));
-    this.scene.use_lines("original", original.ends, original.tint);
+    this.show_original();
     const joints = joint_lines(this.run);
     this.scene.use_lines("joints", joints.ends, joints.tint);
     for (const layer of Object.keys(this.shown) as Layer[]) this.scene.show(layer, this.shown[layer]);
     if (this.frame) this.update_places();
+  }
+
+  /// The blocks as the model had them; a stream knows no more of them than its mesh.
+  private show_original(): void {
+    const colour = rgb_of("--original");
+    this.scene!.use_original(this.source.live ? this.scene!.original_lines() : original_outline(this.run), colour);
   }
 
   private factor(): number {
@@ -559,15 +623,27 @@ class Page {
       this.forces = contact_lines(this.frame.contacts, 0.08 * Math.hypot(x1 - x0, y1 - y0));
       this.scene.use_lines("contacts", this.forces.ends, this.forces.tint);
     }
+    const bolts = this.shown.bolts && this.frame.bolts ? bolt_lines(this.frame.bolts) : null;
+    if (this.run.bolts) this.scene.use_lines("bolts", bolts?.ends ?? new Float32Array(0), bolts?.tint ?? new Uint8Array(0));
+    this.most_bolt = bolts?.most ?? 0;
+    this.most_slip = this.shown.slip && this.frame.contacts ? slip_lines(this.frame.contacts, 1).most : 0;
     this.show_layer_key();
   }
 
-  /// What keeps its size on the screen: supports, and monitors with their names.
+  /// What keeps its size on the screen: supports, slip, the chosen contact, and monitors with their names.
   private update_marks(): void {
     if (!this.scene || this.index < 0) return;
     const pixel = 1 / this.scene.view.scale;
     const supports = support_marks(this.run, rgb_of("--mark"), 11 * pixel);
     this.scene.use_lines("supports", supports.ends, supports.tint);
+    const water = water_lines(this.run, 12 * pixel);
+    this.scene.use_lines("water", water.ends, water.tint);
+    if (this.shown.slip && this.frame?.contacts) {
+      const slip = slip_lines(this.frame.contacts, 7 * pixel);
+      this.scene.use_lines("slip", slip.ends, slip.tint);
+    }
+    const chosen = diamonds(this.contact_box.place, [230, 60, 0], 9 * pixel);
+    this.scene.use_lines("contact", chosen.ends, chosen.tint);
     const time = this.frames[this.index]!.time;
     const places: [number, number][] = [];
     const labels: HTMLElement[] = [];
@@ -603,6 +679,7 @@ class Page {
   }
 
   private show_layer_key(): void {
+    this.was_dense = this.scene?.dense ?? false;
     const key = by_id("layer-key");
     key.replaceChildren();
     const line = (entries: [Rgb, string][], more = "") => {
@@ -615,6 +692,7 @@ class Page {
       row.append(more);
       key.append(row);
     };
+    if (this.scene?.dense && (this.shown.outline || this.shown.original)) line([], "Outlines of blocks as small as here show when one zooms in.");
     if (this.run.model.blocks.some((b) => b.held)) line([], "Hatched: held or driven as a whole.");
     if (this.shown.joints) line(this.run.model.joints.laws.map((l, i) => [name_colour(i + 3), l.name]));
     if (this.crosses && this.crosses.stress > 0) line([[COMPRESSION, "compression"], [TENSION, "tension"]], `· Longest arm: ${quantity(this.crosses.stress, "Pa", 2)}.`);
@@ -623,12 +701,17 @@ class Page {
       line([[STICKING, `sticking (${f.sticking})`], [SLIPPING, `slipping (${f.slipping})`], [FAILED, `slipping, strength failed (${f.failed})`]],
         f.force > 0 ? `· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
     }
+    if (this.shown.slip && this.run.contacts) line([[mapped("magnitude", 0), "slip 0"], [mapped("magnitude", 1), `${quantity(this.most_slip, "m")} (largest now)`]]);
+    if (this.shown.bolts && this.run.bolts) line([[mapped("magnitude", 0), "bolt force 0"], [mapped("magnitude", 1), `${quantity(this.most_bolt, "N")}/m (largest now)`]]);
+    if (this.shown.water)
+      for (const { joints } of this.run.model.water ?? [])
+        line([[WATER, `water in ${joints.length === 0 ? "all joints" : joints.map((j) => this.run.model.joints.laws[j]?.name).join(", ")}`]]);
   }
 
   private names(): [string, Rgb][] {
     if (this.field.kind !== "names") return [];
     if (!this.field.names) return Array.from({ length: 10 }, (_, i) => ["", name_colour(i)] as [string, Rgb]);
-    return this.field.names(this.run).map((n, i) => [n, name_colour(i)]);
+    return this.field.names(this.run).map((n, i) => [n, this.field.colours?.[i] ?? name_colour(i)]);
   }
 
   private update_colours(): void {
@@ -641,6 +724,8 @@ class Page {
     const names = this.names();
     this.scene.use_colours(this.field, range, names.map(([, c]) => c));
     this.legend = legend_text(this.field, range, names.filter(([n]) => n !== ""));
+    if (STREAM_SCALARS.includes(this.field) && this.frame.scalar_field !== this.field.id) this.legend.what += ": not in this frame";
+    if (this.field.id === "joint") this.legend.what += ": the worst of their contacts";
     if (this.field.id === "block") this.legend.what = "block (neighbours differ in colour; the list below has the names)";
     show_legend(by_id("legend"), this.field, this.legend);
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(this.frames[this.index]!.time)} in stage ${this.frames[this.index]!.stage}, coloured by ${this.field.label}`);
@@ -653,6 +738,7 @@ class Page {
       this.pair?.tell({ view: [x + this.run.origin[0], y + this.run.origin[1], scale] });
     }
     if (moved && this.shown.crosses) this.update_layers();
+    else if (this.scene && this.scene.dense !== this.was_dense) this.show_layer_key();
     if (this.draw_asked || !this.scene) return;
     this.draw_asked = true;
     requestAnimationFrame(() => {
@@ -685,18 +771,74 @@ class Page {
     this.redraw(true);
   }
 
+  private picture_text(): PictureText {
+    return {
+      title: this.run.title || "Scree run", instant: this.instant(), scale: this.scale_bar, field: this.field, legend: this.legend, dark: is_dark(), labels: this.labels,
+    };
+  }
+
+  private hand_out(blob: Blob, name: string): void {
+    const link = element("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `${this.run.folder || "scree"}-${this.field.id}-${name}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
   private async save(): Promise<void> {
     if (!this.scene) return;
     this.scene.render();
-    const blob = await picture(this.scene.canvas, {
-      title: this.run.title || "Scree run", instant: this.instant(), scale: this.scale_bar, field: this.field, legend: this.legend, dark: DARK.matches,
-      labels: this.labels,
-    });
-    const link = element("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = `${this.run.folder || "scree"}-${this.field.id}-${this.frames[this.index]!.time.toFixed(3)}s.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    this.hand_out(await png_of(draw_picture(this.scene.canvas, this.picture_text())), `${this.frames[this.index]!.time.toFixed(3)}s.png`);
+  }
+
+  /// Saves the animation as it is shown, at the speed that is chosen; a second time: ends it early.
+  private async film(): Promise<void> {
+    if (this.filming) {
+      this.filming = false;
+      return;
+    }
+    if (!this.scene) return;
+    this.play(false);
+    if (this.source.live) this.set_following(false);
+    const before = this.index;
+    this.filming = true;
+    const button = by_id<HTMLButtonElement>("film");
+    button.setAttribute("aria-pressed", "true");
+    try {
+      const film = await make_film(this.film_steps(), (step, sheet) => this.film_picture(step, sheet), (share) => {
+        button.textContent = `Stop (${Math.round(100 * share)} %)`;
+        return this.filming;
+      });
+      this.hand_out(film, "film.webm");
+      this.tell("The film is saved.");
+    } catch (error) {
+      this.tell(`The film cannot be made: ${error instanceof Error ? error.message : String(error)}`);
+    } finally {
+      this.filming = false;
+      button.textContent = "Film";
+      button.setAttribute("aria-pressed", "false");
+      void this.go(before);
+    }
+  }
+
+  private async film_picture(step: number, sheet: HTMLCanvasElement): Promise<void> {
+    if (step !== this.index) await this.go(step);
+    this.update_marks();
+    this.scene!.render();
+    draw_picture(this.scene!.canvas, this.picture_text(), sheet);
+  }
+
+  /// The frame of each picture of a film.
+  private film_steps(): number[] {
+    const [first, last] = [this.frames[0]!.time, this.frames[this.frames.length - 1]!.time];
+    return film_times(first, last, Number(by_id<HTMLSelectElement>("speed").value)).map((t) => this.index_at(t));
+  }
+
+  private tell(text: string): void {
+    by_id("said").textContent = text;
+    by_id("note").textContent = text;
+    by_id("note").hidden = false;
+    setTimeout(() => (by_id("note").hidden = true), 6000);
   }
 
   // ------------------------------------------------------------------------------------------ block

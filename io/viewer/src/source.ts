@@ -1,5 +1,6 @@
 // What the page shows, and where it comes from. A report has everything in its own elements; `scree view` serves the same
 // chunks by their names (served.ts), or sends what a stream brings (live.ts).
+import type { Answer } from "./control";
 
 export interface Stage {
   name: string;
@@ -44,6 +45,7 @@ export interface Run {
     materials: { name: string; density: number; young: number; poisson: number }[];
     methods: string[];
     supports: [number, number, boolean, boolean][]; // x, y, held along x, along y
+    water?: { line: number[]; joints: number[] }[]; // piezometric lines x, y, x, y, ...; joint laws that they fill
     joints: { laws: Law[]; lines: Piece[]; cracks: Piece[] };
   };
   stages: Stage[];
@@ -60,6 +62,7 @@ export interface Run {
     whole: boolean;
   };
   contacts: boolean;
+  bolts?: boolean; // frames have them
   events: [number, string, string][];
   asked: Record<string, unknown> & { case: string; set: string[]; libraries: [string, string][] };
   found: Record<string, unknown> | null;
@@ -84,13 +87,22 @@ export interface Contacts {
   state: Uint8Array; // 1 slipping, 2 sticking; + 4 where its strength has failed
 }
 
+/// Bolts that are installed, bolt after bolt from head to toe.
+export interface Bolts {
+  position: Float32Array; // x, y a node
+  force: Float32Array; // axial, from a node to the next, for unit thickness; tension positive [N]
+  bolt: Int32Array; // of a node
+}
+
 export interface Frame {
   displacement: Float32Array; // x, y a point
   velocity: Float32Array; // x, y a point; of a stream: none
   stress: Float32Array; // xx, yy, xy a point; of a stream: none
   integrator: Uint8Array; // a cell; of a stream: none
   contacts: Contacts | null;
+  bolts: Bolts | null;
   scalar?: Float32Array; // a cell, of a stream: the field that it carries
+  scalar_field?: string; // which that is
 }
 
 export interface Source {
@@ -104,12 +116,16 @@ export interface Source {
 }
 
 export interface Stream {
-  /// The scalar of its frames: speed, mean stress.
-  readonly scalar: string;
+  /// Whether this page may give commands: it has the token, and the server takes them.
+  can_control(): boolean;
+  /// pause, resume, step N, checkpoint, stop, field NAME.   @pre can_control()
+  command(text: string): void;
+  /// running, paused, done, ...; empty: not known
+  state(): string;
   /// What people are told of it: status, rate, time left.
   status(): string;
   /// Called after something came; `thinned`: frames that were there are gone.
-  follow(changed: (thinned: boolean) => void): void;
+  follow(changed: (thinned: boolean) => void, answered: (answer: Answer) => void): void;
 }
 
 export type Numbers = Float32Array | Int32Array | Uint8Array;
@@ -183,6 +199,7 @@ export function frame_of(a: Map<string, Numbers>): Frame {
           blocks: array(a, "c.blocks"),
           state: array(a, "c.state"),
         },
+    bolts: !a.has("b.bolt") ? null : { position: array(a, "b.position"), force: array(a, "b.force"), bolt: array(a, "b.bolt") },
   };
 }
 

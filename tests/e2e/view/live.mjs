@@ -32,8 +32,8 @@ async function test_pixels(page) {
   near(await colour(page, pixel(-6, 7.5 - 0.5 * GRAVITY * t * t)), FALLING, 1, `the falling block at ${t} s`);
   near(await colour(page, pixel(-6, 9.3)), [255, 255, 255], 1, "above it");
   near(await colour(page, pixel(0, 1.5)), RESTING, 1, "the block that rests");
-  await page.selectOption("#field", "scalar");
-  assert.match(await page.textContent("#legend"), /mean speed/);
+  await page.selectOption("#field", "speed");
+  assert.match(await page.textContent("#legend"), /speed \[/);
   await page.click("#follow");
 }
 
