@@ -54,6 +54,16 @@ struct ContactView {
   std::span<const ContactMemory> memory;  // of a point: who, state, forces
 };
 
+/// The bolts at an instant, in the order of Model::bolts, and the nodes of those that are installed.
+struct BoltsView {
+  std::span<const double> force, shear;  // a bolt: largest axial force, and shear force at a joint [N]
+  std::span<const double> slip, strain;  // a bolt: largest slip of its bond [m], largest plastic strain
+  std::span<const std::int32_t> broken;  // a bolt: segments that are broken
+  std::span<const double> position;      // x, y a node [m]
+  std::span<const double> node_force;    // a node: axial force from it to the next [N]
+  std::span<const std::int32_t> bolt;    // a node
+};
+
 /// One instant. Points are those of the mesh, in its order.
 struct FrameView {
   double time = 0.0;  // [s]
@@ -69,6 +79,7 @@ struct FrameView {
   const State* state = nullptr;
   const RunStats* stats = nullptr;
   const ContactView* contacts = nullptr;  // nullptr: not asked for (Plan::output.contacts)
+  const BoltsView* bolts = nullptr;       // nullptr: the model has none
 };
 
 /// Monitors and ledger, more often than frames. Spans in the order of Model::monitors.
@@ -79,6 +90,7 @@ struct HistoryView {
   std::span<const double> stress;                            // xx, yy, xy a monitor, recovered Cauchy stress [Pa]
   const Ledger* ledger = nullptr;
   const RunStats* stats = nullptr;
+  const BoltsView* bolts = nullptr;  // nullptr: the model has none
 };
 
 /// What decides whether a block changes method by a rule (plan.h: SwitchRules). T and U are its energies, dT and dU the
@@ -125,6 +137,7 @@ enum class EventKind {
   stage_end,
   transfer,
   partition,
+  bolt_broken,
   step_cut,
   not_converged,
   warning

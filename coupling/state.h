@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/bolt_memory.h"
 #include "coupling/contact_memory.h"
 #include "coupling/ledger/ledger.h"
 #include "coupling/visit.h"
@@ -80,6 +81,7 @@ struct State {
   std::vector<Remainder> rest;
   std::vector<double>
       anchors;  // x, y per point support: how far hand-overs have shifted its anchor; empty: none yet [m]
+  std::vector<BoltMemory> bolts;  // of the model; empty: it has none
   RuleMemory rules;
   Ledger ledger;
 
@@ -177,6 +179,8 @@ void State::visit(Visitor&& see) const {
     see("rest.velocity", r.velocity);
   }
   see("anchors", anchors);
+  see.size("bolts", bolts);
+  for (const BoltMemory& b : bolts) b.visit(see);
   rules.visit(see);
   ledger.visit(see);
 }

@@ -43,10 +43,14 @@ struct BodyAcceleration {
   FunctionId function;
 };
 
-/// An edge that absorbs waves: traction -rho (c_p v.n n + c_s v.t t), exact for plane waves at right angles.
-/// @source [Lysmer1969]; docs/theory/seismic-input.md, "Viscous edges"
+/// An edge that absorbs waves: traction -rho (c_p v.n n + c_s v.t t), exact for plane waves at right angles. With a
+/// motion it is a compliant base: the rock beyond sends up a wave of the velocity u, which adds twice rho (c_p u.n n +
+/// c_s u.t t).
+/// @source [Lysmer1969], [Joyner1975]; docs/theory/seismic-input.md, "Viscous edges", "Compliant base"
 struct ViscousEdge {
   EdgeSpan span;
+  MotionId motion{};     // of the wave that comes in; invalid: none does
+  double upgoing = 1.0;  // of the motion's velocity: 1 for that of the wave itself, 1/2 for an outcrop
 };
 
 /// In-situ stress of a material, in the model's axes: s(y) = stress + (level - y) gradient. Tension positive.

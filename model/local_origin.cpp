@@ -50,6 +50,10 @@ void move_to_local_origin(Model& model) {
   for (PointSupport& s : model.point_supports) s.point -= origin;
   for (Monitor& m : model.monitors) m.point -= origin;
   for (PointLoad& l : model.point_loads) l.point -= origin;
+  for (Bolt& b : model.bolts) {
+    b.head -= origin;
+    b.toe -= origin;
+  }
   for (JointWater& w : model.waters)
     for (Vec2& p : w.line) p -= origin;
   for (JointLine& l : model.joint_lines) {

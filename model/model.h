@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/bolt.h"
 #include "model/discontinuity.h"
 #include "model/elasticity.h"
 #include "model/friction_law.h"
@@ -107,6 +108,7 @@ struct Model {
   std::vector<EdgeTraction> tractions;
   std::vector<BodyAcceleration> body_accelerations;
   std::vector<ViscousEdge> viscous_edges;
+  std::vector<Bolt> bolts;         // laid out (lay_out)
   std::vector<JointWater> waters;  // a joint law is in one of them at most
   // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
   std::vector<JointLine> joint_lines;

@@ -133,6 +133,10 @@ class Setup {
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
   /// Displacement of a driven body at a time since the start.
   [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
+  /// Velocity of a ground motion at a time since the start.
+  [[nodiscard]] Vec2 ground_velocity(MotionId m, double time) const {
+    return model_->motions[m.index()].velocity(motion_time(m, time));
+  }
   /// Value of a load's function at a time, by the function's clock; 1 where it has none.
   [[nodiscard]] double factor(FunctionId f, double time) const {
     return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);

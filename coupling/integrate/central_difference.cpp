@@ -192,7 +192,13 @@ void CentralDifference::add_terms(const State& state) {
     add_term(std::make_unique<PointSupports>(std::move(springs)));
   if (auto forces = point_forces(*setup_, state); !forces.empty())
     add_term(std::make_unique<PointLoads>(*setup_, std::move(forces)));
-  if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
+  if (auto rows = acting_bolts(*setup_, state); !rows.empty()) {
+    auto bolts = std::make_unique<BoltForces>(*setup_, std::move(rows));
+    bolts->take(state);
+    bolts_ = bolts.get();
+    add_term(std::move(bolts));
+  }
+  if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(*setup_, std::move(edges)));
 }
 
 void CentralDifference::resume(const State& state, const IntegratorMemory& memory) {
@@ -468,6 +474,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   state.a.swap(a_new_);
   if (lags()) state.v_before.swap(v_half_);
   state.time += ticks_of_step;
+  if (bolts_ != nullptr) bolts_->keep(state);
   setup_->prescribe(end, state.q, state.v);
   state.last_step = ticks_of_step;
   ++state.step;
@@ -529,7 +536,9 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
   bound_.clear();
   for (std::size_t i = 0; i < list.points.size(); ++i)
     bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
-  return certified_step(*setup_, {contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state), damping_},
+  return certified_step(*setup_,
+                        {contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state), damping_,
+                         bolt_springs(*setup_, state)},
                         binding);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "coupling/contact/explicit_contact.h"
+#include "coupling/integrate/bolt_forces.h"
 #include "coupling/integrate/force_term.h"
 #include "coupling/integrate/held_force.h"
 #include "coupling/integrate/loads.h"
@@ -131,6 +132,7 @@ class CentralDifference final : public TimeIntegrator {
   std::vector<double> factor_;  // per weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   HeldForce* held_ = nullptr;      // among them
+  BoltForces* bolts_ = nullptr;    // likewise
   struct Slow {                    // internal force of slow bodies
     double now = 1.0, next = 1.0;  // how often it counts at the present and the next instant
     double energy = 0.0;           // where it was last met [J]

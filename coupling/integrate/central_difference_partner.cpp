@@ -115,6 +115,7 @@ void CentralDifference::go_back(State& state, const Mark& mark) {
     contact_.undo(state);
   }
   if (held_ != nullptr) held_->take(mark.held, q_new_);
+  if (bolts_ != nullptr) bolts_->take(state);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;
   total_ = mark.total;

@@ -32,7 +32,8 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       system_(setup),
       contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor),
       sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),
-      damper_(setup, system_) {
+      damper_(setup, system_),
+      bolts_(setup, system_) {
   driven_move_.resize(setup.bodies().size());
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
@@ -70,6 +71,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
 void Newmark::enter_stage(const State& state) {
   supports_ = point_springs(*setup_, state);
   dashpots_ = dashpots(*setup_, state);
+  bolts_.enter(state);
   loads_ = load_vectors(*setup_, state);
   contacts_.enter(state.factored);
   reference_.assign(state.q.size(), 0.0);
@@ -176,9 +178,10 @@ void Newmark::prepare(const State& state, double h) {
   const auto loads_at = [&](double t, std::vector<double>& out) {
     node_scratch_.assign(q.size(), 0.0);
     add_loads(*setup_, loads_, t, node_scratch_);
+    add_incoming_waves(*setup_, dashpots_, t, trapezoidal() ? std::span<const double>(reference_) : q, node_scratch_);
     to_dofs(node_scratch_, out);
   };
-  if (!loads_.empty()) {
+  if (!loads_.empty() || !dashpots_.empty()) {
     loads_at(t0 + h, load_);
     if (trapezoidal()) loads_at(t0, load_before_);
   }
@@ -337,6 +340,7 @@ double Newmark::residual(const State& state, double h, double& largest) {
     largest_interface_force_ = largest;  // guides have forces that may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
+  largest = std::max(largest, bolts_.add(d_, springs_, out_));
   if (interface_ != nullptr) {
     for (std::size_t i = 0; i < out_.size(); ++i)
       out_[i] += predicted_unknowns_force_[i];  // less the guides', which are in
@@ -404,12 +408,18 @@ void Newmark::tell_no_balance(double left, StepReport& report) const {
 
 void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
+  bolts_.begin(state, driven_move_, springs_);
   contacts_.begin(list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
   if (interface_ != nullptr) begin_interface_iteration(state, h);
-  loop.iterative = system_.nonlinear() || spares_affine() || interface_ != nullptr;
+  loop.iterative = system_.nonlinear() || spares_affine() || interface_ != nullptr || bolts_.any();
+  if (bolts_.any()) {
+    (void)bolts_.evaluate(d_);
+    (void)bolts_.linearise(springs_);
+    contacts_.change_springs();
+  }
   loop.affine.assign(d_.size(), 0.0);
   loop.moved.resize(d_.size());
   if (spares_affine()) add_affine_damping(state, system_.rate(), loop.affine);
@@ -421,6 +431,7 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
   for (;;) {
     for (std::size_t i = 0; i < d_.size(); ++i) loop.moved[i] = mask[i] * d_[i];
     find_right_side(loop.moved, loop.affine);
+    (void)bolts_.add(d_, springs_, rhs_);
     if (contacts_.solve(A_, loop.fresh, rhs_, d_, report)) break;
     if (report.status != StepReport::Status::not_definite || loop.kind != Stiffness::exact || !system_.nonlinear())
       return false;
@@ -434,6 +445,7 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
     linear_system(h);
     loop.fresh = true;
     for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = loop.moved[i];
+    (void)bolts_.evaluate(d_);
   }
   ++report.iterations;
   loop.fresh = false;
@@ -442,6 +454,7 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
   force_after_ = force_before_;
   energy_after_ = system_.linearise(q_new_, loop.kind, false, {}, force_after_);
   force_ = force_after_;
+  (void)bolts_.evaluate(d_);
   loop.left = residual(state, h, loop.largest);
   report.residual = loop.largest > 0.0 ? loop.left / loop.largest : 0.0;
   if (std::isfinite(loop.left)) return true;
@@ -478,6 +491,10 @@ void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
   if (interface_ != nullptr) {
     interface_iteration_.next(corrected_, predicted_);
     sum_predicted();
+  }
+  if (bolts_.linearise(springs_)) {
+    contacts_.change_springs();
+    loop.fresh = true;
   }
   // A kept stiffness that is too far from this iterate's is made anew.
   if (system_.nonlinear() && loop.left > 0.05 * loop.last && !loop.at_round_off) {

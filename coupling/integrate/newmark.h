@@ -8,6 +8,7 @@
 #include "coupling/contact/law/friction_evolution.h"
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/deformation_damping.h"
+#include "coupling/integrate/implicit_bolts.h"
 #include "coupling/integrate/interface_force.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
@@ -157,7 +158,7 @@ class Newmark final : public TimeIntegrator {
 
   // newmark_books.cpp: what an accepted step leaves in state and ledger
   struct Energies {  // as the equations of the step know them, before geometry is updated
-    double springs = 0.0, elastic = 0.0, supports = 0.0, kinetic = 0.0;
+    double springs = 0.0, elastic = 0.0, supports = 0.0, kinetic = 0.0, bolts = 0.0;
   };
   void accept(State& state, Tick ticks_of_step);
   void book_bodies(Ledger& ledger, Energies& after);
@@ -187,6 +188,7 @@ class Newmark final : public TimeIntegrator {
   FixedPoint interface_iteration_;
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
+  ImplicitBolts bolts_;
   std::vector<LoadVector> loads_;
   std::vector<double> weight_;           // gravity on the nodes
   std::vector<Vec2> driven_move_;        // per body

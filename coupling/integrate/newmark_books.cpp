@@ -29,7 +29,7 @@ double spring_force(const OpenClose::Trial& t, const ContactMemory& before) {
 void Newmark::book_bodies(Ledger& ledger, Energies& after) {
   const auto mask = system_.nonlinear_dofs();
   ledger.book(Column::gravity, dot(gravity_, d_));
-  if (!loads_.empty())
+  if (!loads_.empty() || !dashpots_.empty())
     ledger.book(Column::loads, trapezoidal() ? 0.5 * (dot(load_, d_) + dot(load_before_, d_)) : dot(load_, d_));
   // Bodies whose force is linear in the unknowns: U' - U = -f.d + 1/2 d.K.d.
   std::vector<double> linear(d_.size()), curved(d_.size());
@@ -196,6 +196,7 @@ void Newmark::book_update(State& state, const Energies& after) {
     ledger.set(Column::support_springs, supports);
     ledger.book(Column::update_contact, supports - after.supports);
   }
+  if (bolts_.any()) bolts_.accept(state, after.bolts);
   if (options_.dynamics == 1.0) return;
   const double kept = options_.dynamics * options_.dynamics;
   ledger.book(Column::rest_damping, (1.0 - kept) * kinetic);
@@ -211,6 +212,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   book_bodies(state.ledger, after);
   book_damping(state.ledger);
   book_contacts(state.ledger, after);
+  if (bolts_.any()) after.bolts = bolts_.book(d_, springs_, state.ledger);
   if (trapezoidal()) {
     for (std::size_t i = 0; i < d_.size(); ++i)
       acceleration_[i] = 4.0 / (h * h) * (d_[i] - h * system_.rate()[i]) - acceleration_[i];

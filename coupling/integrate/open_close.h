@@ -81,6 +81,10 @@ class OpenClose {
   /// @param damping  of blocks, beside the pattern; must outlive the step
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
              const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
+  /// Takes over the springs' rows again, on the same unknowns: their numbers have changed.
+  void change_springs() {
+    for (std::size_t i = 0; i < springs_->size(); ++i) rows_.take_row(i, springs_->rows[i]);
+  }
   /// @param A    numbers on the system's pattern   @param fresh  they have changed since the last call
   /// @param d    a first guess; the unknowns found
   /// @return false: the report says why

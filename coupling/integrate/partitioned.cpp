@@ -147,6 +147,7 @@ void Partitioned::split(const State& state) {
     s.stage = state.stage;
     s.last_step = state.last_step;
     s.contacts = state.contacts;
+    s.bolts = state.bolts;
     const auto to = side == &explicit_side_ ? &Run::of_explicit : &Run::of_implicit;
     take(state.q, to, s.q);
     take(state.v, to, s.v);
@@ -157,6 +158,12 @@ void Partitioned::split(const State& state) {
   take(state.damping, &Run::of_explicit, explicit_side_.state.damping);
   take(state.sliding, &Run::of_explicit, explicit_side_.state.sliding);
   implicit_side_.state.factored = state.factored;
+  for (auto [side, bolts] :
+       {std::pair(&explicit_side_, &explicit_bolts_), std::pair(&implicit_side_, &implicit_bolts_)}) {
+    bolts->clear();
+    for (const BoltRows& rows : acting_bolts(side->setup, side->state))
+      bolts->push_back(static_cast<std::size_t>(rows.bolt));
+  }
 }
 
 void Partitioned::open_ledgers() {
@@ -173,7 +180,9 @@ void Partitioned::open_ledgers() {
     }
     for (const PointSpring& spring : point_springs(setup, s)) supports += spring_energy(spring, s.q);
     const ContactList& list = side == &explicit_side_ ? explicit_->contacts() : implicit_->list();
-    s.ledger.open(std::array{kinetic, elastic, contact_energy(list), supports});
+    double bolts = 0.0;
+    for (const BoltRows& rows : acting_bolts(setup, s)) bolts += s.bolts[static_cast<std::size_t>(rows.bolt)].energy;
+    s.ledger.open(std::array{kinetic, elastic, contact_energy(list), supports, bolts});
   }
 }
 
@@ -242,6 +251,8 @@ void Partitioned::join(State& state) {
   std::merge(e.contacts.begin(), e.contacts.end(), i.contacts.begin(), i.contacts.end(),
              std::back_inserter(state.contacts),
              [](const ContactMemory& a, const ContactMemory& b) { return a.key < b.key; });
+  for (const std::size_t b : explicit_bolts_) state.bolts[b] = e.bolts[b];
+  for (const std::size_t b : implicit_bolts_) state.bolts[b] = i.bolts[b];
   whole_->prescribe(seconds(state.time), state.q, state.v);
   base_.pass(state.ledger);
   state.ledger = Ledger::joined(base_, e.ledger, i.ledger);

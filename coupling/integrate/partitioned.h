@@ -108,7 +108,8 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   std::vector<std::size_t> explicit_at_, implicit_at_;  // an interface constraint: first number of its nodes
   std::vector<double> apart_, held_,
       held_back_;  // x, y per interface constraint; held_back_: what the explicit side feels
-  Ledger base_;    // of the run until the first step
+  std::vector<std::size_t> explicit_bolts_, implicit_bolts_;  // whose side applies them
+  Ledger base_;                                               // of the run until the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;

@@ -9,7 +9,7 @@
 namespace scree::coupling {
 namespace {
 
-enum class Kind { contact, support, viscous };
+enum class Kind { contact, support, bolt, viscous };
 
 /// One spring or dashpot of a body.
 struct Part {
@@ -93,6 +93,11 @@ Parts collect(const Setup& setup, const StepParts& in) {
   }
   for (const PointSpring& s : in.springs)
     parts.add(Kind::support, s.body, -1, {&s.row, 1}, s.k.maxCoeff() * parts.compliance(s.body, s.row));
+  for (const BoltSpring& s : in.bolts) {
+    double mu = 0.0;
+    for (std::size_t k = 0; k < s.rows.size(); ++k) mu += parts.compliance(s.body[k], s.rows[k]);
+    for (std::size_t k = 0; k < s.rows.size(); ++k) parts.add(Kind::bolt, s.body[k], -1, {&s.rows[k], 1}, s.k * mu);
+  }
   for (const Dashpot& d : in.dashpots) {
     const std::array<Row, 2> row{d.stretch.a, d.stretch.b};
     const double mu_a = parts.compliance(d.stretch.body, row[0]), mu_b = parts.compliance(d.stretch.body, row[1]);
@@ -127,11 +132,12 @@ std::string shares(const Setup& setup, const Parts& parts, const Body& b, const 
   list.push_back({stiff * own, element.empty() ? "its own stiffness" : element});
   list.push_back({viscous * damping.stiffness * own, "its stiffness-proportional damping"});
   const std::int32_t worst = parts.worst(b, false), damped = parts.worst(b, true);
-  double contacts = 0.0, supports = 0.0, stiffest = 0.0;
+  double contacts = 0.0, supports = 0.0, bolts = 0.0, stiffest = 0.0;
   std::int32_t with = -1;
   for (const Part& p : parts.list()) {
     if (!std::binary_search(p.groups.begin(), p.groups.end(), worst)) continue;
     if (p.kind == Kind::support) supports += p.size;
+    if (p.kind == Kind::bolt) bolts += p.size;
     if (p.kind != Kind::contact) continue;
     contacts += p.size;
     if (p.size <= stiffest) continue;
@@ -144,6 +150,7 @@ std::string shares(const Setup& setup, const Parts& parts, const Body& b, const 
          fmt::format("contacts, the stiffest with block '{}'",
                      setup.model().blocks[setup.bodies()[static_cast<std::size_t>(with)].block.index()].name)});
   list.push_back({stiff * supports, "point supports"});
+  list.push_back({stiff * bolts, "bolts"});
   list.push_back({viscous * parts.sum(damped, true), "viscous edges"});
   std::stable_sort(list.begin(), list.end(), [](const Share& x, const Share& y) { return x.part > y.part; });
   std::string text;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/table/contact_finder.h"
+#include "coupling/integrate/bolt_forces.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/viscous_edges.h"
 
@@ -25,6 +26,7 @@ struct StepParts {
   std::vector<PointSpring> springs;
   std::vector<Dashpot> dashpots;
   ExplicitDamping damping;
+  std::vector<BoltSpring> bolts{};
 };
 
 /// h^2 lambda + 2 h gamma <= 4, which is 4 M - 2 h C - h^2 K >= 0 for damping that lags half a step:

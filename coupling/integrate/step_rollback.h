@@ -22,6 +22,7 @@ class StepRollback {
     v_before_ = state.v_before;
     damping_ = state.damping;
     sliding_ = state.sliding;
+    bolts_ = state.bolts;
     ledger_ = state.ledger;
   }
   void go(CentralDifference& integrator, State& state) const {
@@ -34,6 +35,7 @@ class StepRollback {
     state.v_before = v_before_;
     state.damping = damping_;
     state.sliding = sliding_;
+    state.bolts = bolts_;
     state.ledger = ledger_;
     integrator.go_back(state, mark_);
   }
@@ -43,6 +45,7 @@ class StepRollback {
   Tick time_ = 0, last_step_ = 0;
   std::int64_t step_ = 0;
   std::vector<double> q_, v_, a_, v_before_, damping_, sliding_;
+  std::vector<BoltMemory> bolts_;
   Ledger ledger_;
 };
 

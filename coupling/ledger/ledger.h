@@ -20,12 +20,14 @@ enum class Column : int {
   elastic,
   contact_springs,
   support_springs,
+  bolts,
   reservoir,
   shadow,
   // W: work done on the system since the start
   gravity,
   loads,
   water,
+  bolt_tension,
   prescribed_motion,
   // D: dissipated since the start
   friction,
@@ -41,6 +43,8 @@ enum class Column : int {
   contact_closing,
   springs_dropped,
   bonds_broken,
+  bolt_yield,
+  bolts_broken,
   // R: terms of the schemes themselves and of changes of definition since the start
   elastic_trapezoid,
   contact_transition,
@@ -48,6 +52,7 @@ enum class Column : int {
   contact_edges,
   contact_tributary,
   support_trapezoid,
+  bolt_trapezoid,
   update_kinetic,
   update_elastic,
   update_contact,

@@ -1,6 +1,7 @@
 // Scalars of a step that are linear in its unknowns: gaps, stretches, displacements of supports.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -68,6 +69,11 @@ class DofRows {
     dof_.insert(dof_.end(), row.dof.begin(), row.dof.end());
     h_.insert(h_.end(), row.h.begin(), row.h.end());
     start_.back() += static_cast<std::int32_t>(row.dof.size());
+  }
+  /// Row i has the numbers of another one.   @pre on the same unknowns
+  void take_row(std::size_t i, const DofRow& row) {
+    known_[i] = row.known;
+    std::copy(row.h.begin(), row.h.end(), h_.begin() + start_[i]);
   }
 
  private:

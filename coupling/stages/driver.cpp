@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "coupling/bodies/partition.h"
+#include "coupling/bolts/bolt_rows.h"
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/partitioned.h"
@@ -73,6 +74,8 @@ void check_implicit(const Stage& stage, const Setup& setup, std::span<const char
   if (trapezoidal && stage.kinematics == Kinematics::corotational &&
       (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
     refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
+  if (trapezoidal && !setup.model().bolts.empty())
+    refuse("the trapezoidal scheme has no bolts; use newmark = \"damped\"");
   if (trapezoidal && !setup.model().waters.empty())
     refuse("the trapezoidal scheme has no contacts, and so no water in joints; use newmark = \"damped\"");
   for (const Body& b : setup.bodies()) {
@@ -109,6 +112,8 @@ std::string_view name(EventKind kind) {
       return "step_cut";
     case EventKind::partition:
       return "partition";
+    case EventKind::bolt_broken:
+      return "bolt_broken";
     case EventKind::not_converged:
       return "not_converged";
     case EventKind::warning:
@@ -326,6 +331,9 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
 }
 
 void Driver::begin_moving(const Stage& stage, bool new_mesh) {
+  settle_broken_bolts(*setup_, state_);
+  install_bolts(*setup_, state_);
+  bolt_watch_ = BoltWatch(state_);
   if (stage.strength.used()) set_strength(stage, state_.time);
   integrator_ = make_integrator(stage);
   const double springs = state_.ledger[Column::contact_springs];

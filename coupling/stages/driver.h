@@ -8,6 +8,7 @@
 
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/sink.h"
+#include "coupling/stages/bolt_watch.h"
 #include "coupling/stages/checkpoint.h"
 #include "coupling/stages/end_rules.h"
 #include "coupling/stages/force_balance.h"
@@ -172,14 +173,15 @@ class Driver {
   std::unique_ptr<ForceBalance> balance_;      // of stages with rest_force
   std::unique_ptr<EndWatch> end_watch_;        // of stages with rules for their end
   std::unique_ptr<MethodRules> method_rules_;  // of stages with rules for methods
-  bool ended_ = false;                         // the stage is over before its duration: at rest, or by a rule
-  std::int64_t first_step_ = 0;                // of the stage
-  std::vector<char> settled_;                  // sides of blocks that stay on them in the stage; empty: to be found
-  std::vector<Vec2> stage_begin_;              // centres of mass then
-  RestTrace rest_trace_;                       // of stages that run to rest
-  double fast_elements_ = 0.0;                 // whose internal force is met at every substep
-  std::uint32_t mesh_ = 0, mesh_shown_ = 0;    // ids of the present mesh and of that which sinks have
-  Tick largest_ = 0;                           // step that is allowed; 0: to be found
+  BoltWatch bolt_watch_;
+  bool ended_ = false;                       // the stage is over before its duration: at rest, or by a rule
+  std::int64_t first_step_ = 0;              // of the stage
+  std::vector<char> settled_;                // sides of blocks that stay on them in the stage; empty: to be found
+  std::vector<Vec2> stage_begin_;            // centres of mass then
+  RestTrace rest_trace_;                     // of stages that run to rest
+  double fast_elements_ = 0.0;               // whose internal force is met at every substep
+  std::uint32_t mesh_ = 0, mesh_shown_ = 0;  // ids of the present mesh and of that which sinks have
+  Tick largest_ = 0;                         // step that is allowed; 0: to be found
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_, committed_;  // with and without the attempts at the present step
   Phase phase_ = Phase::set_up;

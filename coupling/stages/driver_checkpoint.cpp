@@ -30,6 +30,7 @@ void Driver::go_on() {
                                    clocks());
   integrator_ = make_integrator(stage);
   integrator_->resume(state_, c.integrator);
+  bolt_watch_ = BoltWatch(state_);
   stats_ = c.stats;
   if (stage.strength.used()) set_strength(stage, state_.time);
   end_ = latest_end();

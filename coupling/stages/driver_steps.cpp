@@ -213,6 +213,8 @@ void Driver::count(const StepReport& report) {
 
 RunEnd Driver::after_step(const Stage& stage) {
   state_.ledger.pass();
+  for (std::string& text : bolt_watch_.look(*model_, state_))
+    event(EventKind::bolt_broken, fmt::format("t = {:.6g} s, {}", seconds(state_.time), text));
   RunEnd found = check_audit(stage);
   if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
   if (found.status == RunEnd::Status::done) found = check_pace(stage, {});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/bolts/bolt_rows.h"
+
 namespace scree::coupling {
 
 ForceBalance::ForceBalance(const Setup& setup, const State& state)
@@ -51,6 +53,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
     for (const PointSpring& s : supports_) add_force(s.row, spring_force(s, state.q), f);
   });
   term([&](std::vector<double>& f) { integrator.contact_forces(state, f); });
+  term([&](std::vector<double>& f) { add_bolt_forces(*setup_, state, f); });
 
   Result out;
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
@@ -72,8 +75,16 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
   std::vector<char> held(setup.bodies().size(), 0);
   for (std::size_t i = 0; i < held.size(); ++i) held[i] = setup.bodies()[i].driven ? 1 : 0;
   for (const PointSupport& s : setup.model().point_supports) held[s.block.index()] = 1;
+  std::vector<BoltRows> bolts = acting_bolts(setup, state);
   for (bool grew = true; grew;) {  // a pass a layer of blocks
     grew = false;
+    for (const BoltRows& rows : bolts)
+      for (std::size_t s = 0; s < rows.segments; ++s) {
+        char &a = held[static_cast<std::size_t>(rows.body[s])], &b = held[static_cast<std::size_t>(rows.body[s + 1])];
+        if (a == b || !(state.bolts[static_cast<std::size_t>(rows.bolt)].force[s] > 0.0)) continue;
+        a = b = 1;
+        grew = true;
+      }
     for (const ContactMemory& m : state.contacts) {
       if (m.status == ContactStatus::open) continue;
       char &a = held[static_cast<std::size_t>(m.key.block_p)], &b = held[static_cast<std::size_t>(m.key.block_e)];

@@ -13,7 +13,7 @@ void put(const Vec2& x, std::size_t at, std::vector<double>& out) {
 }  // namespace
 
 Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, bool contacts)
-    : setup_(&setup), contacts_(contacts) {
+    : setup_(&setup), contacts_(contacts), bolts_(setup, state) {
   offsets_.assign(1, 0);
   std::vector<std::vector<const Body*>> of_pool(setup.pools());
   for (const Body& b : setup.bodies()) of_pool[static_cast<std::size_t>(b.pool)].push_back(&b);
@@ -85,6 +85,7 @@ FrameView Observer::frame(const State& state, const RunStats& stats) {
   f.mesh = &view_;
   f.state = &state;
   f.stats = &stats;
+  f.bolts = bolts_.look(state);
   if (contacts_) {
     see_contacts(state);
     f.contacts = &contact_view_;
@@ -147,6 +148,7 @@ HistoryView Observer::history(const State& state, const RunStats& stats) {
   h.stress = monitor_stress_;
   h.ledger = &state.ledger;
   h.stats = &stats;
+  h.bolts = bolts_.look(state);
   return h;
 }
 

@@ -5,6 +5,7 @@
 
 #include "coupling/bodies/setup.h"
 #include "coupling/sink.h"
+#include "coupling/stages/bolt_observer.h"
 
 namespace scree::coupling {
 
@@ -35,6 +36,7 @@ class Observer {
   std::vector<std::int32_t> pool_cells_;  // first cell of each pool
   std::vector<double> contact_position_, contact_normal_;
   ContactView contact_view_;
+  BoltObserver bolts_;
   MeshView view_;
 };
 

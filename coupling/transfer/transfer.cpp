@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coupling/bodies/partition.h"
+#include "coupling/bolts/bolt_rows.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/field_transfer.h"
@@ -412,6 +413,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
                                State& state, Clocks clocks) {
   Change change(model, methods, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
+  const std::vector<BoltRows> bolts = acting_bolts(from, state);
   const std::vector<double> q = state.q;
   change.release(body_requests(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
@@ -420,6 +422,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
                                       std::move(clocks));
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
+  keep_bolt_forces(bolts, q, *out.setup, state);
   change.book(*out.setup);
   out.rows = std::move(change.rows);
   return out;

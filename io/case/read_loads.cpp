@@ -108,6 +108,13 @@ void read_body_acceleration(const Section& s, const Section& root, std::size_t i
 
 void read_viscous_edge(const Section& s, const Section& root, Model& model) {
   const BlockId block = free_block(s, model, "the viscous edge");
+  MotionId motion;
+  if (s.has("motion")) {
+    std::vector<std::string> motions;
+    for (const Section::Named& named : root.named("motion")) motions.push_back(named.name);
+    motion = MotionId{find_name(s, "motion", "motion", motions)};
+  }
+  const double upgoing = s.text("motion_is") == "outcrop" ? 0.5 : 1.0;
   for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
     for (const ViscousEdge& other : model.viscous_edges) {
       const EdgeSpan& o = other.span;
@@ -116,7 +123,7 @@ void read_viscous_edge(const Section& s, const Section& root, Model& model) {
       throw s.error(s.has("on") ? "on" : "edge", "a part of this stretch is viscous already",
                     "stretches that do not overlap", "it would absorb twice: remove one, or shorten it");
     }
-    model.viscous_edges.push_back({span});
+    model.viscous_edges.push_back({span, motion, upgoing});
   }
 }
 

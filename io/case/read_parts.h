@@ -45,6 +45,8 @@ void read_supports(const Section& root, Model& model);
 void read_monitors(const Section& root, Model& model);
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
+/// Bolts, laid out in the blocks.   @pre read_blocks, read_supports
+void read_bolts(const Section& root, Model& model);
 /// Water in joints.   @pre read_laws
 void read_water(const Section& root, Model& model);
 /// How a stage represents blocks, damps and comes to rest; what does not go together is refused.

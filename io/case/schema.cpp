@@ -352,6 +352,56 @@ constexpr Key kKeys[] = {
     {"viscous_edge[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
     {"viscous_edge[].on", Type::line, "m", kCoordinate, "", false, "", "As traction.on. Either this or edge."},
     {"viscous_edge[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge."},
+    {"viscous_edge[].motion", Type::name, "", kAny, "(none)", false, "",
+     "Name of a ground motion that comes in as a wave from the rock beyond the edge (a compliant base): it adds the "
+     "tractions 2 rho c_s and 2 rho c_p times the velocity of the upgoing wave."},
+    {"viscous_edge[].motion_is", Type::choice, "", kAny, "\"outcrop\"", false, "outcrop|upgoing",
+     "What the motion was recorded on: an outcrop of that rock, where the upgoing wave has half of its velocity, or "
+     "the "
+     "upgoing wave itself. Goes with motion."},
+
+    {"bolt", Type::table_list, "", kAny, "", false, "",
+     "A bolt, cable or anchor through the blocks: a straight bar that a plate at its head, and an anchor or grout at "
+     "its "
+     "toe, tie to the rock. Its numbers are those of one bolt; `spacing` says how far apart they stand."},
+    {"bolt[].name", Type::name, "", kAny, "(bolt#1, bolt#2, ...)", false, "", "Name in results and messages."},
+    {"bolt[].head", Type::point, "m", kCoordinate, "", true, "",
+     "Where the bar begins, on the outline of a block or inside one, where the model starts."},
+    {"bolt[].toe", Type::point, "m", kCoordinate, "", true, "", "Where it ends."},
+    {"bolt[].stage", Type::name, "", kAny, "(the first)", false, "",
+     "Name of the stage that it is installed with, in the blocks as they stand then. It has its pretension at once, "
+     "and "
+     "no other force."},
+    {"bolt[].spacing", Type::number, "m", kPositive, "1.0", false, "",
+     "Distance of such bolts out of the plane. Forces and stiffnesses below are divided by it."},
+    {"bolt[].axial_stiffness", Type::number, "N", kPositive, "", true, "",
+     "Young's modulus times area of the bar: force a strain."},
+    {"bolt[].yield", Type::number, "N", kPositive, "(never)", false, "",
+     "Axial force at which the bar yields, in tension, and where it is grouted in compression too."},
+    {"bolt[].rupture_strain", Type::number, "", kPositive, "(never)", false, "",
+     "Plastic strain of a piece of the bar at which it breaks. Goes with yield."},
+    {"bolt[].pretension", Type::number, "N", kNotNegative, "0.0", false, "",
+     "Axial force that a jack gives the free length, or the first piece of a bar that is bonded all along, as it is "
+     "installed."},
+    {"bolt[].plate", Type::boolean, "", kAny, "true", false, "",
+     "The head is held by the rock. Without a plate the bar must be bonded all along."},
+    {"bolt[].bond_length", Type::number, "m", kPositive, "(none: an anchor holds the toe)", false, "",
+     "Length from the toe over which grout bonds the bar to the rock. What is left to the head runs free: it pulls, "
+     "and "
+     "hangs slack rather than push."},
+    {"bolt[].bond_stiffness", Type::number, "N/m2", kPositive, "", false, "",
+     "Force on a length of the bar for a slip through the rock. Needed with bond_length."},
+    {"bolt[].bond_strength", Type::number, "N/m", kPositive, "(never slips)", false, "",
+     "Force on a length at which the bond slips."},
+    {"bolt[].segment", Type::number, "m", kPositive, "(auto)", false, "",
+     "Greatest length of the pieces that the bond is divided into. Auto: a tenth of the bond, and a third of "
+     "sqrt(axial_stiffness/bond_stiffness), over which force goes from the bar into the rock."},
+    {"bolt[].shear_stiffness", Type::number, "N/m", kPositive, "(none)", false, "",
+     "Force across the bar for a shear displacement, at every joint that it crosses."},
+    {"bolt[].shear_strength", Type::number, "N", kPositive, "(never yields)", false, "",
+     "Shear force at which the bar yields there."},
+    {"bolt[].rupture_shear", Type::number, "m", kPositive, "(never)", false, "",
+     "Plastic shear displacement at which the bar breaks. Goes with shear_strength."},
 
     {"water", Type::table_list, "", kAny, "", false, "",
      "Water that fills joints below a piezometric line. Its hydrostatic pressure pushes the faces of a joint apart "

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "io/pictures/bolt_marks.h"
 #include "io/pictures/colour_map.h"
 #include "io/pictures/frame_field.h"
 #include "io/pictures/frame_marks.h"
@@ -394,6 +395,7 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   draw_model_outlines(canvas, area, s);
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
+  draw_bolts(canvas, area, run.bolts(static_cast<std::size_t>(s.frame.index)));
   if (options.labels) draw_labels(canvas, area, s);
   const ArrowMarks arrows = arrow_marks(area, s);
   arrows.draw(canvas, area);

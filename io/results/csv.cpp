@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "io/results/bolt_writer.h"
 #include "io/results/file_error.h"
 #include "io/results/history_writer.h"
 
@@ -36,6 +37,7 @@ std::vector<CsvFile::Column> history_columns(const Model& model) {
                                      {".syy", "Pa"},
                                      {".sxy", "Pa"}})
       columns.push_back({name + end, units});
+  for (const auto& [name, units] : bolt_columns(model)) columns.push_back({name, units});
   return columns;
 }
 
@@ -132,6 +134,7 @@ void CsvHistories::append(const coupling::HistoryView& view) {
       row_.insert(row_.end(), {span[2 * i], span[2 * i + 1]});
     row_.insert(row_.end(), {view.stress[3 * i], view.stress[3 * i + 1], view.stress[3 * i + 2]});
   }
+  add_bolt_values(view, row_);
   history_.row(row_);
 
   row_.assign(1, view.time);

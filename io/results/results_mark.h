@@ -24,7 +24,7 @@ struct TableMark {
 
 /// Rows of every dataset and lengths of the tables: what comes after is written again by a run that goes on from there.
 struct ResultsMark {
-  std::vector<SeriesMark> frames, histories, events, contacts,
+  std::vector<SeriesMark> frames, histories, events, contacts, bolts,
       progress;                       // in the order in which their writers have them
   std::array<TableMark, 2> tables{};  // history.csv and energy.csv
   // Of the frames: their number; id of the mesh stored last (-1: none yet); 1 once time schemes of its cells have been
@@ -37,7 +37,7 @@ struct ResultsMark {
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see) const {
-    for (auto* list : {&frames, &histories, &events, &contacts, &progress}) {
+    for (auto* list : {&frames, &histories, &events, &contacts, &bolts, &progress}) {
       see.size("results.series", *list);
       for (const SeriesMark& series : *list) {
         see("results.rows", series.rows);

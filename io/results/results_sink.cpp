@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/results/atomic_file.h"
+#include "io/results/bolt_writer.h"
 #include "io/results/contact_writer.h"
 #include "io/results/csv.h"
 #include "io/results/event_writer.h"
@@ -43,6 +44,7 @@ struct ResultsSink::Files {
   EventWriter events;
   ProgressWriter progress;
   std::optional<ContactWriter> contacts;  // where the plan asks for them
+  std::optional<BoltWriter> bolts;        // where the model has any
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
@@ -60,12 +62,14 @@ struct ResultsSink::Files {
         tables(folder.history(), folder.energy(), model, keep),
         summary(model, provenance) {
     if (plan.output.contacts) contacts.emplace(h5::Growing(file, size.frames * size.contacts), size.frames);
+    if (!model.bolts.empty()) bolts.emplace(file, model);
   }
 
   void frame(const coupling::FrameView& view) {
     const FrameRows rows = frames.frame(view);
     xdmf.frame(view, rows, frames.values());
     if (contacts) contacts->frame(view);
+    if (bolts) bolts->frame(view);
     progress.frame(view);
     stored = {view.tick, view.stage};
     bring_out_if_due();
@@ -95,6 +99,7 @@ struct ResultsSink::Files {
     histories.flush();
     events.flush();
     if (contacts) contacts->flush();
+    if (bolts) bolts->flush();
     progress.flush();
     xdmf.settle();
     tables.flush();
@@ -105,6 +110,7 @@ struct ResultsSink::Files {
     histories.take(from, mark.histories);
     events.take(from, mark.events);
     if (contacts) contacts->take(from, mark.contacts);
+    if (bolts) bolts->take(from, mark.bolts);
     progress.take(from, mark.progress);
     xdmf.take(from, mark.frame_count);
     stored = {mark.stored_tick, static_cast<std::int32_t>(mark.stored_stage)};
@@ -116,6 +122,7 @@ struct ResultsSink::Files {
     histories.close();
     events.close();
     if (contacts) contacts->close();
+    if (bolts) bolts->close();
     progress.close();
     xdmf.settle();
     tables.close();
@@ -231,6 +238,7 @@ ResultsMark ResultsSink::mark() {
   mark.histories = f.histories.marks();
   mark.events = f.events.marks();
   if (f.contacts) mark.contacts = f.contacts->marks();
+  if (f.bolts) mark.bolts = f.bolts->marks();
   mark.progress = f.progress.marks();
   mark.tables = f.tables.marks();
   mark.stored_tick = f.stored.first;
@@ -247,6 +255,7 @@ void ResultsSink::frame(const coupling::FrameView& frame) { files().frame(frame)
 void ResultsSink::history(const coupling::HistoryView& history) {
   Files& f = files();
   f.histories.append(history);
+  if (f.bolts) f.bolts->append(history);
   f.tables.append(history);
   if (f.stored.first >= 0) f.bring_out_if_due();  // the first frame is seen at once
 }

@@ -377,6 +377,16 @@ StoredContacts RunReader::contacts(std::size_t frame) const {
   return c;
 }
 
+StoredBolts RunReader::bolts(std::size_t frame) const {
+  const h5::File& file = data_->file;
+  if (!has_child(file, "/", "bolt_nodes")) return {};
+  const std::string g = "/bolt_nodes/";
+  const std::int64_t first = entry(file, g + "frames/first", static_cast<std::int64_t>(frame)),
+                     count = entry(file, g + "frames/count", static_cast<std::int64_t>(frame));
+  return {h5::read<std::int32_t>(file, g + "bolt", first, count), h5::read<double>(file, g + "position", first, count),
+          h5::read<double>(file, g + "force", first, count)};
+}
+
 double RunReader::end_time() const {
   const auto durations = h5::read<double>(data_->file, "/stages/duration");
   double end = 0.0;

@@ -115,6 +115,13 @@ struct StoredContacts {
   std::vector<std::int32_t> corner_block, edge_block;
 };
 
+/// Bolts of one frame: their nodes, bolt after bolt, an entry a node of each.
+struct StoredBolts {
+  std::vector<std::int32_t> bolt;  // counted in the order of the case
+  std::vector<double> position;    // x, y [m]
+  std::vector<double> force;       // axial, from a node to the next [N]
+};
+
 /// What a dataset says about itself.
 struct DatasetNote {
   std::string name, units, long_name;
@@ -156,6 +163,8 @@ class RunReader {
   [[nodiscard]] bool has_contacts() const;
   /// Contact points of a frame.   @pre has_contacts()   @throws FileError when there is no such frame
   [[nodiscard]] StoredContacts contacts(std::size_t frame) const;
+  /// Bolts of a frame; none where the model has none.   @throws FileError when there is no such frame
+  [[nodiscard]] StoredBolts bolts(std::size_t frame) const;
   [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
   /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and

@@ -15,7 +15,7 @@ ALLOWED = {
     "app": {"model", "nmm", "dda", "coupling", "io"},
 }
 # The rooms of coupling from the ground up: each may include from those before it only.
-ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/contact/law", "coupling/contact/geometry",
+ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/bolts", "coupling/contact/law", "coupling/contact/geometry",
          "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
          "coupling/integrate", "coupling/transfer", "coupling/stages"]
 # Inside io:  watch -> live -> results,  report -> {pictures, viewer},  serve -> {report, live},  pictures -> results,  checkpoint -> results;  text is below all of them.

@@ -37,7 +37,7 @@ TEST_P(ViscousEdge, resists_with_the_impedance_of_pressure_waves_across_and_of_s
   const Vec2 across = rotation(turn) * Vec2(1.0, 0.0), along = rotation(turn) * Vec2(0.0, 1.0);
   for (const auto& [direction, impedance] : {std::pair(across, kPressure), std::pair(along, kShear)}) {
     hand.move(0, 0.02 * direction, Mat2::Zero());
-    ViscousEdges edges(dashpots(*hand.setup, hand.state));
+    ViscousEdges edges(*hand.setup, dashpots(*hand.setup, hand.state));
     std::vector<double> f(hand.state.q.size(), 0.0);
     edges.add({hand.state.q, hand.state.v, 0.0}, f);
     Vec2 sum(0.0, 0.0);

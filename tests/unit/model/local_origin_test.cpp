@@ -34,6 +34,11 @@ Model everything(const Vec2& at) {
   m.tractions.push_back({{BlockId{0}, {0, 1}, 0.25, 0.75}, Vec2(10.0, 20.0), FunctionId{0}});
   m.body_accelerations.push_back({{BlockId{0}}, Vec2(0.1, 0.2), FunctionId{0}});
   m.viscous_edges.push_back({{BlockId{0}, {0, 2}, 0.125, 0.5}});
+  Bolt bolt;
+  bolt.head = at + Vec2(0.5, 0.5);
+  bolt.toe = at + Vec2(1.5, 0.25);
+  bolt.stiffness = 1e6;
+  m.bolts.push_back(bolt);
   m.waters.push_back({{p(-3, 2), p(5, 3), p(40, 4)}, 9810.0, {JointId{0}}});
   m.joint_lines.push_back({p(0, 3), p(4, 4), JointId{0}, JointLine::Kind::arc, 2});
   m.cracks.push_back({p(1, 3), p(2, 4), JointId{0}, BlockId{0}});
@@ -55,7 +60,7 @@ struct Numbers {
 Numbers numbers_of(const Model& model) {
   const auto& [title, plane, gravity, origin, materials, joints, default_joint, blocks, block_supports, point_supports,
                monitors, motions, initial_velocities, functions, point_loads, tractions, body_accelerations,
-               viscous_edges, waters, joint_lines, cracks, cutting] = model;
+               viscous_edges, bolts, waters, joint_lines, cracks, cutting] = model;
   Numbers n;
   n.other(gravity);
   for (const auto& [name, density, young, poisson, in_situ] : materials) {
@@ -81,7 +86,11 @@ Numbers numbers_of(const Model& model) {
   for (const auto& [block, point, force, function] : point_loads) n.places.push_back(point), n.other(force);
   for (const auto& [span, traction, function] : tractions) n.other(span), n.other(traction);
   for (const auto& [of, acceleration, function] : body_accelerations) n.other(acceleration);
-  for (const auto& [span] : viscous_edges) n.other(span);
+  for (const auto& [span, motion, upgoing] : viscous_edges) n.other(span), n.others.push_back(upgoing);
+  for (const Bolt& bolt : bolts) {  // nodes and crossings are distances along it
+    n.places.insert(n.places.end(), {bolt.head, bolt.toe});
+    n.others.push_back(bolt.stiffness);
+  }
   for (const auto& [line, unit_weight, of] : waters)
     n.places.insert(n.places.end(), line.begin(), line.end()), n.others.push_back(unit_weight);
   for (const auto& [from, to, joint, kind, source] : joint_lines) n.places.insert(n.places.end(), {from, to});

@@ -1,0 +1,76 @@
+// The law of one bolt: forces for given lengths of its segments and shear displacements at its crossings.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "coupling/bolt_memory.h"
+#include "model/bolt.h"
+
+namespace scree::coupling {
+
+/// The bar takes the slips s of its nodes that balance it:
+///   N_j = law(k_j (l_j - rest_j + s_{j+1} - s_j - plastic_j)),  T_i = law(b_i (s_i - slipped_i)),
+///   N_i - N_{i-1} - T_i = 0 at every node that is not held,
+/// both laws linear up to their strength and plastic there. That is the minimum of a convex function of s, found by
+/// Newton's method. The force on the rock along segment j is N_j, whatever the bond does, because the bar has no mass.
+/// Plastic parts follow by the implicit Euler rule: what they dissipate is N d(plastic) + T d(slipped) + Q d(sheared).
+/// @source docs/theory/bolts.md, "The bar in its grout"
+class BoltResponse {
+ public:
+  explicit BoltResponse(const Bolt& bolt);
+
+  /// @param before  at the start of the step   @param lengths  a segment [m]   @param shears  a crossing [m]
+  /// @param after   what it is then; must not be `before`. Nothing breaks here.
+  /// @return false: the slips were not found, which numbers that are not finite do
+  bool solve(const BoltMemory& before, std::span<const double> lengths, std::span<const double> shears,
+             BoltMemory& after);
+  /// dN_j/dl_m of the last solve(): symmetric, positive semi-definite [N/m].
+  void tangent(const BoltMemory& after, Eigen::MatrixXd& out);
+  /// True if the tangent at the last solve() is not that of the slopes given, which are then its own.
+  [[nodiscard]] bool tangent_changed(std::vector<double>& slopes, const BoltMemory& after);
+  /// dQ/d(shear) of a crossing after the last solve() [N/m].
+  [[nodiscard]] double shear_tangent(std::size_t crossing) const { return shear_slope_[crossing]; }
+  /// Half of the sum of squares of the elastic changes times stiffness between two states, and what a slack segment
+  /// jumps by as it is pulled tight: what implicit Euler damps beside the dissipation [J].
+  [[nodiscard]] double elastic_change(const BoltMemory& before, const BoltMemory& after) const;
+  /// The head is pulled to the pretension while the rock holds still: sets `rest`, slips and forces.
+  void install(std::span<const double> lengths, std::span<const double> shears, BoltMemory& memory);
+  /// Marks segments as broken whose plastic elongation, or shear at a crossing, has passed what they bear.
+  /// @return true if one was; solve() then finds the forces of the rest
+  [[nodiscard]] bool rupture(BoltMemory& memory) const;
+
+ private:
+  [[nodiscard]] bool held(std::size_t node) const { return bolt_->nodes[node].length == 0.0; }
+  [[nodiscard]] double bond_stiffness(std::size_t node) const {
+    return bolt_->bond_stiffness * bolt_->nodes[node].length;
+  }
+  [[nodiscard]] double bond_strength(std::size_t node) const {
+    return bolt_->bond_strength * bolt_->nodes[node].length;
+  }
+  [[nodiscard]] bool carries(std::size_t segment) const { return broken_[segment] == 0; }
+  /// Forces and slopes of the trial slips; returns the largest unbalanced force of a free node [N].
+  double evaluate(const BoltMemory& before, std::span<const double> lengths);
+  /// What round-off of slips and lengths leaves of a segment's force [N].
+  [[nodiscard]] double round_off(const BoltMemory& before, std::span<const double> lengths) const;
+  /// Slips a part of the Newton step on from old_, and what is unbalanced there [N].
+  double go(double part, const BoltMemory& before, std::span<const double> lengths);
+  /// The least along the Newton step, by bisection; what is unbalanced there [N].
+  double search(const BoltMemory& before, std::span<const double> lengths);
+  /// step_ = -H^-1 residual, H tridiagonal.
+  void newton_step();
+  void shear_forces(const BoltMemory& before, std::span<const double> shears, BoltMemory& after);
+
+  const Bolt* bolt_;
+  double pulled_ = -1.0;  // force that stands in place of the slack segment while the head is pulled; < 0: none [N]
+  std::span<const std::int8_t> broken_;
+  std::vector<double> k_;  // a segment [N/m]
+  std::vector<double> slip_, force_, slope_, bond_, bond_slope_, residual_, step_, shear_slope_, old_;
+  std::vector<double> diagonal_, scratch_;
+};
+
+/// The elastic energy of a bolt with its present forces [J].
+[[nodiscard]] double bolt_energy(const Bolt& bolt, const BoltMemory& memory);
+
+}  // namespace scree::coupling

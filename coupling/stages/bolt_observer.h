@@ -1,0 +1,24 @@
+// Turns what bolts remember into the view that sinks see.
+#pragma once
+
+#include <vector>
+
+#include "coupling/bolts/bolt_rows.h"
+#include "coupling/sink.h"
+
+namespace scree::coupling {
+
+class BoltObserver {
+ public:
+  BoltObserver(const Setup& setup, const State& state);
+  /// Valid until the next call; nullptr where the model has no bolts.
+  [[nodiscard]] const BoltsView* look(const State& state);
+
+ private:
+  std::vector<BoltRows> rows_;  // of all bolts
+  std::vector<double> force_, shear_, slip_, strain_, position_, node_force_;
+  std::vector<std::int32_t> broken_, node_bolt_;
+  BoltsView view_;
+};
+
+}  // namespace scree::coupling

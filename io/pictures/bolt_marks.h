@@ -1,0 +1,13 @@
+// Bolts on a snapshot.
+#pragma once
+
+#include "io/pictures/plot_area.h"
+#include "io/results/run_reader.h"
+
+namespace scree::io {
+
+/// Draws the bolts of a frame as lines, the wider the larger their axial force is among all of the frame; broken ones
+/// and those without force as thin lines.
+void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts);
+
+}  // namespace scree::io
