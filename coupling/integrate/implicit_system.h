@@ -24,6 +24,9 @@ class ImplicitSystem {
   [[nodiscard]] std::int32_t body_of(std::int32_t dof) const;
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   [[nodiscard]] bool nonlinear() const { return nonlinear_; }
+  /// True if every free body has six unknowns, all coupled, and forces that are linear in them: an affine block, or one
+  /// cover around a whole block with linear kinematics.
+  [[nodiscard]] bool affine() const { return affine_; }
   /// True if masses in the unknowns are the same at every state.
   [[nodiscard]] bool constant_charts() const { return constant_charts_; }
 
@@ -69,7 +72,7 @@ class ImplicitSystem {
   std::vector<char> nonlinear_body_;      // a body
   std::vector<std::size_t> first_value_;  // a body: into place_
   std::int32_t dofs_ = 0;
-  bool nonlinear_ = false, constant_charts_ = true;
+  bool nonlinear_ = false, constant_charts_ = true, affine_ = true;
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
   std::vector<double> mass_, rate_, nonlinear_dof_, unit_, scratch_;

@@ -1,0 +1,71 @@
+// The linear system of an open-close pass where every free body is affine: blocks of 6 x 6.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/integrate/implicit_system.h"
+#include "coupling/linear/block_ilu.h"
+#include "coupling/linear/block_matrix.h"
+#include "coupling/linear/dof_rows.h"
+
+namespace scree::coupling {
+
+/// What a contact point adds to the system: its forces along gap g and stretch s change by
+///   df_n = -(nn dg + nt ds),   df_t = -(tn dg + tt ds).
+struct PointTangent {
+  double nn = 0.0, nt = 0.0, tn = 0.0, tt = 0.0;  // [N/m]
+  [[nodiscard]] bool operator==(const PointTangent&) const = default;
+  [[nodiscard]] bool zero() const { return nn == 0.0 && nt == 0.0 && tn == 0.0 && tt == 0.0; }
+};
+
+/// Assembles (A + springs + contact points, with friction and dilation) as a matrix of blocks, row of bodies by row of
+/// bodies: only those rows are summed again whose points have changed. The matrix is for corrections; residuals are
+/// summed from the rows of the points themselves, whose elongations lose nothing when bodies move together.
+/// @source docs/theory/linear-solvers.md, "Block matrix"
+class BlockSystem {
+ public:
+  /// @param system  must outlive it
+  explicit BlockSystem(const ImplicitSystem& system) : system_(&system) {}
+
+  /// Begins a step with the rows of its springs and then of gap and stretch of its points, which must outlive the step.
+  /// @pre system.affine()   @return false: a row couples more than two bodies, and the system is none of pairs
+  [[nodiscard]] bool begin(const DofRows& rows, std::size_t springs);
+  /// Sums the matrix.
+  /// @param A       on the pattern of the system   @param fresh  it has changed since the last call
+  /// @param k       of the springs [N/m]   @param points  of the points
+  void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const PointTangent> points);
+  [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
+
+  /// @name Work of the parts of a solution, counted in products of a block and a vector
+  /// @{
+  [[nodiscard]] std::size_t blocks() const { return matrix_.blocks(); }
+  [[nodiscard]] std::int32_t bodies() const { return matrix_.rows(); }
+  /// @}
+
+ private:
+  /// Where a row of the rows above acts on a body.
+  struct Incidence {
+    std::int32_t unit = 0;   // a spring, or after all of them a point
+    std::int32_t own = 0;    // 0 or 6: where the numbers of the body begin in the row
+    std::int32_t other = 0;  // where those of the other body do; -1: there is none
+    std::int32_t place = 0;  // of the block that couples both
+  };
+  void find_incidences();
+  void sum_row(std::int32_t body, std::span<const double> A, std::span<const double> k);
+  void add_point(const Incidence& at, std::int32_t body);
+
+  const ImplicitSystem* system_;
+  const DofRows* rows_ = nullptr;
+  std::size_t springs_ = 0;
+  BlockMatrix matrix_;
+  std::vector<BlockMatrix::Pair> bodies_, found_;  // of every unit; -1: none
+  std::vector<BlockMatrix::Pair> pairs_;           // scratch
+  std::vector<std::int32_t> first_;                // per body: its incidences
+  std::vector<Incidence> incidence_;
+  std::vector<double> k_;              // that the matrix is the sum of
+  std::vector<PointTangent> tangent_;  // likewise
+  std::vector<char> changed_;          // per body
+};
+
+}  // namespace scree::coupling
