@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -78,8 +80,9 @@ void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<cons
           if (b >= 0) changed_[static_cast<std::size_t>(b)] = 1;
   k_.assign(k.begin(), k.end());
   tangent_.assign(points.begin(), points.end());
-  for (std::int32_t b = 0; b < matrix_.rows(); ++b)
-    if (changed_[static_cast<std::size_t>(b)] != 0) sum_row(b, A, k);
+  parallel_for(matrix_.rows(), [&](std::int64_t b) {
+    if (changed_[static_cast<std::size_t>(b)] != 0) sum_row(static_cast<std::int32_t>(b), A, k);
+  });
 }
 
 void BlockSystem::sum_row(std::int32_t body, std::span<const double> A, std::span<const double> k) {

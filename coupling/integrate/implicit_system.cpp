@@ -10,7 +10,8 @@ namespace {
 /// True for a body of six unknowns that one element has all of, in order.
 bool dense_six(int dofs, const ElementDofs& elements) {
   constexpr std::array<std::int32_t, 6> kAll{0, 1, 2, 3, 4, 5};
-  return dofs == 6 && elements.size() == 1 && std::equal(elements.dof.begin(), elements.dof.end(), kAll.begin(), kAll.end());
+  return dofs == 6 && elements.size() == 1 &&
+         std::equal(elements.dof.begin(), elements.dof.end(), kAll.begin(), kAll.end());
 }
 
 }  // namespace

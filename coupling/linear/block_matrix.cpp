@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 
 void BlockMatrix::set_pattern(std::int32_t n, std::span<const Pair> pairs) {
@@ -43,12 +45,13 @@ std::int32_t BlockMatrix::find(std::int32_t i, std::int32_t j) const {
 void BlockMatrix::clear_row(std::int32_t i) { std::fill(block(row_begin(i)), block(row_begin(i + 1)), 0.0); }
 
 void BlockMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-  for (std::int32_t i = 0; i < rows(); ++i) {
+  parallel_for(rows(), [&](std::int64_t at) {
+    const auto i = static_cast<std::int32_t>(at);
     BlockSum sum;
     for (std::int32_t k = row_begin(i); k < row_begin(i + 1); ++k)
       sum.add(block(k), &x[kBlockSide * static_cast<std::size_t>(column(k))]);
     sum.store(&y[kBlockSide * static_cast<std::size_t>(i)]);
-  }
+  });
 }
 
 }  // namespace scree::coupling

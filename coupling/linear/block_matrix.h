@@ -11,7 +11,8 @@
 namespace scree::coupling {
 
 /// Block rows of a square matrix with a symmetric pattern; the numbers need not be symmetric. Rows of blocks are
-/// independent of one another: a caller may fill them, and multiply() computes them, on any number of threads to the same bits.
+/// independent of one another: a caller may fill them, and multiply() computes them, on any number of threads to the
+/// same bits.
 class BlockMatrix {
  public:
   /// Two bodies that are coupled, in either order; the diagonal is always there.

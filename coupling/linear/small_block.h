@@ -40,25 +40,29 @@ class BlockSum {
 /// A column of six numbers in single precision, and two zeros: a length that processors have registers for.
 using FloatColumn = float __attribute__((vector_size(32)));
 
-/// A block in single precision.
+/// A block in single precision. Columns are passed by reference: how vectors are passed by value depends on the
+/// processor.
 struct FloatBlock {
   FloatColumn column[kBlockSide];
 
-  /// B x.
-  [[nodiscard]] FloatColumn times(const FloatColumn& x) const {
+  /// y -= B x.
+  void subtract_from(FloatColumn& y, const FloatColumn& x) const {
+    for (int j = 0; j < kBlockSide; ++j) y -= column[j] * x[j];
+  }
+  /// y = B x.
+  void times(const FloatColumn& x, FloatColumn& y) const {
     FloatColumn sum = column[0] * x[0];
     for (int j = 1; j < kBlockSide; ++j) sum += column[j] * x[j];
-    return sum;
+    y = sum;
   }
-  /// B C.
-  [[nodiscard]] FloatBlock times(const FloatBlock& c) const {
-    FloatBlock product;
-    for (int j = 0; j < kBlockSide; ++j) product.column[j] = times(c.column[j]);
-    return product;
+  /// *this = *this B.
+  void multiply_by(const FloatBlock& b) {
+    const FloatBlock before = *this;
+    for (int j = 0; j < kBlockSide; ++j) before.times(b.column[j], column[j]);
   }
   /// *this -= B C.
   void subtract_product(const FloatBlock& b, const FloatBlock& c) {
-    for (int j = 0; j < kBlockSide; ++j) column[j] -= b.times(c.column[j]);
+    for (int j = 0; j < kBlockSide; ++j) b.subtract_from(column[j], c.column[j]);
   }
 };
 

@@ -204,10 +204,10 @@ TEST(BlockIlu, makes_conjugate_residuals_meet_the_dense_solution) {
       const Eigen::VectorXd b = s.drawn_side(random);
       const std::vector<double> unit(static_cast<std::size_t>(b.size()), b.cwiseAbs().maxCoeff());
       Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-      const int taken = residuals.solve(
-          [&](std::span<const double> v, std::span<double> y) { s.blocks.multiply(v, y); },
-          [&](std::span<const double> r, std::span<double> z) { ilu.solve(r, z); }, span_of(b), unit, 1e-13, 200,
-          span_of(x));
+      const int taken =
+          residuals.solve([&](std::span<const double> v, std::span<double> y) { s.blocks.multiply(v, y); },
+                          [&](std::span<const double> r, std::span<double> z) { ilu.solve(r, z); }, span_of(b), unit,
+                          1e-13, 200, span_of(x));
       EXPECT_GE(taken, 1) << n << ", " << friction;
       EXPECT_LT(taken, 100) << n << ", " << friction;
       EXPECT_LT(relative_error(x, s.dense.partialPivLu().solve(b)), 1e-10) << n << ", " << friction;
