@@ -80,16 +80,17 @@ void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<cons
           if (b >= 0) changed_[static_cast<std::size_t>(b)] = 1;
   k_.assign(k.begin(), k.end());
   tangent_.assign(points.begin(), points.end());
+  A_ = A;
   parallel_for(matrix_.rows(), [&](std::int64_t b) {
-    if (changed_[static_cast<std::size_t>(b)] != 0) sum_row(static_cast<std::int32_t>(b), A, k);
+    if (changed_[static_cast<std::size_t>(b)] != 0) sum_row(static_cast<std::int32_t>(b));
   });
 }
 
-void BlockSystem::sum_row(std::int32_t body, std::span<const double> A, std::span<const double> k) {
+void BlockSystem::sum_row(std::int32_t body) {
   matrix_.clear_row(body);
   double* own = matrix_.block(matrix_.diagonal(body));
   const double* value =
-      &A[static_cast<std::size_t>(system_->pattern().column_start[static_cast<std::size_t>(kBlockSide * body)])];
+      &A_[static_cast<std::size_t>(system_->pattern().column_start[static_cast<std::size_t>(kBlockSide * body)])];
   for (int c = 0; c < kBlockSide; ++c)
     for (int r = c; r < kBlockSide; ++r) own[kBlockSide * c + r] = own[kBlockSide * r + c] = *value++;
   const auto b = static_cast<std::size_t>(body);
@@ -100,11 +101,11 @@ void BlockSystem::sum_row(std::int32_t body, std::span<const double> A, std::spa
       if (!tangent_[unit - springs_].zero()) add_point(at, body);
       continue;
     }
-    if (k[unit] == 0.0) continue;
+    if (k_[unit] == 0.0) continue;
     const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[unit])];
     const auto add = [&](int of, double* block) {
       for (int c = 0; c < kBlockSide; ++c)
-        for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += h[at.own + r] * (k[unit] * h[of + c]);
+        for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += h[at.own + r] * (k_[unit] * h[of + c]);
     };
     add(at.own, own);
     if (at.other >= 0) add(at.other, matrix_.block(at.place));
@@ -127,6 +128,61 @@ void BlockSystem::add_point(const Incidence& at, std::int32_t body) {
   };
   add(at.own, matrix_.block(matrix_.diagonal(body)));
   if (at.other >= 0) add(at.other, matrix_.block(at.place));
+}
+
+double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<const double> x) const {
+  const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row])];
+  double sum = 0.0;
+  for (const std::int32_t body : bodies_[unit]) {
+    if (body < 0) break;
+    const double* of_body = &x[static_cast<std::size_t>(kBlockSide * body)];
+    for (int k = 0; k < kBlockSide; ++k) sum += h[k] * of_body[k];
+    h += kBlockSide;
+  }
+  return sum;
+}
+
+void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
+  force_.resize(rows_->size());
+  parallel_for(static_cast<std::int64_t>(bodies_.size()), [&](std::int64_t at) {
+    const auto unit = static_cast<std::size_t>(at);
+    if (unit < springs_) {
+      force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) : 0.0;
+      return;
+    }
+    const PointTangent& k = tangent_[unit - springs_];
+    const std::size_t row = springs_ + 2 * (unit - springs_);
+    force_[row] = force_[row + 1] = 0.0;
+    if (k.zero()) return;
+    const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
+    force_[row] = k.nn * gap + k.nt * stretch;
+    force_[row + 1] = k.tn * gap + k.tt * stretch;
+  });
+  parallel_for(matrix_.rows(), [&](std::int64_t at) {
+    const auto b = static_cast<std::size_t>(at);
+    double sum[kBlockSide] = {};
+    const double *of_body = &x[kBlockSide * b],
+                 *value = &A_[static_cast<std::size_t>(system_->pattern().column_start[kBlockSide * b])];
+    for (int c = 0; c < kBlockSide; ++c) {
+      sum[c] += *value++ * of_body[c];
+      for (int r = c + 1; r < kBlockSide; ++r, ++value) {
+        sum[r] += *value * of_body[c];
+        sum[c] += *value * of_body[r];
+      }
+    }
+    const auto add = [&](std::size_t row, std::int32_t own) {
+      if (force_[row] == 0.0) return;
+      const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row] + own)];
+      for (int k = 0; k < kBlockSide; ++k) sum[k] += force_[row] * h[k];
+    };
+    for (auto i = static_cast<std::size_t>(first_[b]); i < static_cast<std::size_t>(first_[b + 1]); ++i) {
+      const auto unit = static_cast<std::size_t>(incidence_[i].unit);
+      const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
+      add(row, incidence_[i].own);
+      if (unit >= springs_) add(row + 1, incidence_[i].own);
+    }
+    std::copy(std::begin(sum), std::end(sum), &y[kBlockSide * b]);
+  });
 }
 
 }  // namespace scree::coupling

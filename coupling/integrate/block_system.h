@@ -36,6 +36,9 @@ class BlockSystem {
   /// @param k       of the springs [N/m]   @param points  of the points
   void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const PointTangent> points);
   [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
+  /// y = (A + springs + points) x from the rows themselves, with the numbers last assembled: elongations first, then
+  /// the forces of every body in the order of its rows.
+  void multiply(std::span<const double> x, std::span<double> y);
 
   /// @name Work of the parts of a solution, counted in products of a block and a vector
   /// @{
@@ -52,7 +55,9 @@ class BlockSystem {
     std::int32_t place = 0;  // of the block that couples both
   };
   void find_incidences();
-  void sum_row(std::int32_t body, std::span<const double> A, std::span<const double> k);
+  void sum_row(std::int32_t body);
+  /// h.x of a row.
+  [[nodiscard]] double elongation(std::size_t row, std::size_t unit, std::span<const double> x) const;
   void add_point(const Incidence& at, std::int32_t body);
 
   const ImplicitSystem* system_;
@@ -63,8 +68,10 @@ class BlockSystem {
   std::vector<BlockMatrix::Pair> pairs_;           // scratch
   std::vector<std::int32_t> first_;                // per body: its incidences
   std::vector<Incidence> incidence_;
+  std::span<const double> A_;
   std::vector<double> k_;              // that the matrix is the sum of
   std::vector<PointTangent> tangent_;  // likewise
+  std::vector<double> force_;          // of every row in multiply()
   std::vector<char> changed_;          // per body
 };
 

@@ -29,7 +29,7 @@ struct ImplicitOptions {
   double stiffness_damping = 0.0;  // [s]
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
   double together = 1e-9;  // of the largest force: how far a PathForce may be from what the balance was made with
-  OpenClose::Factor factor = OpenClose::Factor::kept;
+  OpenClose::Factor factor = OpenClose::Factor::chosen;
 };
 
 /// With v' = 2 d/h - v in both schemes, at the end of the step:

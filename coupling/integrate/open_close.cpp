@@ -21,7 +21,12 @@ constexpr int kCorrectionsPerFactor = 12;
 
 OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
                      Factor factor)
-    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor) {
+    : setup_(&setup),
+      control_(control),
+      system_(&system),
+      allowed_(allowed),
+      factor_(factor),
+      blocks_(system) {
   cholesky_.set_pattern(system.pattern());
   chart_of_node_.assign(setup.outlines().nodes.size(), -1);
   for (const Body& b : setup.bodies()) {
@@ -32,6 +37,7 @@ OpenClose::OpenClose(const Setup& setup, const StepControl& control, const Impli
 
 void OpenClose::enter(const KeptFactor& kept) {
   patience_ = kept.patience;
+  choice_ = kept.choice;
   made_ = false;
   cholesky_.set_pattern(system_->pattern());
   if (kept.column_start.empty()) return;
@@ -44,7 +50,19 @@ void OpenClose::enter(const KeptFactor& kept) {
 }
 
 void OpenClose::accept(KeptFactor& kept) {
-  if (factor_ != Factor::kept) return;
+  if (factor_ != Factor::kept && factor_ != Factor::chosen) return;
+  if (factor_ == Factor::chosen && system_->affine() && damping_.empty()) {
+    choose_solver();
+    kept.choice = choice_;
+    if (choice_.direct == 0) {  // the next step needs none
+      kept.column_start.clear();
+      kept.row.clear();
+      kept.value.clear();
+      if (cholesky_.factored()) cholesky_.set_pattern(system_->pattern());
+      made_ = false;
+      return;
+    }
+  }
   if (made_) {
     const SymmetricMatrix& matrix = cholesky_.matrix();
     kept.column_start = matrix.pattern.column_start;
@@ -97,9 +115,8 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   springs_ = &springs;
   damping_ = damping;
   current_ = updated_ = false;
-  keep_ = factor_ == Factor::kept && !system_->nonlinear() && cholesky_.factored() && patience_.wait == 0;
-  if (keep_) cholesky_.drop_updates();
   corrections_left_ = kCorrectionsPerFactor;
+  counts_ = {};
   passes_.clear();
   rows_.clear();
   for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
@@ -129,6 +146,10 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     t.at = m.kn / t.k * m.gap;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
+  begin_blocks();
+  keep_ = !blocks_.acts && (factor_ == Factor::kept || factor_ == Factor::chosen) && !system_->nonlinear() &&
+          cholesky_.factored() && patience_.wait == 0;
+  if (keep_) cholesky_.drop_updates();
 }
 
 const JointLaw& OpenClose::law_of(std::size_t i) const {
@@ -202,6 +223,10 @@ void OpenClose::take_states() {
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
   take_states();
+  if (blocks_.acts) {
+    if (take_blocks(fresh, report)) return true;
+    leave_blocks(report);
+  }
   if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
@@ -211,6 +236,7 @@ bool OpenClose::factorise_anew(StepReport& report) {
   current_ = cholesky_.factorise(A_, rows_, k_);
   made_ = true;
   ++report.factorisations;
+  ++counts_.factorisations;
   factored_k_ = k_;
   if (current_) return true;
   report.status = StepReport::Status::not_definite;
@@ -476,6 +502,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
       return false;
     }
     report.switches += switched;
+    counts_.switches += switched;
     ++stalled;
     if (switched <= fewest / 2) {
       fewest = switched;

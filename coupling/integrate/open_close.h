@@ -7,9 +7,11 @@
 #include "coupling/contact/contact_energy.h"
 #include "coupling/contact/law/dilation.h"
 #include "coupling/contact/law/joint_strength.h"
+#include "coupling/integrate/block_system.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
 #include "coupling/integrate/mover.h"
+#include "coupling/linear/block_ilu.h"
 #include "coupling/linear/cholesky.h"
 #include "coupling/linear/conjugate_residuals.h"
 
@@ -67,7 +69,8 @@ class OpenClose {
   enum class Factor {
     anew,     // one a pass, for comparison
     updated,  // one a step, rank updates while they are less work
-    kept      // the same, and from step to step
+    kept,     // the same, and from step to step
+    chosen    // where all free bodies are affine an incomplete one of blocks, or a kept one where that is less work
   };
   /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
   OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
@@ -102,6 +105,8 @@ class OpenClose {
   [[nodiscard]] DofRow tangential(std::size_t i) const { return rows_[springs_->size() + 2 * i + 1]; }
   [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
+  /// The last step was solved by blocks.
+  [[nodiscard]] bool by_blocks() const { return blocks_.acts; }
 
  private:
   void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
@@ -132,9 +137,24 @@ class OpenClose {
   /// The factor is not that of the whole matrix: points slip, or blocks are damped beside the pattern.
   [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }
   /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
+  int iterate(double enough, int most, std::span<double> d);
+  /// The same to what a pass is to be solved to.
   int improve(int most, std::span<double> d, StepReport& report);
   /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
   [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
+  // open_close_blocks.cpp: the same by blocks
+  [[nodiscard]] PointTangent tangent(std::size_t i) const;
+  /// Finds whether the step is to be solved by blocks, and can be.
+  void begin_blocks();
+  /// Brings the matrix to the states, and makes a factor where there is none of use.   @return false: a pivot failed
+  [[nodiscard]] bool take_blocks(bool fresh, StepReport& report);
+  [[nodiscard]] bool factorise_blocks(StepReport& report);
+  /// @return false: the iteration stalls; d is as it was
+  [[nodiscard]] bool solve_blocks(std::span<double> d, StepReport& report);
+  /// The rest of the step has a complete factor.
+  void leave_blocks(StepReport& report);
+  /// Which solver the next step begins with, from what this one has counted.
+  void choose_solver();
   void evaluate_points(std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
   /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
@@ -215,6 +235,26 @@ class OpenClose {
   int corrections_left_ = 0;      // iterations that this step may still take with it
   bool made_ = false;             // a factor was made since the last accept()
   KeptFactor::Patience patience_;
+  KeptFactor::Choice choice_;
+  /// The solver of affine bodies, in a step.
+  struct Blocks {
+    explicit Blocks(const ImplicitSystem& of) : system(of) {}
+    BlockSystem system;
+    BlockIlu factor;
+    std::vector<PointTangent> tangents;  // of the points, as the states are
+    std::vector<double> first_guess;     // of the pass
+    bool acts = false;                   // this step is solved by it
+    bool fell_back = false;              // this step began with it
+    bool stale = false;                  // the factor is of other states
+    bool worn = false;                   // and takes more iterations than it is worth
+    int fresh_iterations = -1;           // that it took when it was new; -1: not used yet
+    double work = 0.0;                   // of the step, in products of a block and a vector
+  };
+  Blocks blocks_;
+  struct Counts {
+    int switches = 0, corrections = 0, factorisations = 0;
+  };
+  Counts counts_;  // of the step at hand
   Cholesky cholesky_;
 };
 
