@@ -115,6 +115,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   springs_ = &springs;
   damping_ = damping;
   current_ = updated_ = false;
+  predict_ = allowed_;
   corrections_left_ = kCorrectionsPerFactor;
   counts_ = {};
   passes_.clear();
@@ -438,6 +439,24 @@ int OpenClose::switch_states(bool only_worst) {
   return switched;
 }
 
+int OpenClose::predict_states(std::span<const double> guess) {
+  evaluate_points(guess);
+  largest_force_ = 0.0;
+  for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
+  wishes_.clear();
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (list_->points[i].suppressed || trial_[i].status != ContactStatus::open) continue;
+    if (const Wish w = wish(i); w.status != ContactStatus::open && w.violation > tolerance(i))
+      wishes_.emplace_back(i, w);
+  }
+  for (const auto& [i, w] : wishes_) {
+    trial_[i].status = w.status;
+    trial_[i].direction = w.direction;
+    trial_[i].slack = w.slack;
+  }
+  return static_cast<int>(wishes_.size());
+}
+
 std::size_t OpenClose::hash_of_states() {
   states_.clear();
   for (const Trial& t : trial_)
@@ -460,6 +479,8 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   // more passes than few: those count that do not halve the number that switches.
   int left = control_.max_passes, fewest = std::numeric_limits<int>::max();
   exact_ = false;
+  if (predict_) report.switches += predict_states(d);
+  predict_ = false;
   for (int pass = 0; left > 0; ++pass, --left) {
     if (control_of_run_ != nullptr && control_of_run_->give_up_step()) {
       report.status = StepReport::Status::given_up;

@@ -185,6 +185,8 @@ class OpenClose {
   [[nodiscard]] Wish wish(std::size_t i) const;
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
+  /// Open points that close where the first guess of a step takes them begin it closed.   @return their number
+  int predict_states(std::span<const double> guess);
   [[nodiscard]] bool refuse(StepReport& report) const;
   /// Of the states of all points, so that a pass is known which had them before.
   [[nodiscard]] std::size_t hash_of_states();
@@ -226,6 +228,7 @@ class OpenClose {
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
+  bool predict_ = false;  // this step has not begun yet
   bool current_ = false;  // the factor is that of the step's matrix, with updates
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
