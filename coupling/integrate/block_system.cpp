@@ -39,6 +39,7 @@ bool BlockSystem::begin(const DofRows& rows, std::size_t springs) {
   }
   k_.clear();  // numbers of the matrix are of no use: rows are those of another step
   tangent_.clear();
+  changed_.clear();
   if (found_ == bodies_ && matrix_.rows() > 0) return true;
   bodies_ = found_;
   find_incidences();
@@ -71,19 +72,28 @@ void BlockSystem::find_incidences() {
 
 void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<const double> k,
                            std::span<const PointTangent> points) {
-  const bool all = fresh || k_.size() != k.size() || tangent_.size() != points.size();
-  changed_.assign(static_cast<std::size_t>(matrix_.rows()), all ? 1 : 0);
-  if (!all)
-    for (std::size_t u = 0; u < bodies_.size(); ++u)
-      if (u < springs_ ? k_[u] != k[u] : !(tangent_[u - springs_] == points[u - springs_]))
-        for (const std::int32_t b : bodies_[u])
-          if (b >= 0) changed_[static_cast<std::size_t>(b)] = 1;
-  k_.assign(k.begin(), k.end());
-  tangent_.assign(points.begin(), points.end());
+  const auto bodies = static_cast<std::size_t>(matrix_.rows());
+  if (fresh || k_.size() != k.size() || tangent_.size() != points.size() || changed_.size() != bodies) {
+    changed_.assign(bodies, 1);
+    tangent_.assign(points.begin(), points.end());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!(tangent_[i] == points[i])) set(i, points[i]);
+  k_.assign(k.begin(), k.end());  // springs stay as they are during a step
   A_ = A;
-  parallel_for(matrix_.rows(), [&](std::int64_t b) {
-    if (changed_[static_cast<std::size_t>(b)] != 0) sum_row(static_cast<std::int32_t>(b));
-  });
+  parallel_for(matrix_.rows(), [this](std::int64_t b) { refresh(static_cast<std::int32_t>(b)); });
+}
+
+void BlockSystem::set(std::size_t point, const PointTangent& tangent) {
+  tangent_[point] = tangent;
+  for (const std::int32_t b : bodies_of(point))
+    if (b >= 0) changed_[static_cast<std::size_t>(b)] = 1;
+}
+
+void BlockSystem::refresh(std::int32_t body) {
+  if (changed_[static_cast<std::size_t>(body)] == 0) return;
+  changed_[static_cast<std::size_t>(body)] = 0;
+  sum_row(body);
 }
 
 void BlockSystem::sum_row(std::int32_t body) {
@@ -142,6 +152,18 @@ double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<cons
   return sum;
 }
 
+void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, double* sum) const {
+  const auto first = static_cast<std::size_t>(kBlockSide * body);
+  const double *of_body = &x[first], *value = &A_[static_cast<std::size_t>(system_->pattern().column_start[first])];
+  for (int c = 0; c < kBlockSide; ++c) {
+    sum[c] -= *value++ * of_body[c];
+    for (int r = c + 1; r < kBlockSide; ++r, ++value) {
+      sum[r] -= *value * of_body[c];
+      sum[c] -= *value * of_body[r];
+    }
+  }
+}
+
 void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
   force_.resize(rows_->size());
   parallel_for(static_cast<std::int64_t>(bodies_.size()), [&](std::int64_t at) {
@@ -161,25 +183,13 @@ void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
   parallel_for(matrix_.rows(), [&](std::int64_t at) {
     const auto b = static_cast<std::size_t>(at);
     double sum[kBlockSide] = {};
-    const double *of_body = &x[kBlockSide * b],
-                 *value = &A_[static_cast<std::size_t>(system_->pattern().column_start[kBlockSide * b])];
-    for (int c = 0; c < kBlockSide; ++c) {
-      sum[c] += *value++ * of_body[c];
-      for (int r = c + 1; r < kBlockSide; ++r, ++value) {
-        sum[r] += *value * of_body[c];
-        sum[c] += *value * of_body[r];
-      }
-    }
-    const auto add = [&](std::size_t row, std::int32_t own) {
-      if (force_[row] == 0.0) return;
-      const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row] + own)];
-      for (int k = 0; k < kBlockSide; ++k) sum[k] += force_[row] * h[k];
-    };
-    for (auto i = static_cast<std::size_t>(first_[b]); i < static_cast<std::size_t>(first_[b + 1]); ++i) {
-      const auto unit = static_cast<std::size_t>(incidence_[i].unit);
+    subtract_own(static_cast<std::int32_t>(at), x, sum);
+    for (double& s : sum) s = -s;
+    for (const Incidence& i : incidences(static_cast<std::int32_t>(at))) {
+      const auto unit = static_cast<std::size_t>(i.unit);
       const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
-      add(row, incidence_[i].own);
-      if (unit >= springs_) add(row + 1, incidence_[i].own);
+      if (force_[row] != 0.0) add_force(row, i.own, force_[row], sum);
+      if (unit >= springs_ && force_[row + 1] != 0.0) add_force(row + 1, i.own, force_[row + 1], sum);
     }
     std::copy(std::begin(sum), std::end(sum), &y[kBlockSide * b]);
   });

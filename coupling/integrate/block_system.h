@@ -33,20 +33,19 @@ class BlockSystem {
   [[nodiscard]] bool begin(const DofRows& rows, std::size_t springs);
   /// Sums the matrix.
   /// @param A       on the pattern of the system   @param fresh  it has changed since the last call
-  /// @param k       of the springs [N/m]   @param points  of the points
+  /// @param k       of the springs, the same during a step [N/m]   @param points  of the points
   void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const PointTangent> points);
+  /// Changes one point; its bodies' rows are summed again by the next assemble() or refresh().
+  void set(std::size_t point, const PointTangent& tangent);
+  /// Sums the row of a body if a point of it has changed.
+  void refresh(std::int32_t body);
   [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
   /// y = (A + springs + points) x from the rows themselves, with the numbers last assembled: elongations first, then
   /// the forces of every body in the order of its rows.
   void multiply(std::span<const double> x, std::span<double> y);
 
-  /// @name Work of the parts of a solution, counted in products of a block and a vector
-  /// @{
-  [[nodiscard]] std::size_t blocks() const { return matrix_.blocks(); }
-  [[nodiscard]] std::int32_t bodies() const { return matrix_.rows(); }
-  /// @}
-
- private:
+  /// The two bodies of a point; -1: held, or driven.
+  [[nodiscard]] const BlockMatrix::Pair& bodies_of(std::size_t point) const { return bodies_[springs_ + point]; }
   /// Where a row of the rows above acts on a body.
   struct Incidence {
     std::int32_t unit = 0;   // a spring, or after all of them a point
@@ -54,6 +53,20 @@ class BlockSystem {
     std::int32_t other = 0;  // where those of the other body do; -1: there is none
     std::int32_t place = 0;  // of the block that couples both
   };
+  /// All of a body, in the order of the rows.
+  [[nodiscard]] std::span<const Incidence> incidences(std::int32_t body) const {
+    const auto b = static_cast<std::size_t>(body), first = static_cast<std::size_t>(first_[b]);
+    return std::span(incidence_).subspan(first, static_cast<std::size_t>(first_[b + 1]) - first);
+  }
+  /// Adds -A x of a body's own forces.   @param x  of all bodies   @param sum  6 numbers
+  void subtract_own(std::int32_t body, std::span<const double> x, double* sum) const;
+  /// Adds a force along a row to one of its bodies.   @param own  Incidence::own
+  void add_force(std::size_t row, std::int32_t own, double force, double* sum) const {
+    const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row] + own)];
+    for (int k = 0; k < kBlockSide; ++k) sum[k] += force * h[k];
+  }
+
+ private:
   void find_incidences();
   void sum_row(std::int32_t body);
   /// h.x of a row.
