@@ -9,6 +9,7 @@
 
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/sink.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -21,12 +22,7 @@ constexpr int kCorrectionsPerFactor = 12;
 
 OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
                      Factor factor)
-    : setup_(&setup),
-      control_(control),
-      system_(&system),
-      allowed_(allowed),
-      factor_(factor),
-      blocks_(system) {
+    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor), blocks_(system) {
   cholesky_.set_pattern(system.pattern());
   chart_of_node_.assign(setup.outlines().nodes.size(), -1);
   for (const Body& b : setup.bodies()) {
@@ -269,29 +265,32 @@ double OpenClose::friction_per_gap(std::size_t i) const {
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    Trial& t = trial_[i];
-    const ContactMemory& m = list_->memory[i];
-    const double change = normal(i).change(d);
-    t.moved = tangential(i).change(d);
-    t.opened = 0.0;
-    if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
-      const DilatingForce f = dilation(i);
-      const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
-      t.opened = t.at + change + force / t.k;
-    }
-    t.gap = m.gap + change - t.opened;
-    t.fn = t.status == ContactStatus::open ? 0.0 : (t.slack ? slack_force(i) : pressed(t, change - t.opened));
-    if (t.status == ContactStatus::stick) {
-      t.stretch = stretch_before(i) + t.moved;
-      t.ft = -m.kt * t.stretch;
-    } else if (t.status == ContactStatus::slip) {
-      t.load = std::max(t.fn, 0.0);
-      t.ft = t.direction * limit(i);
-      t.stretch = -t.ft / m.kt;
-    } else {
-      t.ft = t.stretch = 0.0;
-    }
+  parallel_for(static_cast<std::int64_t>(trial_.size()),
+               [&](std::int64_t i) { evaluate_point(static_cast<std::size_t>(i), d); });
+}
+
+void OpenClose::evaluate_point(std::size_t i, std::span<const double> d) {
+  Trial& t = trial_[i];
+  const ContactMemory& m = list_->memory[i];
+  const double change = normal(i).change(d);
+  t.moved = tangential(i).change(d);
+  t.opened = 0.0;
+  if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
+    const DilatingForce f = dilation(i);
+    const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
+    t.opened = t.at + change + force / t.k;
+  }
+  t.gap = m.gap + change - t.opened;
+  t.fn = t.status == ContactStatus::open ? 0.0 : (t.slack ? slack_force(i) : pressed(t, change - t.opened));
+  if (t.status == ContactStatus::stick) {
+    t.stretch = stretch_before(i) + t.moved;
+    t.ft = -m.kt * t.stretch;
+  } else if (t.status == ContactStatus::slip) {
+    t.load = std::max(t.fn, 0.0);
+    t.ft = t.direction * limit(i);
+    t.stretch = -t.ft / m.kt;
+  } else {
+    t.ft = t.stretch = 0.0;
   }
 }
 
@@ -395,16 +394,28 @@ OpenClose::Wish OpenClose::wish(std::size_t i) const {
   return w;
 }
 
+void OpenClose::propose(std::size_t i) {
+  const Trial& t = trial_[i];
+  const Wish w = wish(i);
+  const bool other = w.status != t.status || w.opens != t.opens || w.slack != t.slack;
+  if (other && w.violation > tolerance(i)) wishes_.emplace_back(i, w);
+}
+
+void OpenClose::adopt(std::size_t i, const Wish& w) {
+  Trial& t = trial_[i];
+  t.status = w.status;
+  t.direction = w.direction;
+  t.opens = w.opens;
+  t.slack = w.slack && w.status != ContactStatus::open;
+  t.load = std::max(t.fn, 0.0);
+}
+
 int OpenClose::switch_states(bool only_worst) {
   largest_force_ = 0.0;
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
   wishes_.clear();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (list_->points[i].suppressed) continue;
-    const Wish w = wish(i);
-    const bool other = w.status != trial_[i].status || w.opens != trial_[i].opens || w.slack != trial_[i].slack;
-    if (other && w.violation > tolerance(i)) wishes_.emplace_back(i, w);
-  }
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (!list_->points[i].suppressed) propose(i);
   const auto bodies_of = [&](std::size_t i) {
     const auto& node = list_->points[i].node;
     const auto& body = setup_->outlines().node_body;
@@ -416,7 +427,7 @@ int OpenClose::switch_states(bool only_worst) {
       for (const std::int32_t b : bodies_of(i))
         worst_[static_cast<std::size_t>(b)] = std::max(worst_[static_cast<std::size_t>(b)], w.violation);
   }
-  int switched = 0;
+  switched_.clear();
   for (const auto& [i, w] : wishes_) {
     if (only_worst) {
       // One of two that are as bad is enough.
@@ -428,15 +439,10 @@ int OpenClose::switch_states(bool only_worst) {
       if (!is_worst(bodies[0]) || !is_worst(bodies[1])) continue;
       for (const std::int32_t b : bodies) worst_[static_cast<std::size_t>(b)] = std::numeric_limits<double>::infinity();
     }
-    ++switched;
-    Trial& t = trial_[i];
-    t.status = w.status;
-    t.direction = w.direction;
-    t.opens = w.opens;
-    t.slack = w.slack && w.status != ContactStatus::open;
-    t.load = std::max(t.fn, 0.0);
+    switched_.push_back(i);
+    adopt(i, w);
   }
-  return switched;
+  return static_cast<int>(switched_.size());
 }
 
 int OpenClose::predict_states(std::span<const double> guess) {
@@ -445,23 +451,20 @@ int OpenClose::predict_states(std::span<const double> guess) {
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
   wishes_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (list_->points[i].suppressed || trial_[i].status != ContactStatus::open) continue;
-    if (const Wish w = wish(i); w.status != ContactStatus::open && w.violation > tolerance(i))
-      wishes_.emplace_back(i, w);
+    if (!list_->points[i].suppressed && trial_[i].status == ContactStatus::open) propose(i);
   }
-  for (const auto& [i, w] : wishes_) {
-    trial_[i].status = w.status;
-    trial_[i].direction = w.direction;
-    trial_[i].slack = w.slack;
-  }
+  for (const auto& [i, w] : wishes_) adopt(i, w);
   return static_cast<int>(wishes_.size());
+}
+
+char OpenClose::state_letter(const Trial& t) {
+  return static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
+                           (t.direction < 0.0 ? -1 : 1));
 }
 
 std::size_t OpenClose::hash_of_states() {
   states_.clear();
-  for (const Trial& t : trial_)
-    states_.push_back(static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
-                                        (t.direction < 0.0 ? -1 : 1)));
+  for (const Trial& t : trial_) states_.push_back(state_letter(t));
   return std::hash<std::string>{}(states_);
 }
 
@@ -522,6 +525,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
       report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
       return false;
     }
+    if (blocks_.acts) settle_clusters(d, report);
     report.switches += switched;
     counts_.switches += switched;
     ++stalled;

@@ -153,9 +153,28 @@ class OpenClose {
   [[nodiscard]] bool solve_blocks(std::span<double> d, StepReport& report);
   /// The rest of the step has a complete factor.
   void leave_blocks(StepReport& report);
+  // open_close_clusters.cpp: states settled around the points that have switched
+  /// Forces of a point in its state: f_n = normal - nn dg - nt ds, f_t = tangential - tn dg - tt ds.
+  struct PointForce {
+    PointTangent k;
+    double normal = 0.0, tangential = 0.0;  // [N]
+  };
+  [[nodiscard]] PointForce linear_force(std::size_t i) const;
+  /// The bodies of the points that have switched, and one ring of closed contacts around them, fall into clusters. In
+  /// each that is not too large states settle while the bodies outside stay where they are: what a pass of all bodies
+  /// would carry on by one body at a time.
+  /// @pre blocks act   @param d  the unknowns that the states were found with; changed inside
+  void settle_clusters(std::span<double> d, StepReport& report);
+  void find_cluster_bodies();
+  void settle_cluster(std::span<double> d, StepReport& report);
+  void begin_cluster();
+  /// What the forces on the bodies of the cluster leave at d.   @return the largest of them [N]
+  double find_cluster_residual(std::span<const double> d);
+  [[nodiscard]] bool solve_cluster(std::span<double> d);
   /// Which solver the next step begins with, from what this one has counted.
   void choose_solver();
   void evaluate_points(std::span<const double> d);
+  void evaluate_point(std::size_t i, std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
   /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
   [[nodiscard]] double pressed(const Trial& t, double change) const { return -t.k * (t.at + change); }
@@ -183,6 +202,11 @@ class OpenClose {
   /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should switch
   [[nodiscard]] bool switch_slack(std::size_t i, Wish& w) const;
   [[nodiscard]] Wish wish(std::size_t i) const;
+  /// Lists a point in wishes_ if it is to switch.
+  void propose(std::size_t i);
+  void adopt(std::size_t i, const Wish& w);
+  /// A character for the state of a point.
+  [[nodiscard]] static char state_letter(const Trial& t);
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
   /// Open points that close where the first guess of a step takes them begin it closed.   @return their number
@@ -257,7 +281,20 @@ class OpenClose {
   struct Counts {
     int switches = 0, corrections = 0, factorisations = 0;
   };
-  Counts counts_;  // of the step at hand
+  Counts counts_;                      // of the step at hand
+  std::vector<std::size_t> switched_;  // points, in the last pass
+  struct Clusters {
+    std::vector<char> inside;                   // per body: 0 outside, 1 inside, 2 and found
+    std::vector<std::int32_t> bodies, cluster;  // all inside; those of the cluster at hand, in order
+    std::vector<std::int32_t> place;            // per body: in the cluster
+    std::vector<BlockMatrix::Pair> pairs;
+    std::vector<std::size_t> points, seen;  // of the cluster, in order; hashes of states that it has had
+    std::vector<double> unit, residual, change, normal, tangential;
+    BlockMatrix matrix;
+    BlockIlu factor;
+    ConjugateResiduals residuals;
+  };
+  Clusters clusters_;
   Cholesky cholesky_;
 };
 
