@@ -178,7 +178,7 @@ double OpenClose::tangential_stiffness(std::size_t i) const {
   return trial_[i].status == ContactStatus::stick ? list_->memory[i].kt : 0.0;
 }
 
-void OpenClose::take_states() {
+void OpenClose::apply_states() {
   k_.assign(springs_->k.begin(), springs_->k.end());
   at_.assign(springs_->at.begin(), springs_->at.end());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
@@ -219,7 +219,7 @@ void OpenClose::take_states() {
 }
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
-  take_states();
+  apply_states();
   if (blocks_.acts) {
     if (take_blocks(fresh, report)) return true;
     leave_blocks(report);
@@ -333,7 +333,7 @@ double OpenClose::tolerance(std::size_t i) const {
   return 1e-9 * weight_[i] + 1e-11 * largest_force_ + list_->memory[i].kn * gap_round_off_;
 }
 
-bool OpenClose::switch_slack(std::size_t i, Wish& w) const {
+bool OpenClose::switch_slack(std::size_t i, ProposedState& w) const {
   const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   const double least = slack_force(i), force = pressed(t, t.gap - m.gap);
@@ -343,11 +343,11 @@ bool OpenClose::switch_slack(std::size_t i, Wish& w) const {
   return true;
 }
 
-OpenClose::Wish OpenClose::wish(std::size_t i) const {
+OpenClose::ProposedState OpenClose::proposed_state(std::size_t i) const {
   const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   const Strength& s = strength_[i];
-  Wish w{t.status, t.direction, t.opens, t.slack};
+  ProposedState w{t.status, t.direction, t.opens, t.slack};
   if (t.status == ContactStatus::open) {
     if (t.gap >= 0.0 || !may_close(i)) return w;
     // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
@@ -396,12 +396,12 @@ OpenClose::Wish OpenClose::wish(std::size_t i) const {
 
 void OpenClose::propose(std::size_t i) {
   const Trial& t = trial_[i];
-  const Wish w = wish(i);
+  const ProposedState w = proposed_state(i);
   const bool other = w.status != t.status || w.opens != t.opens || w.slack != t.slack;
-  if (other && w.violation > tolerance(i)) wishes_.emplace_back(i, w);
+  if (other && w.violation > tolerance(i)) proposed_.emplace_back(i, w);
 }
 
-void OpenClose::adopt(std::size_t i, const Wish& w) {
+void OpenClose::adopt(std::size_t i, const ProposedState& w) {
   Trial& t = trial_[i];
   t.status = w.status;
   t.direction = w.direction;
@@ -413,7 +413,7 @@ void OpenClose::adopt(std::size_t i, const Wish& w) {
 int OpenClose::switch_states(bool only_worst) {
   largest_force_ = 0.0;
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
-  wishes_.clear();
+  proposed_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i)
     if (!list_->points[i].suppressed) propose(i);
   const auto bodies_of = [&](std::size_t i) {
@@ -423,17 +423,17 @@ int OpenClose::switch_states(bool only_worst) {
   };
   if (only_worst) {
     worst_.assign(setup_->bodies().size(), 0.0);
-    for (const auto& [i, w] : wishes_)
+    for (const auto& [i, w] : proposed_)
       for (const std::int32_t b : bodies_of(i))
         worst_[static_cast<std::size_t>(b)] = std::max(worst_[static_cast<std::size_t>(b)], w.violation);
   }
   switched_.clear();
-  for (const auto& [i, w] : wishes_) {
+  for (const auto& [i, w] : proposed_) {
     if (only_worst) {
       // One of two that are as bad is enough.
-      const auto is_worst = [&, &wished = w](std::int32_t b) {
+      const auto is_worst = [&, &proposed = w](std::int32_t b) {
         return setup_->bodies()[static_cast<std::size_t>(b)].driven ||
-               wished.violation >= worst_[static_cast<std::size_t>(b)];
+               proposed.violation >= worst_[static_cast<std::size_t>(b)];
       };
       const std::array bodies = bodies_of(i);
       if (!is_worst(bodies[0]) || !is_worst(bodies[1])) continue;
@@ -449,12 +449,12 @@ int OpenClose::predict_states(std::span<const double> guess) {
   evaluate_points(guess);
   largest_force_ = 0.0;
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
-  wishes_.clear();
+  proposed_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (!list_->points[i].suppressed && trial_[i].status == ContactStatus::open) propose(i);
   }
-  for (const auto& [i, w] : wishes_) adopt(i, w);
-  return static_cast<int>(wishes_.size());
+  for (const auto& [i, w] : proposed_) adopt(i, w);
+  return static_cast<int>(proposed_.size());
 }
 
 char OpenClose::state_letter(const Trial& t) {

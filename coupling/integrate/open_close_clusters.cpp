@@ -192,17 +192,17 @@ void OpenClose::settle_cluster(std::span<double> d, StepReport& report) {
       c.seen.clear();
     }
     c.seen.push_back(now);
-    wishes_.clear();
+    proposed_.clear();
     for (const std::size_t i : c.points) propose(i);
-    if (wishes_.empty()) return;
+    if (proposed_.empty()) return;
     if (only_worst) {
-      const auto worst = std::max_element(wishes_.begin(), wishes_.end(), [](const auto& a, const auto& b) {
+      const auto worst = std::max_element(proposed_.begin(), proposed_.end(), [](const auto& a, const auto& b) {
         return a.second.violation < b.second.violation;
       });
-      std::swap(*wishes_.begin(), *worst);
-      wishes_.resize(1);
+      std::swap(*proposed_.begin(), *worst);
+      proposed_.resize(1);
     }
-    for (const auto& [i, w] : wishes_) adopt(i, w);
+    for (const auto& [i, w] : proposed_) adopt(i, w);
   }
 }
 
