@@ -7,32 +7,16 @@
 #include "coupling/contact/contact_energy.h"
 #include "coupling/contact/law/dilation.h"
 #include "coupling/contact/law/joint_strength.h"
-#include "coupling/integrate/block_system.h"
+#include "coupling/integrate/block_solver.h"
+#include "coupling/integrate/contact_trial.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
+#include "coupling/integrate/step_springs.h"
 #include "coupling/integrate/time_integrator.h"
-#include "coupling/linear/block_ilu.h"
 #include "coupling/linear/cholesky.h"
 #include "coupling/linear/conjugate_residuals.h"
 
 namespace scree::coupling {
-
-/// Things of stiffness k between bodies or to the ground that stay as they are during a step: force -k (at + u) along
-/// their rows, u the change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
-struct StepSprings {
-  DofRows rows;
-  std::vector<double> k;   // [N/m]
-  std::vector<double> at;  // elongation at the start of the step [m]
-  [[nodiscard]] std::size_t size() const { return k.size(); }
-  [[nodiscard]] double force(std::size_t i, std::span<const double> d) const {
-    return -k[i] * (at[i] + rows[i].change(d));
-  }
-  void clear() {
-    rows.clear();
-    k.clear();
-    at.clear();
-  }
-};
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
 /// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned
@@ -44,20 +28,7 @@ struct StepSprings {
 /// @source docs/theory/time-integration.md, "Open-close iteration"; [Qu2013] 3.2.2, 4.5
 class OpenClose {
  public:
-  struct Trial {  // a contact point during the iteration
-    ContactStatus status = ContactStatus::open;
-    double direction = 0.0;  // sign of the friction force while slipping
-    double load = 0.0;       // normal force that its friction limit was taken from [N]
-    bool opens = false;      // it dilates while it slips: not at the end of dilation yet
-    double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
-    double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
-    // Normal spring and dashpot of a step h as one spring: k = k_n + c_n/h, k at = k_n g_n, so that
-    //   -k_n g - c_n (g - g_n)/h = -k (at + g - g_n).
-    double k = 0.0, at = 0.0;  // [N/m], [m]
-    // Closed, but the dashpot would pull by more than the point bears: it has the force that it bears, and no more.
-    bool slack = false;
-  };
-
+  using Trial = ContactTrial;
   struct Pass {        // of the last step, all Newton iterations
     int switched = 0;  // points that changed state before it
     int updates = 0;   // rank-1 changes of the factor
@@ -263,38 +234,13 @@ class OpenClose {
   bool made_ = false;             // a factor was made since the last accept()
   KeptFactor::Patience patience_;
   KeptFactor::Choice choice_;
-  /// The solver of affine bodies, in a step.
-  struct Blocks {
-    explicit Blocks(const ImplicitSystem& of) : system(of) {}
-    BlockSystem system;
-    BlockIlu factor;
-    std::vector<PointTangent> tangents;  // of the points, as the states are
-    std::vector<double> first_guess;     // of the pass
-    bool acts = false;                   // this step is solved by it
-    bool fell_back = false;              // this step began with it
-    bool stale = false;                  // the factor is of other states
-    bool worn = false;                   // and takes more iterations than it is worth
-    int fresh_iterations = -1;           // that it took when it was new; -1: not used yet
-    double work = 0.0;                   // of the step, in products of a block and a vector
-  };
-  Blocks blocks_;
+  BlockSolver blocks_;
   struct Counts {
     int switches = 0, corrections = 0, factorisations = 0;
   };
   Counts counts_;                      // of the step at hand
   std::vector<std::size_t> switched_;  // points, in the last pass
-  struct Clusters {
-    std::vector<char> inside;                   // per body: 0 outside, 1 inside, 2 and found
-    std::vector<std::int32_t> bodies, cluster;  // all inside; those of the cluster at hand, in order
-    std::vector<std::int32_t> place;            // per body: in the cluster
-    std::vector<BlockMatrix::Pair> pairs;
-    std::vector<std::size_t> points, seen;  // of the cluster, in order; hashes of states that it has had
-    std::vector<double> unit, residual, change, normal, tangential;
-    BlockMatrix matrix;
-    BlockIlu factor;
-    ConjugateResiduals residuals;
-  };
-  Clusters clusters_;
+  BodyClusters clusters_;
   Cholesky cholesky_;
 };
 

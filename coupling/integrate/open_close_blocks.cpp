@@ -38,7 +38,7 @@ PointTangent OpenClose::tangent(std::size_t i) const {
 }
 
 void OpenClose::begin_blocks() {
-  Blocks& b = blocks_;
+  BlockSolver& b = blocks_;
   b.work = 0.0;
   b.fresh_iterations = -1;
   b.fell_back = false;
@@ -48,7 +48,7 @@ void OpenClose::begin_blocks() {
 }
 
 bool OpenClose::take_blocks(bool fresh, StepReport& report) {
-  Blocks& b = blocks_;
+  BlockSolver& b = blocks_;
   b.tangents.resize(trial_.size());
   for (std::size_t i = 0; i < trial_.size(); ++i) b.tangents[i] = tangent(i);
   b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), b.tangents);
@@ -59,7 +59,7 @@ bool OpenClose::take_blocks(bool fresh, StepReport& report) {
 }
 
 bool OpenClose::factorise_blocks(StepReport& report) {
-  Blocks& b = blocks_;
+  BlockSolver& b = blocks_;
   b.stale = b.worn = false;
   b.fresh_iterations = -1;
   b.work += incomplete_work(static_cast<double>(b.system.matrix().blocks()), b.system.matrix().rows());
@@ -69,7 +69,7 @@ bool OpenClose::factorise_blocks(StepReport& report) {
 
 bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
   constexpr int kMost = 120;  // more than the largest walls take; what needs more has stalled
-  Blocks& b = blocks_;
+  BlockSolver& b = blocks_;
   b.first_guess.assign(d.begin(), d.end());
   const double iteration = iteration_work(static_cast<double>(b.system.matrix().blocks()), b.system.matrix().rows());
   int taken = improve(kMost, d, report);

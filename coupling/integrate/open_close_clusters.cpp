@@ -32,7 +32,7 @@ OpenClose::PointForce OpenClose::linear_force(std::size_t i) const {
 }
 
 void OpenClose::find_cluster_bodies() {
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   const BlockSystem& system = blocks_.system;
   c.inside.assign(static_cast<std::size_t>(system.matrix().rows()), 0);
   c.bodies.clear();
@@ -54,7 +54,7 @@ void OpenClose::find_cluster_bodies() {
 }
 
 void OpenClose::settle_clusters(std::span<double> d, StepReport& report) {
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   find_cluster_bodies();
   const std::size_t bodies = c.inside.size();
   c.place.resize(bodies);
@@ -79,7 +79,7 @@ void OpenClose::settle_clusters(std::span<double> d, StepReport& report) {
 }
 
 void OpenClose::begin_cluster() {
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   const BlockMatrix& m = blocks_.system.matrix();
   for (std::size_t k = 0; k < c.cluster.size(); ++k)
     c.place[static_cast<std::size_t>(c.cluster[k])] = static_cast<std::int32_t>(k);
@@ -108,7 +108,7 @@ void OpenClose::begin_cluster() {
 }
 
 double OpenClose::find_cluster_residual(std::span<const double> d) {
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   c.normal.resize(trial_.size());
   c.tangential.resize(trial_.size());
   double largest = 0.0;
@@ -147,7 +147,7 @@ double OpenClose::find_cluster_residual(std::span<const double> d) {
 bool OpenClose::solve_cluster(std::span<double> d) {
   constexpr double kRough = 1e-7;  // of the largest force; the pass of all that follows is solved to what it needs
   constexpr int kMost = 40;
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   const double largest = find_cluster_residual(d);
   const BlockMatrix& all = blocks_.system.matrix();
   for (std::size_t k = 0; k < c.cluster.size(); ++k) {
@@ -176,7 +176,7 @@ bool OpenClose::solve_cluster(std::span<double> d) {
 
 void OpenClose::settle_cluster(std::span<double> d, StepReport& report) {
   constexpr int kMost = 25;
-  Clusters& c = clusters_;
+  BodyClusters& c = clusters_;
   begin_cluster();
   bool only_worst = false;
   for (int pass = 0; pass < kMost; ++pass) {
