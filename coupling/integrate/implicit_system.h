@@ -1,6 +1,7 @@
 // Unknowns, masses and stiffnesses of all free bodies in an implicit step.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,15 @@ class ImplicitSystem {
   [[nodiscard]] ChartRow chart(std::int32_t body, const Row& row, std::span<const double> q) const;
   /// The last row += c.(displacement of the point).
   static void add_point(const ChartRow& point, const Vec2& c, DofRows& out) {
+    constexpr std::size_t kAffine = 6;  // unknowns of an affine body, in order
+    bool run = point.n == kAffine;
+    for (std::size_t k = 1; run && k < kAffine; ++k) run = point.dof[k] == point.dof[k - 1] + 1;
+    if (run) {
+      std::array<double, kAffine> h{};
+      for (std::size_t k = 0; k < kAffine; ++k) h[k] = c.x() * point.tx[k] + c.y() * point.ty[k];
+      out.add_run(point.dof[0], h);
+      return;
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(point.n); ++k)
       out.add(point.dof[k], c.x() * point.tx[k] + c.y() * point.ty[k]);
   }

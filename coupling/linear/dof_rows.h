@@ -86,6 +86,21 @@ class DofRows {
     h_.insert(h_.begin() + static_cast<std::ptrdiff_t>(at), h);
     ++start_.back();
   }
+  /// add() of unknowns that follow each other.   @param first  the first of them   @param h  as many numbers
+  void add_run(std::int32_t first, std::span<const double> h) {
+    const auto n = static_cast<std::ptrdiff_t>(h.size()), size = static_cast<std::ptrdiff_t>(dof_.size()),
+               row = start_[start_.size() - 2];
+    if (size == row || dof_.back() < first) {
+      for (std::size_t i = 0; i < h.size(); ++i) dof_.push_back(first + static_cast<std::int32_t>(i));
+      h_.insert(h_.end(), h.begin(), h.end());
+      start_.back() += static_cast<std::int32_t>(n);
+    } else if (size - row >= n && dof_[dof_.size() - h.size()] == first &&
+               dof_.back() == first + static_cast<std::int32_t>(n) - 1) {
+      for (std::size_t i = 0; i < h.size(); ++i) h_[h_.size() - h.size() + i] += h[i];
+    } else {
+      for (std::size_t i = 0; i < h.size(); ++i) add(first + static_cast<std::int32_t>(i), h[i]);
+    }
+  }
   void add_row(const DofRow& row) {
     begin_row();
     known_.back() = row.known;

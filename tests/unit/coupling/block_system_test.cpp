@@ -116,6 +116,49 @@ TEST(BlockSystem, rows_summed_again_have_the_bits_of_a_new_matrix) {
   EXPECT_LT((dense_of(blocks.matrix()) - s.dense()).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
 }
 
+TEST(DofRows, runs_of_unknowns_are_added_as_one_by_one) {
+  std::mt19937_64 random(62);
+  std::normal_distribution<double> normal;
+  // In order, again, before what is there, across what is there.
+  for (const std::vector<int>& firsts : {std::vector{0, 6}, {6, 6, 12}, {12, 0, 12, 0}, {3, 0, 6}, {6, 4}}) {
+    DofRows runs, single;
+    for (DofRows* rows : {&runs, &single}) {
+      rows->begin_row();  // a row before, which must stay as it is
+      rows->add(6, 1.0);
+      rows->begin_row();
+    }
+    for (const int first : firsts) {
+      std::array<double, 6> h{};
+      for (double& x : h) x = normal(random);
+      runs.add_run(first, h);
+      for (std::size_t k = 0; k < h.size(); ++k) single.add(first + static_cast<int>(k), h[k]);
+    }
+    EXPECT_EQ(runs.start(), single.start());
+    EXPECT_EQ(runs.dof(), single.dof());
+    EXPECT_EQ(runs.h(), single.h());
+  }
+}
+
+TEST(DofRows, changes_and_forces_of_whole_bodies_are_those_of_dense_algebra) {
+  std::mt19937_64 random(63);
+  std::normal_distribution<double> normal;
+  for (const std::vector<int>& dofs : {std::vector{0, 1, 2, 3, 4, 5},
+                                       {6, 7, 8, 9, 10, 11, 18, 19, 20, 21, 22, 23},
+                                       {0, 1, 2, 3, 4, 6},
+                                       {0, 1, 2, 3, 4, 5, 6},
+                                       {}}) {
+    DofRows rows;
+    rows.begin_row();
+    rows.add_known(0.25);
+    for (const int dof : dofs) rows.add(dof, normal(random));
+    Eigen::VectorXd d = Eigen::VectorXd::Random(24), h = Eigen::VectorXd::Zero(24), force = Eigen::VectorXd::Zero(24);
+    for (std::size_t i = 0; i < dofs.size(); ++i) h(dofs[i]) = rows[0].h[i];
+    EXPECT_NEAR(rows[0].change(std::span<const double>(d.data(), 24)), 0.25 + h.dot(d), 1e-14);
+    rows[0].add_force(3.0, std::span<double>(force.data(), 24));
+    EXPECT_EQ(force, 3.0 * h);
+  }
+}
+
 TEST(BlockSystem, is_of_whole_bodies_and_of_pairs) {
   Sample s;
   EXPECT_TRUE(s.system->affine());
