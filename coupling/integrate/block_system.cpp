@@ -13,6 +13,8 @@ void add_products(const double* u, const double* v, const double* w, const doubl
     for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += u[r] * v[c] + w[r] * z[c];
 }
 
+constexpr std::int64_t kFewBodies = 3000;  // not worth waking threads for
+
 /// True if a row names whole bodies, and two at most.
 bool couples_pair(const DofRow& row) {
   const std::size_t n = row.dof.size();
@@ -81,7 +83,8 @@ void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<cons
     if (!(tangent_[i] == points[i])) set(i, points[i]);
   k_.assign(k.begin(), k.end());  // springs stay as they are during a step
   A_ = A;
-  parallel_for(matrix_.rows(), [this](std::int64_t b) { refresh(static_cast<std::int32_t>(b)); });
+  parallel_for(
+      matrix_.rows(), [this](std::int64_t b) { refresh(static_cast<std::int32_t>(b)); }, kFewBodies);
 }
 
 void BlockSystem::set(std::size_t point, const PointTangent& tangent) {
@@ -166,7 +169,7 @@ void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, dou
 
 void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
   force_.resize(rows_->size());
-  parallel_for(static_cast<std::int64_t>(bodies_.size()), [&](std::int64_t at) {
+  const auto of_unit = [&](std::int64_t at) {
     const auto unit = static_cast<std::size_t>(at);
     if (unit < springs_) {
       force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) : 0.0;
@@ -179,8 +182,8 @@ void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
     const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
     force_[row] = k.nn * gap + k.nt * stretch;
     force_[row + 1] = k.tn * gap + k.tt * stretch;
-  });
-  parallel_for(matrix_.rows(), [&](std::int64_t at) {
+  };
+  const auto of_body = [&](std::int64_t at) {
     const auto b = static_cast<std::size_t>(at);
     double sum[kBlockSide] = {};
     subtract_own(static_cast<std::int32_t>(at), x, sum);
@@ -192,7 +195,9 @@ void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
       if (unit >= springs_ && force_[row + 1] != 0.0) add_force(row + 1, i.own, force_[row + 1], sum);
     }
     std::copy(std::begin(sum), std::end(sum), &y[kBlockSide * b]);
-  });
+  };
+  parallel_for(static_cast<std::int64_t>(bodies_.size()), of_unit, kFewPoints);
+  parallel_for(matrix_.rows(), of_body, kFewBodies);
 }
 
 }  // namespace scree::coupling

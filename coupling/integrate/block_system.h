@@ -19,6 +19,9 @@ struct PointTangent {
   [[nodiscard]] bool zero() const { return nn == 0.0 && nt == 0.0 && tn == 0.0 && tt == 0.0; }
 };
 
+/// Points that are not worth waking threads for, in loops that take some nanoseconds each.
+inline constexpr std::int64_t kFewPoints = 30000;
+
 /// Assembles (A + springs + contact points, with friction and dilation) as a matrix of blocks, row of bodies by row of
 /// bodies: only those rows are summed again whose points have changed. The matrix is for corrections; residuals are
 /// summed from the rows of the points themselves, whose elongations lose nothing when bodies move together.

@@ -265,8 +265,9 @@ double OpenClose::friction_per_gap(std::size_t i) const {
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
-  parallel_for(static_cast<std::int64_t>(trial_.size()),
-               [&](std::int64_t i) { evaluate_point(static_cast<std::size_t>(i), d); });
+  parallel_for(
+      static_cast<std::int64_t>(trial_.size()), [&](std::int64_t i) { evaluate_point(static_cast<std::size_t>(i), d); },
+      kFewPoints);
 }
 
 void OpenClose::evaluate_point(std::size_t i, std::span<const double> d) {

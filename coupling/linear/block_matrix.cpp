@@ -44,14 +44,21 @@ std::int32_t BlockMatrix::find(std::int32_t i, std::int32_t j) const {
 
 void BlockMatrix::clear_row(std::int32_t i) { std::fill(block(row_begin(i)), block(row_begin(i + 1)), 0.0); }
 
+namespace {
+constexpr std::int64_t kFewRows = 3000;  // not worth waking threads for
+}
+
 void BlockMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-  parallel_for(rows(), [&](std::int64_t at) {
-    const auto i = static_cast<std::int32_t>(at);
-    BlockSum sum;
-    for (std::int32_t k = row_begin(i); k < row_begin(i + 1); ++k)
-      sum.add(block(k), &x[kBlockSide * static_cast<std::size_t>(column(k))]);
-    sum.store(&y[kBlockSide * static_cast<std::size_t>(i)]);
-  });
+  parallel_for(
+      rows(),
+      [&](std::int64_t at) {
+        const auto i = static_cast<std::int32_t>(at);
+        BlockSum sum;
+        for (std::int32_t k = row_begin(i); k < row_begin(i + 1); ++k)
+          sum.add(block(k), &x[kBlockSide * static_cast<std::size_t>(column(k))]);
+        sum.store(&y[kBlockSide * static_cast<std::size_t>(i)]);
+      },
+      kFewRows);
 }
 
 }  // namespace scree::coupling

@@ -46,8 +46,7 @@ void for_chunks(std::int64_t n, Chunk&& chunk) {
 /// Sum of of(begin, end) over the chunks of [0, n), in their order.
 template <class Of>
 double sum_of(std::int64_t n, std::vector<double>& partial, Of&& of) {
-  parallel_for_chunks(n,
-                      [&](std::int64_t begin, std::int64_t end) { partial[kSums * chunk_of(begin)] = of(begin, end); });
+  for_chunks(n, [&](std::int64_t begin, std::int64_t end) { partial[kSums * chunk_of(begin)] = of(begin, end); });
   double sum = 0.0;
   for (std::int64_t begin = 0; begin < n; begin += kChunk) sum += partial[kSums * chunk_of(begin)];
   return sum;

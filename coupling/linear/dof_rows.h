@@ -88,8 +88,8 @@ class DofRows {
   }
   /// add() of unknowns that follow each other.   @param first  the first of them   @param h  as many numbers
   void add_run(std::int32_t first, std::span<const double> h) {
-    const auto n = static_cast<std::ptrdiff_t>(h.size()), size = static_cast<std::ptrdiff_t>(dof_.size()),
-               row = start_[start_.size() - 2];
+    const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(h.size()), size = static_cast<std::ptrdiff_t>(dof_.size()),
+                         row = start_[start_.size() - 2];
     if (size == row || dof_.back() < first) {
       for (std::size_t i = 0; i < h.size(); ++i) dof_.push_back(first + static_cast<std::int32_t>(i));
       h_.insert(h_.end(), h.begin(), h.end());
