@@ -64,7 +64,7 @@ bool OpenClose::factorise_blocks(StepReport& report) {
   b.fresh_iterations = -1;
   b.work += incomplete_work(static_cast<double>(b.system.matrix().blocks()), b.system.matrix().rows());
   ++report.incomplete_factors;
-  return b.factor.factorise(b.system.matrix());
+  return b.factor.factorise(b.system.matrix(), system_->unit());
 }
 
 bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {

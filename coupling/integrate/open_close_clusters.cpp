@@ -161,7 +161,7 @@ bool OpenClose::solve_cluster(std::span<double> d) {
       std::copy_n(all.block(from), kBlockSize, c.matrix.block(at));
     }
   }
-  if (!c.factor.factorise(c.matrix)) return false;
+  if (!c.factor.factorise(c.matrix, c.unit)) return false;
   c.change.assign(c.residual.size(), 0.0);
   const int taken = c.residuals.solve([&](std::span<const double> x, std::span<double> y) { c.matrix.multiply(x, y); },
                                       [&](std::span<const double> r, std::span<double> z) { c.factor.solve(r, z); },

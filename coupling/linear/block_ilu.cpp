@@ -17,20 +17,19 @@ void round_to(const double* block, FloatBlock& out) {
 }
 
 /// Inverse of a pivot.   @return false: it has none, or one that single precision cannot tell from none
-bool invert(const FloatBlock& pivot, FloatBlock& inverse) {
+bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
   using Matrix = Eigen::Matrix<double, kBlockSide, kBlockSide>;
   using Scale = Eigen::Matrix<double, kBlockSide, 1>;
   Matrix m;
   for (int j = 0; j < kBlockSide; ++j)
     for (int i = 0; i < kBlockSide; ++i) m(i, j) = static_cast<double>(pivot.column[j][i]);
-  // A unit diagonal makes what follows independent of the units of the unknowns. That of a system with inertia is
-  // positive, friction or not.
-  if (!m.allFinite() || !(m.diagonal().minCoeff() > 0.0)) return false;
-  const Scale scale = m.diagonal().cwiseSqrt().cwiseInverse();
+  if (!m.allFinite()) return false;
+  // In units of their own numbers can be compared. None has to be positive: friction makes the diagonal what it likes.
+  const Scale scale = Eigen::Map<const Scale>(unit).cwiseInverse();
   m = scale.asDiagonal() * m * scale.asDiagonal();
   const Eigen::PartialPivLU<Matrix> lu(m);
   constexpr double kSingular = 1e-7;
-  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular)) return false;
+  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular * m.cwiseAbs().maxCoeff())) return false;
   m = scale.asDiagonal() * lu.inverse() * scale.asDiagonal();
   round_to(m.data(), inverse);
   return m.allFinite();
@@ -93,7 +92,7 @@ void BlockIlu::take(const BlockMatrix& A) {
   });
 }
 
-bool BlockIlu::eliminate(const Part& part) {
+bool BlockIlu::eliminate(const Part& part, std::span<const double> unit) {
   const auto column = [this](std::int32_t k) { return static_cast<std::size_t>(column_[static_cast<std::size_t>(k)]); };
   for (auto row = static_cast<std::size_t>(part.begin); row < static_cast<std::size_t>(part.end); ++row) {
     for (std::int32_t k = first_[row]; k < end_[row]; ++k) place_[column(k)] = k;
@@ -106,14 +105,15 @@ bool BlockIlu::eliminate(const Part& part) {
           factor_[static_cast<std::size_t>(at)].subtract_product(left, factor_[static_cast<std::size_t>(m)]);
     }
     for (std::int32_t k = first_[row]; k < end_[row]; ++k) place_[column(k)] = -1;
-    if (!invert(factor_[static_cast<std::size_t>(diagonal_[row])], inverse_[row])) return false;
+    const FloatBlock& pivot = factor_[static_cast<std::size_t>(diagonal_[row])];
+    if (!invert(pivot, &unit[kBlockSide * row], inverse_[row])) return false;
   }
   return true;
 }
 
-bool BlockIlu::factorise(const BlockMatrix& A) {
+bool BlockIlu::factorise(const BlockMatrix& A, std::span<const double> unit) {
   take(A);
-  for_parts(parts_.size(), [this](std::size_t p) { failed_[p] = eliminate(parts_[p]) ? 0 : 1; });
+  for_parts(parts_.size(), [&](std::size_t p) { failed_[p] = eliminate(parts_[p], unit) ? 0 : 1; });
   return made_ = std::find(failed_.begin(), failed_.end(), 1) == failed_.end();
 }
 

@@ -18,8 +18,9 @@ namespace scree::coupling {
 /// @source [Saad2003] 10.3, blocks in place of numbers; 12.4.1 (parts)
 class BlockIlu {
  public:
+  /// @param unit  of every number of a right-hand side, by which pivots are compared (ImplicitSystem::unit())
   /// @return false: a pivot block is singular or not finite; there is no factor then
-  [[nodiscard]] bool factorise(const BlockMatrix& A);
+  [[nodiscard]] bool factorise(const BlockMatrix& A, std::span<const double> unit);
   /// z = (D + U)^-1 D (L + D)^-1 r.   @pre factorise() returned true   @param r,z  6 numbers per block row
   void solve(std::span<const double> r, std::span<double> z);
   /// Forgets the factor.
@@ -33,7 +34,7 @@ class BlockIlu {
   };
   void take(const BlockMatrix& A);
   /// The factor of a part from the numbers of A.   @return false: as factorise()
-  [[nodiscard]] bool eliminate(const Part& part);
+  [[nodiscard]] bool eliminate(const Part& part, std::span<const double> unit);
   void solve(const Part& part, std::span<const double> r, std::span<double> z);
 
   bool made_ = false;

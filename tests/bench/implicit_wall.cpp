@@ -72,6 +72,10 @@ bool take(Integrator& integrator, test::ByHand& hand, Tick step, int count, Phas
       phase.all.updates += report.updates;
       phase.all.factorisations += report.factorisations;
       phase.all.corrections += report.corrections;
+      phase.all.block_iterations += report.block_iterations;
+      phase.all.incomplete_factors += report.incomplete_factors;
+      phase.all.local_passes += report.local_passes;
+      phase.all.fallbacks += report.fallbacks;
       if (report.status == coupling::StepReport::Status::ok) {
         left -= std::min(h, left);
         continue;
@@ -92,9 +96,12 @@ bool take(Integrator& integrator, test::ByHand& hand, Tick step, int count, Phas
 
 void show(const char* name, std::size_t blocks, const Phase& p) {
   const double n = p.steps;
-  fmt::print("{:>8} {:>8} {:>6} {:>8.2f} {:>9.1f} {:>9.2f} {:>8.2f} {:>8.1f} {:>5} {:>10.2f} {:>10.2f}\n", blocks, name,
-             p.steps, p.all.passes / n, p.all.switches / n, p.all.corrections / n, p.all.factorisations / n,
-             p.all.updates / n, p.cuts, 1e3 * p.seconds / n, 1e3 * p.longest);
+  fmt::print(
+      "{:>8} {:>8} {:>6} {:>7.2f} {:>7.2f} {:>9.1f} {:>7.2f} {:>7.2f} {:>8.2f} {:>8.2f} {:>8.1f} {:>5} {:>5} {:>10.2f} "
+      "{:>10.2f}\n",
+      blocks, name, p.steps, p.all.passes / n, p.all.local_passes / n, p.all.switches / n, p.all.corrections / n,
+      p.all.block_iterations / n, p.all.incomplete_factors / n, p.all.factorisations / n, p.all.updates / n,
+      p.all.fallbacks, p.cuts, 1e3 * p.seconds / n, 1e3 * p.longest);
   std::fflush(stdout);
 }
 
@@ -108,8 +115,9 @@ int main(int argc, char** argv) {
   const double dt = argc > 4 ? std::atof(argv[4]) : 1e-3;
   std::ofstream positions;
   if (argc > 5) positions.open(argv[5], std::ios::binary);
-  fmt::print("{:>8} {:>8} {:>6} {:>8} {:>9} {:>9} {:>8} {:>8} {:>5} {:>10} {:>10}\n", "blocks", "phase", "steps",
-             "passes", "switches", "solves", "factors", "updates", "cuts", "ms a step", "longest");
+  fmt::print("{:>8} {:>8} {:>6} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>5} {:>5} {:>10} {:>10}\n", "blocks",
+             "phase", "steps", "passes", "local", "switches", "solves", "blocks", "ilu", "factors", "updates", "falls",
+             "cuts", "ms a step", "longest");
   for (const bool shaken : {false, true}) {
     const test::Scene scene = bench::wall(courses, settling, shaken);
     test::ByHand hand(scene.model, scene.plan.stages[0]);

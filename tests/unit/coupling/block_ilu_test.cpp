@@ -39,10 +39,12 @@ Pairs drawn_pairs(int n, int count, std::mt19937_64& random) {
 struct System {
   BlockMatrix blocks;
   Eigen::MatrixXd dense;
+  std::vector<double> unit;
 
   System(int n, const Pairs& pairs, double stiffness, double friction, std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     blocks.set_pattern(n, pairs);
+    unit.assign(6 * static_cast<std::size_t>(n), 1.0);
     dense = Eigen::MatrixXd::Zero(6 * n, 6 * n);
     for (int i = 0; i < n; ++i) {
       Eigen::Matrix<double, 6, 6> g;
@@ -124,7 +126,7 @@ TEST(BlockIlu, is_the_inverse_where_elimination_fills_nothing) {
     for (const double friction : {0.0, 0.6}) {
       const System s(n, chain(n), 20.0, friction, random);
       BlockIlu ilu;
-      ASSERT_TRUE(ilu.factorise(s.blocks));
+      ASSERT_TRUE(ilu.factorise(s.blocks, s.unit));
       const Eigen::VectorXd b = s.drawn_side(random);
       // Single precision, times a condition of some hundreds.
       EXPECT_LT(relative_error(preconditioned(ilu, b), s.dense.partialPivLu().solve(b)), 2e-4) << n << ", " << friction;
@@ -136,7 +138,7 @@ TEST(BlockIlu, has_the_numbers_of_the_matrix_on_its_pattern) {
   const int n = 9;
   const System s(n, drawn_pairs(n, 14, random), 2.0, 0.3, random);
   BlockIlu ilu;
-  ASSERT_TRUE(ilu.factorise(s.blocks));
+  ASSERT_TRUE(ilu.factorise(s.blocks, s.unit));
   Eigen::MatrixXd inverse(6 * n, 6 * n);
   for (int k = 0; k < 6 * n; ++k) inverse.col(k) = preconditioned(ilu, Eigen::VectorXd::Unit(6 * n, k));
   const Eigen::MatrixXd product = inverse.inverse();
@@ -158,14 +160,15 @@ TEST(BlockIlu, does_not_depend_on_the_units_of_the_unknowns) {
   // do not round.
   Eigen::VectorXd unit(6 * n);
   for (int k = 0; k < 6 * n; ++k) unit(k) = k % 6 < 2 ? 1.0 : 1024.0;
+  const std::vector<double> units(unit.data(), unit.data() + unit.size());
   BlockMatrix other = s.blocks;
   for (int i = 0; i < n; ++i)
     for (std::int32_t k = other.row_begin(i); k < other.row_begin(i + 1); ++k)
       for (int c = 0; c < 6; ++c)
         for (int r = 0; r < 6; ++r) other.block(k)[6 * c + r] *= unit(6 * i + r) * unit(6 * other.column(k) + c);
   BlockIlu first, second;
-  ASSERT_TRUE(first.factorise(s.blocks));
-  ASSERT_TRUE(second.factorise(other));
+  ASSERT_TRUE(first.factorise(s.blocks, s.unit));
+  ASSERT_TRUE(second.factorise(other, units));
   const Eigen::VectorXd b = s.drawn_side(random);
   const Eigen::VectorXd z = preconditioned(first, b), scaled = preconditioned(second, b.cwiseProduct(unit));
   for (int k = 0; k < 6 * n; ++k) EXPECT_EQ(scaled(k) * unit(k), z(k)) << k;
@@ -178,14 +181,15 @@ TEST(BlockIlu, says_where_a_pivot_fails) {
     BlockMatrix m = s.blocks;
     spoil(m);
     BlockIlu ilu;
-    const bool made = ilu.factorise(m);
+    const bool made = ilu.factorise(m, s.unit);
     EXPECT_EQ(made, ilu.made());
     return !made;
   };
   EXPECT_FALSE(spoilt([](BlockMatrix&) {}));
   EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.clear_row(3); }));
   EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(2))[0] = std::numeric_limits<double>::quiet_NaN(); }));
-  EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(4))[21] = -1e6; }));
+  EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(1))[14] = std::numeric_limits<double>::infinity(); }));
+  EXPECT_FALSE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(4))[21] = -1e3; }));  // indefinite has a factor too
   EXPECT_TRUE(spoilt([](BlockMatrix& m) {  // two unknowns that single precision cannot tell apart
     m.clear_row(0);
     for (int k = 0; k < 6; ++k) m.block(m.diagonal(0))[7 * k] = 1.0;
@@ -200,7 +204,7 @@ TEST(BlockIlu, makes_conjugate_residuals_meet_the_dense_solution) {
     for (const double friction : {0.0, 0.6}) {
       const System s(n, drawn_pairs(n, 2 * n, random), 100.0, friction, random);
       BlockIlu ilu;
-      ASSERT_TRUE(ilu.factorise(s.blocks));
+      ASSERT_TRUE(ilu.factorise(s.blocks, s.unit));
       const Eigen::VectorXd b = s.drawn_side(random);
       const std::vector<double> unit(static_cast<std::size_t>(b.size()), b.cwiseAbs().maxCoeff());
       Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
