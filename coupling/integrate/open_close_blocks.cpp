@@ -21,7 +21,7 @@ double iteration_work(double blocks, double bodies) { return 1.6 * blocks + 4.0 
 /// An incomplete factor: some 4 products of two blocks for each below the diagonal, and an inverse per body.
 double incomplete_work(double blocks, double bodies) { return 4.0 * blocks + 10.0 * bodies; }
 /// One solution with a complete factor. Fill of n bodies in a plane, ordered by minimum degree, is about n log n.
-double solution_work(double bodies) { return 4.0 * bodies * std::log2(bodies + 1.0); }
+double solution_work(double bodies) { return 8.0 * bodies * std::log2(bodies + 1.0); }
 
 }  // namespace
 
