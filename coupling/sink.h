@@ -30,7 +30,10 @@ struct RunStats {
   // Of implicit steps: Newton iterations, open-close passes, contact states switched in them, factors, their updates.
   std::int64_t iterations = 0, passes = 0, switches = 0, factorisations = 0, updates = 0;
   std::int64_t corrections = 0;  // solutions with a factor of another matrix
-  std::int64_t contacts = 0;     // points closed now
+  // Of them with an incomplete factor of blocks; such factors; passes of clusters of bodies; passes that fell back from
+  // blocks to a complete factor.
+  std::int64_t block_iterations = 0, incomplete_factors = 0, local_passes = 0, fallbacks = 0;
+  std::int64_t contacts = 0;  // points closed now
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
   double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // of attempts at steps; of output [s]
   // Processor time of the process, all its threads [s]: of stages of explicit steps and of others (steps with all that

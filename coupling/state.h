@@ -32,6 +32,14 @@ struct KeptFactor {
     std::int32_t excess = 0;  // of its steps so far, above that and one more
   };
   Patience patience;
+  /// Which solver the next step of affine bodies begins with (docs/theory/linear-solvers.md).
+  struct Choice {
+    std::int32_t direct = 0;                // 1: a complete factor, 0: an incomplete one of blocks
+    std::int32_t hold = 0, next_hold = 0;   // steps that it stays so after the incomplete one failed; the next time
+    std::int32_t returns = 0;               // how often the complete one has been tried in vain
+    double block_work = 0.0, excess = 0.0;  // of the last step by blocks; by which the other would have been less
+  };
+  Choice choice;
   std::vector<std::int32_t> column_start, row;  // the matrix it is of: lower triangle; empty: there is none
   std::vector<double> value;
 };
@@ -166,6 +174,12 @@ void State::visit(Visitor&& see) const {
   see("factored.next_wait", factored.patience.next_wait);
   see("factored.least", factored.patience.least);
   see("factored.excess", factored.patience.excess);
+  see("factored.direct", factored.choice.direct);
+  see("factored.hold", factored.choice.hold);
+  see("factored.next_hold", factored.choice.next_hold);
+  see("factored.returns", factored.choice.returns);
+  see("factored.block_work", factored.choice.block_work);
+  see("factored.excess_work", factored.choice.excess);
   see("factored.column_start", factored.column_start);
   see("factored.row", factored.row);
   see("factored.value", factored.value);

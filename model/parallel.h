@@ -13,9 +13,10 @@ inline constexpr std::int64_t kChunk = 512;         // items a partial sum
 inline constexpr std::int64_t kSerialBelow = 4096;  // fewer items are not worth waking threads
 
 /// body(i) for i in [0, n); iterations must not share anything they write.
+/// @param serial_below  fewer items are not worth waking threads
 template <class Body>
-void parallel_for(std::int64_t n, Body&& body) {
-  if (n < kSerialBelow) {  // a parallel region costs something even with one thread
+void parallel_for(std::int64_t n, Body&& body, std::int64_t serial_below = kSerialBelow) {
+  if (n < serial_below) {  // a parallel region costs something even with one thread
     for (std::int64_t i = 0; i < n; ++i) body(i);
     return;
   }

@@ -1,9 +1,20 @@
 #include "coupling/integrate/implicit_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scree::coupling {
+namespace {
+
+/// True for a body of six unknowns that one element has all of, in order.
+bool dense_six(int dofs, const ElementDofs& elements) {
+  constexpr std::array<std::int32_t, 6> kAll{0, 1, 2, 3, 4, 5};
+  return dofs == 6 && elements.size() == 1 &&
+         std::equal(elements.dof.begin(), elements.dof.end(), kAll.begin(), kAll.end());
+}
+
+}  // namespace
 
 ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value_(1, 0) {
   std::vector<std::int32_t> row, column;
@@ -21,6 +32,7 @@ ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value
             column.push_back(dofs_ + elements.dof[j]);
           }
       nonlinear_ = nonlinear_ || nonlinear_body_.back() != 0;
+      affine_ = affine_ && nonlinear_body_.back() == 0 && dense_six(pool.dofs(b.index), elements);
       constant_charts_ = constant_charts_ && pool.constant_chart(b.index);
       dofs_ += pool.dofs(b.index);
       nonlinear_dof_.resize(static_cast<std::size_t>(dofs_), nonlinear_body_.back() != 0 ? 1.0 : 0.0);

@@ -1,6 +1,7 @@
 // Unknowns, masses and stiffnesses of all free bodies in an implicit step.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,9 @@ class ImplicitSystem {
   [[nodiscard]] std::int32_t body_of(std::int32_t dof) const;
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   [[nodiscard]] bool nonlinear() const { return nonlinear_; }
+  /// True if every free body has six unknowns, all coupled, and forces that are linear in them: an affine block, or one
+  /// cover around a whole block with linear kinematics.
+  [[nodiscard]] bool affine() const { return affine_; }
   /// True if masses in the unknowns are the same at every state.
   [[nodiscard]] bool constant_charts() const { return constant_charts_; }
 
@@ -46,6 +50,15 @@ class ImplicitSystem {
   [[nodiscard]] ChartRow chart(std::int32_t body, const Row& row, std::span<const double> q) const;
   /// The last row += c.(displacement of the point).
   static void add_point(const ChartRow& point, const Vec2& c, DofRows& out) {
+    constexpr std::size_t kAffine = 6;  // unknowns of an affine body, in order
+    bool run = point.n == kAffine;
+    for (std::size_t k = 1; run && k < kAffine; ++k) run = point.dof[k] == point.dof[k - 1] + 1;
+    if (run) {
+      std::array<double, kAffine> h{};
+      for (std::size_t k = 0; k < kAffine; ++k) h[k] = c.x() * point.tx[k] + c.y() * point.ty[k];
+      out.add_run(point.dof[0], h);
+      return;
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(point.n); ++k)
       out.add(point.dof[k], c.x() * point.tx[k] + c.y() * point.ty[k]);
   }
@@ -69,7 +82,7 @@ class ImplicitSystem {
   std::vector<char> nonlinear_body_;      // per body
   std::vector<std::size_t> first_value_;  // per body: into place_
   std::int32_t dofs_ = 0;
-  bool nonlinear_ = false, constant_charts_ = true;
+  bool nonlinear_ = false, constant_charts_ = true, affine_ = true;
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
   std::vector<double> mass_, rate_, nonlinear_dof_, unit_, scratch_;

@@ -31,7 +31,7 @@ struct ImplicitOptions {
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
   double together =
       1e-9;  // of the largest force: largest difference of the interface force from the one in the balance
-  OpenClose::Factor factor = OpenClose::Factor::kept;
+  OpenClose::Factor factor = OpenClose::Factor::chosen;
 };
 
 /// With v' = 2 d/h - v in both schemes, at the end of the step:

@@ -9,6 +9,7 @@
 
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/sink.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -21,7 +22,7 @@ constexpr int kCorrectionsPerFactor = 12;
 
 OpenClose::OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed,
                      Factor factor)
-    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor) {
+    : setup_(&setup), control_(control), system_(&system), allowed_(allowed), factor_(factor), blocks_(system) {
   cholesky_.set_pattern(system.pattern());
   chart_of_node_.assign(setup.outlines().nodes.size(), -1);
   for (const Body& b : setup.bodies()) {
@@ -32,6 +33,7 @@ OpenClose::OpenClose(const Setup& setup, const StepControl& control, const Impli
 
 void OpenClose::enter(const KeptFactor& kept) {
   patience_ = kept.patience;
+  choice_ = kept.choice;
   made_ = false;
   cholesky_.set_pattern(system_->pattern());
   if (kept.column_start.empty()) return;
@@ -44,7 +46,19 @@ void OpenClose::enter(const KeptFactor& kept) {
 }
 
 void OpenClose::accept(KeptFactor& kept) {
-  if (factor_ != Factor::kept) return;
+  if (factor_ != Factor::kept && factor_ != Factor::chosen) return;
+  if (factor_ == Factor::chosen && system_->affine() && damping_.empty()) {
+    choose_solver();
+    kept.choice = choice_;
+    if (choice_.direct == 0) {  // the next step needs none
+      kept.column_start.clear();
+      kept.row.clear();
+      kept.value.clear();
+      if (cholesky_.factored()) cholesky_.set_pattern(system_->pattern());
+      made_ = false;
+      return;
+    }
+  }
   if (made_) {
     const SymmetricMatrix& matrix = cholesky_.matrix();
     kept.column_start = matrix.pattern.column_start;
@@ -97,9 +111,9 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   springs_ = &springs;
   damping_ = damping;
   current_ = updated_ = false;
-  keep_ = factor_ == Factor::kept && !system_->nonlinear() && cholesky_.factored() && patience_.wait == 0;
-  if (keep_) cholesky_.drop_updates();
+  predict_ = allowed_;
   corrections_left_ = kCorrectionsPerFactor;
+  counts_ = {};
   passes_.clear();
   rows_.clear();
   for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
@@ -129,6 +143,10 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
     t.at = m.kn / t.k * m.gap;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
   }
+  begin_blocks();
+  keep_ = !blocks_.acts && (factor_ == Factor::kept || factor_ == Factor::chosen) && !system_->nonlinear() &&
+          cholesky_.factored() && patience_.wait == 0;
+  if (keep_) cholesky_.drop_updates();
 }
 
 const JointLaw& OpenClose::law_of(std::size_t i) const {
@@ -202,6 +220,10 @@ void OpenClose::apply_states() {
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
   apply_states();
+  if (blocks_.acts) {
+    if (take_blocks(fresh, report)) return true;
+    leave_blocks(report);
+  }
   if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
@@ -211,6 +233,7 @@ bool OpenClose::factorise_anew(StepReport& report) {
   current_ = cholesky_.factorise(A_, rows_, k_);
   made_ = true;
   ++report.factorisations;
+  ++counts_.factorisations;
   factored_k_ = k_;
   if (current_) return true;
   report.status = StepReport::Status::not_definite;
@@ -242,29 +265,33 @@ double OpenClose::friction_per_gap(std::size_t i) const {
 }
 
 void OpenClose::evaluate_points(std::span<const double> d) {
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    Trial& t = trial_[i];
-    const ContactMemory& m = list_->memory[i];
-    const double change = normal(i).change(d);
-    t.moved = tangential(i).change(d);
-    t.opened = 0.0;
-    if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
-      const DilatingForce f = dilation(i);
-      const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
-      t.opened = t.at + change + force / t.k;
-    }
-    t.gap = m.gap + change - t.opened;
-    t.fn = t.status == ContactStatus::open ? 0.0 : (t.slack ? slack_force(i) : pressed(t, change - t.opened));
-    if (t.status == ContactStatus::stick) {
-      t.stretch = stretch_before(i) + t.moved;
-      t.ft = -m.kt * t.stretch;
-    } else if (t.status == ContactStatus::slip) {
-      t.load = std::max(t.fn, 0.0);
-      t.ft = t.direction * limit(i);
-      t.stretch = -t.ft / m.kt;
-    } else {
-      t.ft = t.stretch = 0.0;
-    }
+  parallel_for(
+      static_cast<std::int64_t>(trial_.size()), [&](std::int64_t i) { evaluate_point(static_cast<std::size_t>(i), d); },
+      kFewPoints);
+}
+
+void OpenClose::evaluate_point(std::size_t i, std::span<const double> d) {
+  Trial& t = trial_[i];
+  const ContactMemory& m = list_->memory[i];
+  const double change = normal(i).change(d);
+  t.moved = tangential(i).change(d);
+  t.opened = 0.0;
+  if (t.status == ContactStatus::slip && dilates(i) && !t.slack) {
+    const DilatingForce f = dilation(i);
+    const double force = -(f.per_gap * (t.at + change) + f.per_stretch * (stretch_before(i) + t.moved) + f.constant);
+    t.opened = t.at + change + force / t.k;
+  }
+  t.gap = m.gap + change - t.opened;
+  t.fn = t.status == ContactStatus::open ? 0.0 : (t.slack ? slack_force(i) : pressed(t, change - t.opened));
+  if (t.status == ContactStatus::stick) {
+    t.stretch = stretch_before(i) + t.moved;
+    t.ft = -m.kt * t.stretch;
+  } else if (t.status == ContactStatus::slip) {
+    t.load = std::max(t.fn, 0.0);
+    t.ft = t.direction * limit(i);
+    t.stretch = -t.ft / m.kt;
+  } else {
+    t.ft = t.stretch = 0.0;
   }
 }
 
@@ -368,16 +395,28 @@ OpenClose::ProposedState OpenClose::proposed_state(std::size_t i) const {
   return w;
 }
 
+void OpenClose::propose(std::size_t i) {
+  const Trial& t = trial_[i];
+  const ProposedState w = proposed_state(i);
+  const bool other = w.status != t.status || w.opens != t.opens || w.slack != t.slack;
+  if (other && w.violation > tolerance(i)) proposed_.emplace_back(i, w);
+}
+
+void OpenClose::adopt(std::size_t i, const ProposedState& w) {
+  Trial& t = trial_[i];
+  t.status = w.status;
+  t.direction = w.direction;
+  t.opens = w.opens;
+  t.slack = w.slack && w.status != ContactStatus::open;
+  t.load = std::max(t.fn, 0.0);
+}
+
 int OpenClose::switch_states(bool only_worst) {
   largest_force_ = 0.0;
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
   proposed_.clear();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (list_->points[i].suppressed) continue;
-    const ProposedState w = proposed_state(i);
-    const bool other = w.status != trial_[i].status || w.opens != trial_[i].opens || w.slack != trial_[i].slack;
-    if (other && w.violation > tolerance(i)) proposed_.emplace_back(i, w);
-  }
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (!list_->points[i].suppressed) propose(i);
   const auto bodies_of = [&](std::size_t i) {
     const auto& node = list_->points[i].node;
     const auto& body = setup_->outlines().node_body;
@@ -389,7 +428,7 @@ int OpenClose::switch_states(bool only_worst) {
       for (const std::int32_t b : bodies_of(i))
         worst_[static_cast<std::size_t>(b)] = std::max(worst_[static_cast<std::size_t>(b)], w.violation);
   }
-  int switched = 0;
+  switched_.clear();
   for (const auto& [i, w] : proposed_) {
     if (only_worst) {
       // One of two that are as bad is enough.
@@ -401,22 +440,32 @@ int OpenClose::switch_states(bool only_worst) {
       if (!is_worst(bodies[0]) || !is_worst(bodies[1])) continue;
       for (const std::int32_t b : bodies) worst_[static_cast<std::size_t>(b)] = std::numeric_limits<double>::infinity();
     }
-    ++switched;
-    Trial& t = trial_[i];
-    t.status = w.status;
-    t.direction = w.direction;
-    t.opens = w.opens;
-    t.slack = w.slack && w.status != ContactStatus::open;
-    t.load = std::max(t.fn, 0.0);
+    switched_.push_back(i);
+    adopt(i, w);
   }
-  return switched;
+  return static_cast<int>(switched_.size());
+}
+
+int OpenClose::predict_states(std::span<const double> guess) {
+  evaluate_points(guess);
+  largest_force_ = 0.0;
+  for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
+  proposed_.clear();
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (!list_->points[i].suppressed && trial_[i].status == ContactStatus::open) propose(i);
+  }
+  for (const auto& [i, w] : proposed_) adopt(i, w);
+  return static_cast<int>(proposed_.size());
+}
+
+char OpenClose::state_letter(const Trial& t) {
+  return static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
+                           (t.direction < 0.0 ? -1 : 1));
 }
 
 std::size_t OpenClose::hash_of_states() {
   states_.clear();
-  for (const Trial& t : trial_)
-    states_.push_back(static_cast<char>((static_cast<int>(t.status) + (t.opens ? 4 : 0) + (t.slack ? 8 : 0)) *
-                                        (t.direction < 0.0 ? -1 : 1)));
+  for (const Trial& t : trial_) states_.push_back(state_letter(t));
   return std::hash<std::string>{}(states_);
 }
 
@@ -434,6 +483,8 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   // more passes than few: those count that do not halve the number that switches.
   int left = control_.max_passes, fewest = std::numeric_limits<int>::max();
   exact_ = false;
+  if (predict_) report.switches += predict_states(d);
+  predict_ = false;
   for (int pass = 0; left > 0; ++pass, --left) {
     if (control_of_run_ != nullptr && control_of_run_->give_up_step()) {
       report.status = StepReport::Status::given_up;
@@ -475,7 +526,9 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
       report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
       return false;
     }
+    if (blocks_.acts) settle_clusters(d, report);
     report.switches += switched;
+    counts_.switches += switched;
     ++stalled;
     if (switched <= fewest / 2) {
       fewest = switched;

@@ -7,30 +7,16 @@
 #include "coupling/contact/contact_energy.h"
 #include "coupling/contact/law/dilation.h"
 #include "coupling/contact/law/joint_strength.h"
+#include "coupling/integrate/block_solver.h"
+#include "coupling/integrate/contact_trial.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
+#include "coupling/integrate/step_springs.h"
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/linear/cholesky.h"
 #include "coupling/linear/conjugate_residuals.h"
 
 namespace scree::coupling {
-
-/// Things of stiffness k between bodies or to the ground that stay as they are during a step: force -k (at + u) along
-/// their rows, u the change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
-struct StepSprings {
-  DofRows rows;
-  std::vector<double> k;   // [N/m]
-  std::vector<double> at;  // elongation at the start of the step [m]
-  [[nodiscard]] std::size_t size() const { return k.size(); }
-  [[nodiscard]] double force(std::size_t i, std::span<const double> d) const {
-    return -k[i] * (at[i] + rows[i].change(d));
-  }
-  void clear() {
-    rows.clear();
-    k.clear();
-    at.clear();
-  }
-};
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
 /// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned
@@ -42,20 +28,7 @@ struct StepSprings {
 /// @source docs/theory/time-integration.md, "Open-close iteration"; [Qu2013] 3.2.2, 4.5
 class OpenClose {
  public:
-  struct Trial {  // a contact point during the iteration
-    ContactStatus status = ContactStatus::open;
-    double direction = 0.0;  // sign of the friction force while slipping
-    double load = 0.0;       // normal force that its friction limit was taken from [N]
-    bool opens = false;      // it dilates while it slips: not at the end of dilation yet
-    double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
-    double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change
-    // Normal spring and dashpot of a step h as one spring: k = k_n + c_n/h, k at = k_n g_n, so that
-    //   -k_n g - c_n (g - g_n)/h = -k (at + g - g_n).
-    double k = 0.0, at = 0.0;  // [N/m], [m]
-    // Closed, but the dashpot would pull by more than the point bears: it has the force that it bears, and no more.
-    bool slack = false;
-  };
-
+  using Trial = ContactTrial;
   struct Pass {        // of the last step, all Newton iterations
     int switched = 0;  // points that changed state before it
     int updates = 0;   // rank-1 changes of the factor
@@ -67,7 +40,8 @@ class OpenClose {
   enum class Factor {
     anew,     // one a pass, for comparison
     updated,  // one a step, rank updates while they are less work
-    kept      // the same, and from step to step
+    kept,     // the same, and from step to step
+    chosen    // where all free bodies are affine an incomplete one of blocks, or a kept one where that is less work
   };
   /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
   OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
@@ -106,6 +80,8 @@ class OpenClose {
   [[nodiscard]] DofRow tangential(std::size_t i) const { return rows_[springs_->size() + 2 * i + 1]; }
   [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
+  /// The last step was solved by blocks.
+  [[nodiscard]] bool by_blocks() const { return blocks_.acts; }
 
  private:
   void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
@@ -136,10 +112,44 @@ class OpenClose {
   /// The factor is not that of the whole matrix: points slip, or blocks are damped beside the pattern.
   [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }
   /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
+  int iterate(double enough, int most, std::span<double> d);
+  /// The same to what a pass is to be solved to.
   int improve(int most, std::span<double> d, StepReport& report);
   /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
   [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
+  // open_close_blocks.cpp: the same by blocks
+  [[nodiscard]] PointTangent tangent(std::size_t i) const;
+  /// Finds whether the step is to be solved by blocks, and can be.
+  void begin_blocks();
+  /// Brings the matrix to the states, and makes a factor where there is none of use.   @return false: a pivot failed
+  [[nodiscard]] bool take_blocks(bool fresh, StepReport& report);
+  [[nodiscard]] bool factorise_blocks(StepReport& report);
+  /// @return false: the iteration stalls; d is as it was
+  [[nodiscard]] bool solve_blocks(std::span<double> d, StepReport& report);
+  /// The rest of the step has a complete factor.
+  void leave_blocks(StepReport& report);
+  // open_close_clusters.cpp: states settled around the points that have switched
+  /// Forces of a point in its state: f_n = normal - nn dg - nt ds, f_t = tangential - tn dg - tt ds.
+  struct PointForce {
+    PointTangent k;
+    double normal = 0.0, tangential = 0.0;  // [N]
+  };
+  [[nodiscard]] PointForce linear_force(std::size_t i) const;
+  /// The bodies of the points that have switched, and one ring of closed contacts around them, fall into clusters. In
+  /// each that is not too large states settle while the bodies outside stay where they are: what a pass of all bodies
+  /// would carry on by one body at a time.
+  /// @pre blocks act   @param d  the unknowns that the states were found with; changed inside
+  void settle_clusters(std::span<double> d, StepReport& report);
+  void find_cluster_bodies();
+  void settle_cluster(std::span<double> d, StepReport& report);
+  void begin_cluster();
+  /// What the forces on the bodies of the cluster leave at d.   @return the largest of them [N]
+  double find_cluster_residual(std::span<const double> d);
+  [[nodiscard]] bool solve_cluster(std::span<double> d);
+  /// Which solver the next step begins with, from what this one has counted.
+  void choose_solver();
   void evaluate_points(std::span<const double> d);
+  void evaluate_point(std::size_t i, std::span<const double> d);
   [[nodiscard]] double limit(std::size_t i) const;
   /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
   [[nodiscard]] double pressed(const Trial& t, double change) const { return -t.k * (t.at + change); }
@@ -167,8 +177,15 @@ class OpenClose {
   /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should switch
   [[nodiscard]] bool switch_slack(std::size_t i, ProposedState& w) const;
   [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
+  /// Lists a point in proposed_ if it is to switch.
+  void propose(std::size_t i);
+  void adopt(std::size_t i, const ProposedState& w);
+  /// A character for the state of a point.
+  [[nodiscard]] static char state_letter(const Trial& t);
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
+  /// Open points that close where the first guess of a step takes them begin it closed.   @return their number
+  int predict_states(std::span<const double> guess);
   [[nodiscard]] bool refuse(StepReport& report) const;
   /// Of the states of all points, so that a pass is known which had them before.
   [[nodiscard]] std::size_t hash_of_states();
@@ -210,6 +227,7 @@ class OpenClose {
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
+  bool predict_ = false;  // this step has not begun yet
   bool current_ = false;  // the factor is that of the step's matrix, with updates
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
@@ -219,6 +237,14 @@ class OpenClose {
   int corrections_left_ = 0;      // iterations that this step may still take with it
   bool made_ = false;             // a factor was made since the last accept()
   KeptFactor::Patience patience_;
+  KeptFactor::Choice choice_;
+  BlockSolver blocks_;
+  struct Counts {
+    int switches = 0, corrections = 0, factorisations = 0;
+  };
+  Counts counts_;                      // of the step at hand
+  std::vector<std::size_t> switched_;  // points, in the last pass
+  BodyClusters clusters_;
   Cholesky cholesky_;
 };
 

@@ -67,23 +67,35 @@ double OpenClose::round_off(std::span<const double> d) const {
   return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
 }
 
+int OpenClose::iterate(double enough, int most, std::span<double> d) {
+  using In = std::span<const double>;
+  using Out = std::span<double>;
+  if (blocks_.acts)
+    return residuals_.solve([this](In x, Out y) { blocks_.system.multiply(x, y); },
+                            [this](In x, Out y) { blocks_.system.matrix().multiply(x, y); },
+                            [this](In r, Out z) { blocks_.factor.solve(r, z); }, rhs_, system_->unit(), enough, most,
+                            d);
+  return residuals_.solve([this](In x, Out y) { multiply(x, y); }, [this](In r, Out z) { cholesky_.solve(r, z); }, rhs_,
+                          system_->unit(), enough, most, d);
+}
+
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
   constexpr double kRough = 1e-7;   // while states still switch
   constexpr int kAtOnce = ConjugateResiduals::kDepth;
   // Friction takes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
-  rough_ = !exact_ && (keep_ || unsymmetric());
+  rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
   const double part_of = rough_ ? kRough : kExact;
   double enough = part_of * force_scale(d);
   int taken = 0;
   for (bool looked = false;;) {
     const int part = std::min(most - taken, kAtOnce);
-    const int more = residuals_.solve([this](std::span<const double> x, std::span<double> y) { multiply(x, y); },
-                                      [this](std::span<const double> r, std::span<double> z) { cholesky_.solve(r, z); },
-                                      rhs_, system_->unit(), enough, part, d);
+    const int more = iterate(enough, part, d);
     taken += more >= 0 ? more : part;
     if (more >= 0 || (looked && taken >= most)) {
       report.corrections += taken;
+      counts_.corrections += taken;
+      if (blocks_.acts) report.block_iterations += taken;
       return more >= 0 ? taken : -1;
     }
     // Static steps of stiff meshes: forces inside are far larger than those on the blocks, and so is what they leave.
@@ -95,6 +107,11 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
 bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
   constexpr int kRefinements = 6, kFriction = 200;
   friction_settled_ = true;
+  if (blocks_.acts) {
+    if (solve_blocks(d, report)) return true;
+    leave_blocks(report);
+    if (!factorise_anew(report)) return false;
+  }
   if (keep_) {
     const int taken = improve(corrections_left_, d, report);
     corrections_left_ -= std::max(taken, 0);

@@ -36,8 +36,12 @@ struct StepReport {
   int passes = 0;    // open-close passes
   int switches = 0;  // of contact states in them
   int factorisations = 0;
-  int updates = 0;            // rank-1 changes of a factor
-  int corrections = 0;        // solutions with the factor of a matrix that is not quite that of the step
+  int updates = 0;           // rank-1 changes of a factor
+  int corrections = 0;       // solutions with the factor of a matrix that is not quite that of the step
+  int block_iterations = 0;  // of them those with an incomplete factor of blocks
+  int incomplete_factors = 0;
+  int local_passes = 0;       // of clusters of bodies
+  int fallbacks = 0;          // from it to a complete factor, in the pass
   int iterations = 0;         // of Newton's method
   double residual = 0.0;      // it left, over the largest force
   bool at_round_off = false;  // the residual stands above 1e-11 because the numbers end there

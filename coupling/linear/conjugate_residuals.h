@@ -1,8 +1,8 @@
 // Conjugate residuals with a preconditioner, for systems whose factor is that of a neighbour: of other states of the
-// contacts, or without the friction that makes them unsymmetric.
+// contacts, incomplete, or without the friction that makes them unsymmetric.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -10,9 +10,14 @@
 
 namespace scree::coupling {
 
-/// Generalised conjugate residuals: of all corrections that the preconditioner offers, the sum that leaves the least
-/// residual, as GMRES does, with solution and residual at hand. Keeps its scratch between solves.
-/// @source [Eisenstat1983]
+/// Generalised conjugate residuals: of all corrections z_j that the preconditioner offers, the sum that leaves the
+/// least residual, as GMRES does. With W the reciprocal units,
+///   W A z_j = sum_{k<j} R_kj q_k + q_j,   q_k.q_j = 0,   s_j = r.q_j/q_j.q_j,   r -= s_j q_j,
+/// and x gains sum y_j z_j, R y = s, once the residual that is carried along is small enough. Columns are made
+/// orthogonal all at once (classical Gram-Schmidt, a second time where little of one is left): two passes through
+/// memory for any number of them. Sums run over fixed chunks: the bits are those of any number of threads. Keeps its
+/// scratch between solves.
+/// @source [Eisenstat1983]; Gram-Schmidt: [Saad2003] 6.3.2
 class ConjugateResiduals {
  public:
   static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh
@@ -26,78 +31,68 @@ class ConjugateResiduals {
   template <class Matrix, class Inverse>
   int solve(Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit, double enough,
             int most, std::span<double> x) {
-    unit_ = unit;
-    weight_.resize(unit.size());
-    for (std::size_t i = 0; i < unit.size(); ++i) weight_[i] = 1.0 / (unit[i] * unit[i]);
-    residual(A, b, x);
+    return solve(A, A, inverse, b, unit, enough, most, x);
+  }
+  /// The same where products for corrections may round more than those of the solution.
+  /// @param exact  as A, to the last place that is worth having: residuals of x are taken with it
+  template <class Exact, class Matrix, class Inverse>
+  int solve(Exact&& exact, Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit,
+            double enough, int most, std::span<double> x) {
+    begin(unit);
+    exact(x, product_);
+    take_residual(b);
     std::size_t depth = 0;
     for (int taken = 0;; ++taken) {
-      if (largest() <= enough) {
+      if (largest_ <= enough) {
         if (depth == 0) return taken;
         // The residual carried along may be better than the true one: what round-off has taken is made up for afresh.
-        residual(A, b, x);
+        add_corrections(depth, x);
         depth = 0;
-        if (largest() <= enough) return taken;
+        exact(x, product_);
+        take_residual(b);
+        if (largest_ <= enough) return taken;
       }
-      if (taken == most || !std::isfinite(largest())) return -1;
-      if (depth == kDepth) depth = 0;
-      if (!correct(A, inverse, depth, x)) return -1;
+      const bool full = depth == kDepth, ends = taken == most || !std::isfinite(largest_);
+      if (full || ends) {
+        add_corrections(depth, x);
+        depth = 0;
+      }
+      if (ends) return -1;
+      Correction& c = next(depth);
+      inverse(std::span<const double>(product_), std::span<double>(c.z));
+      A(std::span<const double>(c.z), std::span<double>(product_));
+      if (!correct(depth)) {
+        add_corrections(depth, x);
+        return -1;
+      }
       ++depth;
     }
   }
 
  private:
   struct Correction {
-    std::vector<double> z, Az;
-    double square = 0.0;  // Az.Az
+    std::vector<double> z, q;           // q in units
+    double square = 0.0;                // q.q
+    std::array<double, kDepth> part{};  // R: of the columns before in A z
+    double step = 0.0;                  // s
   };
-  [[nodiscard]] double dot(const std::vector<double>& u, const std::vector<double>& v) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i] * weight_[i];
-    return sum;
-  }
-  static void subtract(double factor, const std::vector<double>& u, std::vector<double>& from) {
-    for (std::size_t i = 0; i < u.size(); ++i) from[i] -= factor * u[i];
-  }
-  [[nodiscard]] double largest() const {
-    double most = 0.0;
-    for (std::size_t i = 0; i < r_.size(); ++i)
-      if (const double value = std::abs(r_[i]) / unit_[i]; !(value <= most)) most = value;
-    return most;
-  }
-  template <class Matrix>
-  void residual(Matrix& A, std::span<const double> b, std::span<const double> x) {
-    r_.resize(b.size());
-    A(x, r_);
-    for (std::size_t i = 0; i < r_.size(); ++i) r_[i] = b[i] - r_[i];
-  }
-  /// One more correction, the residual of which no earlier one has a part of. False: it does not help.
-  template <class Matrix, class Inverse>
-  [[nodiscard]] bool correct(Matrix& A, Inverse& inverse, std::size_t depth, std::span<double> x) {
-    if (corrections_.size() == depth) corrections_.emplace_back();
-    Correction& c = corrections_[depth];
-    c.z.resize(r_.size());
-    c.Az.resize(r_.size());
-    inverse(r_, c.z);
-    A(c.z, c.Az);
-    for (std::size_t k = 0; k < depth; ++k) {
-      const Correction& before = corrections_[k];
-      const double part = dot(c.Az, before.Az) / before.square;
-      subtract(part, before.Az, c.Az);
-      subtract(part, before.z, c.z);
-    }
-    c.square = dot(c.Az, c.Az);
-    const double step = dot(r_, c.Az) / c.square;
-    if (!std::isfinite(step) || step == 0.0) return false;
-    for (std::size_t i = 0; i < r_.size(); ++i) x[i] += step * c.z[i];
-    subtract(step, c.Az, r_);
-    return true;
-  }
+  void begin(std::span<const double> unit);
+  /// r_ = (b - product_)/unit.
+  void take_residual(std::span<const double> b);
+  /// Room for another correction; product_ = the residual that it is to correct [unit of b].
+  Correction& next(std::size_t depth);
+  /// Of A z in product_ what is orthogonal to the columns before, and the step along it.   @return false: none helps
+  [[nodiscard]] bool correct(std::size_t depth);
+  /// part[k] += q.q_k/q_k.q_k, q -= that of q_k, for all k < depth.   @return q.q after it
+  double orthogonalise(std::size_t depth);
+  /// x += sum y_j z_j, R y = s.
+  void add_corrections(std::size_t depth, std::span<double> x);
 
-  std::vector<double> r_;
   std::span<const double> unit_;
-  std::vector<double> weight_;  // of a number of the residual in a product
+  std::vector<double> r_, product_;  // r_ in units
+  double largest_ = 0.0;             // |r_|
   std::vector<Correction> corrections_;
+  std::vector<double> partial_;  // sums of chunks, kDepth + 2 each
 };
 
 }  // namespace scree::coupling

@@ -16,12 +16,36 @@ struct DofRow {
 
   [[nodiscard]] double change(std::span<const double> d) const {
     double sum = known;
+    if (whole_bodies()) {  // the same sum, without looking up every unknown
+      for (std::size_t b = 0; b < dof.size(); b += kBody) {
+        const double *of_body = &d[static_cast<std::size_t>(dof[b])], *of_row = &h[b];
+        for (std::size_t i = 0; i < kBody; ++i) sum += of_row[i] * of_body[i];
+      }
+      return sum;
+    }
     for (std::size_t i = 0; i < dof.size(); ++i) sum += h[i] * d[static_cast<std::size_t>(dof[i])];
     return sum;
   }
   /// out += force h.
   void add_force(double force, std::span<double> out) const {
+    if (whole_bodies()) {
+      for (std::size_t b = 0; b < dof.size(); b += kBody) {
+        double* of_body = &out[static_cast<std::size_t>(dof[b])];
+        for (std::size_t i = 0; i < kBody; ++i) of_body[i] += force * h[b + i];
+      }
+      return;
+    }
     for (std::size_t i = 0; i < dof.size(); ++i) out[static_cast<std::size_t>(dof[i])] += force * h[i];
+  }
+
+ private:
+  static constexpr std::size_t kBody = 6;  // unknowns of an affine body
+  /// True if the unknowns are one or two runs of six.
+  [[nodiscard]] bool whole_bodies() const {
+    const std::size_t n = dof.size();
+    if (n != kBody && n != 2 * kBody) return false;
+    constexpr std::int32_t kToLast = kBody - 1;
+    return dof[kBody - 1] == dof[0] + kToLast && dof[n - 1] == dof[n - kBody] + kToLast;
   }
 };
 
@@ -62,6 +86,21 @@ class DofRows {
     dof_.insert(dof_.begin() + static_cast<std::ptrdiff_t>(at), dof);
     h_.insert(h_.begin() + static_cast<std::ptrdiff_t>(at), h);
     ++start_.back();
+  }
+  /// add() of unknowns that follow each other.   @param first  the first of them   @param h  as many numbers
+  void add_run(std::int32_t first, std::span<const double> h) {
+    const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(h.size()), size = static_cast<std::ptrdiff_t>(dof_.size()),
+                         row = start_[start_.size() - 2];
+    if (size == row || dof_.back() < first) {
+      for (std::size_t i = 0; i < h.size(); ++i) dof_.push_back(first + static_cast<std::int32_t>(i));
+      h_.insert(h_.end(), h.begin(), h.end());
+      start_.back() += static_cast<std::int32_t>(n);
+    } else if (size - row >= n && dof_[dof_.size() - h.size()] == first &&
+               dof_.back() == first + static_cast<std::int32_t>(n) - 1) {
+      for (std::size_t i = 0; i < h.size(); ++i) h_[h_.size() - h.size() + i] += h[i];
+    } else {
+      for (std::size_t i = 0; i < h.size(); ++i) add(first + static_cast<std::int32_t>(i), h[i]);
+    }
   }
   void add_row(const DofRow& row) {
     begin_row();

@@ -90,7 +90,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 29 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 33 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -99,6 +99,10 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.factorisations", s.factorisations);
   see("stats.updates", s.updates);
   see("stats.corrections", s.corrections);
+  see("stats.block_iterations", s.block_iterations);
+  see("stats.incomplete_factors", s.incomplete_factors);
+  see("stats.local_passes", s.local_passes);
+  see("stats.fallbacks", s.fallbacks);
   see("stats.contacts", s.contacts);
   see("stats.elements", s.elements);
   see("stats.unknowns", s.unknowns);

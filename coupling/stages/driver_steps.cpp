@@ -209,6 +209,10 @@ void Driver::count(const StepReport& report) {
   stats_.factorisations += report.factorisations;
   stats_.updates += report.updates;
   stats_.corrections += report.corrections;
+  stats_.block_iterations += report.block_iterations;
+  stats_.incomplete_factors += report.incomplete_factors;
+  stats_.local_passes += report.local_passes;
+  stats_.fallbacks += report.fallbacks;
 }
 
 RunEnd Driver::after_step(const Stage& stage) {

@@ -40,6 +40,10 @@ void add_run(Json& json, const coupling::RunStats& stats, double wall, double cp
   json["factorisations"] = stats.factorisations;
   json["factor_updates"] = stats.updates;
   json["corrections"] = stats.corrections;
+  json["block_iterations"] = stats.block_iterations;
+  json["incomplete_factors"] = stats.incomplete_factors;
+  json["local_passes"] = stats.local_passes;
+  json["fallbacks"] = stats.fallbacks;
   if (stats.audit_checks > 0) json["audit"] = {{"checks", stats.audit_checks}, {"worst", stats.audit_worst}};
   json["wall_seconds"] = {{"explicit", stats.wall_explicit},
                           {"implicit", stats.wall_implicit},

@@ -57,7 +57,7 @@ class OpenCloseUpdates : public testing::TestWithParam<std::string> {};
 
 TEST_P(OpenCloseUpdates, rank_updates_give_the_motion_of_new_factors) {
   const Wall wall(GetParam());
-  const Fall with(wall, OpenClose::Factor::updated, 60), without(wall, OpenClose::Factor::anew, 60);
+  const Fall with(wall, OpenClose::Factor::updated, 120), without(wall, OpenClose::Factor::anew, 120);
   EXPECT_GT(with.all.updates, 20);
   EXPECT_EQ(without.all.updates, 0);
   EXPECT_LT(with.all.factorisations, without.all.factorisations);
@@ -109,7 +109,7 @@ TEST(KeptFactor, settled_blocks_need_no_new_one) {
   for (int i = 0; i < 40; ++i) ASSERT_EQ(settling.step(hand.state, ticks(0.02)).status, StepReport::Status::ok);
   settling.leave(hand.state);
   EXPECT_TRUE(hand.state.factored.column_start.empty());
-  Newmark integrator(*hand.setup, wide(), 0.05);
+  Newmark integrator(*hand.setup, wide(), 0.05, ImplicitOptions{.factor = OpenClose::Factor::kept});
   (void)integrator.enter(hand.state);
   StepReport all;
   for (int i = 0; i < 50; ++i) {
@@ -127,13 +127,13 @@ TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
   test::ByHand hand(wall.scene.model, wall.scene.plan.stages[0]);
   StepControl control = wide();
   control.max_passes = 30;
-  Newmark integrator(*hand.setup, control, 0.05);
+  Newmark integrator(*hand.setup, control, 0.05, ImplicitOptions{.factor = OpenClose::Factor::kept});
   (void)integrator.enter(hand.state);
   int kept = 0, used = 0;  // copies with a factor that the next step may use; steps that made none
   for (int i = 0; i < 20; ++i) {
     State copy = hand.state;
     kept += copy.factored.column_start.empty() || copy.factored.patience.wait > 0 ? 0 : 1;
-    Newmark other(*hand.setup, control, 0.05);
+    Newmark other(*hand.setup, control, 0.05, ImplicitOptions{.factor = OpenClose::Factor::kept});
     (void)other.enter(copy);
     copy.last_step = hand.state.last_step;  // enter() begins a stage, a restart goes on within one
     for (int k = 0; k < 6; ++k) {

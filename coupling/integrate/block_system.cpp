@@ -1,0 +1,203 @@
+#include "coupling/integrate/block_system.h"
+
+#include <algorithm>
+
+#include "model/parallel.h"
+
+namespace scree::coupling {
+namespace {
+
+/// B += u v^T + w z^T.
+void add_products(const double* u, const double* v, const double* w, const double* z, double* block) {
+  for (int c = 0; c < kBlockSide; ++c)
+    for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += u[r] * v[c] + w[r] * z[c];
+}
+
+constexpr std::int64_t kFewBodies = 3000;  // not worth waking threads for
+
+/// True if a row names whole bodies, and two at most.
+bool couples_pair(const DofRow& row) {
+  const std::size_t n = row.dof.size();
+  if (n % kBlockSide != 0 || n > 2 * kBlockSide) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto in_block = static_cast<std::int32_t>(i % kBlockSide);
+    if (row.dof[i] % kBlockSide != in_block || row.dof[i] != row.dof[i - i % kBlockSide] + in_block) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool BlockSystem::begin(const DofRows& rows, std::size_t springs) {
+  rows_ = &rows;
+  springs_ = springs;
+  const std::size_t units = springs + (rows.size() - springs) / 2;
+  found_.resize(units);
+  for (std::size_t u = 0; u < units; ++u) {
+    const DofRow row = rows[u < springs ? u : springs + 2 * (u - springs)];
+    if (!couples_pair(row)) return false;
+    found_[u] = {row.dof.empty() ? -1 : row.dof[0] / kBlockSide,
+                 row.dof.size() <= kBlockSide ? -1 : row.dof[kBlockSide] / kBlockSide};
+  }
+  k_.clear();  // numbers of the matrix are of no use: rows are those of another step
+  tangent_.clear();
+  changed_.clear();
+  if (found_ == bodies_ && matrix_.rows() > 0) return true;
+  bodies_ = found_;
+  find_incidences();
+  return true;
+}
+
+void BlockSystem::find_incidences() {
+  const std::int32_t n = system_->dofs() / kBlockSide;
+  pairs_.clear();
+  for (const BlockMatrix::Pair& p : bodies_)
+    if (p[1] >= 0 && (pairs_.empty() || p != pairs_.back())) pairs_.push_back(p);
+  matrix_.set_pattern(n, pairs_);
+  first_.assign(static_cast<std::size_t>(n) + 1, 0);
+  for (const BlockMatrix::Pair& p : bodies_)
+    for (const std::int32_t b : p)
+      if (b >= 0) ++first_[static_cast<std::size_t>(b) + 1];
+  for (std::size_t b = 0; b < static_cast<std::size_t>(n); ++b) first_[b + 1] += first_[b];
+  incidence_.resize(static_cast<std::size_t>(first_.back()));
+  std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t u = 0; u < bodies_.size(); ++u) {
+    const auto [a, b] = bodies_[u];
+    const auto unit = static_cast<std::int32_t>(u);
+    const auto put = [&](std::int32_t body, const Incidence& i) {
+      incidence_[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = i;
+    };
+    if (a >= 0) put(a, {unit, 0, b >= 0 ? kBlockSide : -1, b >= 0 ? matrix_.find(a, b) : -1});
+    if (b >= 0) put(b, {unit, kBlockSide, 0, matrix_.find(b, a)});
+  }
+}
+
+void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<const double> k,
+                           std::span<const PointTangent> points) {
+  const auto bodies = static_cast<std::size_t>(matrix_.rows());
+  if (fresh || k_.size() != k.size() || tangent_.size() != points.size() || changed_.size() != bodies) {
+    changed_.assign(bodies, 1);
+    tangent_.assign(points.begin(), points.end());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!(tangent_[i] == points[i])) set(i, points[i]);
+  k_.assign(k.begin(), k.end());  // springs stay as they are during a step
+  A_ = A;
+  parallel_for(
+      matrix_.rows(), [this](std::int64_t b) { refresh(static_cast<std::int32_t>(b)); }, kFewBodies);
+}
+
+void BlockSystem::set(std::size_t point, const PointTangent& tangent) {
+  tangent_[point] = tangent;
+  for (const std::int32_t b : bodies_of(point))
+    if (b >= 0) changed_[static_cast<std::size_t>(b)] = 1;
+}
+
+void BlockSystem::refresh(std::int32_t body) {
+  if (changed_[static_cast<std::size_t>(body)] == 0) return;
+  changed_[static_cast<std::size_t>(body)] = 0;
+  sum_row(body);
+}
+
+void BlockSystem::sum_row(std::int32_t body) {
+  matrix_.clear_row(body);
+  double* own = matrix_.block(matrix_.diagonal(body));
+  const double* value =
+      &A_[static_cast<std::size_t>(system_->pattern().column_start[static_cast<std::size_t>(kBlockSide * body)])];
+  for (int c = 0; c < kBlockSide; ++c)
+    for (int r = c; r < kBlockSide; ++r) own[kBlockSide * c + r] = own[kBlockSide * r + c] = *value++;
+  const auto b = static_cast<std::size_t>(body);
+  for (auto i = static_cast<std::size_t>(first_[b]); i < static_cast<std::size_t>(first_[b + 1]); ++i) {
+    const Incidence& at = incidence_[i];
+    const auto unit = static_cast<std::size_t>(at.unit);
+    if (unit >= springs_) {
+      if (!tangent_[unit - springs_].zero()) add_point(at, body);
+      continue;
+    }
+    if (k_[unit] == 0.0) continue;
+    const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[unit])];
+    const auto add = [&](int of, double* block) {
+      for (int c = 0; c < kBlockSide; ++c)
+        for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += h[at.own + r] * (k_[unit] * h[of + c]);
+    };
+    add(at.own, own);
+    if (at.other >= 0) add(at.other, matrix_.block(at.place));
+  }
+}
+
+void BlockSystem::add_point(const Incidence& at, std::int32_t body) {
+  const auto point = static_cast<std::size_t>(at.unit) - springs_;
+  const std::size_t row = springs_ + 2 * point;
+  const PointTangent& k = tangent_[point];
+  const double *n = &rows_->h()[static_cast<std::size_t>(rows_->start()[row])],
+               *t = &rows_->h()[static_cast<std::size_t>(rows_->start()[row + 1])];
+  const auto add = [&](int of, double* block) {
+    double normal[kBlockSide], tangential[kBlockSide];
+    for (int c = 0; c < kBlockSide; ++c) {
+      normal[c] = k.nn * n[of + c] + k.nt * t[of + c];
+      tangential[c] = k.tn * n[of + c] + k.tt * t[of + c];
+    }
+    add_products(n + at.own, normal, t + at.own, tangential, block);
+  };
+  add(at.own, matrix_.block(matrix_.diagonal(body)));
+  if (at.other >= 0) add(at.other, matrix_.block(at.place));
+}
+
+double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<const double> x) const {
+  const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row])];
+  double sum = 0.0;
+  for (const std::int32_t body : bodies_[unit]) {
+    if (body < 0) break;
+    const double* of_body = &x[static_cast<std::size_t>(kBlockSide * body)];
+    for (int k = 0; k < kBlockSide; ++k) sum += h[k] * of_body[k];
+    h += kBlockSide;
+  }
+  return sum;
+}
+
+void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, double* sum) const {
+  const auto first = static_cast<std::size_t>(kBlockSide * body);
+  const double *of_body = &x[first], *value = &A_[static_cast<std::size_t>(system_->pattern().column_start[first])];
+  for (int c = 0; c < kBlockSide; ++c) {
+    sum[c] -= *value++ * of_body[c];
+    for (int r = c + 1; r < kBlockSide; ++r, ++value) {
+      sum[r] -= *value * of_body[c];
+      sum[c] -= *value * of_body[r];
+    }
+  }
+}
+
+void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
+  force_.resize(rows_->size());
+  const auto of_unit = [&](std::int64_t at) {
+    const auto unit = static_cast<std::size_t>(at);
+    if (unit < springs_) {
+      force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) : 0.0;
+      return;
+    }
+    const PointTangent& k = tangent_[unit - springs_];
+    const std::size_t row = springs_ + 2 * (unit - springs_);
+    force_[row] = force_[row + 1] = 0.0;
+    if (k.zero()) return;
+    const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
+    force_[row] = k.nn * gap + k.nt * stretch;
+    force_[row + 1] = k.tn * gap + k.tt * stretch;
+  };
+  const auto of_body = [&](std::int64_t at) {
+    const auto b = static_cast<std::size_t>(at);
+    double sum[kBlockSide] = {};
+    subtract_own(static_cast<std::int32_t>(at), x, sum);
+    for (double& s : sum) s = -s;
+    for (const Incidence& i : incidences(static_cast<std::int32_t>(at))) {
+      const auto unit = static_cast<std::size_t>(i.unit);
+      const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
+      if (force_[row] != 0.0) add_force(row, i.own, force_[row], sum);
+      if (unit >= springs_ && force_[row + 1] != 0.0) add_force(row + 1, i.own, force_[row + 1], sum);
+    }
+    std::copy(std::begin(sum), std::end(sum), &y[kBlockSide * b]);
+  };
+  parallel_for(static_cast<std::int64_t>(bodies_.size()), of_unit, kFewPoints);
+  parallel_for(matrix_.rows(), of_body, kFewBodies);
+}
+
+}  // namespace scree::coupling
