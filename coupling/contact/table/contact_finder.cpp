@@ -32,7 +32,8 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       springs_(setup),
       pairs_(setup, springs_, 2.0 * detection),
       known_(setup.outlines()),
-      x_(setup.outlines().nodes.size()) {
+      x_(setup.outlines().nodes.size()),
+      frames_(setup.outlines().segments.size()) {
   const Outlines& o = setup.outlines();
   for (std::size_t i = 0; i < o.nodes.size(); ++i) {
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
@@ -73,9 +74,16 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
 
 ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segment) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
   return contact_geometry(x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node)],
-                          x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+                          frames_[static_cast<std::size_t>(segment)]);
+}
+
+void ContactFinder::place_nodes(std::span<const double> q) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    frames_[i] = segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)],
+                               x_[static_cast<std::size_t>(o.segments[i].b)]);
 }
 
 ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
@@ -142,7 +150,7 @@ double ContactFinder::entry_depth(const ContactPoint& p) const {
   const std::int32_t i = neighbour(p, true);
   if (i < 0) return -p.at.gap;
   const auto beside = static_cast<std::size_t>(i);
-  const std::int32_t part = std::max(0, known_.list().memory[beside].segment);
+  const std::int32_t part = std::max(0, known_.segment(beside));
   const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
   return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
 }
@@ -197,7 +205,7 @@ void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMem
   const double rate = std::sqrt(springs.kn * compliance(p));
   if (speed < touching_ * rate || speed * rate < kSwings * setup_->model().gravity.norm()) return;
   const std::int32_t beside = neighbour(p, false);
-  if (beside >= 0 && known_.list().memory[static_cast<std::size_t>(beside)].impact == 0.0) return;
+  if (beside >= 0 && known_.impact(static_cast<std::size_t>(beside)) == 0.0) return;
   m.tributary = springs.tributary;
   m.kn = springs.kn;
   m.kt = springs.kt;
@@ -231,26 +239,31 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
 }
 
 bool ContactFinder::in_impact(const ContactPoint& p) const {
-  return p.from >= 0 && known_.list().memory[static_cast<std::size_t>(p.from)].impact > 0.0;
+  return p.from >= 0 && known_.impact(static_cast<std::size_t>(p.from)) > 0.0;
 }
 
 bool ContactFinder::was_closed(const ContactPoint& p) const {
   return p.from >= 0 && known_.closed(static_cast<std::size_t>(p.from));
 }
 
+ContactPoint* ContactFinder::successor(const ContactPoint& from, std::span<ContactPoint> points) const {
+  if ((from.edge_edge && !in_impact(from)) || !was_closed(from) ||
+      known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
+    return nullptr;
+  const auto to = std::find_if(points.begin(), points.end(), [&](const ContactPoint& p) {
+    return &p != &from && !was_closed(p) && goes_over(from, p);
+  });
+  return to == points.end() ? nullptr : &*to;
+}
+
 void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
   for (ContactPoint& from : points) {
-    if ((from.edge_edge && !in_impact(from)) || !was_closed(from) ||
-        known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
-      continue;
-    for (ContactPoint& to : points) {
-      if (&to == &from || was_closed(to) || !goes_over(from, to)) continue;
-      std::swap(from.from, to.from);
-      if (in_impact(to)) from.from = -1;  // what it had found deep there is not of this edge
-      set_range(from, false);
-      set_range(to, true);
-      break;
-    }
+    ContactPoint* to = successor(from, points);
+    if (to == nullptr) continue;
+    std::swap(from.from, to->from);
+    if (in_impact(*to)) from.from = -1;  // what it had found deep there is not of this edge
+    set_range(from, false);
+    set_range(*to, true);
   }
 }
 
@@ -453,15 +466,14 @@ void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, Co
   (a_wins ? b : a).suppressed = true;
 }
 
-bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
   const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
   p.vertex = pair.vertex;
   p.edge = pair.edge;
   p.node = {v.node, s.a, s.b};
-  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], x_[static_cast<std::size_t>(s.a)],
-                          x_[static_cast<std::size_t>(s.b)]);
+  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], frames_[static_cast<std::size_t>(p.segment)]);
   // What is more than half way through a body when it is first seen came in over another edge.
   if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
     return false;
@@ -470,16 +482,18 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   p.ahead = pair.ahead;
   set_range(p, closed);
   if (p.beyond && closed) return false;
-  if (!closed && !p.edge_edge && !admissible(p)) return false;
+  return closed || p.edge_edge || admissible(p);
+}
+
+void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
   const JointId law = springs_.law_of(pair.own, pair.edge);
   p.joint = law.value;
   p.springs = springs_.springs(law, pair.own, pair.edge,
                                p.edge_edge ? pair.tributary : springs_.corner_length(law, pair.own, pair.edge));
   if (p.edge_edge && springs_.per_area(law)) {
-    const auto length = [&](std::int32_t of) {
-      const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
-      return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
-    };
+    const auto length = [this](std::int32_t of) { return frames_[static_cast<std::size_t>(of)].length; };
     const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
     p.largest_tributary = before + after;
     p.full_tributary =
@@ -490,17 +504,26 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   if (was == nullptr || (!closed && was->gap < 0.0)) {
     p.beside = neighbour(p, false);
     // In an impact the points that there were keep what they have, and a new one has nothing yet.
-    if (p.beside >= 0 && known_.list().memory[static_cast<std::size_t>(p.beside)].impact > 0.0) p.beside = -1;
+    if (p.beside >= 0 && known_.impact(static_cast<std::size_t>(p.beside)) > 0.0) p.beside = -1;
     if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
   }
-  return true;
 }
 
 void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
                          ContactPairs::Of of) {
-  const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  place_nodes(q);
   known_.index(known);
+  list_points(pairs_.update(x_, known_, of), at_start, out);
+}
+
+void ContactFinder::find_again(const ContactList& known, ContactList& out) {
+  known_.index(known);
+  list_points(pairs_.pairs(), false, out);
+}
+
+void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  const ContactList& known = known_.list();
   merged_ = 0.0;
   gone_.assign(known_.size(), 1);
   fresh_.clear();
@@ -510,7 +533,6 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   out.memory.clear();
   out.briefs.clear();
   std::size_t old = 0, first_of_vertex = 0;
-  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, of);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const VertexEdge& pair = pairs[k];
     if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
@@ -530,10 +552,13 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     ContactPoint& p = out.points.emplace_back();
     p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
-    if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
-      out.briefs.push_back({pair.vertex, pair.edge});
-    else
+    const ContactMemory* was = has_memory ? &known.memory[old] : nullptr;
+    if (!touches(pair, was, closed, p)) {
       out.points.pop_back();
+      continue;
+    }
+    describe(pair, was, closed, p);
+    out.briefs.push_back({pair.vertex, pair.edge});
   }
   settle_vertex(first_of_vertex, at_start, out);
   cover_corners(out);

@@ -29,6 +29,20 @@ class ContactFinder {
   /// other bodies makes of them
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
             ContactPairs::Of of = ContactPairs::Of::all);
+  /// Brings a list to q in place, point by point: true if find() would list the same points, every one with the memory
+  /// it has. Nothing of the list has changed then; move() of every point and settle() leave what find() would, to the
+  /// last bit. If not, find_again() does what find() would, with the pairs that are known already.
+  /// @pre index() or take_noted() for the list as it is; no body was made anew since it was found
+  [[nodiscard]] bool keeps(std::span<const double> q, const ContactList& list);
+  void move(std::size_t i, ContactList& list);
+  void settle(ContactList& list);
+  /// @param known  the list that keeps() was asked of   @param out  another one
+  void find_again(const ContactList& known, ContactList& out);
+  /// Prepares a list for keeps(). In place of that, once its points are moved and know their new states: note() of
+  /// every one, then take_noted().
+  void index(const ContactList& list);
+  void note(std::size_t i, const ContactMemory& m) { known_.note(i, m); }
+  void take_noted() { known_.take_noted(); }
   /// Of find(): energy of springs that ended and that other closed ones have taken over [J].
   [[nodiscard]] double merged() const { return merged_; }
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
@@ -38,6 +52,13 @@ class ContactFinder {
   /// stiffness of their new kind; force and state stay, gap0 and anchor move.
   /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
+  /// The same of one point.   @param change  receives what it adds [J]
+  static void adopt_kind(const ContactPoint& p, ContactMemory& m, double& change);
+  /// False for a point that has nothing to change.
+  [[nodiscard]] static bool may_adopt(const ContactPoint& p, const ContactMemory& m) {
+    return m.status != ContactStatus::open && !(m.impact > 0.0) &&
+           (m.edge_edge != static_cast<std::int32_t>(p.edge_edge) || m.kn != p.springs.kn || m.kt != p.springs.kt);
+  }
   /// A point that closes fast where nothing rests on the joint yet keeps its springs, whatever becomes of share, kind
   /// and edge, for four periods of its corner on its spring: an impact is over by then (face to face half a period of
   /// the block, sqrt(7/2) of the corner's, is the longest of two blocks), and what is still closed rests. An overlap
@@ -68,12 +89,25 @@ class ContactFinder {
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   /// 1/m that a force on a contact feels: of corner and foot.
   [[nodiscard]] double compliance(const ContactPoint& p) const;
-  /// Completes a point that has its segment and `from`.   @return false: it is none
-  [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  void place_nodes(std::span<const double> q);
+  /// The points of pairs, in their order.
+  void list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out);
+  /// Places a point that has its segment and `from`.   @return false: it is none
+  [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// Completes it: springs, lengths of joint.
+  void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// Of keeps(): whether a vertex has a corner that goes over to another edge.
+  /// @param first,last  points of the vertex
+  [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list);
+  /// Of keeps(): whether the pair is a point just as it was before.
+  /// @param row  its point in the list, or -1
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list);
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
+  /// Of points of one vertex: the one that a closed corner passes to, if any.
+  [[nodiscard]] ContactPoint* successor(const ContactPoint& from, std::span<ContactPoint> points) const;
   /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
   /// they left begin anew.
   void pass_corners(std::span<ContactPoint> points) const;
@@ -140,8 +174,15 @@ class ContactFinder {
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
   std::vector<Vec2> x_;                     // outline nodes
+  std::vector<SegmentFrame> frames_;        // of segments
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
+  struct Moving {  // of keeps(), for a point of the list
+    std::int32_t pair = -1, segment = -1;
+  };
+  std::vector<Moving> moving_;
+  std::vector<std::int32_t> with_partner_;      // points of the list that have one
+  std::vector<ContactPoint> of_vertex_;         // scratch of passes_on()
   std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
   /// A remembered point by the edges that its joint may be of.
   struct OnJoint {

@@ -36,6 +36,8 @@ class ContactPairs {
   /// @return pairs in order, each once; valid until the next call
   enum class Of { all, ghosts };
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
+  /// What update() returned last.
+  [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
