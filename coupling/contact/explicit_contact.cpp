@@ -37,6 +37,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   }
   for (const JointLaw& law : setup.model().joints) tan_friction_.push_back(std::tan(law.friction));
   left_.reserve(expected);
+  weakened_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
   anchor_.reserve(expected);
@@ -76,7 +77,7 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
       // The step took its friction from the slip that there was.
       ContactMemory then = m;
       if (p.from >= 0) {
-        const Left& was = left_[static_cast<std::size_t>(p.from)];
+        const Weakened& was = weakened_[static_cast<std::size_t>(p.from)];
         then.slip = was.slip;
         then.friction_change = was.friction_change;
       }
@@ -162,8 +163,6 @@ ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, 
   a.kt = m.kt;
   a.normal_energy = normal_energy(p, m);
   a.tangential_energy = tangential_energy(m);
-  a.slip = m.slip;
-  a.friction_change = m.friction_change;
   a.foot = p.at.xi;
   a.segment = p.segment;
   a.open = m.status == ContactStatus::open;
@@ -330,18 +329,23 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   if (clear_ > 0.0) return;  // there are no points and there will be none
   set_velocities(v, v_);
   if (!indexed_) finder_.index(now_);
-  indexed_ = in_place_ = finder_.keeps(q, now_) && !now_.points.empty();
+  indexed_ = in_place_ = finder_.keeps(q, now_) && !now_.points.empty() && !always_anew_;
+  steps_in_place_ += in_place_ ? 1 : 0;
   left_.resize(now_.points.size());
+  weakened_.resize(now_.points.size());
   if (in_place_)
-    arrive_in_place(h, state.ledger);
+    arrive_in_place(h, state);
   else
-    arrive_anew(h, state.ledger);
-  state.contacts = now_.memory;
+    arrive_anew(h, state);
   clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
-void ExplicitContact::arrive_anew(double h, Ledger& ledger) {
-  for (std::size_t i = 0; i < now_.points.size(); ++i) left_[i] = left_by(h, now_.points[i], now_.memory[i]);
+void ExplicitContact::arrive_anew(double h, State& state) {
+  Ledger& ledger = state.ledger;
+  for (std::size_t i = 0; i < now_.points.size(); ++i) {
+    left_[i] = left_by(h, now_.points[i], now_.memory[i]);
+    weakened_[i] = {now_.memory[i].slip, now_.memory[i].friction_change};
+  }
   std::swap(now_, before_);
   finder_.find_again(before_, now_);
   transfer_impact_energy(h);
@@ -370,46 +374,67 @@ void ExplicitContact::arrive_anew(double h, Ledger& ledger) {
   ledger.book(Column::contact_geometry, -finder_.merged());
   adopt_kinds(h, kinds_, ledger);
   ledger.set(Column::contact_springs, contact_energy(now_));
+  state.contacts = now_.memory;
 }
 
-void ExplicitContact::arrive_in_place(double h, Ledger& ledger) {
+void ExplicitContact::arrive_in_place(double h, State& state) {
+  Ledger& ledger = state.ledger;
   const std::size_t size = now_.points.size();
-  trial_.resize(size);
-  opened_.resize(size);
-  energy_.resize(size);
+  state.contacts.resize(size);
+  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
   slides_.clear();
   kinds_.clear();
-  for (std::size_t i = 0; i < size; ++i) {
+  const std::span<const std::int32_t> first = finder_.moves_first();
+  for (const std::int32_t k : first) {
+    const auto i = static_cast<std::size_t>(k);
     left_[i] = left_by(h, now_.points[i], now_.memory[i]);
     finder_.move(i, now_);
   }
   finder_.settle(now_);
+  // All else goes point by point, while it is at hand: the list does not fit a core's cache.
+  auto moved = first.begin();
   for (std::size_t i = 0; i < size; ++i) {
+    const ContactPoint& p = now_.points[i];
+    const ContactMemory& m = now_.memory[i];
+    Left left;
+    if (moved != first.end() && static_cast<std::size_t>(*moved) == i) {
+      ++moved;
+      left = left_[i];
+    } else {
+      left = left_by(h, p, m);
+      finder_.move(i, now_);
+    }
+    weakened_[i] = {m.slip, m.friction_change};
     respond(h, i, now_);
-    const double slip = way(i, left_[i]);
-    if (slip != 0.0 || now_.memory[i].slide.length > 0.0F) slides_.push_back({static_cast<std::int32_t>(i), slip});
+    const double slip = way(i, left);
+    if (slip != 0.0 || m.slide.length > 0.0F) slides_.push_back({static_cast<std::int32_t>(i), slip});
+    book_pair(left, i, half_work(h, p, m, v_), ledger);
+    if (ContactFinder::may_adopt(p, m)) kinds_.push_back(static_cast<std::int32_t>(i));
+    energy_[i] = normal_energy(p, m) + tangential_energy(m);
+    finder_.note(i, m);
+    state.contacts[i] = m;
   }
-  if (checks_friction_) {
+  if (checks_friction_) {  // velocities are physical
     friction_check_.begin(now_);
     for (const Slide& s : slides_) {
       const auto i = static_cast<std::size_t>(s.point);
       friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
+      state.contacts[i].slide = now_.memory[i].slide;
     }
-    friction_evolution_.advance(h, now_.memory);
-  }
-  for (std::size_t i = 0; i < size; ++i) {
-    const ContactPoint& p = now_.points[i];
-    const ContactMemory& m = now_.memory[i];
-    book_pair(left_[i], i, half_work(h, p, m, v_), ledger);
-    if (ContactFinder::may_adopt(p, m)) kinds_.push_back(static_cast<std::int32_t>(i));
-    energy_[i] = normal_energy(p, m) + tangential_energy(m);
-    finder_.note(i, m);
+    if (friction_evolution_.used()) {
+      friction_evolution_.advance(h, now_.memory);
+      for (std::size_t i = 0; i < size; ++i) {
+        state.contacts[i].friction_change = now_.memory[i].friction_change;
+        state.contacts[i].slip_known = now_.memory[i].slip_known;
+      }
+    }
   }
   adopt_kinds(h, kinds_, ledger);
   for (const std::int32_t k : kinds_) {
     const auto i = static_cast<std::size_t>(k);
     energy_[i] = normal_energy(now_.points[i], now_.memory[i]) + tangential_energy(now_.memory[i]);
     finder_.note(i, now_.memory[i]);
+    state.contacts[i] = now_.memory[i];
   }
   finder_.take_noted();
   double energy = 0.0;

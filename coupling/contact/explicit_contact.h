@@ -55,6 +55,10 @@ class ExplicitContact {
   void undo(State& state);
 
   [[nodiscard]] const ContactList& list() const { return now_; }
+  /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
+  void list_always_anew() { always_anew_ = true; }
+  /// Steps that left the list in place.
+  [[nodiscard]] std::int64_t steps_in_place() const { return steps_in_place_; }
 
  private:
   /// Half-step works of one contact, and the geometric changes they are compared with.
@@ -66,7 +70,7 @@ class ExplicitContact {
     Half work;
     double gap = 0.0, stretch = 0.0, fn = 0.0, fd = 0.0, ft = 0.0, fdt = 0.0, kn = 0.0, kt = 0.0;
     double normal_energy = 0.0, tangential_energy = 0.0;
-    double slip = 0.0, friction_change = 0.0, foot = 0.0;
+    double foot = 0.0;
     std::int32_t segment = -1;
     bool open = true, bonded = false;
   };
@@ -96,9 +100,9 @@ class ExplicitContact {
   /// Gives closed points the springs of their kind.   @param points  those that may have another kind
   void adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger);
   /// arrive() where points came or went, or one passed to another place.
-  void arrive_anew(double h, Ledger& ledger);
+  void arrive_anew(double h, State& state);
   /// arrive() where all points are still there: nothing is listed anew, nothing copied.
-  void arrive_in_place(double h, Ledger& ledger);
+  void arrive_in_place(double h, State& state);
 
   const Setup* setup_;
   ContactFinder finder_;
@@ -108,11 +112,17 @@ class ExplicitContact {
   ContactList now_, before_, ahead_, left_list_;
   bool indexed_ = false;   // the finder knows now_
   bool in_place_ = false;  // the last step was: before_ is of no instant
+  bool always_anew_ = false;
+  std::int64_t steps_in_place_ = 0;
   bool can_undo_ = false;  // left_list_ is of the instant left
   double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
   std::vector<double> tan_friction_;  // per joint law
   std::vector<Vec2> v_left_, v_;      // of outline nodes, of the step at the instant left and where it arrives
   std::vector<Left> left_;            // a point of the instant left
+  struct Weakened {                   // what its friction was taken from
+    double slip, friction_change;
+  };
+  std::vector<Weakened> weakened_;    // a point of the instant left
   std::vector<char> kept_;            // 1: the point of before_ goes on in now_
   std::vector<double> trial_;         // stretch before return mapping, a point of the list at hand
   struct Anchor {                     // of a point, before it takes the stiffness of a new kind

@@ -58,6 +58,9 @@ class CentralDifference final : public TimeIntegrator {
   /// Forces at the present instant; those of contacts alone on nodes of ghosts [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
+  /// See ExplicitContact.
+  void list_contacts_always_anew() { contact_.list_always_anew(); }
+  [[nodiscard]] std::int64_t contact_steps_in_place() const { return contact_.steps_in_place(); }
   /// What steps change beside the state.
   struct Mark {
     ContactList contacts;

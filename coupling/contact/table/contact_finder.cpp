@@ -572,22 +572,19 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
   pass_tips(at_start, out);
   pass_energy_on(at_start, out);
   suppress_second_edges(at_start, out);
-  if (!setup_->model().waters.empty()) fill_with_water(out);
+  if (setup_->model().waters.empty()) return;
+  for (std::size_t i = 0; i < out.points.size(); ++i) fill_with_water(out.points[i], out.memory[i]);
 }
 
-void ContactFinder::fill_with_water(ContactList& list) const {
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactPoint& p = list.points[i];
-    ContactMemory& m = list.memory[i];
-    m.water = 0.0;
-    const JointWater* water = setup_->model().water_in(JointId{m.joint});
-    if (water == nullptr || !p.edge_edge || p.suppressed) continue;
-    // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
-    // of a piece carries what a linear pressure gives it.
-    const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
-    for (const double piece : {-p.behind, p.ahead})
-      if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
-  }
+void ContactFinder::fill_with_water(const ContactPoint& p, ContactMemory& m) const {
+  m.water = 0.0;
+  const JointWater* water = setup_->model().water_in(JointId{m.joint});
+  if (water == nullptr || !p.edge_edge || p.suppressed) return;
+  // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
+  // of a piece carries what a linear pressure gives it.
+  const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
+  for (const double piece : {-p.behind, p.ahead})
+    if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
 }
 
 }  // namespace scree::coupling

@@ -31,10 +31,12 @@ class ContactFinder {
             ContactPairs::Of of = ContactPairs::Of::all);
   /// Brings a list to q in place, point by point: true if find() would list the same points, every one with the memory
   /// it has. Nothing of the list has changed then; move() of every point and settle() leave what find() would, to the
-  /// last bit. If not, find_again() does what find() would, with the pairs that are known already.
+  /// last bit: first of those that others may depend on, then settle(), then of the others in any order. If not, find_again() does what find() would, with the pairs that are known already.
   /// @pre index() or take_noted() for the list as it is; no body was made anew since it was found
   [[nodiscard]] bool keeps(std::span<const double> q, const ContactList& list);
   void move(std::size_t i, ContactList& list);
+  /// Points on which others may depend, in order: settle() waits for these alone.
+  [[nodiscard]] std::span<const std::int32_t> moves_first() const { return first_; }
   void settle(ContactList& list);
   /// @param known  the list that keeps() was asked of   @param out  another one
   void find_again(const ContactList& known, ContactList& out);
@@ -160,7 +162,7 @@ class ContactFinder {
   /// from the remembered points on either side (gap0 where there is but one), and the bond of the nearest.
   void interpolate(ContactList& out) const;
   void pair_edges(std::size_t first, ContactList& list) const;
-  void fill_with_water(ContactList& list) const;
+  void fill_with_water(const ContactPoint& p, ContactMemory& m) const;
   void suppress_second_edges(bool at_start, ContactList& list) const;
   /// Of two points of a corner, against two edges that meet at a convex corner: at most one carries it.
   void suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const;
@@ -179,9 +181,10 @@ class ContactFinder {
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
   struct Moving {  // of keeps(), for a point of the list
     std::int32_t pair = -1, segment = -1;
+    bool partnered = false, corner = false;  // it was, where it is in the list
   };
   std::vector<Moving> moving_;
-  std::vector<std::int32_t> with_partner_;      // points of the list that have one
+  std::vector<std::int32_t> first_;             // see moves_first()
   std::vector<ContactPoint> of_vertex_;         // scratch of passes_on()
   std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
   /// A remembered point by the edges that its joint may be of.

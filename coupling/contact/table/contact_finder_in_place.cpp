@@ -7,10 +7,12 @@ namespace scree::coupling {
 
 void ContactFinder::index(const ContactList& list) {
   known_.index(list);
-  with_partner_.clear();
-  for (std::size_t i = 0; i < list.points.size(); ++i)
-    if (std::max(list.points[i].partner[0], list.points[i].partner[1]) >= 0)
-      with_partner_.push_back(static_cast<std::int32_t>(i));
+  moving_.resize(list.points.size());
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactPoint& p = list.points[i];
+    moving_[i].partnered = std::max(p.partner[0], p.partner[1]) >= 0;
+    moving_[i].corner = !p.edge_edge;
+  }
 }
 
 bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list) {
@@ -61,7 +63,7 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, ContactPairs::Of::all);
   if (known_.divided()) return false;
   const std::size_t size = known_.size();
-  moving_.resize(size);
+  first_.clear();
   std::size_t row = 0, first_of_vertex = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const VertexEdge& pair = pairs[k];
@@ -69,6 +71,8 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
     if (!stays(pair, listed ? static_cast<std::int32_t>(row) : -1, list)) return false;
     if (!listed) continue;
     moving_[row].pair = static_cast<std::int32_t>(k);
+    if (moving_[row].partnered || moving_[row].corner || !(pair.tributary > 0.0))
+      first_.push_back(static_cast<std::int32_t>(row));
     if (known_.vertex(first_of_vertex) != pair.vertex) {
       if (row - first_of_vertex > 1 && passes_on(first_of_vertex, row, list)) return false;
       first_of_vertex = row;
@@ -94,17 +98,25 @@ void ContactFinder::move(std::size_t i, ContactList& list) {
   (void)touches(pair, &m, closed, p);
   describe(pair, &m, closed, p);
   fill(&m, false, false, p, m);
+  moving_[i].corner = !p.edge_edge;
+  const bool waits = moving_[i].partnered || !p.edge_edge;  // for settle()
+  if (!waits && !setup_->model().waters.empty()) fill_with_water(p, m);
 }
 
 void ContactFinder::settle(ContactList& list) {
   merged_ = 0.0;
   corners_.clear();
-  for (std::size_t i = 0; i < list.points.size(); ++i)
-    if (!known_.closed(i) && !list.points[i].edge_edge) corners_.push_back(static_cast<std::int32_t>(i));
-  paired_ = with_partner_;
+  paired_.clear();
+  for (const std::int32_t k : first_) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!known_.closed(i) && !list.points[i].edge_edge) corners_.push_back(k);
+    if (moving_[i].partnered) paired_.push_back(k);
+  }
   cover_corners(list);
   suppress_second_edges(false, list);
-  if (!setup_->model().waters.empty()) fill_with_water(list);
+  if (setup_->model().waters.empty()) return;
+  for (const std::int32_t i : first_)
+    fill_with_water(list.points[static_cast<std::size_t>(i)], list.memory[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace scree::coupling
