@@ -38,6 +38,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   for (const JointLaw& law : setup.model().joints) tan_friction_.push_back(std::tan(law.friction));
   left_.reserve(expected);
   weakened_.reserve(expected);
+  left_first_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
   anchor_.reserve(expected);
@@ -267,21 +268,19 @@ void ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
     m.impact = std::max(0.0, m.impact - h);
 }
 
-void ExplicitContact::transfer_impact_energy(double h) {
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const ContactPoint& p = now_.points[i];
-    ContactMemory& m = now_.memory[i];
-    if (p.from < 0 || m.impact == 0.0) continue;
-    const auto from = static_cast<std::size_t>(p.from);
-    const ContactPoint& was = before_.points[from];
-    if (was.vertex == p.vertex && was.edge == p.edge) continue;
-    const double left = left_[from].normal_energy - left_[from].work.normal;
-    if (left <= 0.0) continue;
-    const double half_way = 0.5 * h * row_rate(p, gap_row(p.at), v_);
-    const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
-    m.gap0 += m.gap - gap;
-    m.gap = gap;
-  }
+void ExplicitContact::leave_point(double h, std::size_t i) {
+  left_[i] = left_by(h, now_.points[i], now_.memory[i]);
+  weakened_[i] = {now_.memory[i].slip, now_.memory[i].friction_change};
+}
+
+void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const {
+  if (m.impact == 0.0 || !finder_.passed(p)) return;
+  const double left = was.normal_energy - was.work.normal;
+  if (left <= 0.0) return;
+  const double half_way = 0.5 * h * row_rate(p, gap_row(p.at), v_);
+  const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
+  m.gap0 += m.gap - gap;
+  m.gap = gap;
 }
 
 double ExplicitContact::way(std::size_t i, const Left& was) const {
@@ -342,13 +341,12 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
 
 void ExplicitContact::arrive_anew(double h, State& state) {
   Ledger& ledger = state.ledger;
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    left_[i] = left_by(h, now_.points[i], now_.memory[i]);
-    weakened_[i] = {now_.memory[i].slip, now_.memory[i].friction_change};
-  }
+  for (std::size_t i = 0; i < now_.points.size(); ++i) leave_point(h, i);
   std::swap(now_, before_);
   finder_.find_again(before_, now_);
-  transfer_impact_energy(h);
+  for (std::size_t i = 0; i < now_.points.size(); ++i)
+    if (const std::int32_t from = now_.points[i].from; from >= 0)
+      transfer_impact_energy(h, now_.points[i], left_[static_cast<std::size_t>(from)], now_.memory[i]);
   respond(h, now_);
   if (checks_friction_) {  // velocities are physical
     follow_slides(h);
@@ -379,41 +377,58 @@ void ExplicitContact::arrive_anew(double h, State& state) {
 
 void ExplicitContact::arrive_in_place(double h, State& state) {
   Ledger& ledger = state.ledger;
-  const std::size_t size = now_.points.size();
-  state.contacts.resize(size);
-  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
   slides_.clear();
   kinds_.clear();
-  const std::span<const std::int32_t> first = finder_.moves_first();
-  for (const std::int32_t k : first) {
+  for (const ContactFinder::Changed& c : finder_.changed())
+    for (std::int32_t k = c.begin; k < c.end; ++k) leave_point(h, static_cast<std::size_t>(k));
+  if (!finder_.changed().empty()) finder_.splice(now_);
+  const std::size_t size = now_.points.size();
+  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
+  state.contacts.resize(size);
+  finder_.find_first(now_);
+  left_first_.clear();
+  for (const std::int32_t k : finder_.moves_first()) {
     const auto i = static_cast<std::size_t>(k);
-    left_[i] = left_by(h, now_.points[i], now_.memory[i]);
+    const ContactPoint& p = now_.points[i];
+    if (finder_.made(i)) {
+      left_first_.push_back(p.from < 0 ? Left{} : left_[static_cast<std::size_t>(p.from)]);
+      continue;
+    }
+    left_first_.push_back(left_by(h, p, now_.memory[i]));
     finder_.move(i, now_);
   }
   finder_.settle(now_);
   // All else goes point by point, while it is at hand: the list does not fit a core's cache.
-  auto moved = first.begin();
+  auto waiting = finder_.moves_first().begin();
+  const auto last = finder_.moves_first().end();
   for (std::size_t i = 0; i < size; ++i) {
     const ContactPoint& p = now_.points[i];
-    const ContactMemory& m = now_.memory[i];
+    ContactMemory& m = now_.memory[i];
     Left left;
-    if (moved != first.end() && static_cast<std::size_t>(*moved) == i) {
-      ++moved;
-      left = left_[i];
+    if (waiting != last && static_cast<std::size_t>(*waiting) == i) {
+      left = left_first_[static_cast<std::size_t>(waiting++ - finder_.moves_first().begin())];
+      if (finder_.made(i)) transfer_impact_energy(h, p, left, m);
     } else {
       left = left_by(h, p, m);
       finder_.move(i, now_);
     }
-    weakened_[i] = {m.slip, m.friction_change};
+    if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
     respond(h, i, now_);
     const double slip = way(i, left);
     if (slip != 0.0 || m.slide.length > 0.0F) slides_.push_back({static_cast<std::int32_t>(i), slip});
-    book_pair(left, i, half_work(h, p, m, v_), ledger);
+    const Half arriving = half_work(h, p, m, v_);
+    if (p.from >= 0)
+      book_pair(left, i, arriving, ledger);
+    else
+      book_new(i, arriving, ledger);
     if (ContactFinder::may_adopt(p, m)) kinds_.push_back(static_cast<std::int32_t>(i));
     energy_[i] = normal_energy(p, m) + tangential_energy(m);
     finder_.note(i, m);
     state.contacts[i] = m;
   }
+  for (const ContactFinder::Changed& c : finder_.changed())
+    for (std::int32_t k = c.begin; k < c.end; ++k)
+      if (finder_.gone(static_cast<std::size_t>(k))) book_ended(static_cast<std::size_t>(k), ledger);
   if (checks_friction_) {  // velocities are physical
     friction_check_.begin(now_);
     for (const Slide& s : slides_) {
@@ -436,7 +451,7 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
     finder_.note(i, now_.memory[i]);
     state.contacts[i] = now_.memory[i];
   }
-  finder_.take_noted();
+  finder_.take_noted(now_);
   double energy = 0.0;
   for (const double e : energy_) energy += e;
   ledger.set(Column::contact_springs, energy);

@@ -76,6 +76,7 @@ class ExplicitContact {
   };
   /// @param v  of the outline nodes
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const Vec2> v) const;
+  void leave_point(double h, std::size_t i);
   [[nodiscard]] Left left_by(double h, const ContactPoint& p, const ContactMemory& m) const;
   /// Velocities of the outline nodes.
   void set_velocities(std::span<const double> v, std::vector<Vec2>& out) const;
@@ -86,7 +87,7 @@ class ExplicitContact {
   /// of its energy, whatever the gap at which it passes:
   ///   k g^2/2 = E - h/2 f_n g'_n - h/2 f g',  f = -k g
   /// The direction of the force jumps within the step: the gap alone would be off by an error of first order.
-  void transfer_impact_energy(double h);
+  void transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const;
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards. v_ is theirs.
   void respond(double h, ContactList& list);
   void respond(double h, std::size_t i, ContactList& list);
@@ -119,6 +120,7 @@ class ExplicitContact {
   std::vector<double> tan_friction_;  // per joint law
   std::vector<Vec2> v_left_, v_;      // of outline nodes, of the step at the instant left and where it arrives
   std::vector<Left> left_;            // a point of the instant left
+  std::vector<Left> left_first_;      // of those that others may depend on
   struct Weakened {                   // what its friction was taken from
     double slip, friction_change;
   };

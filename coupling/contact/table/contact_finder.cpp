@@ -281,8 +281,19 @@ bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const Cont
   return !goes_on(from, of_corner) && !goes_on(to, of_tip);
 }
 
-void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
+std::int32_t ContactFinder::tip_beside(const ContactPoint& from) const {
   const Outlines& o = setup_->outlines();
+  const double depth = -from.at.gap, s = from.at.xi * from.at.length;
+  if (from.edge_edge || depth <= 0.0 || !in_impact(from)) return -1;
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
+  const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
+  // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
+  if (edge.convex_start && part == 0 && s < depth) return edge.first_segment;
+  const bool at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
+  return at_last ? edge.end_vertex : -1;
+}
+
+void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
   const auto of_vertex = [&out](std::int32_t vertex) {
     const auto before = [](const ContactPoint& p, std::int32_t wanted) { return p.vertex < wanted; };
     const auto begin = std::lower_bound(out.points.begin(), out.points.end(), vertex, before),
@@ -290,15 +301,10 @@ void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
     return std::span(begin, end);
   };
   for (ContactPoint& from : out.points) {
-    const double depth = -from.at.gap, s = from.at.xi * from.at.length;
-    if (from.edge_edge || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
-    const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
-    // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
-    const bool at_first = edge.convex_start && part == 0 && s < depth,
-               at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
-    if (!at_first && !at_last) continue;
-    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(at_first ? edge.first_segment : edge.end_vertex);
+    if (from.suppressed) continue;
+    const std::int32_t tip = tip_beside(from);
+    if (tip < 0) continue;
+    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(tip);
     for (ContactPoint& to : of_tip) {
       if (!goes_over_tip(from, of_corner, to, of_tip)) continue;
       to.from = std::exchange(from.from, -1);
@@ -505,7 +511,7 @@ void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
     p.beside = neighbour(p, false);
     // In an impact the points that there were keep what they have, and a new one has nothing yet.
     if (p.beside >= 0 && known_.impact(static_cast<std::size_t>(p.beside)) > 0.0) p.beside = -1;
-    if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
+    if (p.beside >= 0) p.first_gap0 = known_.gap0(static_cast<std::size_t>(p.beside));
   }
 }
 
@@ -521,21 +527,10 @@ void ContactFinder::find_again(const ContactList& known, ContactList& out) {
   list_points(pairs_.pairs(), false, out);
 }
 
-void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out) {
+void ContactFinder::list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out) {
   const Outlines& o = setup_->outlines();
-  const ContactList& known = known_.list();
-  merged_ = 0.0;
-  gone_.assign(known_.size(), 1);
-  fresh_.clear();
-  corners_.clear();
-  paired_.clear();
-  out.points.clear();
-  out.memory.clear();
-  out.briefs.clear();
-  std::size_t old = 0, first_of_vertex = 0;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const VertexEdge& pair = pairs[k];
-    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+  const std::size_t first = out.points.size();
+  for (const VertexEdge& pair : pairs) {
     const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
@@ -544,15 +539,11 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
     const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
     const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
     if (!closed && under.distance > detection_) continue;
-    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
-      settle_vertex(first_of_vertex, at_start, out);
-      first_of_vertex = out.points.size();
-    }
     // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
     ContactPoint& p = out.points.emplace_back();
     p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
-    const ContactMemory* was = has_memory ? &known.memory[old] : nullptr;
+    const ContactMemory* was = has_memory ? &known_.list().memory[old] : nullptr;
     if (!touches(pair, was, closed, p)) {
       out.points.pop_back();
       continue;
@@ -560,7 +551,26 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
     describe(pair, was, closed, p);
     out.briefs.push_back({pair.vertex, pair.edge});
   }
-  settle_vertex(first_of_vertex, at_start, out);
+  settle_vertex(first, at_start, out);
+}
+
+void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  merged_ = 0.0;
+  gone_.assign(known_.size(), 1);
+  fresh_.clear();
+  corners_.clear();
+  paired_.clear();
+  out.points.clear();
+  out.memory.clear();
+  out.briefs.clear();
+  for (std::size_t k = 0, old = 0; k < pairs.size();) {
+    const std::size_t first = k;
+    while (k < pairs.size() && pairs[k].vertex == pairs[first].vertex) ++k;
+    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+    while (old < known_.size() && known_.vertex(old) < pairs[first].vertex) ++old;
+    list_vertex(pairs.subspan(first, k - first), old, at_start, out);
+  }
   cover_corners(out);
   inherit(out);
   index_divided(out);

@@ -29,22 +29,41 @@ class ContactFinder {
   /// other bodies makes of them
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
             ContactPairs::Of of = ContactPairs::Of::all);
-  /// Brings a list to q in place, point by point: true if find() would list the same points, every one with the memory
-  /// it has. Nothing of the list has changed then; move() of every point and settle() leave what find() would, to the
-  /// last bit: first of those that others may depend on, then settle(), then of the others in any order. If not, find_again() does what find() would, with the pairs that are known already.
-  /// @pre index() or take_noted() for the list as it is; no body was made anew since it was found
+  /// Whether a list can be brought to q in place, with what find() would leave to the last bit. Most points stay then,
+  /// each with the memory it has; where points of a vertex come, go or pass something on, all of that vertex are made
+  /// anew, beside the list, which has not changed yet. Next: splice() if any are; move() of the points that others may
+  /// depend on (moves_first()), settle(), and move() of the others, in any order; note() of every one when it knows its
+  /// new state, then take_noted(). If it cannot, find_again() does what find() would, with the pairs that are known.
+  /// @pre index() or take_noted() for the list as it is
   [[nodiscard]] bool keeps(std::span<const double> q, const ContactList& list);
+  /// Points of a vertex that are made anew: those of the list from `begin` to `end`, in place of which come others.
+  struct Changed {
+    std::int32_t begin, end;    // in the list
+    std::int32_t first, count;  // of those that come, among all such
+  };
+  [[nodiscard]] std::span<const Changed> changed() const { return changed_; }
+  /// True for a point of changed() that nothing takes its memory from.
+  [[nodiscard]] bool gone(std::size_t i) const { return gone_[i] != 0; }
+  /// Puts the points that come in their places.
+  void splice(ContactList& list);
+  /// Before moves_first(), after splice() if any points are changed().
+  void find_first(const ContactList& list);
+  /// True for a point that came so: not to be moved.
+  [[nodiscard]] bool made(std::size_t i) const { return moving_[i].made; }
+  /// True if it has the memory of another place.
+  [[nodiscard]] bool passed(const ContactPoint& p) const {
+    const auto from = static_cast<std::size_t>(p.from);
+    return p.from >= 0 && (known_.vertex(from) != p.vertex || known_.edge(from) != p.edge);
+  }
   void move(std::size_t i, ContactList& list);
   /// Points on which others may depend, in order: settle() waits for these alone.
   [[nodiscard]] std::span<const std::int32_t> moves_first() const { return first_; }
   void settle(ContactList& list);
   /// @param known  the list that keeps() was asked of   @param out  another one
   void find_again(const ContactList& known, ContactList& out);
-  /// Prepares a list for keeps(). In place of that, once its points are moved and know their new states: note() of
-  /// every one, then take_noted().
   void index(const ContactList& list);
   void note(std::size_t i, const ContactMemory& m) { known_.note(i, m); }
-  void take_noted() { known_.take_noted(); }
+  void take_noted(const ContactList& list);
   /// Of find(): energy of springs that ended and that other closed ones have taken over [J].
   [[nodiscard]] double merged() const { return merged_; }
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
@@ -102,8 +121,14 @@ class ContactFinder {
   /// @param first,last  points of the vertex
   [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list);
   /// Of keeps(): whether the pair is a point just as it was before.
-  /// @param row  its point in the list, or -1
-  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list);
+  /// @param row  its point in the list, or -1   @param segment  receives the one it is over
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment);
+  /// Of keeps(): whether pairs `k` to `k_end` are points `row` to `end` of the list, of one vertex.
+  [[nodiscard]] bool stay(std::size_t k, std::size_t k_end, std::size_t row, std::size_t end, const ContactList& list);
+  /// The points of one vertex.   @param old  the first of the known ones that may be of it
+  void list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out);
+  /// Completes what keeps() has made.   @return false: find() must do it
+  [[nodiscard]] bool complete_made(const ContactList& list);
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
@@ -122,6 +147,8 @@ class ContactFinder {
   /// Corners in an impact that slide over the end of an edge: the tip there takes their memory where the gaps of both
   /// are equal, so that the energy goes on, as over a convex corner (goes_over()).
   void pass_tips(bool at_start, ContactList& out) const;
+  /// The vertex at the convex end of the edge that a closed corner in an impact is about to pass; -1: none.
+  [[nodiscard]] std::int32_t tip_beside(const ContactPoint& from) const;
   /// A point of an impact that ends under load while its bodies overlap: the nearest point between the same bodies
   /// takes over its memory if it is open, and the energy of its spring if it is in an impact itself (merged()).
   void pass_energy_on(bool at_start, ContactList& out);
@@ -179,11 +206,19 @@ class ContactFinder {
   std::vector<SegmentFrame> frames_;        // of segments
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
-  struct Moving {  // of keeps(), for a point of the list
-    std::int32_t pair = -1, segment = -1;
-    bool partnered = false, corner = false;  // it was, where it is in the list
+  struct Kind {  // of a point, as the list has it
+    bool partnered = false, corner = false;
+  };
+  std::vector<Kind> kind_, next_kind_;
+  struct Moving {  // of keeps(), for a point of the list to be
+    std::int32_t pair = -1, segment = -1, from = -1;
+    bool made = false;
   };
   std::vector<Moving> moving_;
+  std::vector<Changed> changed_;
+  ContactList made_;                            // of changed()
+  bool anew_ = false;                           // of keeps(): find() must do it
+  std::vector<std::ptrdiff_t> shift_;           // scratch of splice()
   std::vector<std::int32_t> first_;             // see moves_first()
   std::vector<ContactPoint> of_vertex_;         // scratch of passes_on()
   std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
