@@ -315,8 +315,8 @@ void ExplicitContact::adopt_kinds(double h, std::span<const std::int32_t> points
     const ContactPoint& p = now_.points[static_cast<std::size_t>(a.point)];
     const ContactMemory& m = now_.memory[static_cast<std::size_t>(a.point)];
     if (m.anchor == a.before || m.ft == 0.0) continue;
-    const double way = 0.5 * h * (row_rate(p, stretch_row(p.at, m.anchor), v_) -
-                                  row_rate(p, stretch_row(p.at, a.before), v_));
+    const double way =
+        0.5 * h * (row_rate(p, stretch_row(p.at, m.anchor), v_) - row_rate(p, stretch_row(p.at, a.before), v_));
     ledger.book(Column::contact_geometry, (m.ft - m.fdt) * way);
     ledger.book(Column::contact_damping, -m.fdt * way);
   }

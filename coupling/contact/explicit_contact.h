@@ -115,7 +115,7 @@ class ExplicitContact {
   bool in_place_ = false;  // the last step was: before_ is of no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
-  bool can_undo_ = false;  // left_list_ is of the instant left
+  bool can_undo_ = false;             // left_list_ is of the instant left
   double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
   std::vector<double> tan_friction_;  // per joint law
   std::vector<Vec2> v_left_, v_;      // of outline nodes, of the step at the instant left and where it arrives
@@ -124,22 +124,22 @@ class ExplicitContact {
   struct Weakened {                   // what its friction was taken from
     double slip, friction_change;
   };
-  std::vector<Weakened> weakened_;    // a point of the instant left
-  std::vector<char> kept_;            // 1: the point of before_ goes on in now_
-  std::vector<double> trial_;         // stretch before return mapping, a point of the list at hand
-  struct Anchor {                     // of a point, before it takes the stiffness of a new kind
+  std::vector<Weakened> weakened_;  // a point of the instant left
+  std::vector<char> kept_;          // 1: the point of before_ goes on in now_
+  std::vector<double> trial_;       // stretch before return mapping, a point of the list at hand
+  struct Anchor {                   // of a point, before it takes the stiffness of a new kind
     std::int32_t point;
     double before;
   };
   std::vector<Anchor> anchor_;
-  std::vector<std::int32_t> kinds_;   // points that may take it
+  std::vector<std::int32_t> kinds_;  // points that may take it
   struct Slide {
     std::int32_t point;
     double way;
   };
-  std::vector<Slide> slides_;         // points that the check of friction follows
-  std::vector<double> energy_;        // of a point's springs [J]
-  std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
+  std::vector<Slide> slides_;   // points that the check of friction follows
+  std::vector<double> energy_;  // of a point's springs [J]
+  std::vector<double> opened_;  // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

@@ -82,8 +82,8 @@ void ContactFinder::place_nodes(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
   for (std::size_t i = 0; i < frames_.size(); ++i)
-    frames_[i] = segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)],
-                               x_[static_cast<std::size_t>(o.segments[i].b)]);
+    frames_[i] =
+        segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
 }
 
 ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {

@@ -206,7 +206,7 @@ class ContactFinder {
   std::vector<SegmentFrame> frames_;        // of segments
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
-  struct Kind {  // of a point, as the list has it
+  struct Kind {                                 // of a point, as the list has it
     bool partnered = false, corner = false;
   };
   std::vector<Kind> kind_, next_kind_;
@@ -216,12 +216,12 @@ class ContactFinder {
   };
   std::vector<Moving> moving_;
   std::vector<Changed> changed_;
-  ContactList made_;                            // of changed()
-  bool anew_ = false;                           // of keeps(): find() must do it
-  std::vector<std::ptrdiff_t> shift_;           // scratch of splice()
-  std::vector<std::int32_t> first_;             // see moves_first()
-  std::vector<ContactPoint> of_vertex_;         // scratch of passes_on()
-  std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
+  ContactList made_;                     // of changed()
+  bool anew_ = false;                    // of keeps(): find() must do it
+  std::vector<std::ptrdiff_t> shift_;    // scratch of splice()
+  std::vector<std::int32_t> first_;      // see moves_first()
+  std::vector<ContactPoint> of_vertex_;  // scratch of passes_on()
+  std::vector<EdgePair> added_;          // joints of points that a mesh has added, in order
   /// A remembered point by the edges that its joint may be of.
   struct OnJoint {
     EdgePair joint;

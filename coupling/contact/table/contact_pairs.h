@@ -79,8 +79,8 @@ class ContactPairs {
     std::int32_t pair;
     bool adds;
   };
-  std::vector<Place> place_;  // of unsorted_, in pairs_
-  std::vector<char> seen_;    // scratch of sort()
+  std::vector<Place> place_;         // of unsorted_, in pairs_
+  std::vector<char> seen_;           // scratch of sort()
   std::vector<std::int32_t> first_;  // per vertex: its pairs, counted one further on; then its first pair
   std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };

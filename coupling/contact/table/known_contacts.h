@@ -76,8 +76,8 @@ class KnownContacts {
   [[nodiscard]] std::int32_t edge(std::size_t i) const { return places_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
   [[nodiscard]] bool edge_edge(std::size_t i) const { return points_[i].edge_edge; }
-  /// Segment of the edge, counted within it, and ContactMemory::impact and gap0. A list that is changed point by point has those
-  /// of the next instant already.
+  /// Segment of the edge, counted within it, and ContactMemory::impact and gap0. A list that is changed point by point
+  /// has those of the next instant already.
   [[nodiscard]] std::int32_t segment(std::size_t i) const { return points_[i].segment; }
   [[nodiscard]] double impact(std::size_t i) const { return points_[i].impact; }
   [[nodiscard]] double gap0(std::size_t i) const { return points_[i].gap0; }

@@ -74,7 +74,9 @@ Scene heap(const std::string& method, int blocks, unsigned seed) {
   scene.add("left", {{{-8, 8}, {-8, -1}, {0, -1}, {0, 0}}, {}}, true);
   scene.add("right", {{{0, 0}, {0, -1}, {8, -1}, {8, 6}}, {}}, true);
   std::mt19937 random(seed);
-  const auto between = [&random](double a, double b) { return a + (b - a) * static_cast<double>(random() % 1000003) / 1000003.0; };
+  const auto between = [&random](double a, double b) {
+    return a + (b - a) * static_cast<double>(random() % 1000003) / 1000003.0;
+  };
   for (int i = 0; i < blocks; ++i) {
     const Vec2 c(-1.5 + 1.5 * (i % 3), 3.2 + 1.4 * (i / 3));
     const int corners = 3 + static_cast<int>(random() % 4);
