@@ -375,16 +375,10 @@ void ExplicitContact::arrive_anew(double h, State& state) {
   state.contacts = now_.memory;
 }
 
-void ExplicitContact::arrive_in_place(double h, State& state) {
-  Ledger& ledger = state.ledger;
-  slides_.clear();
-  kinds_.clear();
+void ExplicitContact::make_way(double h) {
   for (const ContactFinder::Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k) leave_point(h, static_cast<std::size_t>(k));
   if (!finder_.changed().empty()) finder_.splice(now_);
-  const std::size_t size = now_.points.size();
-  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
-  state.contacts.resize(size);
   finder_.find_first(now_);
   left_first_.clear();
   for (const std::int32_t k : finder_.moves_first()) {
@@ -398,6 +392,16 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
     finder_.move(i, now_);
   }
   finder_.settle(now_);
+}
+
+void ExplicitContact::arrive_in_place(double h, State& state) {
+  make_way(h);
+  Ledger& ledger = state.ledger;
+  const std::size_t size = now_.points.size();
+  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
+  state.contacts.resize(size);
+  slides_.clear();
+  kinds_.clear();
   // All else goes point by point, while it is at hand: the list does not fit a core's cache.
   auto waiting = finder_.moves_first().begin();
   const auto last = finder_.moves_first().end();
@@ -429,21 +433,7 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   for (const ContactFinder::Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k)
       if (finder_.gone(static_cast<std::size_t>(k))) book_ended(static_cast<std::size_t>(k), ledger);
-  if (checks_friction_) {  // velocities are physical
-    friction_check_.begin(now_);
-    for (const Slide& s : slides_) {
-      const auto i = static_cast<std::size_t>(s.point);
-      friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
-      state.contacts[i].slide = now_.memory[i].slide;
-    }
-    if (friction_evolution_.used()) {
-      friction_evolution_.advance(h, now_.memory);
-      for (std::size_t i = 0; i < size; ++i) {
-        state.contacts[i].friction_change = now_.memory[i].friction_change;
-        state.contacts[i].slip_known = now_.memory[i].slip_known;
-      }
-    }
-  }
+  if (checks_friction_) follow_some(h, state);  // velocities are physical
   adopt_kinds(h, kinds_, ledger);
   for (const std::int32_t k : kinds_) {
     const auto i = static_cast<std::size_t>(k);
@@ -455,6 +445,22 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   double energy = 0.0;
   for (const double e : energy_) energy += e;
   ledger.set(Column::contact_springs, energy);
+}
+
+void ExplicitContact::follow_some(double h, State& state) {
+  friction_check_.begin(now_);
+  for (const Slide& s : slides_) {
+    const auto i = static_cast<std::size_t>(s.point);
+    friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
+    state.contacts[i].slide = now_.memory[i].slide;
+  }
+  if (friction_evolution_.used()) {
+    friction_evolution_.advance(h, now_.memory);
+    for (std::size_t i = 0; i < now_.memory.size(); ++i) {
+      state.contacts[i].friction_change = now_.memory[i].friction_change;
+      state.contacts[i].slip_known = now_.memory[i].slip_known;
+    }
+  }
 }
 
 }  // namespace scree::coupling

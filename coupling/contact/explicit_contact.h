@@ -104,6 +104,10 @@ class ExplicitContact {
   void arrive_anew(double h, State& state);
   /// arrive() where all points are still there: nothing is listed anew, nothing copied.
   void arrive_in_place(double h, State& state);
+  /// Of arrive_in_place(): points that come and go, and those that others may depend on.
+  void make_way(double h);
+  /// Of arrive_in_place(): the check of friction sees the points that slide, their friction changes.
+  void follow_some(double h, State& state);
 
   const Setup* setup_;
   ContactFinder finder_;

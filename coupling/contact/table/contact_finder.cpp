@@ -35,6 +35,16 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       x_(setup.outlines().nodes.size()),
       frames_(setup.outlines().segments.size()) {
   const Outlines& o = setup.outlines();
+  const std::size_t expected = 2 * o.vertices.size();  // so that steps need not allocate
+  moving_.reserve(expected);
+  for (auto* kinds : {&kind_, &next_kind_}) kinds->reserve(expected);
+  for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
+  constexpr std::size_t kFew = 1000;
+  changed_.reserve(std::min(expected, kFew));
+  shift_.reserve(std::min(expected, kFew));
+  made_.points.reserve(std::min(expected, kFew));
+  made_.memory.reserve(std::min(expected, kFew));
+  made_.briefs.reserve(std::min(expected, kFew));
   for (std::size_t i = 0; i < o.nodes.size(); ++i) {
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
     largest_weights_ =
