@@ -36,9 +36,14 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
     list->briefs.reserve(expected);
   }
   left_.reserve(expected);
+  weakened_.reserve(expected);
+  left_first_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
   anchor_.reserve(expected);
+  kinds_.reserve(expected);
+  slides_.reserve(expected);
+  energy_.reserve(expected);
   opened_.reserve(expected);
 }
 
@@ -55,6 +60,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   }
   if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
+  indexed_ = false;
   // What was remembered and is not found is in the list before: the next step takes it out.
   clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
@@ -71,7 +77,7 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
       // The step took its friction from the slip that there was.
       ContactMemory then = m;
       if (p.from >= 0) {
-        const ContactMemory& was = before_.memory[static_cast<std::size_t>(p.from)];
+        const Weakened& was = weakened_[static_cast<std::size_t>(p.from)];
         then.slip = was.slip;
         then.friction_change = was.friction_change;
       }
@@ -88,9 +94,13 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
 }
 
 void ExplicitContact::undo(State& state) {
-  std::swap(now_, before_);
+  if (can_undo_)
+    now_ = left_list_;
+  else if (!in_place_)
+    std::swap(now_, before_);
   state.contacts = now_.memory;
   clear_ = 0.0;
+  indexed_ = can_undo_ = false;
 }
 
 void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
@@ -107,69 +117,110 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
 
 void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
   finder_.find(q, now_, false, ahead_, ContactPairs::Of::ghosts);
-  respond(h, v, ahead_);
+  set_velocities(v, v_);
+  respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
   add(ahead_, f);
 }
 
-ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
-                                                 std::span<const double> v) const {
+void ExplicitContact::set_velocities(std::span<const double> v, std::vector<Vec2>& out) const {
   const Outlines& o = setup_->outlines();
+  out.resize(o.nodes.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = position(o.nodes[i], v);
+}
+
+ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
+                                                 std::span<const Vec2> v) const {
   Half half;
   if (m.fn != 0.0 || m.fd != 0.0 || m.water != 0.0) {
-    const double way = 0.5 * h * row_rate(o, p, gap_row(p.at), v);
+    const double way = 0.5 * h * row_rate(p, gap_row(p.at), v);
     half.normal = (m.fn - m.fd) * way;
     half.damping = m.fd * way;
     half.water = m.water * way;
   }
   if (m.ft != 0.0 || m.fdt != 0.0) {
-    const double way = 0.5 * h * row_rate(o, p, stretch_row(p.at, m.anchor), v);
+    const double way = 0.5 * h * row_rate(p, stretch_row(p.at, m.anchor), v);
     half.tangential = (m.ft - m.fdt) * way;
     half.damping += m.fdt * way;
   }
   return half;
 }
 
-void ExplicitContact::leave(double h, std::span<const double> v) {
-  left_.resize(now_.points.size());
-  for (std::size_t i = 0; i < now_.points.size(); ++i) left_[i] = half_work(h, now_.points[i], now_.memory[i], v);
+void ExplicitContact::leave(std::span<const double> v) {
+  if (!now_.points.empty()) set_velocities(v, v_left_);
 }
 
-void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const {
-  const ContactMemory &a = before_.memory[before], &b = now_.memory[after];
-  const double energy_a = normal_energy(before_.points[before], a), energy_b = normal_energy(now_.points[after], b);
-  const bool bond_broke = a.bonded != 0 && b.status == ContactStatus::open && b.gap >= 0.0;
+ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, const ContactMemory& m) const {
+  Left a;
+  a.work = half_work(h, p, m, v_left_);
+  a.gap = m.gap;
+  a.stretch = m.stretch;
+  a.fn = m.fn;
+  a.fd = m.fd;
+  a.ft = m.ft;
+  a.fdt = m.fdt;
+  a.kn = m.kn;
+  a.kt = m.kt;
+  a.normal_energy = normal_energy(p, m);
+  a.tangential_energy = tangential_energy(m);
+  a.foot = p.at.xi;
+  a.segment = p.segment;
+  a.open = m.status == ContactStatus::open;
+  a.bonded = m.bonded != 0;
+  return a;
+}
+
+void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const {
+  const ContactMemory& b = now_.memory[after];
+  const bool opened = b.status == ContactStatus::open, bond_broke = a.bonded && opened && b.gap >= 0.0;
   const double lifted = 0.5 * opened_[after];
-  ledger.book(Column::contact_damping, -left_[before].damping - arriving.damping + lifted * (a.fd + b.fd));
+  ledger.book(Column::contact_damping, -a.work.damping - arriving.damping + lifted * (a.fd + b.fd));
   if (lifted != 0.0) ledger.book(Column::dilation, -lifted * (a.fn + b.fn));
-  ledger.book(Column::water, left_[before].water + arriving.water);
+  ledger.book(Column::water, a.work.water + arriving.water);
   const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
   if (fa != 0.0 || fb != 0.0) {
     const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
     // Dilation takes the spring with it: the bodies moved by more than the spring did.
     ledger.book(Column::contact_geometry,
-                left_[before].normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
+                a.work.normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
     // Closed at both ends: trapezoid and energy cancel but for the change of the share. Closing: -k d g_n/2, opening:
     // +k d g_{n+1}/2.
     if (bond_broke) {
       ledger.book(Column::contact_transition, trapezoid);
-      ledger.book(Column::bonds_broken, energy_a);
+      ledger.book(Column::bonds_broken, a.normal_energy);
     } else if (fa == 0.0 || fb == 0.0)
-      ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
+      ledger.book(Column::contact_transition, trapezoid + normal_energy(now_.points[after], b) - a.normal_energy);
     else
       ledger.book(Column::contact_tributary, 0.5 * a.gap * b.gap * (b.kn - a.kn));
   }
-  if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
+  if (a.open) return;  // a spring that begins here has done no work
   const double de = trial_[after] - a.stretch, ta = a.ft - a.fdt, tb = b.ft - b.fdt;
-  if (b.status == ContactStatus::open) {
-    ledger.book(Column::contact_geometry, left_[before].tangential - 0.5 * ta * de);
+  if (opened) {
+    ledger.book(Column::contact_geometry, a.work.tangential - 0.5 * ta * de);
     ledger.book(Column::contact_transition, 0.5 * ta * de);
-    ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, tangential_energy(a));
+    ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, a.tangential_energy);
     return;
   }
-  ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (ta + tb) * de);
+  ledger.book(Column::contact_geometry, a.work.tangential + arriving.tangential - 0.5 * (ta + tb) * de);
   ledger.book(Column::contact_tributary, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
+}
+
+void ExplicitContact::book_new(std::size_t i, const Half& arriving, Ledger& ledger) const {
+  const ContactMemory& m = now_.memory[i];
+  ledger.book(Column::water, arriving.water);
+  if (m.gap >= 0.0 && m.bonded == 0) return;
+  ledger.book(Column::contact_damping, -arriving.damping);
+  ledger.book(Column::contact_edges,
+              arriving.normal + arriving.tangential + normal_energy(now_.points[i], m) + tangential_energy(m));
+}
+
+void ExplicitContact::book_ended(std::size_t before, Ledger& ledger) const {
+  const Left& a = left_[before];  // the pair ended: its springs are gone
+  ledger.book(Column::contact_damping, -a.work.damping);
+  ledger.book(Column::water, a.work.water);
+  ledger.book(Column::contact_edges, a.work.normal + a.work.tangential);
+  ledger.book(Column::springs_dropped, a.normal_energy + a.tangential_energy);
 }
 
 bool ExplicitContact::on_ghost(const ContactPoint& p) const {
@@ -180,129 +231,235 @@ bool ExplicitContact::on_ghost(const ContactPoint& p) const {
   return is_ghost(p.node[0]) || is_ghost(p.node[1]);
 }
 
-void ExplicitContact::respond(double h, std::span<const double> v, ContactList& list) {
+void ExplicitContact::respond(double h, ContactList& list) {
   trial_.resize(list.points.size());
   opened_.resize(list.points.size());
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactPoint& p = list.points[i];
-    ContactMemory& m = list.memory[i];
-    // The stretch that a spring would have here, also for one that opens now.
-    trial_[i] = (p.at.xi - m.anchor) * p.at.length;
-    const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
-    PointMotion motion = motion_of(p);
-    motion.per_time = 1.0 / h;
-    // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
-    // that its own force leads to. It acts from the next step on.
-    if (m.status != ContactStatus::open || !on_ghost(p)) {
-      motion.cn = p.cn;
-      motion.ct = p.ct;
-    }
-    if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
-      motion.rate = row_rate(setup_->outlines(), p, gap_row(p.at), v);
-      motion.shear = row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v);
-    }
-    const double gap0 = m.gap0;
-    // Stages to rest have no velocities of their own.
-    if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
-      finder_.begin_impact(p, -row_rate(setup_->outlines(), p, gap_row(p.at), v), m);
-    explicit_law(law, setup_->laws().tan_friction(static_cast<std::size_t>(m.joint)), motion, m);
-    opened_[i] = m.gap0 - gap0;
-    if (m.status == ContactStatus::open)
-      m.impact = 0.0;
-    else
-      m.impact = std::max(0.0, m.impact - h);
-  }
+  for (std::size_t i = 0; i < list.points.size(); ++i) respond(h, i, list);
 }
 
-void ExplicitContact::transfer_impact_energy(double h, std::span<const double> v) {
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const ContactPoint& p = now_.points[i];
-    ContactMemory& m = now_.memory[i];
-    if (p.from < 0 || m.impact == 0.0) continue;
-    const auto from = static_cast<std::size_t>(p.from);
-    const ContactPoint& was = before_.points[from];
-    if (was.vertex == p.vertex && was.edge == p.edge) continue;
-    const double left = normal_energy(was, before_.memory[from]) - left_[from].normal;
-    if (left <= 0.0) continue;
-    const double half_way = 0.5 * h * row_rate(setup_->outlines(), p, gap_row(p.at), v);
-    const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
-    m.gap0 += m.gap - gap;
-    m.gap = gap;
+void ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
+  const ContactPoint& p = list.points[i];
+  ContactMemory& m = list.memory[i];
+  // The stretch that a spring would have here, also for one that opens now.
+  trial_[i] = (p.at.xi - m.anchor) * p.at.length;
+  const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
+  PointMotion motion = motion_of(p);
+  motion.per_time = 1.0 / h;
+  // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
+  // that its own force leads to. It acts from the next step on.
+  if (m.status != ContactStatus::open || !on_ghost(p)) {
+    motion.cn = p.cn;
+    motion.ct = p.ct;
   }
+  if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
+    motion.rate = row_rate(p, gap_row(p.at), v_);
+    motion.shear = row_rate(p, stretch_row(p.at, m.anchor), v_);
+  }
+  const double gap0 = m.gap0;
+  // Stages to rest have no velocities of their own.
+  if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
+    finder_.begin_impact(p, -row_rate(p, gap_row(p.at), v_), m);
+  explicit_law(law, setup_->laws().tan_friction(static_cast<std::size_t>(m.joint)), motion, m);
+  opened_[i] = m.gap0 - gap0;
+  if (m.status == ContactStatus::open)
+    m.impact = 0.0;
+  else
+    m.impact = std::max(0.0, m.impact - h);
+}
+
+void ExplicitContact::leave_point(double h, std::size_t i) {
+  left_[i] = left_by(h, now_.points[i], now_.memory[i]);
+  weakened_[i] = {now_.memory[i].slip, now_.memory[i].friction_change};
+}
+
+void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const {
+  if (m.impact == 0.0 || !finder_.passed(p)) return;
+  const double left = was.normal_energy - was.work.normal;
+  if (left <= 0.0) return;
+  const double half_way = 0.5 * h * row_rate(p, gap_row(p.at), v_);
+  const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
+  m.gap0 += m.gap - gap;
+  m.gap = gap;
+}
+
+double ExplicitContact::way(std::size_t i, const Left& was) const {
+  const ContactMemory& m = now_.memory[i];
+  if (m.status == ContactStatus::slip) return trial_[i] - m.stretch;
+  const ContactPoint& p = now_.points[i];
+  const bool hops = m.status == ContactStatus::open && m.slide.length > 0.0F && p.from >= 0;
+  return hops && was.segment == p.segment ? (p.at.xi - was.foot) * p.at.length : 0.0;
 }
 
 void ExplicitContact::follow_slides(double h) {
   friction_check_.begin(now_);
+  const Left none;
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    ContactMemory& m = now_.memory[i];
-    const ContactPoint& p = now_.points[i];
-    double way = m.status == ContactStatus::slip ? trial_[i] - m.stretch : 0.0;
-    if (m.status == ContactStatus::open && m.slide.length > 0.0F && p.from >= 0) {  // it hops
-      const ContactPoint& was = before_.points[static_cast<std::size_t>(p.from)];
-      if (was.segment == p.segment) way = (p.at.xi - was.at.xi) * p.at.length;
-    }
-    friction_check_.see(h, p, way, m);
+    const std::int32_t from = now_.points[i].from;
+    friction_check_.see(h, now_.points[i], way(i, from < 0 ? none : left_[static_cast<std::size_t>(from)]),
+                        now_.memory[i]);
+  }
+}
+
+void ExplicitContact::adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger) {
+  // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
+  anchor_.clear();
+  double change = 0.0;
+  for (const std::int32_t i : points) {
+    const auto at = static_cast<std::size_t>(i);
+    anchor_.push_back({i, now_.memory[at].anchor});
+    finder_.adopt_kind(now_.points[at], now_.memory[at], change);
+  }
+  ledger.book(Column::contact_tributary, change);
+  for (const Anchor& a : anchor_) {
+    const ContactPoint& p = now_.points[static_cast<std::size_t>(a.point)];
+    const ContactMemory& m = now_.memory[static_cast<std::size_t>(a.point)];
+    if (m.anchor == a.before || m.ft == 0.0) continue;
+    const double way =
+        0.5 * h * (row_rate(p, stretch_row(p.at, m.anchor), v_) - row_rate(p, stretch_row(p.at, a.before), v_));
+    ledger.book(Column::contact_geometry, (m.ft - m.fdt) * way);
+    ledger.book(Column::contact_damping, -m.fdt * way);
   }
 }
 
 void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
                              State& state) {
   clear_ -= farthest;
+  if (clear_ > 0.0) return;  // there are no points and there will be none
+  set_velocities(v, v_);
+  if (!indexed_) finder_.index(now_);
+  indexed_ = in_place_ = finder_.keeps(q, now_) && !now_.points.empty() && !always_anew_;
+  steps_in_place_ += in_place_ ? 1 : 0;
+  left_.resize(now_.points.size());
+  weakened_.resize(now_.points.size());
+  if (in_place_)
+    arrive_in_place(h, state);
+  else
+    arrive_anew(h, state);
+  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
+}
+
+void ExplicitContact::arrive_anew(double h, State& state) {
+  Ledger& ledger = state.ledger;
+  for (std::size_t i = 0; i < now_.points.size(); ++i) leave_point(h, i);
   std::swap(now_, before_);
-  if (clear_ > 0.0) return;  // both lists are empty and stay so
-  finder_.find(q, before_, false, now_);
-  transfer_impact_energy(h, v);
-  respond(h, v, now_);
+  finder_.find_again(before_, now_);
+  for (std::size_t i = 0; i < now_.points.size(); ++i)
+    if (const std::int32_t from = now_.points[i].from; from >= 0)
+      transfer_impact_energy(h, now_.points[i], left_[static_cast<std::size_t>(from)], now_.memory[i]);
+  respond(h, now_);
   if (checks_friction_) {  // velocities are physical
     follow_slides(h);
     friction_evolution_.advance(h, now_.memory);
   }
-  Ledger& ledger = state.ledger;
   kept_.assign(before_.points.size(), 0);
+  kinds_.clear();
   for (std::size_t b = 0; b < now_.points.size(); ++b) {
-    const Half arriving = half_work(h, now_.points[b], now_.memory[b], v);
+    const Half arriving = half_work(h, now_.points[b], now_.memory[b], v_);
+    if (ContactFinder::may_adopt(now_.points[b], now_.memory[b])) kinds_.push_back(static_cast<std::int32_t>(b));
     if (now_.points[b].from >= 0) {
       const auto a = static_cast<std::size_t>(now_.points[b].from);
       kept_[a] = 1;
-      book_pair(a, b, arriving, ledger);
-      continue;
-    }
-    ledger.book(Column::water, arriving.water);
-    if (now_.memory[b].gap < 0.0 || now_.memory[b].bonded != 0) {
-      ledger.book(Column::contact_damping, -arriving.damping);
-      ledger.book(Column::contact_edges, arriving.normal + arriving.tangential +
-                                             normal_energy(now_.points[b], now_.memory[b]) +
-                                             tangential_energy(now_.memory[b]));
+      book_pair(left_[a], b, arriving, ledger);
+    } else {
+      book_new(b, arriving, ledger);
     }
   }
-  for (std::size_t i = 0; i < before_.points.size(); ++i) {
-    if (kept_[i] != 0) continue;  // else the pair ended: its springs are gone
-    ledger.book(Column::contact_damping, -left_[i].damping);
-    ledger.book(Column::water, left_[i].water);
-    ledger.book(Column::contact_edges, left_[i].normal + left_[i].tangential);
-    ledger.book(Column::springs_dropped,
-                normal_energy(before_.points[i], before_.memory[i]) + tangential_energy(before_.memory[i]));
-  }
+  for (std::size_t i = 0; i < before_.points.size(); ++i)
+    if (kept_[i] == 0) book_ended(i, ledger);
   // Those that closed points have taken over: booked as dropped, and where the others changed.
   ledger.book(Column::springs_dropped, -finder_.merged());
   ledger.book(Column::contact_geometry, -finder_.merged());
-  // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
-  anchor_.resize(now_.memory.size());
-  for (std::size_t i = 0; i < anchor_.size(); ++i) anchor_[i] = now_.memory[i].anchor;
-  ledger.book(Column::contact_tributary, finder_.adopt_kinds(now_));
-  for (std::size_t i = 0; i < anchor_.size(); ++i) {
-    const ContactPoint& p = now_.points[i];
-    const ContactMemory& m = now_.memory[i];
-    if (m.anchor == anchor_[i] || m.ft == 0.0) continue;
-    const double way = 0.5 * h *
-                       (row_rate(setup_->outlines(), p, stretch_row(p.at, m.anchor), v) -
-                        row_rate(setup_->outlines(), p, stretch_row(p.at, anchor_[i]), v));
-    ledger.book(Column::contact_geometry, (m.ft - m.fdt) * way);
-    ledger.book(Column::contact_damping, -m.fdt * way);
-  }
-  state.contacts = now_.memory;
+  adopt_kinds(h, kinds_, ledger);
   ledger.set(Column::contact_springs, contact_energy(now_));
-  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
+  state.contacts = now_.memory;
+}
+
+void ExplicitContact::make_way(double h) {
+  for (const ContactFinder::Changed& c : finder_.changed())
+    for (std::int32_t k = c.begin; k < c.end; ++k) leave_point(h, static_cast<std::size_t>(k));
+  if (!finder_.changed().empty()) finder_.splice(now_);
+  finder_.find_first(now_);
+  left_first_.clear();
+  for (const std::int32_t k : finder_.moves_first()) {
+    const auto i = static_cast<std::size_t>(k);
+    const ContactPoint& p = now_.points[i];
+    if (finder_.made(i)) {
+      left_first_.push_back(p.from < 0 ? Left{} : left_[static_cast<std::size_t>(p.from)]);
+      continue;
+    }
+    left_first_.push_back(left_by(h, p, now_.memory[i]));
+    finder_.move(i, now_);
+  }
+  finder_.settle(now_);
+}
+
+void ExplicitContact::arrive_in_place(double h, State& state) {
+  make_way(h);
+  Ledger& ledger = state.ledger;
+  const std::size_t size = now_.points.size();
+  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
+  state.contacts.resize(size);
+  slides_.clear();
+  kinds_.clear();
+  // All else goes point by point, while it is at hand: the list does not fit a core's cache.
+  auto waiting = finder_.moves_first().begin();
+  const auto last = finder_.moves_first().end();
+  for (std::size_t i = 0; i < size; ++i) {
+    const ContactPoint& p = now_.points[i];
+    ContactMemory& m = now_.memory[i];
+    Left left;
+    if (waiting != last && static_cast<std::size_t>(*waiting) == i) {
+      left = left_first_[static_cast<std::size_t>(waiting++ - finder_.moves_first().begin())];
+      if (finder_.made(i)) transfer_impact_energy(h, p, left, m);
+    } else {
+      left = left_by(h, p, m);
+      finder_.move(i, now_);
+    }
+    if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
+    respond(h, i, now_);
+    const double slip = way(i, left);
+    if (slip != 0.0 || m.slide.length > 0.0F) slides_.push_back({static_cast<std::int32_t>(i), slip});
+    const Half arriving = half_work(h, p, m, v_);
+    if (p.from >= 0)
+      book_pair(left, i, arriving, ledger);
+    else
+      book_new(i, arriving, ledger);
+    if (ContactFinder::may_adopt(p, m)) kinds_.push_back(static_cast<std::int32_t>(i));
+    energy_[i] = normal_energy(p, m) + tangential_energy(m);
+    finder_.note(i, m);
+    state.contacts[i] = m;
+  }
+  for (const ContactFinder::Changed& c : finder_.changed())
+    for (std::int32_t k = c.begin; k < c.end; ++k)
+      if (finder_.gone(static_cast<std::size_t>(k))) book_ended(static_cast<std::size_t>(k), ledger);
+  if (checks_friction_) follow_some(h, state);  // velocities are physical
+  adopt_kinds(h, kinds_, ledger);
+  for (const std::int32_t k : kinds_) {
+    const auto i = static_cast<std::size_t>(k);
+    energy_[i] = normal_energy(now_.points[i], now_.memory[i]) + tangential_energy(now_.memory[i]);
+    finder_.note(i, now_.memory[i]);
+    state.contacts[i] = now_.memory[i];
+  }
+  finder_.take_noted(now_);
+  double energy = 0.0;
+  for (const double e : energy_) energy += e;
+  ledger.set(Column::contact_springs, energy);
+}
+
+void ExplicitContact::follow_some(double h, State& state) {
+  friction_check_.begin(now_);
+  for (const Slide& s : slides_) {
+    const auto i = static_cast<std::size_t>(s.point);
+    friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
+    state.contacts[i].slide = now_.memory[i].slide;
+  }
+  if (friction_evolution_.used()) {
+    friction_evolution_.advance(h, now_.memory);
+    for (std::size_t i = 0; i < now_.memory.size(); ++i) {
+      state.contacts[i].friction_change = now_.memory[i].friction_change;
+      state.contacts[i].slip_known = now_.memory[i].slip_known;
+    }
+  }
 }
 
 }  // namespace scree::coupling

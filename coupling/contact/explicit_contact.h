@@ -23,17 +23,21 @@ class ExplicitContact {
   /// damping
   void enter(State& state, bool at_start, bool goes_on);
   /// In place of enter(): the points that an instance of the same stage had at this state.
-  void resume(const State& state, const std::vector<ContactPoint>& points) { now_.restore(points, state.contacts); }
+  void resume(const State& state, const std::vector<ContactPoint>& points) {
+    now_.restore(points, state.contacts);
+    indexed_ = false;
+  }
   /// The points of an instant, and back to them.
   void mark(ContactList& out) const { out = now_; }
   void go_back(const ContactList& points) {
     now_ = points;
     clear_ = 0.0;
+    indexed_ = false;
   }
   /// f += forces of the memory.
   void add(std::span<double> f) const;
   /// First half of a step's books, v the velocity of the step at the instant left.
-  void leave(double h, std::span<const double> v);
+  void leave(std::span<const double> v);
   /// Points at the new positions, return mapping, second half of the books.
   /// @param farthest  no node of the state has moved farther since the instant left [m]
   void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
@@ -42,18 +46,40 @@ class ExplicitContact {
   void foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
   /// Checks the points of the present instant.
   void check(std::span<const double> q, Audit& audit) const;
-  /// Goes back to the instant left, after arrive().
+  /// Before an arrive(): whether it may have to be undone. Then the points of the instant left are kept.
+  void keep_way_back(bool keep) {
+    can_undo_ = keep;
+    if (keep) left_list_ = now_;
+  }
+  /// Goes back to the instant left, after keep_way_back(true) and arrive().
   void undo(State& state);
 
   [[nodiscard]] const ContactList& list() const { return now_; }
+  /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
+  void list_always_anew() { always_anew_ = true; }
+  /// Steps that left the list in place.
+  [[nodiscard]] std::int64_t steps_in_place() const { return steps_in_place_; }
 
  private:
   /// Half-step works of one contact, and the geometric changes they are compared with.
   struct Half {
     double normal = 0.0, damping = 0.0, tangential = 0.0, water = 0.0;  // h/2 times force times rate [J]
   };
-  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
-                               std::span<const double> v) const;
+  /// A point at the instant left, what the books of a step ask of it.
+  struct Left {
+    Half work;
+    double gap = 0.0, stretch = 0.0, fn = 0.0, fd = 0.0, ft = 0.0, fdt = 0.0, kn = 0.0, kt = 0.0;
+    double normal_energy = 0.0, tangential_energy = 0.0;
+    double foot = 0.0;
+    std::int32_t segment = -1;
+    bool open = true, bonded = false;
+  };
+  /// @param v  of the outline nodes
+  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const Vec2> v) const;
+  void leave_point(double h, std::size_t i);
+  [[nodiscard]] Left left_by(double h, const ContactPoint& p, const ContactMemory& m) const;
+  /// Velocities of the outline nodes.
+  void set_velocities(std::span<const double> v, std::vector<Vec2>& out) const;
   void add(const ContactList& list, std::span<double> f) const;
   /// True if another integrator moves one of its bodies, or a half of it.
   [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
@@ -61,24 +87,61 @@ class ExplicitContact {
   /// of its energy, whatever the gap at which it passes:
   ///   k g^2/2 = E - h/2 f_n g'_n - h/2 f g',  f = -k g
   /// The direction of the force jumps within the step: the gap alone would be off by an error of first order.
-  void transfer_impact_energy(double h, std::span<const double> v);
-  /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
-  void respond(double h, std::span<const double> v, ContactList& list);
+  void transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const;
+  /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards. v_ is theirs.
+  void respond(double h, ContactList& list);
+  void respond(double h, std::size_t i, ContactList& list);
+  /// After respond(), of a point and where it was: its slip in the step, with its sign, for the check of friction [m].
+  [[nodiscard]] double way(std::size_t i, const Left& was) const;
   /// After respond(): the check of friction sees the points.
   void follow_slides(double h);
-  void book_pair(std::size_t before, std::size_t after, const Half& arriving, Ledger& ledger) const;
+  void book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const;
+  void book_new(std::size_t i, const Half& arriving, Ledger& ledger) const;
+  void book_ended(std::size_t before, Ledger& ledger) const;
+  /// Gives closed points the springs of their kind.   @param points  those that may have another kind
+  void adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger);
+  /// arrive() where points came or went, or one passed to another place.
+  void arrive_anew(double h, State& state);
+  /// arrive() where all points are still there: nothing is listed anew, nothing copied.
+  void arrive_in_place(double h, State& state);
+  /// Of arrive_in_place(): points that come and go, and those that others may depend on.
+  void make_way(double h);
+  /// Of arrive_in_place(): the check of friction sees the points that slide, their friction changes.
+  void follow_some(double h, State& state);
 
   const Setup* setup_;
   ContactFinder finder_;
   FrictionCheck friction_check_;
   FrictionEvolution friction_evolution_;
   bool checks_friction_;
-  ContactList now_, before_, ahead_;
-  double clear_ = 0.0;          // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<Half> left_;      // a point of before_
-  std::vector<char> kept_;      // 1: the point of before_ goes on in now_
-  std::vector<double> trial_;   // stretch before return mapping, a point of the list at hand
-  std::vector<double> anchor_;  // before closed points take the stiffness of a new kind
+  ContactList now_, before_, ahead_, left_list_;
+  bool indexed_ = false;   // the finder knows now_
+  bool in_place_ = false;  // the last step was: before_ is of no instant
+  bool always_anew_ = false;
+  std::int64_t steps_in_place_ = 0;
+  bool can_undo_ = false;             // left_list_ is of the instant left
+  double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
+  std::vector<Vec2> v_left_, v_;      // of outline nodes, of the step at the instant left and where it arrives
+  std::vector<Left> left_;            // a point of the instant left
+  std::vector<Left> left_first_;      // of those that others may depend on
+  struct Weakened {                   // what its friction was taken from
+    double slip, friction_change;
+  };
+  std::vector<Weakened> weakened_;  // a point of the instant left
+  std::vector<char> kept_;          // 1: the point of before_ goes on in now_
+  std::vector<double> trial_;       // stretch before return mapping, a point of the list at hand
+  struct Anchor {                   // of a point, before it takes the stiffness of a new kind
+    std::int32_t point;
+    double before;
+  };
+  std::vector<Anchor> anchor_;
+  std::vector<std::int32_t> kinds_;  // points that may take it
+  struct Slide {
+    std::int32_t point;
+    double way;
+  };
+  std::vector<Slide> slides_;   // points that the check of friction follows
+  std::vector<double> energy_;  // of a point's springs [J]
   std::vector<double> opened_;  // by dilation in the step, a point of the list at hand [m]
 };
 

@@ -308,6 +308,13 @@ StepReport CentralDifference::refuse(double h) const {
   return report;
 }
 
+bool CentralDifference::forces_stay_finite() const {
+  if (contact_.list().points.empty()) return true;
+  double sum = chunks_.sum_free([&](const Chunk& c) { return dot(c, v_half_.data(), stress_.data()); });
+  for (const double f : held()) sum += f;
+  return std::isfinite(sum);
+}
+
 StepReport CentralDifference::lost(const State& state, std::span<const double> forces, double t) const {
   LostPlace place = lost_place(*setup_, q_new_);
   if (place.body < 0) place = not_finite_at(*setup_, forces, "the force", state.q);
@@ -341,7 +348,7 @@ void CentralDifference::leave_instant(const State& state, double h) {
   for (const Chunk& c : chunks_.driven())
     std::fill(stress_.begin() + static_cast<std::ptrdiff_t>(c.begin),
               stress_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
-  contact_.leave(h, v_half_);
+  contact_.leave(v_half_);
   for (const auto& term : terms_) term->leave(h, v_half_);
   if (damps_all()) {
     // -rate v_{n+1/2}.M v_n with v_{n+1/2} = v_n + h/2 a_n and M a_n = F_n - rate M v_n
@@ -440,6 +447,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     restore_stress(state);
     return report;
   }
+  contact_.keep_way_back(!forces_stay_finite());
   contact_.arrive(h, farthest, q_new_, v_half_, state);
   const Instant now{q_new_, v_half_, end};
   sum_up(now);

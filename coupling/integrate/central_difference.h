@@ -59,15 +59,16 @@ class CentralDifference final : public TimeIntegrator {
   /// Forces at the present instant; those of contacts alone on nodes of ghosts [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
+  /// See ExplicitContact.
+  void list_contacts_always_anew() { contact_.list_always_anew(); }
+  [[nodiscard]] std::int64_t contact_steps_in_place() const { return contact_.steps_in_place(); }
   /// What steps change beside the state.
   struct Mark {
-    bool far = false;
-    ContactList contacts;  // only if it is far
+    ContactList contacts;
     std::vector<double> stress, total, stiffness, local, held;
     double slow_weight = 1.0, slow_energy = 0.0;
   };
-  /// @param far  more than one step may be taken before going back
-  void mark(Mark& out, bool far) const;
+  void mark(Mark& out) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
   /// Goes back to an earlier instant of the stage, whose state its owner has brought back but for the contacts.
   void go_back(State& state, const Mark& mark);
@@ -90,6 +91,8 @@ class CentralDifference final : public TimeIntegrator {
   [[nodiscard]] double kick_off(const State& state, double h);
   /// How far the points of the outlines would go: too_far, or ok.
   [[nodiscard]] StepReport refuse(double h) const;
+  /// False if the forces of contacts, or what they act on, may be no numbers: the step has to be undone then.
+  [[nodiscard]] bool forces_stay_finite() const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void move_ghosts(const State& state, Tick arrival, double& farthest);

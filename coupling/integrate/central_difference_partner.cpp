@@ -95,9 +95,8 @@ void CentralDifference::foresee(const State& state, std::span<const double> end,
   contact_.foresee(h, q_new_, v_half_, f);
 }
 
-void CentralDifference::mark(Mark& out, bool far) const {
-  out.far = far;
-  if (far) contact_.mark(out.contacts);
+void CentralDifference::mark(Mark& out) const {
+  contact_.mark(out.contacts);
   out.stress = stress_;
   out.total = total_;
   out.stiffness = stiffness_.force;
@@ -108,12 +107,8 @@ void CentralDifference::mark(Mark& out, bool far) const {
 }
 
 void CentralDifference::go_back(State& state, const Mark& mark) {
-  if (mark.far) {
-    contact_.go_back(mark.contacts);
-    state.contacts = mark.contacts.memory;
-  } else {
-    contact_.undo(state);
-  }
+  contact_.go_back(mark.contacts);
+  state.contacts = mark.contacts.memory;
   if (held_ != nullptr) held_->take(mark.held, q_new_);
   if (bolts_ != nullptr) bolts_->take(state);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant

@@ -368,7 +368,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   step_ = ticks_of_step;
   repeats_ = 0;
   gone_ = false;
-  rollback_.keep(*explicit_, e, substeps_ > 1 || !interface_constraints_.empty());
+  rollback_.keep(*explicit_, e);
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);

@@ -10,9 +10,8 @@ namespace scree::coupling {
 /// What explicit steps change in a state and its integrator, kept where the first of them begins.
 class StepRollback {
  public:
-  /// @param far  more than one step may be taken before going back
-  void keep(const CentralDifference& integrator, const State& state, bool far) {
-    integrator.mark(mark_, far);
+  void keep(const CentralDifference& integrator, const State& state) {
+    integrator.mark(mark_);
     time_ = state.time;
     last_step_ = state.last_step;
     step_ = state.step;

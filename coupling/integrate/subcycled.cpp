@@ -40,7 +40,7 @@ std::int64_t Subcycled::parts(Tick left) const {
 StepReport Subcycled::step(State& state, Tick ticks_of_step) {
   const double H = seconds(ticks_of_step);
   const std::int64_t first = state.step;
-  rollback_.keep(fine_, state, true);
+  rollback_.keep(fine_, state);
   fine_.watch(audit_);
   substeps_ = 0;
   std::int64_t parts_left = 0;

@@ -35,7 +35,7 @@ class EdgeOverlap {
   };
   void add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against, const Vec2& along,
            bool middle);
-  std::vector<Kink> kinks_;
+  std::vector<Kink> kinks_, merged_;
   std::vector<OverlapPoint> points_;
 };
 

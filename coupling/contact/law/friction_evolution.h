@@ -1,6 +1,7 @@
 // Laws of friction at work on the contact points of a run.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace scree::coupling {
 class FrictionEvolution {
  public:
   explicit FrictionEvolution(const std::vector<JointLaw>& joints) : joints_(&joints) {}
+  /// True if any joint has such a law.
+  [[nodiscard]] bool used() const {
+    return std::any_of(joints_->begin(), joints_->end(), [](const JointLaw& j) { return j.friction_law != nullptr; });
+  }
   /// What the slip of a step does to tan phi.   @param step  that has been taken [s]
   /// @param contacts  with their slip at the end of the step
   void advance(double step, std::span<ContactMemory> contacts);

@@ -32,8 +32,19 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       springs_(setup),
       pairs_(setup, springs_, 2.0 * detection),
       known_(setup.outlines()),
-      x_(setup.outlines().nodes.size()) {
+      x_(setup.outlines().nodes.size()),
+      frames_(setup.outlines().segments.size()) {
   const Outlines& o = setup.outlines();
+  const std::size_t expected = 2 * o.vertices.size();  // so that steps need not allocate
+  moving_.reserve(expected);
+  for (auto* kinds : {&kind_, &next_kind_}) kinds->reserve(expected);
+  for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
+  constexpr std::size_t kFew = 1000;
+  changed_.reserve(std::min(expected, kFew));
+  shift_.reserve(std::min(expected, kFew));
+  made_.points.reserve(std::min(expected, kFew));
+  made_.memory.reserve(std::min(expected, kFew));
+  made_.briefs.reserve(std::min(expected, kFew));
   for (std::size_t i = 0; i < o.nodes.size(); ++i) {
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
     largest_weights_ =
@@ -73,9 +84,16 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
 
 ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segment) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
   return contact_geometry(x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node)],
-                          x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
+                          frames_[static_cast<std::size_t>(segment)]);
+}
+
+void ContactFinder::place_nodes(std::span<const double> q) {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    frames_[i] =
+        segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
 }
 
 ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
@@ -142,7 +160,7 @@ double ContactFinder::entry_depth(const ContactPoint& p) const {
   const std::int32_t i = neighbour(p, true);
   if (i < 0) return -p.at.gap;
   const auto beside = static_cast<std::size_t>(i);
-  const std::int32_t part = std::max(0, known_.list().memory[beside].segment);
+  const std::int32_t part = std::max(0, known_.segment(beside));
   const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
   return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
 }
@@ -197,7 +215,7 @@ void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMem
   const double rate = std::sqrt(springs.kn * compliance(p));
   if (speed < touching_ * rate || speed * rate < kSwings * setup_->model().gravity.norm()) return;
   const std::int32_t beside = neighbour(p, false);
-  if (beside >= 0 && known_.list().memory[static_cast<std::size_t>(beside)].impact == 0.0) return;
+  if (beside >= 0 && known_.impact(static_cast<std::size_t>(beside)) == 0.0) return;
   m.tributary = springs.tributary;
   m.kn = springs.kn;
   m.kt = springs.kt;
@@ -231,26 +249,31 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
 }
 
 bool ContactFinder::in_impact(const ContactPoint& p) const {
-  return p.from >= 0 && known_.list().memory[static_cast<std::size_t>(p.from)].impact > 0.0;
+  return p.from >= 0 && known_.impact(static_cast<std::size_t>(p.from)) > 0.0;
 }
 
 bool ContactFinder::was_closed(const ContactPoint& p) const {
   return p.from >= 0 && known_.closed(static_cast<std::size_t>(p.from));
 }
 
+ContactPoint* ContactFinder::successor(const ContactPoint& from, std::span<ContactPoint> points) const {
+  if ((from.edge_edge && !in_impact(from)) || !was_closed(from) ||
+      known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
+    return nullptr;
+  const auto to = std::find_if(points.begin(), points.end(), [&](const ContactPoint& p) {
+    return &p != &from && !was_closed(p) && goes_over(from, p);
+  });
+  return to == points.end() ? nullptr : &*to;
+}
+
 void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
   for (ContactPoint& from : points) {
-    if ((from.edge_edge && !in_impact(from)) || !was_closed(from) ||
-        known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
-      continue;
-    for (ContactPoint& to : points) {
-      if (&to == &from || was_closed(to) || !goes_over(from, to)) continue;
-      std::swap(from.from, to.from);
-      if (in_impact(to)) from.from = -1;  // what it had found deep there is not of this edge
-      set_range(from, false);
-      set_range(to, true);
-      break;
-    }
+    ContactPoint* to = successor(from, points);
+    if (to == nullptr) continue;
+    std::swap(from.from, to->from);
+    if (in_impact(*to)) from.from = -1;  // what it had found deep there is not of this edge
+    set_range(from, false);
+    set_range(*to, true);
   }
 }
 
@@ -268,8 +291,19 @@ bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const Cont
   return !goes_on(from, of_corner) && !goes_on(to, of_tip);
 }
 
-void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
+std::int32_t ContactFinder::tip_beside(const ContactPoint& from) const {
   const Outlines& o = setup_->outlines();
+  const double depth = -from.at.gap, s = from.at.xi * from.at.length;
+  if (from.edge_edge || depth <= 0.0 || !in_impact(from)) return -1;
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
+  const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
+  // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
+  if (edge.convex_start && part == 0 && s < depth) return edge.first_segment;
+  const bool at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
+  return at_last ? edge.end_vertex : -1;
+}
+
+void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
   const auto of_vertex = [&out](std::int32_t vertex) {
     const auto before = [](const ContactPoint& p, std::int32_t wanted) { return p.vertex < wanted; };
     const auto begin = std::lower_bound(out.points.begin(), out.points.end(), vertex, before),
@@ -277,15 +311,10 @@ void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
     return std::span(begin, end);
   };
   for (ContactPoint& from : out.points) {
-    const double depth = -from.at.gap, s = from.at.xi * from.at.length;
-    if (from.edge_edge || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
-    const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
-    // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
-    const bool at_first = edge.convex_start && part == 0 && s < depth,
-               at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
-    if (!at_first && !at_last) continue;
-    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(at_first ? edge.first_segment : edge.end_vertex);
+    if (from.suppressed) continue;
+    const std::int32_t tip = tip_beside(from);
+    if (tip < 0) continue;
+    const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(tip);
     for (ContactPoint& to : of_tip) {
       if (!goes_over_tip(from, of_corner, to, of_tip)) continue;
       to.from = std::exchange(from.from, -1);
@@ -453,15 +482,14 @@ void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, Co
   (a_wins ? b : a).suppressed = true;
 }
 
-bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
   const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
   p.vertex = pair.vertex;
   p.edge = pair.edge;
   p.node = {v.node, s.a, s.b};
-  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], x_[static_cast<std::size_t>(s.a)],
-                          x_[static_cast<std::size_t>(s.b)]);
+  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], frames_[static_cast<std::size_t>(p.segment)]);
   // What is more than half way through a body when it is first seen came in over another edge.
   if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
     return false;
@@ -470,16 +498,18 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   p.ahead = pair.ahead;
   set_range(p, closed);
   if (p.beyond && closed) return false;
-  if (!closed && !p.edge_edge && !admissible(p)) return false;
+  return closed || p.edge_edge || admissible(p);
+}
+
+void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
   const JointId law = springs_.law_of(pair.own, pair.edge);
   p.joint = law.value;
   p.springs = springs_.springs(law, pair.own, pair.edge,
                                p.edge_edge ? pair.tributary : springs_.corner_length(law, pair.own, pair.edge));
   if (p.edge_edge && springs_.per_area(law)) {
-    const auto length = [&](std::int32_t of) {
-      const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
-      return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
-    };
+    const auto length = [this](std::int32_t of) { return frames_[static_cast<std::size_t>(of)].length; };
     const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
     p.largest_tributary = before + after;
     p.full_tributary =
@@ -490,30 +520,27 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   if (was == nullptr || (!closed && was->gap < 0.0)) {
     p.beside = neighbour(p, false);
     // In an impact the points that there were keep what they have, and a new one has nothing yet.
-    if (p.beside >= 0 && known_.list().memory[static_cast<std::size_t>(p.beside)].impact > 0.0) p.beside = -1;
-    if (p.beside >= 0) p.first_gap0 = known_.list().memory[static_cast<std::size_t>(p.beside)].gap0;
+    if (p.beside >= 0 && known_.impact(static_cast<std::size_t>(p.beside)) > 0.0) p.beside = -1;
+    if (p.beside >= 0) p.first_gap0 = known_.gap0(static_cast<std::size_t>(p.beside));
   }
-  return true;
 }
 
 void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
                          ContactPairs::Of of) {
-  const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
+  place_nodes(q);
   known_.index(known);
-  merged_ = 0.0;
-  gone_.assign(known_.size(), 1);
-  fresh_.clear();
-  corners_.clear();
-  paired_.clear();
-  out.points.clear();
-  out.memory.clear();
-  out.briefs.clear();
-  std::size_t old = 0, first_of_vertex = 0;
-  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, of);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const VertexEdge& pair = pairs[k];
-    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+  list_points(pairs_.update(x_, known_, of), at_start, out);
+}
+
+void ContactFinder::find_again(const ContactList& known, ContactList& out) {
+  known_.index(known);
+  list_points(pairs_.pairs(), false, out);
+}
+
+void ContactFinder::list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  const std::size_t first = out.points.size();
+  for (const VertexEdge& pair : pairs) {
     const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
@@ -522,20 +549,38 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
     const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
     const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
     if (!closed && under.distance > detection_) continue;
-    if (first_of_vertex < out.points.size() && out.points[first_of_vertex].vertex != pair.vertex) {
-      settle_vertex(first_of_vertex, at_start, out);
-      first_of_vertex = out.points.size();
-    }
     // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
     ContactPoint& p = out.points.emplace_back();
     p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
-    if (describe(pair, has_memory ? &known.memory[old] : nullptr, closed, p))
-      out.briefs.push_back({pair.vertex, pair.edge});
-    else
+    const ContactMemory* was = has_memory ? &known_.list().memory[old] : nullptr;
+    if (!touches(pair, was, closed, p)) {
       out.points.pop_back();
+      continue;
+    }
+    describe(pair, was, closed, p);
+    out.briefs.push_back({pair.vertex, pair.edge});
   }
-  settle_vertex(first_of_vertex, at_start, out);
+  settle_vertex(first, at_start, out);
+}
+
+void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out) {
+  const Outlines& o = setup_->outlines();
+  merged_ = 0.0;
+  gone_.assign(known_.size(), 1);
+  fresh_.clear();
+  corners_.clear();
+  paired_.clear();
+  out.points.clear();
+  out.memory.clear();
+  out.briefs.clear();
+  for (std::size_t k = 0, old = 0; k < pairs.size();) {
+    const std::size_t first = k;
+    while (k < pairs.size() && pairs[k].vertex == pairs[first].vertex) ++k;
+    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+    while (old < known_.size() && known_.vertex(old) < pairs[first].vertex) ++old;
+    list_vertex(pairs.subspan(first, k - first), old, at_start, out);
+  }
   cover_corners(out);
   inherit(out);
   index_divided(out);
@@ -547,22 +592,19 @@ void ContactFinder::find(std::span<const double> q, const ContactList& known, bo
   pass_tips(at_start, out);
   pass_energy_on(at_start, out);
   suppress_second_edges(at_start, out);
-  if (!setup_->model().waters.empty()) fill_with_water(out);
+  if (setup_->model().waters.empty()) return;
+  for (std::size_t i = 0; i < out.points.size(); ++i) fill_with_water(out.points[i], out.memory[i]);
 }
 
-void ContactFinder::fill_with_water(ContactList& list) const {
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactPoint& p = list.points[i];
-    ContactMemory& m = list.memory[i];
-    m.water = 0.0;
-    const JointWater* water = setup_->model().water_in(JointId{m.joint});
-    if (water == nullptr || !p.edge_edge || p.suppressed) continue;
-    // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
-    // of a piece carries what a linear pressure gives it.
-    const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
-    for (const double piece : {-p.behind, p.ahead})
-      if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
-  }
+void ContactFinder::fill_with_water(const ContactPoint& p, ContactMemory& m) const {
+  m.water = 0.0;
+  const JointWater* water = setup_->model().water_in(JointId{m.joint});
+  if (water == nullptr || !p.edge_edge || p.suppressed) return;
+  // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
+  // of a piece carries what a linear pressure gives it.
+  const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
+  for (const double piece : {-p.behind, p.ahead})
+    if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
 }
 
 }  // namespace scree::coupling

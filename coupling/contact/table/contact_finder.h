@@ -29,6 +29,41 @@ class ContactFinder {
   /// other bodies makes of them
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
             ContactPairs::Of of = ContactPairs::Of::all);
+  /// Whether a list can be brought to q in place, with what find() would leave to the last bit. Most points stay then,
+  /// each with the memory it has; where points of a vertex come, go or pass something on, all of that vertex are made
+  /// anew, beside the list, which has not changed yet. Next: splice() if any are; move() of the points that others may
+  /// depend on (moves_first()), settle(), and move() of the others, in any order; note() of every one when it knows its
+  /// new state, then take_noted(). If it cannot, find_again() does what find() would, with the pairs that are known.
+  /// @pre index() or take_noted() for the list as it is
+  [[nodiscard]] bool keeps(std::span<const double> q, const ContactList& list);
+  /// Points of a vertex that are made anew: those of the list from `begin` to `end`, in place of which come others.
+  struct Changed {
+    std::int32_t begin, end;    // in the list
+    std::int32_t first, count;  // of those that come, among all such
+  };
+  [[nodiscard]] std::span<const Changed> changed() const { return changed_; }
+  /// True for a point of changed() that nothing takes its memory from.
+  [[nodiscard]] bool gone(std::size_t i) const { return gone_[i] != 0; }
+  /// Puts the points that come in their places.
+  void splice(ContactList& list);
+  /// Before moves_first(), after splice() if any points are changed().
+  void find_first(const ContactList& list);
+  /// True for a point that came so: not to be moved.
+  [[nodiscard]] bool made(std::size_t i) const { return moving_[i].made; }
+  /// True if it has the memory of another place.
+  [[nodiscard]] bool passed(const ContactPoint& p) const {
+    const auto from = static_cast<std::size_t>(p.from);
+    return p.from >= 0 && (known_.vertex(from) != p.vertex || known_.edge(from) != p.edge);
+  }
+  void move(std::size_t i, ContactList& list);
+  /// Points on which others may depend, in order: settle() waits for these alone.
+  [[nodiscard]] std::span<const std::int32_t> moves_first() const { return first_; }
+  void settle(ContactList& list);
+  /// @param known  the list that keeps() was asked of   @param out  another one
+  void find_again(const ContactList& known, ContactList& out);
+  void index(const ContactList& list);
+  void note(std::size_t i, const ContactMemory& m) { known_.note(i, m); }
+  void take_noted(const ContactList& list);
   /// Of find(): energy of springs that ended and that other closed ones have taken over [J].
   [[nodiscard]] double merged() const { return merged_; }
   /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
@@ -38,6 +73,13 @@ class ContactFinder {
   /// stiffness of their new kind; force and state stay, gap0 and anchor move.
   /// @return f^2 (1/k' - 1/k)/2 summed, normal and tangential: the change of the springs' energy [J]
   [[nodiscard]] double adopt_kinds(ContactList& list) const;
+  /// The same of one point.   @param change  receives what it adds [J]
+  static void adopt_kind(const ContactPoint& p, ContactMemory& m, double& change);
+  /// False for a point that has nothing to change.
+  [[nodiscard]] static bool may_adopt(const ContactPoint& p, const ContactMemory& m) {
+    return m.status != ContactStatus::open && !(m.impact > 0.0) &&
+           (m.edge_edge != static_cast<std::int32_t>(p.edge_edge) || m.kn != p.springs.kn || m.kt != p.springs.kt);
+  }
   /// A point that closes fast where nothing rests on the joint yet keeps its springs, whatever becomes of share, kind
   /// and edge, for four periods of its corner on its spring: an impact is over by then (face to face half a period of
   /// the block, sqrt(7/2) of the corner's, is the longest of two blocks), and what is still closed rests. An overlap
@@ -68,12 +110,31 @@ class ContactFinder {
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   /// 1/m that a force on a contact feels: of corner and foot.
   [[nodiscard]] double compliance(const ContactPoint& p) const;
-  /// Completes a point that has its segment and `from`.   @return false: it is none
-  [[nodiscard]] bool describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  void place_nodes(std::span<const double> q);
+  /// The points of pairs, in their order.
+  void list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out);
+  /// Places a point that has its segment and `from`.   @return false: it is none
+  [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// Completes it: springs, lengths of joint.
+  void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// Of keeps(): whether a vertex has a corner that goes over to another edge.
+  /// @param first,last  points of the vertex
+  [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list);
+  /// Of keeps(): whether the pair is a point just as it was before.
+  /// @param row  its point in the list, or -1   @param segment  receives the one it is over
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment);
+  /// Of keeps(): whether pairs `k` to `k_end` are points `row` to `end` of the list, of one vertex.
+  [[nodiscard]] bool stay(std::size_t k, std::size_t k_end, std::size_t row, std::size_t end, const ContactList& list);
+  /// The points of one vertex.   @param old  the first of the known ones that may be of it
+  void list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out);
+  /// Completes what keeps() has made.   @return false: find() must do it
+  [[nodiscard]] bool complete_made(const ContactList& list);
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
+  /// Of points of one vertex: the one that a closed corner passes to, if any.
+  [[nodiscard]] ContactPoint* successor(const ContactPoint& from, std::span<ContactPoint> points) const;
   /// Of one vertex: gives the points of closed corners that went over to another edge what they remember; the edges
   /// they left begin anew.
   void pass_corners(std::span<ContactPoint> points) const;
@@ -86,6 +147,8 @@ class ContactFinder {
   /// Corners in an impact that slide over the end of an edge: the tip there takes their memory where the gaps of both
   /// are equal, so that the energy goes on, as over a convex corner (goes_over()).
   void pass_tips(bool at_start, ContactList& out) const;
+  /// The vertex at the convex end of the edge that a closed corner in an impact is about to pass; -1: none.
+  [[nodiscard]] std::int32_t tip_beside(const ContactPoint& from) const;
   /// A point of an impact that ends under load while its bodies overlap: the nearest point between the same bodies
   /// takes over its memory if it is open, and the energy of its spring if it is in an impact itself (merged()).
   void pass_energy_on(bool at_start, ContactList& out);
@@ -126,7 +189,7 @@ class ContactFinder {
   /// from the remembered points on either side (gap0 where there is but one), and the bond of the nearest.
   void interpolate(ContactList& out) const;
   void pair_edges(std::size_t first, ContactList& list) const;
-  void fill_with_water(ContactList& list) const;
+  void fill_with_water(const ContactPoint& p, ContactMemory& m) const;
   void suppress_second_edges(bool at_start, ContactList& list) const;
   /// Of two points of a corner, against two edges that meet at a convex corner: at most one carries it.
   void suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const;
@@ -140,9 +203,25 @@ class ContactFinder {
   double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
   std::vector<Vec2> x_;                     // outline nodes
+  std::vector<SegmentFrame> frames_;        // of segments
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
-  std::vector<EdgePair> added_;                 // joints of points that a mesh has added, in order
+  struct Kind {                                 // of a point, as the list has it
+    bool partnered = false, corner = false;
+  };
+  std::vector<Kind> kind_, next_kind_;
+  struct Moving {  // of keeps(), for a point of the list to be
+    std::int32_t pair = -1, segment = -1, from = -1;
+    bool made = false;
+  };
+  std::vector<Moving> moving_;
+  std::vector<Changed> changed_;
+  ContactList made_;                     // of changed()
+  bool anew_ = false;                    // of keeps(): find() must do it
+  std::vector<std::ptrdiff_t> shift_;    // scratch of splice()
+  std::vector<std::int32_t> first_;      // see moves_first()
+  std::vector<ContactPoint> of_vertex_;  // scratch of passes_on()
+  std::vector<EdgePair> added_;          // joints of points that a mesh has added, in order
   /// A remembered point by the edges that its joint may be of.
   struct OnJoint {
     EdgePair joint;

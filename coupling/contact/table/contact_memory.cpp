@@ -69,10 +69,10 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
                          ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
   const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
-  if (old != nullptr)
-    m = *old;
-  else
+  if (old == nullptr)
     m.joint = p.joint;
+  else if (old != &m)
+    m = *old;
   const auto before = static_cast<std::size_t>(p.from);
   const bool passed = old != nullptr && (known_.vertex(before) != p.vertex || known_.edge(before) != p.edge);
   if (old == nullptr || passed) m.key = key_of(p.vertex, p.edge);
@@ -227,32 +227,30 @@ void ContactFinder::interpolate(ContactList& out) const {
   }
 }
 
+void ContactFinder::adopt_kind(const ContactPoint& p, ContactMemory& m, double& change) {
+  if (!may_adopt(p, m)) return;
+  const bool same_kind = m.edge_edge == static_cast<std::int32_t>(p.edge_edge);
+  // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
+  if (p.edge_edge && !same_kind && p.springs.tributary < std::min(m.tributary, 0.5 * p.largest_tributary)) return;
+  // A share that has become smaller in an impact is followed from the next step on, as in sliding: see fill().
+  if (p.edge_edge && same_kind && p.springs.tributary < m.tributary) return;
+  const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
+  const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
+  if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
+  change += 0.5 * (p.springs.kt * stretch * stretch - m.kt * m.stretch * m.stretch);
+  m.gap0 += m.gap - gap;
+  m.gap = gap;
+  m.stretch = stretch;
+  m.anchor = p.at.xi - stretch / p.at.length;
+  m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
+  m.tributary = p.springs.tributary;
+  m.kn = p.springs.kn;
+  m.kt = p.springs.kt;
+}
+
 double ContactFinder::adopt_kinds(ContactList& list) const {
   double change = 0.0;
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactPoint& p = list.points[i];
-    ContactMemory& m = list.memory[i];
-    const bool same_kind = m.edge_edge == static_cast<std::int32_t>(p.edge_edge);
-    if (m.status == ContactStatus::open || m.impact > 0.0 ||
-        (same_kind && m.kn == p.springs.kn && m.kt == p.springs.kt))
-      continue;
-    // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
-    if (p.edge_edge && !same_kind && p.springs.tributary < std::min(m.tributary, 0.5 * p.largest_tributary)) continue;
-    // A share that has become smaller in an impact is followed from the next step on, as in sliding: see fill().
-    if (p.edge_edge && same_kind && p.springs.tributary < m.tributary) continue;
-    const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
-    const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
-    if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
-    change += 0.5 * (p.springs.kt * stretch * stretch - m.kt * m.stretch * m.stretch);
-    m.gap0 += m.gap - gap;
-    m.gap = gap;
-    m.stretch = stretch;
-    m.anchor = p.at.xi - stretch / p.at.length;
-    m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
-    m.tributary = p.springs.tributary;
-    m.kn = p.springs.kn;
-    m.kt = p.springs.kt;
-  }
+  for (std::size_t i = 0; i < list.points.size(); ++i) adopt_kind(list.points[i], list.memory[i], change);
   return change;
 }
 

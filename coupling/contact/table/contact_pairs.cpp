@@ -64,14 +64,15 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const 
 
 void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind,
                         double ahead) {
-  VertexEdge& p = unsorted_.emplace_back();  // made where it stays, as contact points are
+  if (listed_ == unsorted_.size()) unsorted_.emplace_back();
+  VertexEdge& p = unsorted_[listed_++];  // made where it stays, as contact points are
+  same_ = same_ && p.vertex == vertex && p.edge == edge && p.own == own;
   p.vertex = vertex;
   p.edge = edge;
   p.own = own;
   p.tributary = tributary;
   p.behind = behind;
   p.ahead = ahead;
-  ++first_[static_cast<std::size_t>(vertex) + 1];
 }
 
 void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
@@ -105,6 +106,8 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
 }
 
 void ContactPairs::sort() {
+  std::fill(first_.begin(), first_.end(), 0);
+  for (const VertexEdge& p : unsorted_) ++first_[static_cast<std::size_t>(p.vertex) + 1];
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
   pairs_.resize(unsorted_.size());
   for (const VertexEdge& p : unsorted_)
@@ -127,6 +130,33 @@ void ContactPairs::sort() {
     }
   }
   pairs_.erase(kept, pairs_.end());
+  // Where each of those that were listed has gone.
+  for (std::size_t i = pairs_.size(); i-- > 0;)
+    first_[static_cast<std::size_t>(pairs_[i].vertex)] = static_cast<std::int32_t>(i);
+  place_.resize(unsorted_.size());
+  seen_.assign(pairs_.size(), 0);
+  for (std::size_t k = 0; k < unsorted_.size(); ++k) {
+    auto at = static_cast<std::size_t>(first_[static_cast<std::size_t>(unsorted_[k].vertex)]);
+    while (pairs_[at].edge != unsorted_[k].edge) ++at;
+    place_[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
+    seen_[at] = 1;
+  }
+}
+
+void ContactPairs::refresh() {
+  for (std::size_t k = 0; k < unsorted_.size(); ++k) {
+    const VertexEdge& from = unsorted_[k];
+    VertexEdge& to = pairs_[static_cast<std::size_t>(place_[k].pair)];
+    if (place_[k].adds) {  // to one other at most: sums of two have no order
+      to.tributary += from.tributary;
+      to.behind += from.behind;
+      to.ahead += from.ahead;
+    } else {
+      to.tributary = from.tributary;
+      to.behind = from.behind;
+      to.ahead = from.ahead;
+    }
+  }
 }
 
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
@@ -147,8 +177,8 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
       box.hi = box.hi.cwiseMax(at);
     }
   }
-  unsorted_.clear();
-  std::fill(first_.begin(), first_.end(), 0);
+  listed_ = 0;
+  same_ = true;
   const std::span<const EdgePair> near = search_.update(x);
   for (const auto& [a, b] : near)
     if (wanted(a, b)) try_edges(x, a, b, known);
@@ -168,7 +198,14 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   for (const EdgePair& pair : deep_)
     if (wanted(pair.a, pair.b) && !std::binary_search(near.begin(), near.end(), pair))
       try_edges(x, pair.a, pair.b, known);
-  sort();
+  if (listed_ != unsorted_.size()) {
+    unsorted_.resize(listed_);
+    same_ = false;
+  }
+  if (same_)
+    refresh();
+  else
+    sort();
   return pairs_;
 }
 

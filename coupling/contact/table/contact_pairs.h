@@ -36,6 +36,8 @@ class ContactPairs {
   /// @return pairs in order, each once; valid until the next call
   enum class Of { all, ghosts };
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
+  /// What update() returned last.
+  [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
@@ -54,10 +56,12 @@ class ContactPairs {
   [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
-  /// Lists a pair, and counts it for its vertex.
+  /// Lists a pair.
   void list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind, double ahead);
   /// Brings the pairs into order: by vertex in one pass, then the few of each vertex, with those of one edge made one.
   void sort();
+  /// The same vertices against the same edges were listed as last time, in the same order: no order is to be found.
+  void refresh();
 
   const Setup* setup_;
   const JointSprings* springs_;
@@ -69,6 +73,14 @@ class ContactPairs {
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge
   std::vector<VertexEdge> pairs_, unsorted_;
+  std::size_t listed_ = 0;  // of unsorted_, so far
+  bool same_ = false;       // they are those of the last time
+  struct Place {
+    std::int32_t pair;
+    bool adds;
+  };
+  std::vector<Place> place_;         // of unsorted_, in pairs_
+  std::vector<char> seen_;           // scratch of sort()
   std::vector<std::int32_t> first_;  // per vertex: its pairs, counted one further on; then its first pair
   std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };

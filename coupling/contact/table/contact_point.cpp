@@ -5,13 +5,6 @@
 
 namespace scree::coupling {
 
-ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n, -c.xi * c.n}; }
-
-ContactRow stretch_row(const ContactGeometry& c, double anchor) {
-  const Vec2 turn = c.gap / c.length * c.n;
-  return {c.t, -(1.0 - anchor) * c.t - turn, -anchor * c.t + turn};
-}
-
 bool leaves_by(double depth, double other, bool ends) {
   constexpr double kAsDeep = 1e-6;
   return std::abs(depth - other) <= kAsDeep * std::max(depth, other) ? ends : depth < other;

@@ -32,42 +32,55 @@ class KnownContacts {
  public:
   explicit KnownContacts(const Outlines& outlines)
       : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 2) {
-    points_.reserve(2 * outlines.vertices.size());  // so that steps need not allocate
-    against_.reserve(points_.capacity());
+    places_.reserve(2 * outlines.vertices.size());  // so that steps need not allocate
+    points_.reserve(places_.capacity());
+    next_.reserve(places_.capacity());
+    against_.reserve(places_.capacity());
   }
 
   void index(const ContactList& list) {
     list_ = &list;
+    places_.resize(list.briefs.size());
     points_.resize(list.briefs.size());
+    next_.resize(list.briefs.size());
     divided_ = closed_divided_ = false;
-    first_.assign(first_.size(), 0);
-    // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
-    against_first_.assign(against_first_.size(), 0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const ContactList::Brief& p = list.briefs[i];
       const ContactMemory& m = list.memory[i];
-      points_[i] = {p.vertex, p.edge, m.status != ContactStatus::open, m.edge_edge != 0, m.gap + m.gap0};
+      places_[i] = {p.vertex, p.edge};
+      points_[i] = brief(m);
       divided_ = divided_ || m.segment < 0;
       closed_divided_ = closed_divided_ || (m.segment < 0 && points_[i].closed);
-      ++first_[static_cast<std::size_t>(p.vertex) + 1];
-      ++against_first_[static_cast<std::size_t>(p.edge) + 2];
     }
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    for (std::size_t e = 2; e < against_first_.size(); ++e) against_first_[e] += against_first_[e - 1];
-    against_.resize(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      std::int32_t& next = against_first_[static_cast<std::size_t>(points_[i].edge) + 1];
-      against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
-    }
+    list_places();
+  }
+  /// What a point of the list remembers at the next instant; nothing changes before take_noted().
+  void note(std::size_t i, const ContactMemory& m) { next_[i] = brief(m); }
+  /// All points have been noted, and the list is the same but for what they remember: in place of index().
+  void take_noted() { points_.swap(next_); }
+  /// The list is another one from the next instant on: before note() of its points.
+  void expect(std::size_t size) { next_.resize(size); }
+  /// All points of that list have been noted.   @pre segments are known
+  void take_noted(const std::vector<ContactList::Brief>& briefs) {
+    points_.swap(next_);
+    next_.resize(briefs.size());
+    places_.resize(briefs.size());
+    for (std::size_t i = 0; i < briefs.size(); ++i) places_[i] = {briefs[i].vertex, briefs[i].edge};
+    list_places();
   }
   /// True if a body was made anew since: a contact does not know the segment it was on; and a closed one.
   [[nodiscard]] bool divided() const { return divided_; }
   [[nodiscard]] bool closed_divided() const { return closed_divided_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
-  [[nodiscard]] std::int32_t vertex(std::size_t i) const { return points_[i].vertex; }
-  [[nodiscard]] std::int32_t edge(std::size_t i) const { return points_[i].edge; }
+  [[nodiscard]] std::int32_t vertex(std::size_t i) const { return places_[i].vertex; }
+  [[nodiscard]] std::int32_t edge(std::size_t i) const { return places_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
   [[nodiscard]] bool edge_edge(std::size_t i) const { return points_[i].edge_edge; }
+  /// Segment of the edge, counted within it, and ContactMemory::impact and gap0. A list that is changed point by point
+  /// has those of the next instant already.
+  [[nodiscard]] std::int32_t segment(std::size_t i) const { return points_[i].segment; }
+  [[nodiscard]] double impact(std::size_t i) const { return points_[i].impact; }
+  [[nodiscard]] double gap0(std::size_t i) const { return points_[i].gap0; }
   /// Gap between the bodies, whatever counts as closed [m].
   [[nodiscard]] double whole_gap(std::size_t i) const { return points_[i].whole_gap; }
   /// True if the vertex is closed against any edge.
@@ -91,7 +104,7 @@ class KnownContacts {
   void for_vertex(std::int32_t vertex, Take&& take, See&& see) const {
     const auto v = static_cast<std::size_t>(vertex);
     for (auto i = static_cast<std::size_t>(first_[v]); i < static_cast<std::size_t>(first_[v + 1]); ++i)
-      if (take(points_[i].edge)) see(i);
+      if (take(places_[i].edge)) see(i);
   }
   /// Calls see(i) for the points of an edge's vertices against the edges that take() accepts.
   template <class Take, class See>
@@ -116,15 +129,39 @@ class KnownContacts {
   }
 
  private:
+  struct Place {
+    std::int32_t vertex, edge;
+  };
+  /// Points by vertex and by edge.
+  void list_places() {
+    first_.assign(first_.size(), 0);
+    // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
+    against_first_.assign(against_first_.size(), 0);
+    for (const Place& p : places_) {
+      ++first_[static_cast<std::size_t>(p.vertex) + 1];
+      ++against_first_[static_cast<std::size_t>(p.edge) + 2];
+    }
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    for (std::size_t e = 2; e < against_first_.size(); ++e) against_first_[e] += against_first_[e - 1];
+    against_.resize(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      std::int32_t& next = against_first_[static_cast<std::size_t>(places_[i].edge) + 1];
+      against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
+    }
+  }
   /// What searches look at, close together.
   struct Brief {
-    std::int32_t vertex, edge;
+    double whole_gap, gap0, impact;
+    std::int32_t segment;
     bool closed, edge_edge;
-    double whole_gap;
   };
+  static Brief brief(const ContactMemory& m) {
+    return {m.gap + m.gap0, m.gap0, m.impact, m.segment, m.status != ContactStatus::open, m.edge_edge != 0};
+  }
   const Outlines* outlines_;
   const ContactList* list_ = nullptr;
-  std::vector<Brief> points_;
+  std::vector<Place> places_;
+  std::vector<Brief> points_, next_;
   bool divided_ = false, closed_divided_ = false;
   std::vector<std::int32_t> first_;          // per vertex: its first point, and the end
   std::vector<std::int32_t> against_first_;  // an edge: the first in against_, and the end

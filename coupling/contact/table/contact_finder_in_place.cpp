@@ -1,0 +1,249 @@
+// Contact points brought to the next instant where they are: the same list, the same memories, to the bits of find().
+#include <algorithm>
+#include <limits>
+
+#include "coupling/contact/table/contact_finder.h"
+
+namespace scree::coupling {
+namespace {
+
+bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partner[1]) >= 0; }
+
+}  // namespace
+
+void ContactFinder::index(const ContactList& list) {
+  known_.index(list);
+  kind_.resize(list.points.size());
+  for (std::size_t i = 0; i < kind_.size(); ++i) kind_[i] = {has_partner(list.points[i]), !list.points[i].edge_edge};
+}
+
+void ContactFinder::take_noted(const ContactList& list) {
+  kind_.swap(next_kind_);
+  if (changed_.empty())
+    known_.take_noted();
+  else
+    known_.take_noted(list.briefs);
+}
+
+bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment) {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+  const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row));
+  segment = edge.first_segment;
+  if (closed && pair.tributary > 0.0 && edge.segments == 1) return true;
+  const Vec2& at = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
+  const Under under = closed && edge.segments == 1 ? Under{segment, 0.0} : segment_under(at, pair.edge);
+  segment = under.segment;
+  if (!closed && under.distance > detection_) return !listed;
+  if (closed && pair.tributary > 0.0) return true;
+  ContactPoint p;
+  p.segment = segment;
+  p.from = row;
+  const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
+  if (touches(pair, was, closed, p) != listed) return false;
+  anew_ = anew_ || (closed && tip_beside(p) >= 0);
+  return true;
+}
+
+bool ContactFinder::passes_on(std::size_t first, std::size_t last, const ContactList& list) {
+  const std::span<const VertexEdge> pairs = pairs_.pairs();
+  const auto pair_of = [&](std::size_t i) -> const VertexEdge& {
+    return pairs[static_cast<std::size_t>(moving_[i].pair)];
+  };
+  bool open = false, passing = false;
+  for (std::size_t i = first; i < last; ++i) {
+    const auto was = static_cast<std::size_t>(moving_[i].from);
+    if (known_.closed(was))
+      passing = passing || !(pair_of(i).tributary > 0.0) || known_.impact(was) > 0.0;
+    else
+      open = true;
+  }
+  if (!open || !passing) return false;
+  of_vertex_.clear();
+  for (std::size_t i = first; i < last; ++i) {
+    ContactPoint& p = of_vertex_.emplace_back();
+    p.segment = moving_[i].segment;
+    p.from = moving_[i].from;
+    const auto was = static_cast<std::size_t>(p.from);
+    (void)touches(pair_of(i), &list.memory[was], known_.closed(was), p);
+  }
+  return std::any_of(of_vertex_.begin(), of_vertex_.end(),
+                     [this](const ContactPoint& p) { return successor(p, of_vertex_) != nullptr; });
+}
+
+bool ContactFinder::stay(std::size_t k, std::size_t k_end, std::size_t row, std::size_t end, const ContactList& list) {
+  const std::span<const VertexEdge> pairs = pairs_.pairs();
+  const std::size_t first = moving_.size();
+  for (; k < k_end; ++k) {
+    const bool listed = row < end && known_.edge(row) == pairs[k].edge;
+    Moving m;
+    if (!stays(pairs[k], listed ? static_cast<std::int32_t>(row) : -1, list, m.segment)) return false;
+    if (!listed) continue;
+    m.pair = static_cast<std::int32_t>(k);
+    m.from = static_cast<std::int32_t>(row);
+    moving_.push_back(m);
+    ++row;
+  }
+  return row == end && !(moving_.size() - first > 1 && passes_on(first, moving_.size(), list));
+}
+
+bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
+  place_nodes(q);
+  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, ContactPairs::Of::all);
+  if (known_.divided()) return false;
+  const std::size_t size = known_.size();
+  gone_.assign(size, 0);
+  anew_ = false;
+  moving_.clear();
+  changed_.clear();
+  made_.points.clear();
+  made_.memory.clear();
+  made_.briefs.clear();
+  fresh_.clear();
+  for (std::size_t k = 0, row = 0; k < pairs.size() || row < size;) {
+    constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
+    const std::int32_t vertex =
+        std::min(k < pairs.size() ? pairs[k].vertex : kNone, row < size ? known_.vertex(row) : kNone);
+    std::size_t k_end = k, end = row;
+    while (k_end < pairs.size() && pairs[k_end].vertex == vertex) ++k_end;
+    while (end < size && known_.vertex(end) == vertex) ++end;
+    const std::size_t before = moving_.size();
+    if (!stay(k, k_end, row, end, list)) {
+      moving_.resize(before);
+      const std::size_t first = made_.points.size();
+      std::fill(gone_.begin() + static_cast<std::ptrdiff_t>(row), gone_.begin() + static_cast<std::ptrdiff_t>(end), 1);
+      list_vertex(pairs.subspan(k, k_end - k), row, false, made_);
+      const std::size_t count = made_.points.size() - first;
+      changed_.push_back({static_cast<std::int32_t>(row), static_cast<std::int32_t>(end),
+                          static_cast<std::int32_t>(first), static_cast<std::int32_t>(count)});
+      moving_.resize(before + count, {-1, -1, -1, true});
+    }
+    if (anew_) return false;
+    k = k_end;
+    row = end;
+  }
+  return changed_.empty() || complete_made(list);
+}
+
+bool ContactFinder::complete_made(const ContactList& list) {
+  inherit(made_);
+  for (const std::int32_t i : fresh_) remember(static_cast<std::size_t>(i), false, made_);
+  for (const Changed& c : changed_)
+    for (std::int32_t k = c.begin; k < c.end; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (gone_[i] != 0 && known_.closed(i) && known_.impact(i) != 0.0 && list.memory[i].gap < 0.0) return false;
+    }
+  return std::none_of(made_.points.begin(), made_.points.end(),
+                      [this](const ContactPoint& p) { return tip_beside(p) >= 0; });
+}
+
+void ContactFinder::splice(ContactList& list) {
+  const std::size_t size = moving_.size(), room = std::max(size, list.points.size());
+  list.points.resize(room);
+  list.memory.resize(room);
+  list.briefs.resize(room);
+  // What stays moves to the right first, the last of it before what stands in its way, then to the left.
+  struct Stretch {
+    std::ptrdiff_t begin, end, to;
+  };
+  const auto stretch = [&](std::size_t c) {  // before changed point c
+    Stretch s{c == 0 ? 0 : changed_[c - 1].end, static_cast<std::ptrdiff_t>(known_.size()), 0};
+    if (c < changed_.size()) s.end = changed_[c].begin;
+    return s;
+  };
+  std::vector<std::ptrdiff_t>& shift = shift_;
+  shift.assign(changed_.size() + 1, 0);
+  for (std::size_t c = 0; c < changed_.size(); ++c)
+    shift[c + 1] = shift[c] + changed_[c].count - (changed_[c].end - changed_[c].begin);
+  const auto move_all = [&](auto& of_point, const Stretch& s, std::ptrdiff_t by) {
+    const auto begin = of_point.begin() + s.begin, end = of_point.begin() + s.end;
+    if (by > 0)
+      std::move_backward(begin, end, end + by);
+    else
+      std::move(begin, end, begin + by);
+  };
+  const auto move_stretch = [&](std::size_t c) {
+    const Stretch s = stretch(c);
+    move_all(list.points, s, shift[c]);
+    move_all(list.memory, s, shift[c]);
+    move_all(list.briefs, s, shift[c]);
+    for (std::ptrdiff_t i = s.begin + shift[c]; i < s.end + shift[c]; ++i)
+      if (kind_[static_cast<std::size_t>(i - shift[c])].partnered)
+        for (std::int32_t& partner : list.points[static_cast<std::size_t>(i)].partner)
+          if (partner >= 0) partner += static_cast<std::int32_t>(shift[c]);
+  };
+  for (std::size_t c = changed_.size() + 1; c-- > 0;)
+    if (shift[c] > 0) move_stretch(c);
+  for (std::size_t c = 0; c <= changed_.size(); ++c)
+    if (shift[c] < 0) move_stretch(c);
+  for (std::size_t c = 0; c < changed_.size(); ++c)
+    for (std::int32_t k = 0; k < changed_[c].count; ++k) {
+      const auto from = static_cast<std::size_t>(changed_[c].first + k),
+                 to = static_cast<std::size_t>(changed_[c].begin + shift[c] + k);
+      list.points[to] = made_.points[from];
+      list.memory[to] = made_.memory[from];
+      list.briefs[to] = made_.briefs[from];
+      for (std::int32_t& partner : list.points[to].partner)
+        if (partner >= 0) partner += static_cast<std::int32_t>(to) - static_cast<std::int32_t>(from);
+    }
+  list.points.resize(size);
+  list.memory.resize(size);
+  list.briefs.resize(size);
+  known_.expect(size);
+}
+
+void ContactFinder::move(std::size_t i, ContactList& list) {
+  ContactPoint& p = list.points[i];
+  ContactMemory& m = list.memory[i];
+  const Moving& moving = moving_[i];
+  const VertexEdge& pair = pairs_.pairs()[static_cast<std::size_t>(moving.pair)];
+  const bool closed = m.status != ContactStatus::open;
+  const std::array partner{p.partner[0], p.partner[1]};
+  p = ContactPoint{};
+  p.key = m.key;
+  p.partner[0] = partner[0];
+  p.partner[1] = partner[1];
+  p.segment = moving.segment;
+  p.from = moving.from;
+  (void)touches(pair, &m, closed, p);
+  describe(pair, &m, closed, p);
+  fill(&m, false, false, p, m);
+  next_kind_[i].corner = !p.edge_edge;
+  const bool waits = next_kind_[i].partnered || !p.edge_edge;  // for settle()
+  if (!waits && !setup_->model().waters.empty()) fill_with_water(p, m);
+}
+
+void ContactFinder::find_first(const ContactList& list) {
+  first_.clear();
+  next_kind_.resize(moving_.size());
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    if (moving_[i].made) {
+      const ContactPoint& p = list.points[i];
+      next_kind_[i] = {has_partner(p), !p.edge_edge};
+      first_.push_back(static_cast<std::int32_t>(i));
+      continue;
+    }
+    const Kind& was = kind_[static_cast<std::size_t>(moving_[i].from)];
+    next_kind_[i] = was;
+    if (was.partnered || was.corner || !(pairs_.pairs()[static_cast<std::size_t>(moving_[i].pair)].tributary > 0.0))
+      first_.push_back(static_cast<std::int32_t>(i));
+  }
+}
+
+void ContactFinder::settle(ContactList& list) {
+  merged_ = 0.0;
+  corners_.clear();
+  paired_.clear();
+  for (const std::int32_t k : first_) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!list.points[i].edge_edge && !was_closed(list.points[i])) corners_.push_back(k);
+    if (next_kind_[i].partnered) paired_.push_back(k);
+  }
+  cover_corners(list);
+  suppress_second_edges(false, list);
+  if (setup_->model().waters.empty()) return;
+  for (const std::int32_t i : first_)
+    fill_with_water(list.points[static_cast<std::size_t>(i)], list.memory[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace scree::coupling

@@ -1,0 +1,161 @@
+// Contact points that stay in their list from step to step are, to the last bit, those that are listed anew: state,
+// ledger and every field of every point, over steps of sliding, impact, corners that pass corners, opening and closing.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "tests/support/by_hand.h"
+
+namespace scree {
+namespace {
+
+using coupling::CentralDifference;
+using coupling::Integrator;
+using test::ByHand;
+using test::Scene;
+
+/// Every bit of the points.
+std::string bits(const std::vector<coupling::ContactPoint>& points) {
+  std::string out;
+  const auto see = [&out]<class T>(const char*, const T& value) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    out.append(bytes, sizeof(T));
+  };
+  for (const coupling::ContactPoint& p : points) p.visit(see);
+  return out;
+}
+
+struct Counts {
+  std::int64_t in_place = 0, anew = 0, slipping = 0, opened = 0;
+};
+
+/// Steps a scene twice, in place where that can be and always anew, and compares after every step.
+Counts compare(const Scene& scene, int steps, double detection, coupling::ExplicitDamping damping = {}) {
+  struct Side {
+    ByHand hand;
+    CentralDifference integrator;
+    Side(const Scene& s, double near, const coupling::ExplicitDamping& d)
+        : hand(s.model, s.plan.stages[0]), integrator(*hand.setup, {.max_displacement = 1.0}, near, d) {
+      integrator.enter(hand.state);
+    }
+  };
+  damping.sliding = 0.15;
+  Side a(scene, detection, damping), b(scene, detection, damping);
+  b.integrator.list_contacts_always_anew();
+  Counts counts;
+  Tick h = 0;
+  for (int i = 0; i < steps; ++i) {
+    if (h == 0 || !a.integrator.step_still_stable()) h = ticks(0.5 * a.integrator.stable_step(a.hand.state, nullptr));
+    for (Side* s : {&a, &b}) {
+      const coupling::StepReport report = s->integrator.step(s->hand.state, h);
+      EXPECT_EQ(report.status, coupling::StepReport::Status::ok) << report.cause;
+    }
+    const bool same = coupling::state_hash(a.hand.state) == coupling::state_hash(b.hand.state) &&
+                      bits(a.integrator.contacts().points) == bits(b.integrator.contacts().points);
+    EXPECT_TRUE(same) << "step " << i;
+    if (!same) break;
+    for (const coupling::ContactMemory& m : a.hand.state.contacts) {
+      counts.slipping += m.status == coupling::ContactStatus::slip ? 1 : 0;
+      counts.opened += m.status == coupling::ContactStatus::open ? 1 : 0;
+    }
+  }
+  counts.in_place = a.integrator.contact_steps_in_place();
+  counts.anew = steps - counts.in_place;
+  EXPECT_EQ(b.integrator.contact_steps_in_place(), 0);
+  return counts;
+}
+
+/// Blocks of three to six corners that fall on a valley and on each other.
+Scene heap(const std::string& method, int blocks, unsigned seed) {
+  Scene scene(2e8, 0.2, 2500.0);
+  scene.model.joints[0].friction = 0.5;
+  scene.add("left", {{{-8, 8}, {-8, -1}, {0, -1}, {0, 0}}, {}}, true);
+  scene.add("right", {{{0, 0}, {0, -1}, {8, -1}, {8, 6}}, {}}, true);
+  std::mt19937 random(seed);
+  const auto between = [&random](double a, double b) {
+    return a + (b - a) * static_cast<double>(random() % 1000003) / 1000003.0;
+  };
+  for (int i = 0; i < blocks; ++i) {
+    const Vec2 c(-1.5 + 1.5 * (i % 3), 3.2 + 1.4 * (i / 3));
+    const int corners = 3 + static_cast<int>(random() % 4);
+    Polygon p;
+    for (int k = 0; k < corners; ++k) {
+      const double a = 2.0 * std::numbers::pi * (k + between(-0.25, 0.25)) / corners;
+      p.outer.emplace_back(c + between(0.45, 0.7) * Vec2(std::cos(a), std::sin(a)));
+    }
+    const BlockId id = scene.add("b" + std::to_string(i), p);
+    scene.model.initial_velocities.push_back({id, {between(-2, 2), between(-4, -1)}, between(-2, 2)});
+  }
+  scene.stage(method, Integrator::explicit_, 1.0, std::nullopt, 0.5);
+  return scene;
+}
+
+/// Bricks in a bond that are shaken, on a course that is held.
+Scene wall(const std::string& method, double speed) {
+  Scene scene(1e9, 0.2, 2500.0);
+  scene.model.joints[0].friction = 0.4;
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 4; ++i) {
+      const double x = 2.0 * i + row % 2;
+      const BlockId id = scene.add("b", test::rectangle(x, row, x + 2.0, row + 1.0), row == 0);
+      const double angle = 2.4 * id.value;
+      if (row > 0)
+        scene.model.initial_velocities.push_back({id, {speed * std::cos(angle), speed * std::sin(angle)}, 0.0});
+    }
+  scene.stage(method, Integrator::explicit_, 1.0, std::nullopt, 0.7);
+  return scene;
+}
+
+TEST(ContactInPlace, of_heaps_that_fall_and_pass_corners_is_that_listed_anew) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Counts c = compare(heap("dda", 9, seed), 6000, 0.05);
+    EXPECT_GT(c.in_place, 1000);
+    EXPECT_GT(c.anew, 30);
+    EXPECT_GT(c.slipping, 500);
+    EXPECT_GT(c.opened, 500);
+  }
+}
+
+TEST(ContactInPlace, of_meshes_that_fall_and_slide_is_that_listed_anew) {
+  const Counts c = compare(heap("nmm", 5, 7U), 4000, 0.05);
+  EXPECT_GT(c.in_place, 500);
+  EXPECT_GT(c.anew, 30);
+  EXPECT_GT(c.slipping, 100);
+}
+
+TEST(ContactInPlace, of_shaken_walls_is_that_listed_anew) {
+  for (const char* method : {"dda", "nmm"}) {
+    const Counts c = compare(wall(method, 0.3), 1500, 0.02);
+    EXPECT_GT(c.in_place, 1000) << method;
+    EXPECT_GT(c.slipping, 500) << method;
+    EXPECT_GT(c.opened, 500) << method;
+  }
+  const Counts rest = compare(wall("dda", 0.0), 200, 0.02);
+  EXPECT_GT(rest.in_place, 190);
+}
+
+TEST(ContactInPlace, of_bonds_dilation_weakening_and_water_is_that_listed_anew) {
+  Scene bonded = wall("dda", 0.5);
+  bonded.model.joints[0].cohesion = 2e4;
+  bonded.model.joints[0].tensile_strength = 1e4;
+  EXPECT_GT(compare(bonded, 800, 0.02).in_place, 500);
+
+  Scene dilating = wall("dda", 0.3);
+  dilating.model.joints[0].dilation = 0.1;
+  dilating.model.joints[0].dilation_slip = 0.002;
+  EXPECT_GT(compare(dilating, 800, 0.02).in_place, 500);
+
+  Scene weak = wall("nmm", 0.3);
+  weak.model.joints[0].residual_friction = 0.2;
+  weak.model.joints[0].weakening_slip = 0.001;
+  EXPECT_GT(compare(weak, 400, 0.02).in_place, 200);
+
+  Scene wet = wall("dda", 0.1);
+  wet.model.waters.push_back({{{-10.0, 3.0}, {20.0, 2.0}}});
+  EXPECT_GT(compare(wet, 800, 0.02).in_place, 500);
+}
+
+}  // namespace
+}  // namespace scree
