@@ -99,6 +99,7 @@ struct Model {
   std::vector<Block> blocks;
   std::vector<BlockSupport> block_supports;
   std::vector<PointSupport> point_supports;
+  std::vector<EdgeSupport> edge_supports;
   std::vector<Monitor> monitors;
   std::vector<GroundMotion> motions;
   std::vector<InitialVelocity> initial_velocities;

@@ -1,12 +1,34 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"
 
 namespace scree::io {
 namespace {
 
-std::vector<Vec2> piezometric_line(const Section& s) {
+std::vector<Vec2> drawn_line(const Section& s, const DrawnLayers& drawing) {
+  std::vector<Chain> chains = drawing.polylines(s, "layer", "water");
+  const auto fail = [&](int row, std::string problem, std::string hint) {
+    return CaseError(drawing.file(), {row, 1}, {std::move(problem), "", "", "one line from left to right", std::move(hint)});
+  };
+  if (chains.size() > 1) throw fail(chains[1].row, "another line of water begins here", "put it on a layer of its own, with a [[water]] for it");
+  std::vector<Vec2> points = std::move(chains[0].points);
+  if (points.front().x() > points.back().x()) std::reverse(points.begin(), points.end());
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].x() <= points[i - 1].x())
+      throw fail(chains[0].row, fmt::format("the line of water turns back at ({:.10g}, {:.10g}) m", points[i].x(), points[i].y()),
+                 "a piezometric line has one height above each place");
+  return points;
+}
+
+std::vector<Vec2> piezometric_line(const Section& s, const DrawnLayers& drawing) {
+  if (s.has("line") == s.has("layer"))
+    throw s.error(s.has("line") ? "layer" : "line",
+                  s.has("line") ? "line and layer are both given" : "the water has no line", "either line or layer",
+                  "write line = [[x, y], [x, y]]");
+  if (s.has("layer")) return drawn_line(s, drawing);
   Ring points = s.ring("line");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].x() <= points[i - 1].x())
@@ -47,9 +69,9 @@ std::vector<JointId> filled_joints(const Section& s, const Model& model) {
 
 }  // namespace
 
-void read_water(const Section& root, Model& model) {
+void read_water(const Section& root, const DrawnLayers& drawing, Model& model) {
   for (const Section& s : root.list("water")) {
-    JointWater water{piezometric_line(s), s.number("unit_weight"), filled_joints(s, model)};
+    JointWater water{piezometric_line(s, drawing), s.number("unit_weight"), filled_joints(s, model)};
     model.waters.push_back(std::move(water));
   }
 }
