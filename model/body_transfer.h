@@ -44,6 +44,8 @@ class BodyTransfer {
   /// Traction by which a body that holds its edges is held at a fraction of a support's span [Pa].
   /// @param support  counted among the edge supports of the block
   [[nodiscard]] virtual Vec2 edge_reaction(int body, std::size_t support, double s, std::span<const double> q) const;
+  /// The part of its elastic energy that its edge supports hold [J].
+  [[nodiscard]] virtual double edge_energy(int body, std::span<const double> q) const;
   /// Moves the anchors of the edge supports of a body that holds its edges.   @param shift  as BodyRecord::edge_shift
   virtual void shift_edges(int body, std::span<const double> shift);
 };

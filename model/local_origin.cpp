@@ -36,7 +36,7 @@ void move(Polygon& polygon, const Vec2& by) {
 
 }  // namespace
 
-void take_local_origin(Model& model) {
+void move_to_local_origin(Model& model) {
   const Box box = box_of(model);
   const double extent = (box.hi - box.lo).maxCoeff();
   if (!(extent > 0.0) || !std::isfinite(extent)) return;
@@ -47,6 +47,7 @@ void take_local_origin(Model& model) {
   for (Material& m : model.materials)
     if (m.initial_stress) m.initial_stress->level -= origin.y();
   for (Block& b : model.blocks) move(b.polygon, -origin);
+  // Spans of edges are fractions: edge supports, tractions and viscous edges stay.
   for (PointSupport& s : model.point_supports) s.point -= origin;
   for (Monitor& m : model.monitors) m.point -= origin;
   for (PointLoad& l : model.point_loads) l.point -= origin;

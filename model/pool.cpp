@@ -14,7 +14,7 @@ double ExplicitOperator::damp(double, double, std::span<const double>, std::span
   return 0.0;
 }
 std::string ExplicitOperator::binding(int) const { return {}; }
-std::span<const BodySet::Seam> BodySet::seams(int) const { return {}; }
+std::span<const BodySet::InterfaceConstraint> BodySet::interface_constraints(int) const { return {}; }
 
 std::span<const std::int32_t> BodySet::undivided(int) const { return {}; }
 
@@ -34,6 +34,7 @@ void ExplicitOperator::stiffness_damping(std::span<const double>, std::span<cons
                                          std::span<double>) const {}
 bool BodyTransfer::holds_edges(int) const { return false; }
 Vec2 BodyTransfer::edge_reaction(int, std::size_t, double, std::span<const double>) const { return {0.0, 0.0}; }
+double BodyTransfer::edge_energy(int, std::span<const double>) const { return 0.0; }
 void BodyTransfer::shift_edges(int, std::span<const double>) {}
 void BodyOutput::recovered_stress(std::span<const double>, std::span<double> nodes) const {
   std::fill(nodes.begin(), nodes.end(), 0.0);

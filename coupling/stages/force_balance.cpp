@@ -28,7 +28,7 @@ void ForceBalance::take(std::vector<double>& term) {
   }
 }
 
-ForceBalance::Result ForceBalance::measure(const State& state, const Mover& mover) {
+ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegrator& integrator) {
   const std::size_t n = state.q.size();
   total_.assign(n, 0.0);
   largest_ = 0.0;
@@ -50,7 +50,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const Mover& move
   term([&](std::vector<double>& f) {
     for (const PointSpring& s : supports_) add_force(s.row, spring_force(s, state.q), f);
   });
-  term([&](std::vector<double>& f) { mover.contact_forces(state, f); });
+  term([&](std::vector<double>& f) { integrator.contact_forces(state, f); });
 
   Result out;
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
@@ -72,6 +72,7 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
   std::vector<char> held(setup.bodies().size(), 0);
   for (std::size_t i = 0; i < held.size(); ++i) held[i] = setup.bodies()[i].driven ? 1 : 0;
   for (const PointSupport& s : setup.model().point_supports) held[s.block.index()] = 1;
+  for (const EdgeSupport& s : setup.model().edge_supports) held[s.span.block.index()] = 1;
   for (bool grew = true; grew;) {  // a pass a layer of blocks
     grew = false;
     for (const ContactMemory& m : state.contacts) {

@@ -21,7 +21,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Blocks that hang together by touching.
 struct Groups {
-  std::vector<std::int32_t> of;              // a block
+  std::vector<std::int32_t> of;              // per block
   std::vector<std::vector<BlockId>> blocks;  // a group
 };
 
@@ -61,6 +61,9 @@ std::vector<std::array<bool, 2>> held_axes(const Model& model, const Groups& gro
     at(s.block)[0] = at(s.block)[0] || s.fix_x;
     at(s.block)[1] = at(s.block)[1] || s.fix_y;
   }
+  for (const EdgeSupport& s : model.edge_supports)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      if (s.held.col(static_cast<Eigen::Index>(axis)).norm() > 1e-6) at(s.span.block)[axis] = true;
   return held;
 }
 
@@ -71,7 +74,7 @@ bool thrown(const Model& model, BlockId block) {
 }
 
 /// Methods whose blocks move in an affine way only: damping that spares affine motion finds nothing in them.
-bool affine(const Wish& wish) { return wish.method == "dda" || wish.form.onefold; }
+bool affine(const BodyRequest& request) { return request.method == "dda" || request.form.onefold; }
 
 /// Time acts in a stage: velocities are those of the motion.
 bool dynamic(const Stage& stage) { return !stage.rest && stage.dynamics == 1.0; }
@@ -109,7 +112,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
   const std::vector<std::array<bool, 2>> held = held_axes(model, groups);
   std::vector<LastingForce> force(groups.blocks.size());
   add_lasting_loads(model, groups.of, force);
-  const bool no_support = model.block_supports.empty() && model.point_supports.empty();
+  const bool no_support = model.block_supports.empty() && model.point_supports.empty() && model.edge_supports.empty();
   std::vector<std::string> out;
   std::vector<BlockId> alone;
   std::vector<std::string> told;
@@ -151,12 +154,12 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
 std::vector<std::string> damping_warnings(const Model& model, const Plan& plan) {
   std::vector<std::string> out;
   for (const Stage& stage : plan.stages) {
-    const std::vector<Wish> wish = wishes(model, stage);
+    const std::vector<BodyRequest> request = body_requests(model, stage);
     bool free = false, bends = stage.change.used && stage.change.back.used();
-    for (std::size_t b = 0; b < wish.size(); ++b) {
+    for (std::size_t b = 0; b < request.size(); ++b) {
       if (model.support_of(BlockId(static_cast<std::int32_t>(b))) != nullptr) continue;
       free = true;
-      bends = bends || !affine(wish[b]);
+      bends = bends || !affine(request[b]);
     }
     const bool any = stage.damping > 0.0 || stage.stiffness_damping > 0.0 || stage.local_damping > 0.0;
     if (any && !free)
@@ -241,10 +244,10 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
   if (stones.empty()) return {};
   std::vector<std::string> out;
   for (const Stage& stage : plan.stages) {
-    const std::vector<Wish> wish = wishes(model, stage);
+    const std::vector<BodyRequest> request = body_requests(model, stage);
     // Joints of an automatic stiffness that a mesh divides.
     const auto divided = [&](BlockId b) {
-      const Wish& w = wish[b.index()];
+      const BodyRequest& w = request[b.index()];
       return w.method == "nmm" && !w.form.onefold && std::any_of(touches.begin(), touches.end(), [&](const Touch& t) {
                return (t.a == b || t.b == b) && std::any_of(t.facing.begin(), t.facing.end(), [&](const Stretch& s) {
                         const bool automatic = !s.law.valid() || (!model.joints[s.law.index()].normal_stiffness &&
@@ -276,6 +279,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   std::vector<char> stands(n, 0);
   for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
   for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
+  for (const EdgeSupport& s : model.edge_supports) stands[s.span.block.index()] = 1;
   /// How far a push into a block is turned from straight up, counter-clockwise [rad].
   const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
     return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));

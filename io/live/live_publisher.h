@@ -25,8 +25,8 @@ namespace scree::io {
 struct RawFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
-  std::vector<double> position;  // x, y a point [m]
-  std::vector<double> source;    // what the field is made of: velocity (x, y a point) or stress (xx, yy, xy a cell)
+  std::vector<double> position;  // x, y per point [m]
+  std::vector<double> source;    // what the field is made of: velocity (x, y per point) or stress (xx, yy, xy per cell)
 };
 
 /// Where a run is as something is sent of it.
