@@ -114,6 +114,52 @@ Interval clipped(const Vec2& a, const Vec2& b, const Box& box, double tolerance)
 
 }  // namespace
 
+namespace {
+
+/// True where a ray meets no edge of any block.
+bool leads_out(const Model& model, const std::vector<Box>& boxes, const Vec2& from, const Vec2& along) {
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    const Polygon& polygon = model.blocks[b].polygon;
+    bool hit = false;
+    each_edge(polygon, [&](const OutlineEdge& edge) {
+      const auto [p, q] = ends_of(polygon, edge);
+      const Vec2 d = q - p, to = p - from;
+      const double sine = cross(along, d);
+      if (hit || std::abs(sine) < 1e-14 * d.norm()) return;
+      const double t = cross(to, d) / sine, s = cross(to, along) / sine;
+      hit = t > 0.0 && s >= 0.0 && s <= 1.0;
+    });
+    if (hit) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<EdgeSpan> outer_faces(const Model& model, double tolerance) {
+  const std::vector<Box> boxes = boxes_of(model);
+  Box all = boxes.front();
+  for (const Box& b : boxes) all = {all.lo.cwiseMin(b.lo), all.hi.cwiseMax(b.hi)};
+  std::vector<EdgeSpan> out;
+  for (const EdgeSpan& span : free_edges_in_box(model, all, tolerance)) {
+    const Polygon& polygon = model.blocks[span.block.index()].polygon;
+    const auto [from, to] = ends_of(polygon, span.edge);
+    const Vec2 middle = from + 0.5 * (span.s0 + span.s1) * (to - from), n = outward_normal(polygon, span.edge);
+    const auto on_border = [&](const Vec2& side, double at) {
+      return n.dot(side) > 1.0 - 1e-9 && std::abs(side.dot(middle) - at) <= 10.0 * tolerance;
+    };
+    if (on_border({-1.0, 0.0}, -all.lo.x()) || on_border({1.0, 0.0}, all.hi.x()) || on_border({0.0, -1.0}, -all.lo.y()))
+      continue;
+    const Vec2 outside = middle + 20.0 * tolerance * n;
+    for (const Vec2& along : {Vec2(1e-3, 1.0), Vec2(-1.0, 1.0), Vec2(1.0, 1.0)})
+      if (leads_out(model, boxes, outside, along.normalized())) {
+        out.push_back(span);
+        break;
+      }
+  }
+  return out;
+}
+
 double length_of(const Model& model, const EdgeSpan& span) {
   const auto [from, to] = ends_of(model.blocks[span.block.index()].polygon, span.edge);
   return (span.s1 - span.s0) * (to - from).norm();

@@ -40,6 +40,11 @@ struct EdgeEnds {
 /// The same within a box (its border belongs to it), whatever way the edges run.
 [[nodiscard]] std::vector<EdgeSpan> free_edges_in_box(const Model& model, const Box& box, double tolerance);
 
+/// The faces of a model that water before a slope can press on: those that face no other block and from which a
+/// straight line leads out of the model, up or up to either side, through no block; not those on the left, right and
+/// lower border of the model's box.
+[[nodiscard]] std::vector<EdgeSpan> outer_faces(const Model& model, double tolerance);
+
 /// Length of a span [m].
 [[nodiscard]] double length_of(const Model& model, const EdgeSpan& span);
 

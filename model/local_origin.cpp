@@ -51,8 +51,11 @@ void move_to_local_origin(Model& model) {
   for (PointSupport& s : model.point_supports) s.point -= origin;
   for (Monitor& m : model.monitors) m.point -= origin;
   for (PointLoad& l : model.point_loads) l.point -= origin;
-  for (JointWater& w : model.waters)
+  for (JointWater& w : model.waters) {
     for (Vec2& p : w.line) p -= origin;
+    for (JointWater::Level& l : w.levels)
+      for (Vec2& p : l.line) p -= origin;
+  }
   for (JointLine& l : model.joint_lines) {
     l.from -= origin;
     l.to -= origin;

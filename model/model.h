@@ -112,6 +112,7 @@ struct Model {
   // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
   std::vector<JointLine> joint_lines;
   std::vector<Crack> cracks;
+  std::vector<SetStatistics> joint_sets;
   std::optional<CuttingReport> cutting;
 
   [[nodiscard]] const Material& material_of(BlockId b) const { return materials[blocks[b.index()].material.index()]; }

@@ -8,8 +8,8 @@
 namespace scree::nmm {
 namespace {
 
-/// gamma = kGamma (lambda + 2 mu)/h. Coercive where gamma > L/A of an element whose covers are free: 4.6/h for a chord of
-/// h over half a triangle; what tied covers extrapolate asks for more.
+/// gamma = kGamma (lambda + 2 mu)/h. Coercive where gamma > L/A of an element whose covers are free: 4.6/h for a chord
+/// of h over half a triangle; what tied covers extrapolate asks for more.
 constexpr double kGamma = 20.0;
 
 /// Displacement from the anchors at the ends.
@@ -41,7 +41,8 @@ HoldResponse hold_response(const EdgeHold& h, const StiffElement& e, const std::
   const Strays w = strays(h, x);
   const Vec2 a = h.held * w.a, b = h.held * w.b, middle = 0.5 * (a + b);
   HoldResponse out;
-  // w is linear along the edge: int |w|^2 = L/3 (a.a + a.b + b.b), int w_k w = L/6 [(2 a + b) w_k(0) + (a + 2 b) w_k(1)].
+  // w is linear along the edge: int |w|^2 = L/3 (a.a + a.b + b.b), int w_k w = L/6 [(2 a + b) w_k(0) + (a + 2 b)
+  // w_k(1)].
   out.energy = h.gamma * h.length / 6.0 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
   const Vec2 at_a = h.gamma * h.length / 6.0 * (2.0 * a + b), at_b = h.gamma * h.length / 6.0 * (a + 2.0 * b);
   for (int k = 0; k < 3; ++k)
@@ -66,8 +67,8 @@ Mat6 hold_stiffness(const EdgeHold& h, const StiffElement& e, const std::array<V
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      const double mass = h.length / 6.0 *
-                          (2.0 * h.w0[a] * h.w0[b] + h.w0[a] * h.w1[b] + h.w1[a] * h.w0[b] + 2.0 * h.w1[a] * h.w1[b]);
+      const double mass =
+          h.length / 6.0 * (2.0 * h.w0[a] * h.w0[b] + h.w0[a] * h.w1[b] + h.w1[a] * h.w0[b] + 2.0 * h.w1[a] * h.w1[b]);
       K.block<2, 2>(2 * i, 2 * j) += h.gamma * mass * h.held;
     }
   if (!h.consistent) return K;
@@ -165,8 +166,8 @@ double hold_frequency(std::span<const EdgeHold> holds, const CoverMesh& mesh, co
       folded.row(i) *= root;
       folded.col(i) *= root;
     }
-    const double largest =
-        std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(folded, Eigen::EigenvaluesOnly).eigenvalues()(n - 1));
+    const double largest = std::max(
+        0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(folded, Eigen::EigenvaluesOnly).eigenvalues()(n - 1));
     for (const std::int32_t c : places) sum[c] += largest;
   }
   double worst = 0.0;

@@ -17,23 +17,23 @@ namespace scree::nmm {
 /// of the user's own the first term is left out and gamma is the bedding: the edge then gives way by traction/bedding.
 /// @source docs/theory/supports.md; [Nitsche1971]
 struct EdgeHold {
-  std::size_t element = 0;                                        // counted from the block's first
-  std::size_t support = 0;                                        // counted among the edge supports of the block
-  std::array<double, 3> w0{}, w1{};                               // weights of the element's covers at the two ends
-  Vec2 at0{0.0, 0.0}, at1{0.0, 0.0};                              // where the ends are held [m]
-  double from = 0.0, to = 1.0;                                    // the ends, as fractions of the support's span
-  Vec2 shift0{0.0, 0.0}, shift1{0.0, 0.0};                        // of the anchors, from a hand-over [m]
-  Vec2 normal{0.0, 0.0};                                          // outward, in the reference shape
-  double length = 0.0;                                            // [m]
-  Mat2 held = Mat2::Identity();                                   // D
-  double gamma = 0.0;                                             // [Pa/m]
-  bool consistent = true;                                         // the first term acts
+  std::size_t element = 0;                  // counted from the block's first
+  std::size_t support = 0;                  // counted among the edge supports of the block
+  std::array<double, 3> w0{}, w1{};         // weights of the element's covers at the two ends
+  Vec2 at0{0.0, 0.0}, at1{0.0, 0.0};        // where the ends are held [m]
+  double from = 0.0, to = 1.0;              // the ends, as fractions of the support's span
+  Vec2 shift0{0.0, 0.0}, shift1{0.0, 0.0};  // of the anchors, from a hand-over [m]
+  Vec2 normal{0.0, 0.0};                    // outward, in the reference shape
+  double length = 0.0;                      // [m]
+  Mat2 held = Mat2::Identity();             // D
+  double gamma = 0.0;                       // [Pa/m]
+  bool consistent = true;                   // the first term acts
 };
 
 /// What a hold does to the three covers of its element at their positions x.
 struct HoldResponse {
-  double energy = 0.0;                                                        // [J]
-  Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();    // -dE/dx, x and y of each cover [N]
+  double energy = 0.0;                                                      // [J]
+  Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();  // -dE/dx, x and y of each cover [N]
 };
 [[nodiscard]] HoldResponse hold_response(const EdgeHold& h, const StiffElement& e, const std::array<Vec2, 3>& x);
 

@@ -120,10 +120,11 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   if (!body->mesh.onefold) body->holds = edge_holds(model, record, body->mesh, to_origin, body->law);
   if (form.division.divides()) {
     if (!body->holds.empty())
-      throw MeshError(fmt::format(
-          "block '{}' cannot be divided by the explicit region: a support holds a line of its outline; move the region, "
-          "or hold a whole block",
-          body->name));
+      throw MeshError(
+          fmt::format("block '{}' cannot be divided by the explicit region: a support holds a line of its outline; "
+                      "move the region, "
+                      "or hold a whole block",
+                      body->name));
     divide(*body);
   }
   const CoverMesh& mesh = body->mesh;
@@ -301,7 +302,8 @@ Vec2 NmmPool::edge_reaction(int body, std::size_t support, double s, std::span<c
     if (h.support == support && (nearest == nullptr || off(h) < off(*nearest))) nearest = &h;
   if (nearest == nullptr) return {0.0, 0.0};
   const double along = std::clamp((s - nearest->from) / (nearest->to - nearest->from), 0.0, 1.0);
-  return hold_traction(*nearest, element_of(of(body), nearest->element), covers_of(of(body), nearest->element, q), along);
+  return hold_traction(*nearest, element_of(of(body), nearest->element), covers_of(of(body), nearest->element, q),
+                       along);
 }
 
 double NmmPool::edge_energy(int body, std::span<const double> q) const {
@@ -576,12 +578,12 @@ double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, s
                           std::span<double> force) const {
   if (const auto& cover = of(body).onefold) return cover->form().linearise(cover->gradient(q), kind, stiffness, force);
   const auto first = static_cast<std::size_t>(of(body).first_element), count = of(body).mesh.elements();
-  double energy = of(body).implicit.linearise(elements_.covers().subspan(first, count), q, kind, stiffness, force,
-                                     [&](std::size_t e) {
-                                       const std::size_t i = first + e;
-                                       return StiffElement{elements_.gradients(i), elements_.area(i), of(body).law,
-                                                           of(body).form.kinematics, elements_.initial_stress(i)};
-                                     });
+  double energy = of(body).implicit.linearise(
+      elements_.covers().subspan(first, count), q, kind, stiffness, force, [&](std::size_t e) {
+        const std::size_t i = first + e;
+        return StiffElement{elements_.gradients(i), elements_.area(i), of(body).law, of(body).form.kinematics,
+                            elements_.initial_stress(i)};
+      });
   for (std::size_t k = 0; k < of(body).holds.size(); ++k) {
     const EdgeHold& h = of(body).holds[k];
     const StiffElement element = element_of(of(body), h.element);

@@ -137,6 +137,10 @@ class Setup {
     return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);
   }
   [[nodiscard]] const Clocks& clocks() const { return clocks_; }
+  /// The model's waters as they stand in the stage.
+  [[nodiscard]] const std::vector<JointWater>& waters() const { return waters_; }
+  /// The one in joints of a law; nullptr: they are dry.
+  [[nodiscard]] const JointWater* water_in(JointId joint) const;
 
  private:
   [[nodiscard]] double motion_time(MotionId m, double time) const {
@@ -154,6 +158,7 @@ class Setup {
   std::vector<std::vector<char>> counted_;
   bool ghosts_touch_;
   Clocks clocks_;
+  std::vector<JointWater> waters_;
   Outlines outlines_;
 };
 

@@ -1,7 +1,6 @@
 #include "coupling/integrate/point_springs.h"
 
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +26,7 @@ void axes_of(const Mat2& held, Mat2& axes, Vec2& along) {
   if (held.determinant() > 0.5) return;
   const Vec2 a = (held.col(0).norm() > held.col(1).norm() ? held.col(0) : held.col(1)).normalized();
   axes.col(0) = a;
-  axes.col(1) = {-a.y(), a.x()};
+  axes.col(1) << -a.y(), a.x();
   along = {1.0, 0.0};
 }
 

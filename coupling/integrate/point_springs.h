@@ -1,5 +1,5 @@
-// Point supports, and edge supports of bodies that do not hold their edges themselves: springs between a point of a body
-// and where that point was in the model, or where a hand-over has shifted it.
+// Point supports, and edge supports of bodies that do not hold their edges themselves: springs between a point of a
+// body and where that point was in the model, or where a hand-over has shifted it.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@ namespace scree::coupling {
 struct PointSpring {
   Row row;  // in the state's nodes
   std::int32_t body = -1;
-  std::int32_t support = -1;  // into Model::point_supports; -1: it is one of an edge
-  Vec2 anchor{0.0, 0.0};      // [m]
-  Vec2 k{0.0, 0.0};           // [N/m] along the axes; 0 where free
+  std::int32_t support = -1;     // into Model::point_supports; -1: it is one of an edge
+  Vec2 anchor{0.0, 0.0};         // [m]
+  Vec2 k{0.0, 0.0};              // [N/m] along the axes; 0 where free
   Mat2 axes = Mat2::Identity();  // columns: unit vectors
 };
 

@@ -54,11 +54,11 @@ BlockId block_at(const Section& s, std::string_view key, const Model& model) {
     throw s.error(key, "the point is in no block", "a point inside a block",
                   "check the point, or give block = \"NAME\"");
   if (holding.size() > 1)
-    throw s.error(key,
-                  fmt::format("the point lies on the boundary of blocks {} and {}",
-                              in_quotes(model.blocks[holding[0].index()].name),
-                              in_quotes(model.blocks[holding[1].index()].name)),
-                  "a point inside one block", "move the point, or say which with block = \"NAME\"");
+    throw s.error(
+        key,
+        fmt::format("the point lies on the boundary of blocks {} and {}",
+                    in_quotes(model.blocks[holding[0].index()].name), in_quotes(model.blocks[holding[1].index()].name)),
+        "a point inside one block", "move the point, or say which with block = \"NAME\"");
   return holding.front();
 }
 

@@ -56,7 +56,8 @@ DrawnLayers::DrawnLayers(const Section& root, const std::filesystem::path& folde
   const std::string& unit = s.text("unit");
   try {
     if (extension == ".csv" || extension == ".txt" || extension == ".dat") {
-      drawing_ = of_columns(path, unit == "auto" ? 1.0 : unit_of(unit), unit == "auto" ? "files of columns" : "the case");
+      drawing_ =
+          of_columns(path, unit == "auto" ? 1.0 : unit_of(unit), unit == "auto" ? "files of columns" : "the case");
     } else {
       DrawingOptions options;
       if (unit != "auto") options.unit = unit_of(unit);
@@ -67,12 +68,14 @@ DrawnLayers::DrawnLayers(const Section& root, const std::filesystem::path& folde
     throw CaseError(path.string(), {e.row, e.row > 0 ? 1 : 0}, {e.what(), "", "", e.allowed, e.hint});
   } catch (const CaseError& e) {
     if (e.line > 0) throw;
-    throw s.error("file", e.problem + ": " + in_quotes(path.string(), 400), "path of a DXF of text, or of a file of columns",
+    throw s.error("file", e.problem + ": " + in_quotes(path.string(), 400),
+                  "path of a DXF of text, or of a file of columns",
                   "paths start from the folder of the case file; " + e.hint);
   }
   drawing_.file = path.string();
   const Vec2 offset = s.point("offset");
-  Box box{Vec2::Constant(std::numeric_limits<double>::infinity()), Vec2::Constant(-std::numeric_limits<double>::infinity())};
+  Box box{Vec2::Constant(std::numeric_limits<double>::infinity()),
+          Vec2::Constant(-std::numeric_limits<double>::infinity())};
   const auto move = [&](Vec2& p, int row, const std::string& entity) {
     p -= offset;
     if (!(p.cwiseAbs().maxCoeff() <= kFarthest))
@@ -113,14 +116,15 @@ std::vector<const DrawnLine*> DrawnLayers::lines(const Section& s, std::string_v
     for (const DrawnLine& l : drawing_.lines) {
       if (l.layer != layer) continue;
       if (!l.unusable.empty())
-        throw error(l.row, fmt::format("{} on the layer {}: {}", l.entity, in_quotes(layer), l.unusable), "lines and curves of the plane",
+        throw error(l.row, fmt::format("{} on the layer {}: {}", l.entity, in_quotes(layer), l.unusable),
+                    "lines and curves of the plane",
                     fmt::format("draw it anew, or move it to a layer that the case does not use ({} does)", use));
       out.push_back(&l);
     }
   }
   if (out.empty())
-    throw s.error(key, fmt::format("the layer {} holds no line", in_quotes(s.text(key))), "a layer with lines or curves",
-                  "`scree check` lists what the layers hold");
+    throw s.error(key, fmt::format("the layer {} holds no line", in_quotes(s.text(key))),
+                  "a layer with lines or curves", "`scree check` lists what the layers hold");
   return out;
 }
 
@@ -136,11 +140,12 @@ std::vector<Chain> DrawnLayers::rings(const Section& s, std::string_view key, co
   std::vector<Chain> out = chains(s, key, use);
   for (const Chain& c : out)
     if (!c.closed)
-      throw error(c.row,
-                  fmt::format("{}: the line is open: it runs from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g}) m, {:.4g} m away", use,
-                              c.points.front().x(), c.points.front().y(), c.points.back().x(), c.points.back().y(),
-                              (c.points.front() - c.points.back()).norm()),
-                  "closed lines, or lines that meet end to end", "close it, or raise drawing.join");
+      throw error(
+          c.row,
+          fmt::format("{}: the line is open: it runs from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g}) m, {:.4g} m away",
+                      use, c.points.front().x(), c.points.front().y(), c.points.back().x(), c.points.back().y(),
+                      (c.points.front() - c.points.back()).norm()),
+          "closed lines, or lines that meet end to end", "close it, or raise drawing.join");
   return out;
 }
 
@@ -163,8 +168,13 @@ std::vector<DrawnPoint> DrawnLayers::points(const Section& s, std::string_view k
 }
 
 DrawingReport DrawnLayers::report() const {
-  DrawingReport out{drawing_.file, drawing_.form, drawing_.unit, drawing_.tolerance, drawing_.unit_from,
-                    {Vec2::Constant(std::numeric_limits<double>::infinity()), Vec2::Constant(-std::numeric_limits<double>::infinity())},
+  DrawingReport out{drawing_.file,
+                    drawing_.form,
+                    drawing_.unit,
+                    drawing_.tolerance,
+                    drawing_.unit_from,
+                    {Vec2::Constant(std::numeric_limits<double>::infinity()),
+                     Vec2::Constant(-std::numeric_limits<double>::infinity())},
                     {}};
   const auto see = [&](const Vec2& p) {
     out.box.lo = out.box.lo.cwiseMin(p);
@@ -176,7 +186,7 @@ DrawingReport DrawnLayers::report() const {
   for (const DrawnCount& c : drawing_.counts) {
     const auto use = uses_.find(c.layer);
     out.rows.push_back({c.layer, c.entity, c.count,
-                        !c.left_out.empty()   ? "left out: " + c.left_out
+                        !c.left_out.empty()  ? "left out: " + c.left_out
                         : use == uses_.end() ? "left out: nothing of the case takes the layer"
                                              : use->second});
   }

@@ -36,7 +36,8 @@ class DrawnLayers {
   /// What the layer under a key holds; what it is is kept for the report.
   /// @param use  "domain.outline"
   /// @throws CaseError: no drawing, no such layer, nothing of the kind on it, entities that cannot be used, open rings
-  [[nodiscard]] std::vector<const DrawnLine*> lines(const Section& s, std::string_view key, const std::string& use) const;
+  [[nodiscard]] std::vector<const DrawnLine*> lines(const Section& s, std::string_view key,
+                                                    const std::string& use) const;
   [[nodiscard]] std::vector<Chain> rings(const Section& s, std::string_view key, const std::string& use) const;
   [[nodiscard]] std::vector<Chain> polylines(const Section& s, std::string_view key, const std::string& use) const;
   [[nodiscard]] std::vector<DrawnPoint> points(const Section& s, std::string_view key, const std::string& use) const;

@@ -127,13 +127,16 @@ std::vector<EdgeSpan> free_edges(const Section& s, const Model& model) {
       double least = std::numeric_limits<double>::infinity();
       for (const Block& b : model.blocks)
         least = std::min(least, nearest_edge(b.polygon, line[i], line[i + 1]).distance);
-      throw s.error("on", i,
-                    fmt::format("no outline that faces no other block lies on the line from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g})",
-                                line[i].x(), line[i].y(), line[i + 1].x(), line[i + 1].y()),
-                    fmt::format("a line within {:.3g} m of outlines", near),
-                    fmt::format("the edge that comes nearest to holding it is up to {:.4g} m away; name the blocks to mean joints "
-                                "as well",
-                                least));
+      throw s.error(
+          "on", i,
+          fmt::format(
+              "no outline that faces no other block lies on the line from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g})",
+              line[i].x(), line[i].y(), line[i + 1].x(), line[i + 1].y()),
+          fmt::format("a line within {:.3g} m of outlines", near),
+          fmt::format(
+              "the edge that comes nearest to holding it is up to {:.4g} m away; name the blocks to mean joints "
+              "as well",
+              least));
     }
     out.insert(out.end(), part.begin(), part.end());
   }

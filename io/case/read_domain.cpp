@@ -48,6 +48,8 @@ class DomainReader {
     d.snap = s_.number_or_auto("snap");
     d.least_width = s_.number_or_auto("least_width");
     d.least_area = s_.number("least_area");
+    const std::string& ends = s_.text("dead_ends");
+    d.dead_ends = ends == "drop" ? DeadEnds::drop : ends == "extend" ? DeadEnds::extend : DeadEnds::keep;
     std::set<std::string> names{d.prefix};
     for (const Section& r : regions_)
       for (Region& one : regions_of(r, d)) {
@@ -181,9 +183,10 @@ class DomainReader {
     return out;
   }
   /// The same for a quantity that is positive.
-  [[nodiscard]] static Spread positive_spread(const Section& s, const std::string& key) {
+  [[nodiscard]] static Spread positive_spread(const Section& s, const std::string& key, bool mean_elsewhere = false) {
     const std::string deviation = key + "_deviation";
     Spread out = spread(s, key, deviation, key + "_distribution");
+    if (mean_elsewhere) return out;
     if (out.distribution == Distribution::uniform && out.deviation > out.mean)
       throw s.error(deviation, fmt::format("half the width of the distribution is more than {} itself", key),
                     fmt::format("0 <= value <= {:g}", out.mean), "values must be positive");
@@ -198,7 +201,7 @@ class DomainReader {
     set.joint = joint(s);
     set.dip_deg = spread(s, "dip_deg", "dip_deviation_deg", "dip_distribution");
     set.spacing = positive_spread(s, "spacing");
-    set.gap = positive_spread(s, "gap");
+    set.gap = positive_spread(s, "gap", s.has("persistence"));
     if (s.has("length")) {
       set.length = positive_spread(s, "length");
     } else {
@@ -206,6 +209,24 @@ class DomainReader {
         if (s.number(key) > 0.0)
           throw s.error(key, "the lines run through: they have no traces", "a value beside length",
                         "add length, the length of a trace, or remove this");
+    }
+    if (s.has("persistence")) {
+      if (!s.has("length"))
+        throw s.error("persistence", "the lines run through: they have no traces", "a value beside length",
+                      "add length, the length of a trace, or remove this");
+      if (s.number("gap") > 0.0)
+        throw s.error("persistence", "gap and persistence are both given", "either gap or persistence",
+                      "remove one of the two");
+      const double p = s.number("persistence");
+      set.gap.mean = set.length->mean * (1.0 - p) / p;
+      if (set.gap.varies() && !(set.gap.mean > 0.0))
+        throw s.error("persistence", "gaps vary about nothing", "a value below 1", "remove their deviation");
+    }
+    if (s.has("dip_fisher_k")) {
+      if (set.dip_deg.varies())
+        throw s.error("dip_fisher_k", "dip_deviation_deg and dip_fisher_k are both given", "one of the two",
+                      "remove one of the two");
+      set.fisher_k = s.number("dip_fisher_k");
     }
     set.stagger = s.number("stagger");
     if (s.has("origin")) set.origin = s.point("origin");
@@ -316,6 +337,7 @@ void read_domain(const Section& section, const std::filesystem::path& folder, co
   for (Crack& c : cutting.cracks) c.block = BlockId{c.block.value + first};
   model.cracks = std::move(cutting.cracks);
   model.joint_lines = std::move(cutting.lines);
+  model.joint_sets = std::move(cutting.sets);
   model.cutting = cutting.report;
 }
 

@@ -69,7 +69,8 @@ std::vector<EdgeSpan> held_edges(const Section& s, const Model& model) {
   const std::size_t all = spans.size();
   std::erase_if(spans, [&](const EdgeSpan& e) { return model.support_of(e.block) != nullptr; });
   if (spans.empty() && all > 0)
-    throw s.error(key, "all blocks there are held whole", "edges of blocks that are free", "remove one of the supports");
+    throw s.error(key, "all blocks there are held whole", "edges of blocks that are free",
+                  "remove one of the supports");
   return spans;
 }
 
@@ -159,9 +160,10 @@ void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model
       for (const DrawnPoint& p : drawing.points(s, "layer", "monitors")) {
         const std::vector<BlockId> holding = blocks_at(model, p.at);
         if (holding.empty())
-          throw CaseError(drawing.file(), {p.row, 1},
-                          {fmt::format("the point ({:.10g}, {:.10g}) m of a monitor is in no block", p.at.x(), p.at.y()), "", "",
-                           "a point inside a block", "move it, or take it off the layer"});
+          throw CaseError(
+              drawing.file(), {p.row, 1},
+              {fmt::format("the point ({:.10g}, {:.10g}) m of a monitor is in no block", p.at.x(), p.at.y()), "", "",
+               "a point inside a block", "move it, or take it off the layer"});
         ++number;
         add(s, {s.has("name") ? fmt::format("{}-{}", s.text("name"), number) : "", holding.front(), p.at}, "name");
       }

@@ -209,7 +209,8 @@ constexpr Key kKeys[] = {
     {"drawing.offset", Type::point, "m", kCoordinate, "[0.0, 0.0]", false, "",
      "Subtracted from all of its coordinates."},
     {"drawing.join", Type::number_or_auto, "m", kNotNegative, "\"auto\"", false, "",
-     "Ends of lines that are so near to each other meet, where outlines, regions and lines of water are made of several "
+     "Ends of lines that are so near to each other meet, where outlines, regions and lines of water are made of "
+     "several "
      "lines. \"auto\" is 1e-6 of the extent of the drawing."},
 
     {"domain", Type::table, "", kAny, "", false, "",
@@ -243,6 +244,11 @@ constexpr Key kKeys[] = {
      "of the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
     {"domain.least_area", Type::number, "m2", kNotNegative, "0.0", false, "",
      "Blocks with a smaller area join the neighbour with the longest shared edge."},
+    {"domain.dead_ends", Type::choice, "", kAny, "\"keep\"", false, "keep|drop|extend",
+     "What becomes of lines that end inside rock. keep: they are cracks, along which the NMM cuts its covers, and "
+     "which "
+     "the DDA leaves out. drop: no method has them. extend: they run on to the next line and cut the rock bridges "
+     "through. `scree check` says how many, and how long."},
     {"domain.region", Type::table_list, "", kAny, "", false, "",
      "A part of the domain with another material; its outline separates blocks. Regions may touch but not overlap."},
     {"domain.region[].name", Type::name, "", kAny, "", true, "", "Name, given once only; its blocks are NAME-k."},
@@ -267,6 +273,9 @@ constexpr Key kKeys[] = {
     {"domain.joint_set[].dip_deviation_deg", Type::number, "deg", kDipDeviation, "0.0", false, "", "Its deviation."},
     {"domain.joint_set[].dip_distribution", Type::choice, "", kAny, "\"normal\"", false, "normal|uniform",
      "Its distribution."},
+    {"domain.joint_set[].dip_fisher_k", Type::number, "", kPositive, "", false, "",
+     "Scatter of the poles in space by the Fisher distribution of this concentration K, as from a stereonet, about the "
+     "mean pole, which lies in the section; the dips are the apparent ones there. In place of dip_deviation_deg."},
     {"domain.joint_set[].spacing", Type::number, "m", kPositive, "", true, "",
      "Distance between lines, normal to the mean dip."},
     {"domain.joint_set[].spacing_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
@@ -279,6 +288,14 @@ constexpr Key kKeys[] = {
      "normal|uniform|exponential|lognormal", "Its distribution."},
     {"domain.joint_set[].gap", Type::number, "m", kNotNegative, "0.0", false, "",
      "Rock bridge between the traces of a line; goes with length."},
+    {"domain.joint_set[].persistence",
+     Type::number,
+     "",
+     {0.0, 1.0, true, false},
+     "",
+     false,
+     "",
+     "Length over length + gap, in place of gap: 1 leaves no rock bridge."},
     {"domain.joint_set[].gap_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
     {"domain.joint_set[].gap_distribution", Type::choice, "", kAny, "\"normal\"", false,
      "normal|uniform|exponential|lognormal", "Its distribution."},
@@ -292,7 +309,8 @@ constexpr Key kKeys[] = {
     {"domain.joint_set[].seed", Type::integer, "", kSeed, "(number of the set, from 1)", false, "",
      "Seed of the generator."},
     {"domain.trace", Type::table_list, "", kAny, "", false, "", "A discontinuity as a line of points."},
-    {"domain.trace[].points", Type::line, "m", kCoordinate, "", false, "", "Points in order. Either this or file or layer."},
+    {"domain.trace[].points", Type::line, "m", kCoordinate, "", false, "",
+     "Points in order. Either this or file or layer."},
     {"domain.trace[].layer", Type::name, "", kAny, "", false, "",
      "Layer of the drawing; each of its lines is a trace."},
     {"domain.trace[].file", Type::text, "", kAny, "", false, "",
@@ -325,9 +343,11 @@ constexpr Key kKeys[] = {
      "Names of several blocks that are held whole; * stands for any characters: \"base-*\"."},
     {"support[].at", Type::point, "m", kCoordinate, "", false, "", "A point inside the block, in place of its name."},
     {"support[].on", Type::line, "m", kCoordinate, "", false, "",
-     "Points of a line: the parts of outlines that lie on it, within 1e-6 of the extent of the model, and face no other "
+     "Points of a line: the parts of outlines that lie on it, within 1e-6 of the extent of the model, and face no "
+     "other "
      "block are held, whatever blocks lie there; with block or blocks those of these blocks, also on joints. The edge "
-     "stays where it is along the directions of fix, and slides freely along the others: blocks of the NMM by Nitsche's "
+     "stays where it is along the directions of fix, and slides freely along the others: blocks of the NMM by "
+     "Nitsche's "
      "method on the elements that the line cuts, others on springs of 10 (K + 4G/3)/sqrt(area of the block)."},
     {"support[].box", Type::line, "m", kCoordinate, "", false, "",
      "Two opposite corners of a box: the same for the parts of outlines in it."},
@@ -335,7 +355,8 @@ constexpr Key kKeys[] = {
      "Beside on or box: springs of so much force per area and displacement, which give way, in place of an edge that "
      "does not."},
     {"support[].fix", Type::choice, "", kAny, "\"all\"", false, "all|both|x|y|normal",
-     "Directions that are held; both is all. A whole block is held in all. normal, beside on or box: at right angles to "
+     "Directions that are held; both is all. A whole block is held in all. normal, beside on or box: at right angles "
+     "to "
      "the edge (a roller)."},
     {"support[].point", Type::point, "m", kCoordinate, "", false, "",
      "Point of the block, on its outline or inside, that a spring ties to its place. Without it the whole block is "
@@ -402,6 +423,15 @@ constexpr Key kKeys[] = {
      "Points of the piezometric line, x increasing. Beyond its ends it goes on level. Either this or layer."},
     {"water[].layer", Type::name, "", kAny, "", false, "",
      "Layer of the drawing with the piezometric line: one line, or lines that meet end to end."},
+    {"water[].reservoir", Type::boolean, "", kAny, "false", false, "",
+     "The water also stands before the slope: its pressure presses on the outlines below the line that face no other "
+     "block and look out, not on the left, right and lower border of the model, nor on closed openings such as "
+     "tunnels. "
+     "A dead load of the pressure where the model first has the outline."},
+    {"water[].level", Type::table_list, "", kAny, "", false, "",
+     "Another line from a stage on: drawdown, or filling. In the joints and before the slope."},
+    {"water[].level[].stage", Type::name, "", kAny, "", true, "", "Name of the stage that it begins with."},
+    {"water[].level[].line", Type::line, "m", kCoordinate, "", true, "", "As water.line."},
     {"water[].unit_weight", Type::number, "N/m3", kPositive, "9810.0", false, "", "Unit weight of the water."},
     {"water[].joints", Type::names, "", kAny, "(all)", false, "",
      "Names of the joint laws that it fills; * stands for any characters. A law has one line at most."},

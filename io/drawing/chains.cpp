@@ -18,7 +18,8 @@ struct End {
 /// Ends by place, on a grid of the joining distance.
 class Ends {
  public:
-  Ends(const std::vector<const DrawnLine*>& lines, double distance) : lines_(&lines), cell_(std::max(distance, 1e-300)) {
+  Ends(const std::vector<const DrawnLine*>& lines, double distance)
+      : lines_(&lines), cell_(std::max(distance, 1e-300)) {
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (!lines[i]->closed)
         for (const bool last : {false, true}) grid_[key(at({i, last}))].push_back({i, last});
@@ -61,9 +62,10 @@ std::vector<Chain> chained(const std::vector<const DrawnLine*>& lines, double di
   const auto next = [&](const End& e) -> std::optional<End> {
     const std::vector<End> meeting = ends.meeting(e);
     if (meeting.size() > 1)
-      throw DrawingError(lines[e.line]->row,
-                         fmt::format("{} lines meet at ({:.10g}, {:.10g}) m", meeting.size() + 1, ends.at(e).x(), ends.at(e).y()),
-                         "two lines where an outline or a line of water goes on", "put other lines on another layer");
+      throw DrawingError(
+          lines[e.line]->row,
+          fmt::format("{} lines meet at ({:.10g}, {:.10g}) m", meeting.size() + 1, ends.at(e).x(), ends.at(e).y()),
+          "two lines where an outline or a line of water goes on", "put other lines on another layer");
     if (meeting.empty() || used[meeting[0].line] != 0) return {};
     return meeting[0];
   };

@@ -35,8 +35,7 @@ std::vector<Vec2> bulge_points(const Vec2& p, const Vec2& q, double bulge, doubl
   const Vec2 left(-d.y(), d.x());
   const Vec2 centre = p + 0.5 * d + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
   const Vec2 arm = p - centre;
-  std::vector<Vec2> points =
-      arc_points(centre, arm, {-arm.y(), arm.x()}, 0.0, 4.0 * std::atan(bulge), tolerance);
+  std::vector<Vec2> points = arc_points(centre, arm, {-arm.y(), arm.x()}, 0.0, 4.0 * std::atan(bulge), tolerance);
   points.erase(points.begin());
   points.back() = q;
   return points;
@@ -62,7 +61,10 @@ std::string spline_fault(const Spline& s) {
 Vec2 spline_at(const Spline& s, double t) {
   const auto p = static_cast<std::size_t>(s.degree), n = s.control.size();
   // De Boor's algorithm on (w x, w y, w), in the span that holds t.
-  auto k = static_cast<std::size_t>(std::upper_bound(s.knots.begin() + s.degree, s.knots.begin() + static_cast<std::ptrdiff_t>(n), t) - s.knots.begin()) - 1;
+  auto k = static_cast<std::size_t>(
+               std::upper_bound(s.knots.begin() + s.degree, s.knots.begin() + static_cast<std::ptrdiff_t>(n), t) -
+               s.knots.begin()) -
+           1;
   k = std::clamp(k, p, n - 1);
   while (k > p && s.knots[k] == s.knots[k + 1]) --k;
   std::vector<Eigen::Vector3d> d;
@@ -98,7 +100,8 @@ std::vector<Vec2> spline_points(const Spline& s, double tolerance) {
   };
   for (std::size_t i = p; i < n; ++i)
     if (s.knots[i + 1] > s.knots[i])
-      add(add, s.knots[i], spline_at(s, s.knots[i]), s.knots[i + 1], spline_at(s, s.knots[i + 1]), s.degree > 1 ? 0 : 1);
+      add(add, s.knots[i], spline_at(s, s.knots[i]), s.knots[i + 1], spline_at(s, s.knots[i + 1]),
+          s.degree > 1 ? 0 : 1);
   return out;
 }
 

@@ -9,7 +9,8 @@
 namespace scree::io {
 
 /// Points of an ellipse arc c + cos(t) a + sin(t) b, t from `from` to `to` [rad], both ends included.
-/// A chord over dt of a circle of radius r strays by r (1 - cos(dt/2)); of an ellipse by no more than with r = |a|, |b|.
+/// A chord over dt of a circle of radius r strays by r (1 - cos(dt/2)); of an ellipse by no more than with r = |a|,
+/// |b|.
 /// @param tolerance > 0
 [[nodiscard]] std::vector<Vec2> arc_points(const Vec2& c, const Vec2& a, const Vec2& b, double from, double to,
                                            double tolerance);

@@ -33,10 +33,10 @@ struct DrawnCount {
 };
 
 struct Drawing {
-  std::string file, form;      // "DXF AC1032 (R2018)", "text"
-  double unit = 1.0;           // [m] of a unit of the file
-  std::string unit_from;       // "the header", "the case"
-  double tolerance = 0.0;      // that curves are flattened to [m]
+  std::string file, form;  // "DXF AC1032 (R2018)", "text"
+  double unit = 1.0;       // [m] of a unit of the file
+  std::string unit_from;   // "the header", "the case"
+  double tolerance = 0.0;  // that curves are flattened to [m]
   std::vector<DrawnLine> lines;
   std::vector<DrawnPoint> points;
   std::vector<DrawnCount> counts;  // by layer, then entity

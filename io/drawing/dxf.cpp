@@ -12,7 +12,7 @@
 namespace scree::io {
 namespace {
 
-constexpr int kDeepest = 16;                 // blocks in blocks
+constexpr int kDeepest = 16;                  // blocks in blocks
 constexpr std::size_t kMostPoints = 5000000;  // of all lines
 constexpr std::size_t kMostPieces = 1000000;
 
@@ -51,7 +51,7 @@ double metres_of(int code) {
 
 std::string release_of(const std::string& version) {
   static const std::pair<const char*, const char*> kNames[] = {
-      {"AC1006", "R10"},   {"AC1009", "R12"},   {"AC1012", "R13"},   {"AC1014", "R14"},  {"AC1015", "R2000"},
+      {"AC1006", "R10"},   {"AC1009", "R12"},   {"AC1012", "R13"},   {"AC1014", "R14"},   {"AC1015", "R2000"},
       {"AC1018", "R2004"}, {"AC1021", "R2007"}, {"AC1024", "R2010"}, {"AC1027", "R2013"}, {"AC1032", "R2018"}};
   for (const auto& [code, name] : kNames)
     if (version == code) return fmt::format("DXF {} ({})", name, code);
@@ -61,7 +61,8 @@ std::string release_of(const std::string& version) {
 /// Puts inserted blocks in their places and makes lines of curves.
 class Maker {
  public:
-  Maker(const DxfContent& content, Drawing& out, double tolerance) : content_(&content), out_(&out), tolerance_(tolerance) {}
+  Maker(const DxfContent& content, Drawing& out, double tolerance)
+      : content_(&content), out_(&out), tolerance_(tolerance) {}
 
   void make() {
     for (const DxfEntity& e : content_->entities) add(e, Placing(), e.layer, 0, e.row);
@@ -102,8 +103,9 @@ class Maker {
   void insert(const DxfEntity& e, const Placing& place, const std::string& layer, int depth) {
     const auto found = content_->blocks.find(e.block);
     if (found == content_->blocks.end())
-      throw DrawingError(e.row, fmt::format("INSERT of the block \"{}\", which the file does not hold", printable_line(e.block)),
-                         "the name of a block of the file", "bind external references, or remove the INSERT");
+      throw DrawingError(
+          e.row, fmt::format("INSERT of the block \"{}\", which the file does not hold", printable_line(e.block)),
+          "the name of a block of the file", "bind external references, or remove the INSERT");
     if (depth >= kDeepest)
       throw DrawingError(e.row, "blocks are inserted in blocks too deeply, or in themselves",
                          fmt::format("at most {} levels", kDeepest), "explode the blocks");
@@ -151,7 +153,8 @@ class Maker {
     }
     for (const Vec2& p : points)
       if (const Vec2 x = to(p); line.points.empty() || x != line.points.back()) line.points.push_back(x);
-    if (line.points.size() > 2 && (line.points.front() - line.points.back()).norm() <= 1e-9 * tolerance_ + 1e-12 * line.points.front().norm()) {
+    if (line.points.size() > 2 &&
+        (line.points.front() - line.points.back()).norm() <= 1e-9 * tolerance_ + 1e-12 * line.points.front().norm()) {
       line.points.pop_back();
       line.closed = true;
     }
@@ -190,8 +193,8 @@ double extent_of(const DxfContent& content) {
 }  // namespace
 
 double unit_of(const std::string& name) {
-  static const std::pair<const char*, double> kUnits[] = {{"m", 1.0},     {"cm", 1e-2},   {"mm", 1e-3},
-                                                          {"km", 1e3},    {"in", 0.0254}, {"ft", 0.3048}};
+  static const std::pair<const char*, double> kUnits[] = {{"m", 1.0},  {"cm", 1e-2},   {"mm", 1e-3},
+                                                          {"km", 1e3}, {"in", 0.0254}, {"ft", 0.3048}};
   for (const auto& [unit, metres] : kUnits)
     if (name == unit) return metres;
   return 0.0;
@@ -204,9 +207,12 @@ Drawing read_dxf(std::string_view text, const DrawingOptions& options) {
   out.unit = options.unit.value_or(metres_of(content.unit));
   out.unit_from = options.unit ? "the case" : "the header";
   if (!(out.unit > 0.0))
-    throw DrawingError(0, content.unit == 0 ? std::string("the header names no unit ($INSUNITS)")
-                                            : fmt::format("the unit of the header, $INSUNITS = {}, is not one of lengths of sections", content.unit),
-                       "in, ft, mm, cm, dm, m, km or yd in the header, or a unit in the case", "give drawing.unit, for example \"m\"");
+    throw DrawingError(
+        0,
+        content.unit == 0
+            ? std::string("the header names no unit ($INSUNITS)")
+            : fmt::format("the unit of the header, $INSUNITS = {}, is not one of lengths of sections", content.unit),
+        "in, ft, mm, cm, dm, m, km or yd in the header, or a unit in the case", "give drawing.unit, for example \"m\"");
   out.tolerance = options.tolerance.value_or(1e-4 * out.unit * extent_of(content));
   Maker(content, out, out.tolerance / out.unit).make();
   for (DrawnLine& l : out.lines)

@@ -250,7 +250,9 @@ class Reader {
                            "0, SECTION", "the file is damaged before this line, or is no DXF");
       section();
     }
-    if (!ended) throw DrawingError(last_row_, "the file ends before 0, EOF", "0, EOF in the end", "the file is cut off: save it again");
+    if (!ended)
+      throw DrawingError(last_row_, "the file ends before 0, EOF", "0, EOF in the end",
+                         "the file is cut off: save it again");
     return std::move(content_);
   }
 
@@ -265,12 +267,15 @@ class Reader {
     return true;
   }
   void need(const char* what) {
-    if (!advance()) throw DrawingError(last_row_, fmt::format("the file ends in {}", what), "0, ENDSEC", "the file is cut off: save it again");
+    if (!advance())
+      throw DrawingError(last_row_, fmt::format("the file ends in {}", what), "0, ENDSEC",
+                         "the file is cut off: save it again");
   }
 
   void section() {
     need("the head of a section");
-    if (group_.code != 2) throw DrawingError(group_.row, "the section has no name", "2, and its name", "the file is damaged");
+    if (group_.code != 2)
+      throw DrawingError(group_.row, "the section has no name", "2, and its name", "the file is damaged");
     const std::string name(group_.value);
     if (name == "HEADER")
       header();
@@ -304,7 +309,7 @@ class Reader {
       if (name == nullptr || name->value.empty() || name->value.size() > kLongestName)
         damaged(head, head.row, "it has no name", fmt::format("1 to {} characters", kLongestName));
       DxfBlock block;
-      if (const DxfGroup *x = head.find(10), *y = head.find(20); x != nullptr && y != nullptr)
+      if (const DxfGroup* x = head.find(10), *y = head.find(20); x != nullptr && y != nullptr)
         block.base = {real_of(*x), real_of(*y)};
       DxfBlock& kept = content_.blocks[std::string(name->value)] = std::move(block);
       taker_.into(&kept.entities);
@@ -358,7 +363,8 @@ class Reader {
         take(raw, *type, *list);
       }
       if (content_.entities.size() + list->size() > kMostEntities)
-        throw DrawingError(raw.row, "there are too many entities", fmt::format("at most {}", kMostEntities), "draw less");
+        throw DrawingError(raw.row, "there are too many entities", fmt::format("at most {}", kMostEntities),
+                           "draw less");
     }
   }
 

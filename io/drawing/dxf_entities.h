@@ -42,7 +42,7 @@ struct DxfContent {
   std::string version;  // "AC1009"; empty: the header has none
   int unit = 0;         // $INSUNITS; 0: none
   std::map<std::string, DxfBlock, std::less<>> blocks;
-  std::vector<DxfEntity> entities;  // of the model space
+  std::vector<DxfEntity> entities;                                                      // of the model space
   std::map<std::pair<std::string, std::string>, std::pair<int, std::string>> left_out;  // layer, type: count, why
 };
 

@@ -87,7 +87,9 @@ std::optional<DxfGroup> DxfGroups::next() {
     throw DrawingError(row_, "the line is too long", "at most 100000 characters", "the file is damaged");
   if (is_real(*code)) {
     const auto value = number<double>(out.value);
-    if (!value) throw DrawingError(row_, fmt::format("{} is no number", shown(out.value)), fmt::format("a number: the group code is {}", *code), "the file is damaged");
+    if (!value)
+      throw DrawingError(row_, fmt::format("{} is no number", shown(out.value)),
+                         fmt::format("a number: the group code is {}", *code), "the file is damaged");
     if (!(std::abs(*value) <= kFarthest))
       throw DrawingError(row_, fmt::format("{} is out of range", shown(out.value)), "-1e15 <= value <= 1e15",
                          "the file is damaged");

@@ -8,7 +8,8 @@
 namespace scree::io {
 namespace {
 
-constexpr Colour kSupport{0.10, 0.32, 0.18}, kLoad{0.72, 0.10, 0.10}, kWater{0.10, 0.38, 0.78}, kViscous{0.45, 0.20, 0.60};
+constexpr Colour kSupport{0.10, 0.32, 0.18}, kLoad{0.72, 0.10, 0.10}, kWater{0.10, 0.38, 0.78},
+    kViscous{0.45, 0.20, 0.60};
 constexpr double kPitch = 9.0, kLongestArrow = 26.0;  // of marks along an edge, and of arrows [pt]
 
 /// Ends of a span on the page, and its outward normal there (y down).
@@ -200,12 +201,14 @@ void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, 
     const PageSpan span = on_page(area, model, t.span);
     const Vec2 d = kLongestArrow / largest * Vec2(t.traction.x(), -t.traction.y());
     const bool pushes = d.dot(span.n) < 0.0;  // then its tip is on the edge, else its foot
-    along(span, kPitch, [&](const Vec2& x) { arrow(canvas, pushes ? Vec2(x - d) : x, pushes ? x : Vec2(x + d), kLoad); });
+    along(span, kPitch,
+          [&](const Vec2& x) { arrow(canvas, pushes ? Vec2(x - d) : x, pushes ? x : Vec2(x + d), kLoad); });
     marks.insert(Mark::traction);
   }
   for (const PointLoad& l : model.point_loads) {
     if (!(l.force.norm() > 0.0)) continue;
-    const Vec2 x(area.px(l.point.x()), area.py(l.point.y())), d = kLongestArrow / strongest * Vec2(l.force.x(), -l.force.y());
+    const Vec2 x(area.px(l.point.x()), area.py(l.point.y())),
+        d = kLongestArrow / strongest * Vec2(l.force.x(), -l.force.y());
     arrow(canvas, x - d, x, kLoad);
     marks.insert(Mark::point_load);
   }

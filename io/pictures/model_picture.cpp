@@ -77,14 +77,15 @@ void draw_blocks(const Canvas& canvas, const PlotArea& area, const Model& model,
 
 /// Faces between blocks by their law, those with less friction last, for theirs is the law of the joint; then cracks,
 /// then free faces in black.
-void draw_joints(const Canvas& canvas, const PlotArea& area, const Model& model, const Box& box, std::set<JointId>& laws,
-                 std::set<Mark>& marks) {
+void draw_joints(const Canvas& canvas, const PlotArea& area, const Model& model, const Box& box,
+                 std::set<JointId>& laws, std::set<Mark>& marks) {
   const auto stroke = [&](const Vec2& a, const Vec2& b, double width, const Colour& colour) {
     canvas.line(area.px(a.x()), area.py(a.y()), area.px(b.x()), area.py(b.y()), width, colour);
   };
   cairo_set_line_cap(canvas.get(), CAIRO_LINE_CAP_ROUND);
   const double extent = (box.hi - box.lo).maxCoeff();
-  std::vector<EdgeSpan> free = free_edges_in_box(model, {box.lo.array() - extent, box.hi.array() + extent}, 1e-6 * extent);
+  std::vector<EdgeSpan> free =
+      free_edges_in_box(model, {box.lo.array() - extent, box.hi.array() + extent}, 1e-6 * extent);
   const auto is_free = [&](const EdgeSpan& e) {
     return std::any_of(free.begin(), free.end(), [&](const EdgeSpan& f) {
       return f.block == e.block && f.edge == e.edge && f.s0 <= 1e-6 && f.s1 >= 1.0 - 1e-6;
@@ -184,7 +185,8 @@ void draw_motion(const Canvas& canvas, const GroundMotion& motion, double left, 
   range.add(motion.accelerations());
   range.add(0.0);
   range.widen(0.06);
-  const double t0 = motion.setting().start + motion.times().front(), t1 = motion.setting().start + motion.times().back();
+  const double t0 = motion.setting().start + motion.times().front(),
+               t1 = motion.setting().start + motion.times().back();
   const PlotArea area{left, y, kWidth - left - kEdge, kMotion - 40.0, t0, t1, range.low, range.high};
   std::vector<double> t = motion.times();
   for (double& v : t) v += motion.setting().start;
@@ -238,7 +240,8 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
                     motions = std::min(model.motions.size(), kMostMotions);
   const double below = area.y + area.h + kAxis,
                legend_height = kRow * static_cast<double>((entries + columns - 1) / columns) + 6.0;
-  const Canvas canvas(kWidth, below + legend_height + kMotion * static_cast<double>(motions) + kEdge, options.width, format);
+  const Canvas canvas(kWidth, below + legend_height + kMotion * static_cast<double>(motions) + kEdge, options.width,
+                      format);
   draw_section(canvas);
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h),
             axis_label('x', model.origin.x()), axis_label('y', model.origin.y()), false);

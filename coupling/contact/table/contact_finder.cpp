@@ -555,7 +555,7 @@ void ContactFinder::fill_with_water(ContactList& list) const {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
     m.water = 0.0;
-    const JointWater* water = setup_->model().water_in(JointId{m.joint});
+    const JointWater* water = setup_->water_in(JointId{m.joint});
     if (water == nullptr || !p.edge_edge || p.suppressed) continue;
     // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
     // of a piece carries what a linear pressure gives it.

@@ -192,10 +192,9 @@ std::string dxf_of(const std::string& entities, const std::string& blocks = "") 
 }
 
 TEST(Drawing, entities_seen_from_below_are_mirrored) {
-  const Drawing d = read_dxf(
-      dxf_of("0\nARC\n8\nA\n10\n1\n20\n2\n40\n1\n50\n0\n51\n90\n210\n0\n220\n0\n230\n-1\n"
-             "0\nCIRCLE\n8\nB\n10\n1\n20\n2\n40\n1\n210\n0\n220\n1\n230\n0\n"),
-      {});
+  const Drawing d = read_dxf(dxf_of("0\nARC\n8\nA\n10\n1\n20\n2\n40\n1\n50\n0\n51\n90\n210\n0\n220\n0\n230\n-1\n"
+                                    "0\nCIRCLE\n8\nB\n10\n1\n20\n2\n40\n1\n210\n0\n220\n1\n230\n0\n"),
+                             {});
   ASSERT_EQ(d.lines.size(), 2u);
   EXPECT_LT((d.lines[0].points.front() - Vec2(-2, 2)).norm(), 1e-12);
   EXPECT_LT((d.lines[0].points.back() - Vec2(-1, 3)).norm(), 1e-12);
@@ -204,12 +203,12 @@ TEST(Drawing, entities_seen_from_below_are_mirrored) {
 
 TEST(Drawing, paper_space_and_frames_of_splines_are_left_out) {
   const std::string vertex = "0\nVERTEX\n8\nA\n10\n{}\n20\n0\n70\n{}\n";
-  const Drawing d = read_dxf(
-      dxf_of("0\nLINE\n8\nP\n67\n1\n10\n0\n20\n0\n11\n1\n21\n1\n"
-             "0\nPOLYLINE\n8\nP\n67\n1\n66\n1\n0\nVERTEX\n8\nP\n10\n5\n20\n0\n0\nSEQEND\n8\nP\n"
-             "0\nPOLYLINE\n8\nA\n66\n1\n70\n4\n0\nVERTEX\n8\nA\n10\n0\n20\n0\n70\n16\n"
-             "0\nVERTEX\n8\nA\n10\n1\n20\n0\n70\n8\n0\nVERTEX\n8\nA\n10\n2\n20\n0\n70\n8\n0\nSEQEND\n8\nA\n"),
-      {});
+  const Drawing d =
+      read_dxf(dxf_of("0\nLINE\n8\nP\n67\n1\n10\n0\n20\n0\n11\n1\n21\n1\n"
+                      "0\nPOLYLINE\n8\nP\n67\n1\n66\n1\n0\nVERTEX\n8\nP\n10\n5\n20\n0\n0\nSEQEND\n8\nP\n"
+                      "0\nPOLYLINE\n8\nA\n66\n1\n70\n4\n0\nVERTEX\n8\nA\n10\n0\n20\n0\n70\n16\n"
+                      "0\nVERTEX\n8\nA\n10\n1\n20\n0\n70\n8\n0\nVERTEX\n8\nA\n10\n2\n20\n0\n70\n8\n0\nSEQEND\n8\nA\n"),
+               {});
   ASSERT_EQ(d.lines.size(), 1u);
   EXPECT_EQ(d.lines[0].points, (std::vector<Vec2>{{1, 0}, {2, 0}}));
 }
@@ -245,7 +244,8 @@ TEST(Drawing, damage_is_told_with_its_line) {
 }
 
 TEST(Drawing, blocks_inserted_in_themselves_end) {
-  const std::string block = "0\nBLOCK\n8\n0\n2\nSELF\n10\n0\n20\n0\n0\nINSERT\n8\n0\n2\nSELF\n10\n1\n20\n0\n0\nENDBLK\n8\n0\n";
+  const std::string block =
+      "0\nBLOCK\n8\n0\n2\nSELF\n10\n0\n20\n0\n0\nINSERT\n8\n0\n2\nSELF\n10\n1\n20\n0\n0\nENDBLK\n8\n0\n";
   try {
     (void)read_dxf(dxf_of("0\nINSERT\n8\n0\n2\nSELF\n10\n0\n20\n0\n", block), {});
     FAIL();
@@ -254,7 +254,8 @@ TEST(Drawing, blocks_inserted_in_themselves_end) {
   }
   // A hundred million pieces by rows in rows.
   const std::string rows = "70\n10000\n71\n10000\n44\n1\n45\n1\n";
-  const std::string line = "0\nBLOCK\n8\n0\n2\nONE\n10\n0\n20\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDBLK\n8\n0\n";
+  const std::string line =
+      "0\nBLOCK\n8\n0\n2\nONE\n10\n0\n20\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDBLK\n8\n0\n";
   EXPECT_THROW((void)read_dxf(dxf_of("0\nINSERT\n8\n0\n2\nONE\n10\n0\n20\n0\n" + rows, line), {}), DrawingError);
 }
 
@@ -271,7 +272,8 @@ std::string damaged(std::string text, Random& random) {
       break;
     case 2: {
       // The value of some group becomes wild.
-      const char* wild[] = {"-1", "4294967295", "2147483647", "1e308", "-9223372036854775808", "nan", "inf", "", "0x7fffffff"};
+      const char* wild[] = {"-1",  "4294967295", "2147483647", "1e308",     "-9223372036854775808",
+                            "nan", "inf",        "",           "0x7fffffff"};
       for (std::size_t k = 1 + below(4); k > 0; --k) {
         const std::size_t from = text.find('\n', below(text.size()));
         if (from == std::string::npos) continue;
@@ -297,7 +299,8 @@ std::string damaged(std::string text, Random& random) {
 TEST(Drawing, damaged_files_are_refused_or_read_without_a_crash) {
   Random random(7);
   int refused = 0, total = 0;
-  for (const char* name : {"section-r12.dxf", "section-r2000.dxf", "section-r2018.dxf", "potrace.dxf", "pstoedit.dxf"}) {
+  for (const char* name :
+       {"section-r12.dxf", "section-r2000.dxf", "section-r2018.dxf", "potrace.dxf", "pstoedit.dxf"}) {
     const std::string whole = bytes_of(kDrawings + name);
     for (int k = 0; k < 60; ++k, ++total) {
       DrawingOptions options;
@@ -375,7 +378,9 @@ TEST(CaseDrawing, a_slope_is_cut_from_the_layers_of_a_drawing) {
 }
 
 TEST(CaseDrawing, what_is_missing_or_open_is_told) {
-  const auto told = [](const std::string& from, const std::string& to) { return error_of_text(replaced(kCase, from, to)); };
+  const auto told = [](const std::string& from, const std::string& to) {
+    return error_of_text(replaced(kCase, from, to));
+  };
   CaseError e = told("outline_layer = \"outline\"", "outline_layer = \"OUTLNE\"");
   EXPECT_TRUE(holds(e.problem, "no such layer")) << e.what();
   EXPECT_TRUE(holds(e.allowed, "\"OUTLINE\"")) << e.what();

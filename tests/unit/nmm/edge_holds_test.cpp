@@ -296,8 +296,8 @@ TEST(EdgeHolds, frequency_bound_holds_with_held_edges) {
         for (std::size_t i = j; i < static_cast<std::size_t>(dofs.start[e + 1]); ++i, ++at)
           if (dofs.dof[i] == dofs.dof[j]) M[dofs.dof[i]] += lower[at];
     const Eigen::VectorXd root = M.cwiseSqrt().cwiseInverse();
-    const double exact = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-                             root.asDiagonal() * s.K * root.asDiagonal(), Eigen::EigenvaluesOnly)
+    const double exact = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(root.asDiagonal() * s.K * root.asDiagonal(),
+                                                                        Eigen::EigenvaluesOnly)
                              .eigenvalues()
                              .maxCoeff();
     const double bound = b.pool.mass_ratio(0) * b.pool.frequency_bound(0);
