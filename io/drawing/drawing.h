@@ -33,7 +33,7 @@ struct DrawnCount {
 };
 
 struct Drawing {
-  std::string file, form;  // "DXF AC1032 (R2018)", "text"
+  std::string file, form;  // "DXF R2018 (AC1032)", "text"
   double unit = 1.0;       // [m] of a unit of the file
   std::string unit_from;   // "the header", "the case"
   double tolerance = 0.0;  // that curves are flattened to [m]

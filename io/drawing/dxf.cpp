@@ -72,10 +72,13 @@ class Maker {
   }
 
  private:
+  [[noreturn]] static void too_many(int row) {
+    throw DrawingError(row, "the inserted blocks make too many entities", fmt::format("at most {}", kMostPieces),
+                       "explode the blocks that are needed, and remove the others");
+  }
+
   void add(const DxfEntity& e, const Placing& place, const std::string& layer, int depth, int row) {
-    if (++pieces_ > kMostPieces)
-      throw DrawingError(row, "the inserted blocks make too many entities", fmt::format("at most {}", kMostPieces),
-                         "explode the blocks that are needed, and remove the others");
+    if (++pieces_ > kMostPieces) too_many(row);
     if (e.kind == DxfEntity::Kind::insert) {
       insert(e, place, layer, depth);
       return;
@@ -113,6 +116,9 @@ class Maker {
       ++counts_[{layer, e.type, e.unusable}];
       return;
     }
+    if (static_cast<double>(e.columns) * e.rows * static_cast<double>(found->second.entities.size()) >
+        static_cast<double>(kMostPieces))
+      too_many(e.row);
     const Mat2 R = rotation(e.turn);
     Placing outer = place;
     if (e.mirrored) outer.A.col(0) *= -1.0;
@@ -124,7 +130,6 @@ class Maker {
         const Placing to = outer * inner;
         for (const DxfEntity& part : found->second.entities)
           add(part, to, part.layer == "0" ? layer : part.layer, depth + 1, e.row);
-        if (found->second.entities.empty() && ++pieces_ > kMostPieces) return;
       }
   }
 

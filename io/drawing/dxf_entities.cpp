@@ -19,6 +19,7 @@ namespace {
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 255;  // of layers and blocks
 constexpr std::size_t kMostEntities = 2000000;
+constexpr double kFarthest = 1e15;  // of coordinates
 
 /// Groups that dxflib is given of an entity; the others do not change its shape.
 struct Type {
@@ -202,6 +203,10 @@ void check(const Raw& raw, const Type& type) {
   for (const int code : type.needed)
     if (raw.find(code) == nullptr)
       damaged(raw, raw.row, fmt::format("it has no group {}", code), "all groups that its shape needs");
+  for (const DxfGroup& g : raw.groups)
+    if (is_real(g.code) && !(std::abs(real_of(g)) <= kFarthest) &&
+        std::find(type.codes.begin(), type.codes.end(), g.code) != type.codes.end())
+      damaged(raw, g.row, fmt::format("{} is out of range", g.value), "-1e15 <= value <= 1e15");
   for (const DxfGroup& g : raw.groups)
     if ((g.code == 8 || g.code == 2) && g.value.size() > kLongestName)
       damaged(raw, g.row, "the name is too long", fmt::format("at most {} characters", kLongestName));

@@ -10,8 +10,6 @@
 namespace scree::io {
 namespace {
 
-constexpr double kFarthest = 1e15;
-
 std::string_view without_space(std::string_view text) {
   const auto from = text.find_first_not_of(" \t\r");
   if (from == std::string_view::npos) return {};
@@ -90,8 +88,8 @@ std::optional<DxfGroup> DxfGroups::next() {
     if (!value)
       throw DrawingError(row_, fmt::format("{} is no number", shown(out.value)),
                          fmt::format("a number: the group code is {}", *code), "the file is damaged");
-    if (!(std::abs(*value) <= kFarthest))
-      throw DrawingError(row_, fmt::format("{} is out of range", shown(out.value)), "-1e15 <= value <= 1e15",
+    if (!std::isfinite(*value))
+      throw DrawingError(row_, fmt::format("{} is not finite", shown(out.value)), "a finite number",
                          "the file is damaged");
   } else if (is_whole(*code) && !number<std::int64_t>(out.value)) {
     throw DrawingError(row_, fmt::format("{} is no whole number", shown(out.value)),

@@ -15,7 +15,7 @@ struct DxfGroup {
   int row = 0;             // line of the value, from 1
 };
 
-/// Reads groups and checks that values that are numbers by their code are numbers, finite and within 1e15.
+/// Reads groups and checks that values that are numbers by their code are numbers, and finite.
 class DxfGroups {
  public:
   /// @throws DrawingError: a binary DXF, a DWG, an empty text
