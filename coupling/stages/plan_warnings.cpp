@@ -11,6 +11,7 @@
 
 #include "coupling/bodies/partition.h"
 #include "coupling/stages/lasting_loads.h"
+#include "coupling/stages/model_warnings.h"
 #include "coupling/transfer/transfer.h"
 
 namespace scree::coupling {
@@ -332,7 +333,8 @@ std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   const std::vector<Touch> touches = touching_blocks(model);
   std::vector<std::string> out = support_warnings(model, touches);
   for (const auto& more : {damping_warnings(model, plan), partition_warnings(model, plan),
-                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches)})
+                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches),
+                           stiffness_warnings(model), size_warnings(model), lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

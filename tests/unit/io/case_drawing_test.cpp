@@ -11,6 +11,7 @@ namespace {
 
 const std::string kCase = R"(
 title = "from a drawing"
+model = { default_joint = "a" }
 material.rock = { density = 2600.0, young = "5 GPa", poisson = 0.25 }
 material.base = { density = 2700.0, young = "20 GPa", poisson = 0.25 }
 joint.a = { friction_deg = 30.0 }
