@@ -53,7 +53,7 @@ struct ViscousEdge {
 /// A stretch of outline that is held where the model has it, along some directions; along the others it slides freely.
 /// Without a bedding the edge gives way no more than its discretisation needs: by Nitsche's method where the method of
 /// the block has a stress field, else on springs of 10 (K + 4G/3)/sqrt(area).
-/// @source docs/theory/supports.md
+/// @source docs/theory/supports.md, "Held edges"
 struct EdgeSupport {
   EdgeSpan span;
   Mat2 held = Mat2::Identity();   // projector on the directions that are held: I, or a a^T with a unit vector a

@@ -15,7 +15,7 @@ namespace scree::nmm {
 /// D projects on the directions that are held. The first term makes the form consistent: where the exact solution has
 /// D w = 0, its traction is the reaction, so that fields of constant stress are met exactly on any cut. With a bedding
 /// of the user's own the first term is left out and gamma is the bedding: the edge then gives way by traction/bedding.
-/// @source docs/theory/supports.md; [Nitsche1971]
+/// @source docs/theory/supports.md, "Held edges"; [Nitsche1971]
 struct EdgeHold {
   std::size_t element = 0;                  // counted from the block's first
   std::size_t support = 0;                  // counted among the edge supports of the block

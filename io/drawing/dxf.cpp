@@ -25,7 +25,7 @@ struct Placing {
   [[nodiscard]] double stretch() const { return A.norm(); }
 };
 
-/// $INSUNITS in metres.   @source AutoCAD 2018 DXF reference, header variable $INSUNITS
+/// $INSUNITS in metres.   @source [Autodesk2018], header variable $INSUNITS
 double metres_of(int code) {
   switch (code) {
     case 1:
