@@ -168,14 +168,15 @@ std::vector<DrawnPoint> DrawnLayers::points(const Section& s, std::string_view k
 }
 
 DrawingReport DrawnLayers::report() const {
-  DrawingReport out{drawing_.file,
-                    drawing_.form,
-                    drawing_.unit,
-                    drawing_.tolerance,
-                    drawing_.unit_from,
-                    {Vec2::Constant(std::numeric_limits<double>::infinity()),
-                     Vec2::Constant(-std::numeric_limits<double>::infinity())},
-                    {}};
+  DrawingReport out;
+  out.file = drawing_.file;
+  out.form = drawing_.form;
+  out.unit = drawing_.unit;
+  out.tolerance = drawing_.tolerance;
+  out.join = join_;
+  out.unit_from = drawing_.unit_from;
+  out.box = {Vec2::Constant(std::numeric_limits<double>::infinity()),
+             Vec2::Constant(-std::numeric_limits<double>::infinity())};
   const auto see = [&](const Vec2& p) {
     out.box.lo = out.box.lo.cwiseMin(p);
     out.box.hi = out.box.hi.cwiseMax(p);

@@ -20,7 +20,7 @@ struct DrawingRow {
 };
 struct DrawingReport {
   std::string file, form;
-  double unit = 1.0, tolerance = 0.0;  // [m]
+  double unit = 1.0, tolerance = 0.0, join = 0.0;  // [m]
   std::string unit_from;
   Box box;  // of what is read [m]
   std::vector<DrawingRow> rows;
