@@ -190,6 +190,8 @@ void add_check(CLI::App& app, Line& line) {
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   add_set(command, o->set);
   command->add_flag("--blocks", o->blocks, "a line for each block: name, material, area, centre");
+  command->add_option("--picture", o->picture, "draw the model: FILE.png, .pdf or .svg");
+  command->add_flag("--names", o->names, "names of the blocks in the picture");
   add_load(command, line.libraries);
   prints(command, o, line.action, check);
 }

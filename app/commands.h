@@ -38,10 +38,12 @@ struct ResumeOptions {
 int resume(const ResumeOptions& options);
 struct CheckOptions {
   std::filesystem::path case_file;
-  std::vector<std::string> set;  // key=value
-  bool blocks = false;           // a line for each block
+  std::vector<std::string> set;   // key=value
+  bool blocks = false;            // a line for each block
+  std::filesystem::path picture;  // of the model; empty: none
+  bool names = false;             // of the blocks, in the picture
 };
-/// Validates a case and says what it holds; writes nothing.
+/// Validates a case and says what it holds; writes nothing but the picture that is asked for.
 int check(const CheckOptions& options);
 struct DigestOptions {
   std::filesystem::path case_file;

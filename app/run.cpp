@@ -22,6 +22,7 @@
 #include "io/case/read_case.h"
 #include "io/live/control_server.h"
 #include "io/live/live_sink.h"
+#include "io/pictures/model_picture.h"
 #include "io/results/results_sink.h"
 #include "io/text/printable.h"
 
@@ -107,6 +108,7 @@ void print_loads(const Model& m) {
   add(m.point_loads.size(), "point load", "point loads");
   add(m.tractions.size(), "edge with a traction", "edges with a traction");
   add(m.body_accelerations.size(), "body acceleration", "body accelerations");
+  add(m.edge_supports.size(), "held edge", "held edges");
   add(m.viscous_edges.size(), "viscous edge", "viscous edges");
   add(m.cracks.size(), "straight piece of cracks", "straight pieces of cracks");
   if (!line.empty()) say("  {}\n", line);
@@ -162,10 +164,49 @@ void print_blocks(const Model& model) {
   }
 }
 
+/// What was read of a drawing, and what was left out.
+void print(const io::DrawingReport& d) {
+  say("  drawing {}: {}, unit {:g} m by {}, curves to {:.3g} m, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m\n", d.file,
+      d.form, d.unit, d.unit_from, d.tolerance, d.box.lo.x(), d.box.lo.y(), d.box.hi.x(), d.box.hi.y());
+  std::size_t layer = 5, entity = 6;
+  for (const io::DrawingRow& r : d.rows) {
+    layer = std::max(layer, r.layer.size());
+    entity = std::max(entity, r.entity.size());
+  }
+  say("    {:<{}}  {:<{}} {:>7}  {}\n", "layer", layer, "entity", entity, "number", "becomes");
+  for (const io::DrawingRow& r : d.rows)
+    say("    {:<{}}  {:<{}} {:>7}  {}\n", io::printable_line(r.layer), layer, io::printable_line(r.entity), entity,
+        r.count, r.fate);
+}
+
+/// What joint sets asked for against what was drawn; a mean that is off by more than 2.58 standard errors, which one in
+/// a hundred is by chance, is marked.
+void print(const Model& model, const SetStatistics& s) {
+  const auto told = [](const Sample& drawn, const Moments1& asked, const char* unit) {
+    const double error = asked.deviation / std::sqrt(static_cast<double>(std::max<std::int64_t>(drawn.n, 1)));
+    const bool off = drawn.n > 0 && std::abs(drawn.mean() - asked.mean) > 2.58 * error + 1e-9 * std::abs(asked.mean);
+    return fmt::format("{:.4g} +- {:.3g} {} asked, {:.4g} +- {:.3g} in {} draws{}", asked.mean, asked.deviation, unit,
+                       drawn.mean(), drawn.deviation(), drawn.n, off ? " (off by more than 99 % of samples)" : "");
+  };
+  say("  joint set of '{}': {} lines, {:.4g} m; {:.4g} m/m2 asked, {:.4g} m/m2 drawn\n",
+      model.joints[s.joint.index()].name, s.lines, s.total_length, s.asked_density(), s.density());
+  const Moments1 dip =
+      s.fisher_k > 0.0 ? Moments1{s.dip_deg.mean, fisher_deviation_deg(s.fisher_k)} : drawn_moments(s.dip_deg, false);
+  if (dip.deviation > 0.0) say("    dip {}\n", told(s.drawn_dip, dip, "deg"));
+  if (s.spacing.varies()) say("    spacing {}\n", told(s.drawn_spacing, drawn_moments(s.spacing, true), "m"));
+  if (!s.through && s.drawn_length.n > 0)
+    say("    length {}\n", told(s.drawn_length, drawn_moments(s.length, true), "m"));
+  if (s.drawn_gap.n > 0) say("    gap {}\n", told(s.drawn_gap, drawn_moments(s.gap, true), "m"));
+  if (!s.through)
+    say("    persistence {:.3g}: rock bridges are {:.3g} of a line\n", s.persistence(), 1.0 - s.persistence());
+}
+
 void print(const CuttingReport& r) {
   say("  cutting: {} blocks of {:.6g} m2 from {} lines, snapped to {:g} m\n", r.blocks, r.area, r.lines, r.snap);
   say("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
       r.crack_length, r.cracks_trimmed, r.least_width, r.trimmed_length);
+  if (r.ends_extended > 0)
+    say("    rock bridges: {} dead ends run on to the next line ({:.4g} m)\n", r.ends_extended, r.extended_length);
   say("    slivers: {} joined to a neighbour{}\n", r.slivers_joined,
       r.slivers_left > 0 ? fmt::format(", {} without a neighbour kept", r.slivers_left) : "");
   say("    least area {:.4g} m2, least edge {:.4g} m, least angle {:.4g} deg\n", r.least_area, r.least_edge,
@@ -387,7 +428,9 @@ int check(const CheckOptions& options) {
     say("  blocks: {}\n", told_names(c.model));
   print_loads(c.model);
   if (const std::string text = told_origin(c.model); !text.empty()) say("  {} in the results\n", text);
+  if (c.drawing) print(*c.drawing);
   if (c.model.cutting) print(*c.model.cutting);
+  for (const SetStatistics& set : c.model.joint_sets) print(c.model, set);
   for (const GroundMotion& m : c.model.motions) {
     const MotionFacts f = m.facts();
     const GroundMotion::Setting& how = m.setting();
@@ -422,6 +465,15 @@ int check(const CheckOptions& options) {
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused
     warnings.push_back(coupling::text(f, c.model));
   for (const std::string& text : warnings) say("  warning: {}\n", text);
+  if (!options.picture.empty()) {
+    try {
+      io::draw_model(c.model, {.names = options.names}, options.picture);
+    } catch (const io::FileError& e) {
+      complain("error: {}\n", e.what());
+      return kFiles;
+    }
+    say("  picture in {}\n", options.picture.string());
+  }
   say("  {}\n", warnings.empty()       ? "fine"
                 : warnings.size() == 1 ? "valid, with a warning"
                                        : fmt::format("valid, with {} warnings", warnings.size()));

@@ -123,6 +123,7 @@ void visit_body(Visitor&& see, const BodyRecord& b) {
   see("body.model_triangle", b.form.model_triangle);
   see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
+  see("body.edge_shift", b.edge_shift);
   see.size("body.explicit_region", b.form.division.region);
   for (const Vec2& x : b.form.division.region) {
     see("body.explicit_region", x.x());

@@ -19,6 +19,7 @@ namespace scree {
 namespace {
 
 constexpr std::int32_t kNoRegion = -1;
+constexpr int kMostRounds = 4;  // of lines that run on
 using Role = SourceLine::Role;
 
 std::pair<double, double> key_of(const Vec2& p) { return {p.y(), p.x()}; }
@@ -49,12 +50,11 @@ class Cutter {
   }
 
   Cutting cut() {
-    out_.lines = draw_lines(domain_.network, domain_.outline);
-    collect_sources();
-    graph_ = node_lines(sources_, grid_);
-    std::erase_if(graph_.edges, [this](const GraphEdge& e) { return !cuts(e); });
-    place_vertices(graph_, sources_);
-    Faces cut = faces_of(graph_);
+    out_.lines = draw_lines(domain_.network, domain_.outline, &out_.sets);
+    Faces cut = faces();
+    // Lines that run on end at lines that do, too: a few times around are enough.
+    for (int round = 0; domain_.dead_ends == DeadEnds::extend && round < kMostRounds && extend(cut.dead); ++round)
+      cut = faces();
     std::vector<Face> faces = std::move(cut.faces);
     std::erase_if(faces, [this](const Face& f) { return !contains(domain_.outline, f.inside); });
     std::sort(faces.begin(), faces.end(),
@@ -74,6 +74,59 @@ class Cutter {
     return ring;
   }
 
+  Faces faces() {
+    sources_.clear();
+    collect_sources();
+    graph_ = node_lines(sources_, grid_);
+    std::erase_if(graph_.edges, [this](const GraphEdge& e) { return !cuts(e); });
+    place_vertices(graph_, sources_);
+    return faces_of(graph_);
+  }
+
+  /// Adds a line from each dead end on, to the nearest line that it meets.   @return true where there are any
+  bool extend(const std::vector<GraphEdge>& dead) {
+    std::map<std::int32_t, int> degree;
+    for (const GraphEdge& e : graph_.edges) {
+      ++degree[e.a];
+      ++degree[e.b];
+    }
+    std::vector<JointLine> more;
+    for (const GraphEdge& e : dead) {
+      if (e.discontinuity < 0) continue;
+      for (const auto& [tip, other] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
+        if (degree[tip] != 1) continue;
+        const SourceLine& own = sources_[static_cast<std::size_t>(e.discontinuity)];
+        Vec2 along = (own.b - own.a).normalized();
+        const Vec2& from = vertex(tip);
+        if (along.dot(from - vertex(other)) < 0.0) along = -along;
+        const double reach = first_hit(from, along, e.discontinuity);
+        if (!(reach > 0.0)) continue;
+        JointLine line = out_.lines[static_cast<std::size_t>(own.priority) - boundaries_];
+        line.from = from;
+        line.to = from + reach * along;
+        more.push_back(line);
+        ++out_.report.ends_extended;
+        out_.report.extended_length += reach;
+      }
+    }
+    out_.lines.insert(out_.lines.end(), more.begin(), more.end());
+    return !more.empty();
+  }
+
+  /// Distance to the first other line along a ray; 0 where the ray only grazes its end, or leaves the domain.
+  [[nodiscard]] double first_hit(const Vec2& from, const Vec2& along, std::int32_t own) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      if (static_cast<std::int32_t>(i) == own) continue;
+      const Vec2 d = sources_[i].b - sources_[i].a, to = sources_[i].a - from;
+      const double sine = cross(along, d);
+      if (std::abs(sine) < 1e-9 * d.norm()) continue;
+      const double t = cross(to, d) / sine, s = cross(to, along) / sine;
+      if (s >= 0.0 && s <= 1.0 && t > -grid_) nearest = std::min(nearest, t);
+    }
+    return std::isfinite(nearest) && nearest > 4.0 * grid_ ? nearest : 0.0;
+  }
+
   void collect_sources() {
     const auto add_ring = [this](const Ring& ring, Role role, JointId law) {
       for (std::size_t i = 0; i < ring.size(); ++i)
@@ -81,7 +134,7 @@ class Cutter {
     };
     for (std::size_t r = 0; r < domain_.outline.rings(); ++r) add_ring(domain_.outline.ring(r), Role::outline, {});
     for (const Region& r : domain_.regions) add_ring(r.outline, Role::region, r.joint);
-    const std::size_t boundaries = sources_.size();
+    const std::size_t boundaries = boundaries_ = sources_.size();
 
     // A line cut off at a boundary ends on it but for rounding, on either side. It runs on until it has left
     // the grid cells of the boundary, so that the two cross. Such overruns go with all edges outside, or as dead ends.
@@ -243,7 +296,8 @@ class Cutter {
     std::map<std::int32_t, double> piece;
     for (const GraphEdge& e : dead) piece[find(e.a)] += length(e);
 
-    const double least = std::max(least_width_, 2.0 * longest_overrun());
+    const double least = domain_.dead_ends == DeadEnds::drop ? std::numeric_limits<double>::infinity()
+                                                             : std::max(least_width_, 2.0 * longest_overrun());
     std::vector<GraphEdge> kept = dead;
     std::erase_if(kept, [&](const GraphEdge& e) { return e.discontinuity < 0 || piece[find(e.a)] < least; });
     std::sort(kept.begin(), kept.end(),
@@ -305,6 +359,7 @@ class Cutter {
   double straight_;  // how far from a straight line a corner may be that is left out [m]
   Cutting out_;
   std::vector<SourceLine> sources_;
+  std::size_t boundaries_ = 0;  // how many of them are not joints
   LineGraph graph_;
   std::vector<std::int32_t> region_;  // of each face
 };

@@ -15,6 +15,7 @@ struct Cutting {
   std::vector<Block> blocks;     // named PREFIX-k, or REGION-k in a region, k counted from 1 in this order
   std::vector<Crack> cracks;     // blocks count from 0 in `blocks`
   std::vector<JointLine> lines;  // drawn
+  std::vector<SetStatistics> sets;
   CuttingReport report;
 };
 

@@ -70,6 +70,8 @@ struct BodyRecord {
   std::string method;  // name of the pool it lives in
   ReferenceShape shape;
   Formulation form;
+  // How far a hand-over has moved the anchors of the block's edge supports: x, y at either end of each; empty: nowhere.
+  std::vector<double> edge_shift{};
 };
 
 /// In-situ stress of a block in its reference shape: the axes there are those that turn with the rock.

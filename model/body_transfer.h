@@ -38,6 +38,16 @@ class BodyTransfer {
   /// Affine part, and what is left over.
   [[nodiscard]] virtual Release release(int body, std::span<const double> q, std::span<const double> v) const = 0;
   [[nodiscard]] virtual BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const = 0;
+
+  /// True if the body's own forces and elastic energy contain those of its edge supports; else springs act for them.
+  [[nodiscard]] virtual bool holds_edges(int body) const;
+  /// Traction by which a body that holds its edges is held at a fraction of a support's span [Pa].
+  /// @param support  counted among the edge supports of the block
+  [[nodiscard]] virtual Vec2 edge_reaction(int body, std::size_t support, double s, std::span<const double> q) const;
+  /// The part of its elastic energy that its edge supports hold [J].
+  [[nodiscard]] virtual double edge_energy(int body, std::span<const double> q) const;
+  /// Moves the anchors of the edge supports of a body that holds its edges.   @param shift  as BodyRecord::edge_shift
+  virtual void shift_edges(int body, std::span<const double> shift);
 };
 
 }  // namespace scree

@@ -21,6 +21,13 @@ struct Region {
   double cover_size = 0.0;  // of the NMM in its blocks; 0: as the stage says [m]
 };
 
+/// What becomes of lines that end inside rock, at a rock bridge.
+enum class DeadEnds {
+  keep,   // cracks in their blocks: the NMM cuts its covers along them, the DDA leaves them out
+  drop,   // no method has them
+  extend  // they run on, straight, to the next line: rock bridges are cut through
+};
+
 struct Domain {
   Polygon outline;  // [m] oriented; the holes are openings such as tunnels
   std::string prefix = "block";
@@ -31,6 +38,7 @@ struct Domain {
   std::optional<double> snap;         // grid that lines are noded on [m]; empty: auto_snap
   std::optional<double> least_width;  // area over half the perimeter of a block, and length of a crack [m]; empty: auto
   double least_area = 0.0;            // [m2]
+  DeadEnds dead_ends = DeadEnds::keep;
 };
 
 /// Smallest power of ten that is at least 1e-9 of the extent, and 64 last places of the farthest coordinate (survey

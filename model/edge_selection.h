@@ -5,6 +5,7 @@
 
 #include "model/geometry.h"
 #include "model/loads.h"
+#include "model/model.h"
 
 namespace scree {
 
@@ -29,6 +30,23 @@ struct EdgeEnds {
 /// @param tolerance [m], > 0      @pre |b - a| > tolerance
 [[nodiscard]] std::vector<EdgeSpan> edges_on_line(BlockId block, const Polygon& polygon, const Vec2& a, const Vec2& b,
                                                   double tolerance);
+
+/// Parts of the outlines of all blocks that lie on the straight piece a -> b and face no other block's edge there: the
+/// free faces of a model that blocks were cut from, by block, ring, edge. Parts as in edges_on_line().
+/// @param tolerance [m], > 0      @pre |b - a| > tolerance
+[[nodiscard]] std::vector<EdgeSpan> free_edges_on_line(const Model& model, const Vec2& a, const Vec2& b,
+                                                       double tolerance);
+
+/// The same within a box (its border belongs to it), whatever way the edges run.
+[[nodiscard]] std::vector<EdgeSpan> free_edges_in_box(const Model& model, const Box& box, double tolerance);
+
+/// The faces of a model that water before a slope can press on: those that face no other block and from which a
+/// straight line leads out of the model, up or up to either side, through no block; not those on the left, right and
+/// lower border of the model's box.
+[[nodiscard]] std::vector<EdgeSpan> outer_faces(const Model& model, double tolerance);
+
+/// Length of a span [m].
+[[nodiscard]] double length_of(const Model& model, const EdgeSpan& span);
 
 /// The outline edge that comes nearest to holding the whole of a -> b, and how far the piece strays from it.
 struct NearestEdge {

@@ -32,7 +32,12 @@ struct Offset {
   double t;
   std::int64_t k;
 };
-std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random) {
+std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random, SetStatistics& drawn) {
+  const auto spacing = [&] {
+    const double s = set.spacing.draw_positive(random);
+    drawn.drawn_spacing.add(s);
+    return s;
+  };
   std::vector<Offset> out;
   const double low = w.t - w.radius, high = w.t + w.radius;
   if (!set.spacing.varies()) {
@@ -42,10 +47,10 @@ std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random
     return out;
   }
   double t = 0.0;
-  for (std::int64_t k = 0; t <= high; t += set.spacing.draw_positive(random), ++k)
+  for (std::int64_t k = 0; t <= high; t += spacing(), ++k)
     if (t >= low) out.push_back({t, k});
-  t = -set.spacing.draw_positive(random);
-  for (std::int64_t k = -1; t >= low; t -= set.spacing.draw_positive(random), --k)
+  t = -spacing();
+  for (std::int64_t k = -1; t >= low; t -= spacing(), --k)
     if (t <= high) out.push_back({t, k});
   return out;
 }
@@ -54,7 +59,8 @@ std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random
 struct Interval {
   double from, to;
 };
-std::vector<Interval> intervals(const JointSet& set, double foot, std::int64_t k, double half, Random& random) {
+std::vector<Interval> intervals(const JointSet& set, double foot, std::int64_t k, double half, Random& random,
+                                SetStatistics& drawn) {
   if (!set.length) return {{-half, half}};
   std::vector<Interval> out;
   const double period = set.length->mean + set.gap.mean;
@@ -70,9 +76,14 @@ std::vector<Interval> intervals(const JointSet& set, double foot, std::int64_t k
   double s = -half - random.uniform() * period;
   while (s < half) {
     const double length = set.length->draw_positive(random);
+    drawn.drawn_length.add(length);
     out.push_back({s, s + length});
     s += length;
-    if (set.gap.mean > 0.0) s += set.gap.draw_positive(random);
+    if (set.gap.mean > 0.0) {
+      const double gap = set.gap.draw_positive(random);
+      drawn.drawn_gap.add(gap);
+      s += gap;
+    }
   }
   return out;
 }
@@ -83,14 +94,33 @@ void append(std::vector<JointLine>& lines, const Segment& piece, const Polygon& 
     lines.push_back({s.a, s.b, joint, kind, static_cast<std::int32_t>(source)});
 }
 
-void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t index, const Polygon& domain) {
+/// Turn of a trace in the section where its plane's pole leans away from the mean pole by the Fisher distribution:
+///   cos t = 1 + ln(1 - u (1 - exp(-2 K)))/K, a direction uniform about the mean pole; the section cuts the plane
+///   along the normal of the pole's part in it.
+/// @source [Fisher1953]
+double fisher_turn_deg(double k, Random& random) {
+  const double u = random.uniform(), about = 2.0 * std::numbers::pi * random.uniform();
+  const double cosine = 1.0 + portable_log(1.0 - u * (1.0 - (k < 300.0 ? portable_exp(-2.0 * k) : 0.0))) / k;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  double turn = std::atan2(sine * std::cos(about), cosine) * 180.0 / std::numbers::pi;
+  if (turn > 90.0) turn -= 180.0;  // a pole that points down is that of the same plane
+  if (turn < -90.0) turn += 180.0;
+  return turn;
+}
+
+void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t index, const Polygon& domain,
+            SetStatistics& drawn) {
   const Window w = window_of(set, domain);
   Random random(set.seed);
-  for (const Offset& offset : offsets(set, w, random)) {
+  const std::size_t first = lines.size();
+  for (const Offset& offset : offsets(set, w, random, drawn)) {
     const Vec2 pivot = w.origin + offset.t * w.normal + w.s * w.along;
-    const Vec2 along = direction_deg(set.dip_deg.draw(random));
+    const double dip =
+        set.fisher_k > 0.0 ? set.dip_deg.mean + fisher_turn_deg(set.fisher_k, random) : set.dip_deg.draw(random);
+    drawn.drawn_dip.add(dip);
+    const Vec2 along = direction_deg(dip);
     const double half = 1.1 * w.radius;  // the window and a margin for lines turned about their pivot
-    for (const Interval& i : intervals(set, -w.s, offset.k, half, random)) {
+    for (const Interval& i : intervals(set, -w.s, offset.k, half, random, drawn)) {
       const Segment whole{pivot + i.from * along, pivot + i.to * along};
       if (!set.region) {
         append(lines, whole, domain, set.joint, JointLine::Kind::joint_set, index);
@@ -100,6 +130,24 @@ void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t inde
         append(lines, s, domain, set.joint, JointLine::Kind::joint_set, index);
     }
   }
+  for (std::size_t i = first; i < lines.size(); ++i) drawn.total_length += (lines[i].to - lines[i].from).norm();
+  drawn.lines = static_cast<std::int64_t>(lines.size() - first);
+}
+
+/// Area of the part of a polygon within a ring, or of all of it: of a grid of points, 400 along the longer side.
+double area_within(const Polygon& domain, const std::optional<Ring>& ring) {
+  double area = 0.0;
+  for (std::size_t r = 0; r < domain.rings(); ++r)
+    area += (r == 0 ? 1.0 : -1.0) * std::abs(signed_area(domain.ring(r)));
+  if (!ring) return area;
+  const Polygon region{*ring, {}};
+  const Box box = bounds(region);
+  const double step = (box.hi - box.lo).maxCoeff() / 400.0;
+  double inside = 0.0;
+  for (double y = box.lo.y() + 0.5 * step; y < box.hi.y(); y += step)
+    for (double x = box.lo.x() + 0.5 * step; x < box.hi.x(); x += step)
+      if (contains(region, {x, y}) && contains(domain, {x, y})) inside += step * step;
+  return inside;
 }
 
 }  // namespace
@@ -188,7 +236,50 @@ NetworkSize expected_size(const JointNetwork& network, const Polygon& domain) {
   return out;
 }
 
-std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain) {
+double Sample::deviation() const {
+  if (n < 2) return 0.0;
+  const double count = static_cast<double>(n);
+  return std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1.0)));
+}
+
+double SetStatistics::asked_density() const { return persistence() / drawn_moments(spacing, true).mean; }
+
+Moments1 drawn_moments(const Spread& s, bool positive) {
+  switch (s.distribution) {
+    case Distribution::uniform:
+      return {s.mean, s.deviation / std::numbers::sqrt3};
+    case Distribution::exponential:
+      return {s.mean, s.mean};
+    case Distribution::lognormal:
+      return {s.mean, s.deviation};
+    case Distribution::normal:
+      break;
+  }
+  if (!positive || !(s.deviation > 0.0)) return {s.mean, s.deviation};
+  // Cut off at a = -mean/deviation: mean + d l, d^2 (1 + a l - l^2), l = pdf(a)/(1 - cdf(a)).
+  const double a = -s.mean / s.deviation, pdf = std::exp(-0.5 * a * a) / std::sqrt(2.0 * std::numbers::pi),
+               l = pdf / (0.5 * std::erfc(a / std::numbers::sqrt2));
+  return {s.mean + s.deviation * l, s.deviation * std::sqrt(std::max(0.0, 1.0 + a * l - l * l))};
+}
+
+double fisher_deviation_deg(double k) {
+  constexpr int kSteps = 400;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double u = (i + 0.5) / kSteps, cosine = 1.0 + std::log(1.0 - u * (1.0 - std::exp(-2.0 * k))) / k,
+                 sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    for (int j = 0; j < kSteps; ++j) {
+      double turn = std::atan2(sine * std::cos(2.0 * std::numbers::pi * (j + 0.5) / kSteps), cosine);
+      if (turn > 0.5 * std::numbers::pi) turn -= std::numbers::pi;
+      if (turn < -0.5 * std::numbers::pi) turn += std::numbers::pi;
+      sum += turn * turn;
+    }
+  }
+  return std::sqrt(sum) / kSteps * 180.0 / std::numbers::pi;
+}
+
+std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain,
+                                  std::vector<SetStatistics>* statistics) {
   std::vector<JointLine> lines;
   const auto polyline = [&](const std::vector<Vec2>& points, JointId joint, JointLine::Kind kind, std::size_t source) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -198,7 +289,24 @@ std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& do
     polyline(network.traces[i].points, network.traces[i].joint, JointLine::Kind::trace, i);
   for (std::size_t i = 0; i < network.arcs.size(); ++i)
     polyline(chord_points(network.arcs[i]), network.arcs[i].joint, JointLine::Kind::arc, i);
-  for (std::size_t i = 0; i < network.sets.size(); ++i) append(lines, network.sets[i], i, domain);
+  for (std::size_t i = 0; i < network.sets.size(); ++i) {
+    const JointSet& set = network.sets[i];
+    SetStatistics drawn;
+    drawn.joint = set.joint;
+    drawn.dip_deg = set.dip_deg;
+    drawn.spacing = set.spacing;
+    drawn.length = set.length.value_or(Spread());
+    drawn.gap = set.gap;
+    drawn.fisher_k = set.fisher_k;
+    drawn.through = !set.length;
+    drawn.drawn_dip.about = set.dip_deg.mean;
+    drawn.drawn_spacing.about = set.spacing.mean;
+    drawn.drawn_length.about = drawn.length.mean;
+    drawn.drawn_gap.about = set.gap.mean;
+    append(lines, set, i, domain, drawn);
+    drawn.area = statistics == nullptr ? 0.0 : area_within(domain, set.region);
+    if (statistics != nullptr) statistics->push_back(drawn);
+  }
   return lines;
 }
 

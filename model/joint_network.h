@@ -17,8 +17,9 @@ namespace scree {
 ///   Along a line traces of a length alternate with gaps (rock bridges). Where neither varies, a trace of line k begins
 ///   at its foot point origin + t_k n moved by k stagger (length + gap); where one does, the first begins at random.
 struct JointSet {
-  Spread dip_deg;                // [deg] counter-clockwise from +x
-  Spread spacing;                // [m], > 0, normal to the mean dip
+  Spread dip_deg;         // [deg] counter-clockwise from +x
+  double fisher_k = 0.0;  // > 0: poles scatter in space by the Fisher distribution of this K, dips are apparent ones
+  Spread spacing;         // [m], > 0, normal to the mean dip
   std::optional<Spread> length;  // of a trace [m]; empty: lines run through
   Spread gap;                    // between traces of a line [m]
   double stagger = 0.0;          // shift from line to line, a fraction of length + gap; 0.5 as in masonry
@@ -27,6 +28,46 @@ struct JointSet {
   JointId joint;                 // law of the lines
   std::uint64_t seed = 1;
 };
+
+/// What was drawn of a quantity, before lines were cut off at the domain.
+struct Sample {
+  std::int64_t n = 0;
+  double sum = 0.0, squares = 0.0;  // about `about`
+  double about = 0.0;               // near the mean, against cancellation
+  void add(double x) {
+    ++n;
+    sum += x - about;
+    squares += (x - about) * (x - about);
+  }
+  [[nodiscard]] double mean() const { return n > 0 ? about + sum / static_cast<double>(n) : 0.0; }
+  [[nodiscard]] double deviation() const;  // of the sample; 0 for less than two
+};
+
+/// What a joint set asked for, and what its draws gave.
+struct SetStatistics {
+  JointId joint;
+  Spread dip_deg, spacing, length, gap;  // as asked
+  double fisher_k = 0.0;
+  bool through = true;                                       // its lines have no length
+  Sample drawn_dip, drawn_spacing, drawn_length, drawn_gap;  // [deg], [m]
+  std::int64_t lines = 0;                                    // straight pieces in the domain
+  double total_length = 0.0;                                 // of these [m]
+  double area = 0.0;                                         // that the set fills [m2]
+  /// Length of traces per area, as drawn and as asked [1/m].
+  [[nodiscard]] double density() const { return area > 0.0 ? total_length / area : 0.0; }
+  [[nodiscard]] double asked_density() const;
+  /// length/(length + gap)
+  [[nodiscard]] double persistence() const { return through ? 1.0 : length.mean / (length.mean + gap.mean); }
+};
+
+/// Mean and standard deviation of a spread as it is drawn: of a normal distribution that is drawn again until it is
+/// positive, those of the truncated one.
+struct Moments1 {
+  double mean = 0.0, deviation = 0.0;
+};
+[[nodiscard]] Moments1 drawn_moments(const Spread& spread, bool positive);
+/// Standard deviation of the apparent dip of a Fisher distribution of poles about the normal in the section [deg].
+[[nodiscard]] double fisher_deviation_deg(double k);
 
 struct Trace {
   std::vector<Vec2> points;  // [m], at least two
@@ -86,6 +127,8 @@ struct NetworkSize {
 
 /// All lines: traces, arcs, then sets, in the order given, cut off at the domain's boundary.
 /// @pre mean spacing and length > 0     @source docs/theory/contact-geometry.md, "Block cutting"
-[[nodiscard]] std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain);
+/// @param statistics  of the sets, appended; null: not wanted
+[[nodiscard]] std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain,
+                                                std::vector<SetStatistics>* statistics = nullptr);
 
 }  // namespace scree

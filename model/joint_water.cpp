@@ -32,6 +32,14 @@ double weighted_wet(double r0, double d0, double r1, double d1) {
 
 }  // namespace
 
+JointWater JointWater::in_stage(std::int32_t stage) const {
+  JointWater out = *this;
+  out.levels.clear();
+  for (const Level& l : levels)
+    if (l.stage.value <= stage) out.line = l.line;
+  return out;
+}
+
 bool JointWater::fills(JointId joint) const {
   return joints.empty() || std::find(joints.begin(), joints.end(), joint) != joints.end();
 }

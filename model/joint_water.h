@@ -5,15 +5,25 @@
 
 #include "model/geometry.h"
 #include "model/ids.h"
+#include "model/loads.h"
 
 namespace scree {
 
 /// The pressure is hydrostatic under the line, u = unit_weight max(0, y_line(x) - y): the flow is not computed, and the
 /// line stays where it is while the blocks move.
 struct JointWater {
+  /// Another line, from a stage on.
+  struct Level {
+    StageId stage;
+    std::vector<Vec2> line;
+  };
   std::vector<Vec2> line;         // at least two points [m], x increasing; level beyond its ends
   double unit_weight = 9810.0;    // [N/m3], > 0
   std::vector<JointId> joints{};  // laws of the joints that it fills; empty: all
+  std::vector<EdgeSpan> faces{};  // outlines that it presses on from outside, as far as they lie below the line
+  std::vector<Level> levels{};    // by stage
+  /// The same water with the line of a stage, and nothing of other stages.
+  [[nodiscard]] JointWater in_stage(std::int32_t stage) const;
   [[nodiscard]] bool fills(JointId joint) const;
 };
 

@@ -1,6 +1,7 @@
 // What acts on blocks beside gravity, contacts and supports.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/geometry.h"
@@ -51,6 +52,16 @@ struct ViscousEdge {
   EdgeSpan span;
   MotionId motion{};     // of the wave that comes in; invalid: none does
   double upgoing = 1.0;  // of the motion's velocity: 1 for that of the wave itself, 1/2 for an outcrop
+};
+
+/// A stretch of outline that is held where the model has it, along some directions; along the others it slides freely.
+/// Without a bedding the edge gives way no more than its discretisation needs: by Nitsche's method where the method of
+/// the block has a stress field, else on springs of 10 (K + 4G/3)/sqrt(area).
+/// @source docs/theory/supports.md, "Held edges"
+struct EdgeSupport {
+  EdgeSpan span;
+  Mat2 held = Mat2::Identity();   // projector on the directions that are held: I, or a a^T with a unit vector a
+  std::optional<double> bedding;  // [Pa/m]; springs of the user's own, which do give way
 };
 
 /// In-situ stress of a material, in the model's axes: s(y) = stress + (level - y) gradient. Tension positive.

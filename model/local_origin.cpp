@@ -47,6 +47,7 @@ void move_to_local_origin(Model& model) {
   for (Material& m : model.materials)
     if (m.initial_stress) m.initial_stress->level -= origin.y();
   for (Block& b : model.blocks) move(b.polygon, -origin);
+  // Spans of edges are fractions: edge supports, tractions and viscous edges stay.
   for (PointSupport& s : model.point_supports) s.point -= origin;
   for (Monitor& m : model.monitors) m.point -= origin;
   for (PointLoad& l : model.point_loads) l.point -= origin;
@@ -54,8 +55,11 @@ void move_to_local_origin(Model& model) {
     b.head -= origin;
     b.toe -= origin;
   }
-  for (JointWater& w : model.waters)
+  for (JointWater& w : model.waters) {
     for (Vec2& p : w.line) p -= origin;
+    for (JointWater::Level& l : w.levels)
+      for (Vec2& p : l.line) p -= origin;
+  }
   for (JointLine& l : model.joint_lines) {
     l.from -= origin;
     l.to -= origin;

@@ -100,6 +100,7 @@ struct Model {
   std::vector<Block> blocks;
   std::vector<BlockSupport> block_supports;
   std::vector<PointSupport> point_supports;
+  std::vector<EdgeSupport> edge_supports;
   std::vector<Monitor> monitors;
   std::vector<GroundMotion> motions;
   std::vector<InitialVelocity> initial_velocities;
@@ -113,6 +114,7 @@ struct Model {
   // Where a domain was cut: the lines drawn, their dead ends inside blocks, and what came out.
   std::vector<JointLine> joint_lines;
   std::vector<Crack> cracks;
+  std::vector<SetStatistics> joint_sets;
   std::optional<CuttingReport> cutting;
 
   [[nodiscard]] const Material& material_of(BlockId b) const { return materials[blocks[b.index()].material.index()]; }

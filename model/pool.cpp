@@ -32,6 +32,10 @@ Fault BodySet::find_fault(std::span<const double> q) const {
 }
 void ExplicitOperator::stiffness_damping(std::span<const double>, std::span<const double>, double,
                                          std::span<double>) const {}
+bool BodyTransfer::holds_edges(int) const { return false; }
+Vec2 BodyTransfer::edge_reaction(int, std::size_t, double, std::span<const double>) const { return {0.0, 0.0}; }
+double BodyTransfer::edge_energy(int, std::span<const double>) const { return 0.0; }
+void BodyTransfer::shift_edges(int, std::span<const double>) {}
 void BodyOutput::recovered_stress(std::span<const double>, std::span<double> nodes) const {
   std::fill(nodes.begin(), nodes.end(), 0.0);
 }

@@ -1,29 +1,44 @@
 #include "nmm/implicit.h"
 
+#include <algorithm>
+
 namespace scree::nmm {
 
-void ImplicitBody::make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first) {
+void ImplicitBody::make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first,
+                        std::vector<std::size_t> held) {
   folded_ = std::move(folded);
   mass_ = std::move(masses);
   lumped_ = lumped;
   first_ = first;
+  held_ = std::move(held);
   value_start_.assign(1, 0);
-  for (std::size_t e = 0; e < folded_.size(); ++e) {
+  const auto add_values = [&](std::size_t e) {
     const auto n = static_cast<std::int32_t>(2 * folded_.places(e).size());
     value_start_.push_back(value_start_.back() + n * (n + 1) / 2);
-  }
+  };
+  for (std::size_t e = 0; e < folded_.size(); ++e) add_values(e);
+  for (const std::size_t e : held_) add_values(e);
 }
 
 ElementDofs ImplicitBody::element_dofs() const {
   ElementDofs out;
-  for (std::size_t e = 0; e < folded_.size(); ++e) {
+  const auto add = [&](std::size_t e) {
     for (const std::int32_t free : folded_.places(e)) {
       out.dof.push_back(2 * free);
       out.dof.push_back(2 * free + 1);
     }
     out.start.push_back(static_cast<std::int32_t>(out.dof.size()));
-  }
+  };
+  for (std::size_t e = 0; e < folded_.size(); ++e) add(e);
+  for (const std::size_t e : held_) add(e);
   return out;
+}
+
+void ImplicitBody::add_hold(std::size_t k, const Mat6& matrix, const Eigen::Matrix<double, 6, 1>& force_of_hold,
+                            std::span<double> stiffness, std::span<double> force) const {
+  const std::size_t at = folded_.size() + k;
+  folded_.fold_force(held_[k], force_of_hold, force);
+  if (!stiffness.empty()) folded_.fold(held_[k], matrix, stiffness.subspan(value(at), value(at + 1) - value(at)));
 }
 
 ChartRow ImplicitBody::chart_row(const Row& row) const {
@@ -51,6 +66,7 @@ ChartRow ImplicitBody::chart_row(const Row& row) const {
 
 void ImplicitBody::element_masses(std::span<double> mass) const {
   std::array<double, 45> scalar{};
+  std::fill(mass.begin() + static_cast<std::ptrdiff_t>(value(folded_.size())), mass.end(), 0.0);
   for (std::size_t e = 0; e < folded_.size(); ++e) {
     folded_.fold(e, mass_[e], scalar);
     const std::size_t n = folded_.places(e).size();

@@ -16,7 +16,9 @@ class ImplicitBody {
   /// @param masses  scalar mass of each element over its covers
   /// @param lumped  true: row sums of the folded matrices, on the diagonal
   /// @param first   first cover of the block in the pool's arrays
-  void make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first);
+  /// @param held    elements with a matrix of their own more each: those of edge holds, without mass
+  void make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first,
+            std::vector<std::size_t> held = {});
 
   [[nodiscard]] int dofs() const { return 2 * folded_.free_covers(); }
   [[nodiscard]] ElementDofs element_dofs() const;
@@ -31,6 +33,9 @@ class ImplicitBody {
   template <class ElementAt>
   double linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q, Stiffness kind,
                    std::span<double> stiffness, std::span<double> force, ElementAt&& of) const;
+  /// Adds what hold k does after linearise(), which leaves its numbers at zero.   @param stiffness  empty: not wanted
+  void add_hold(std::size_t k, const Mat6& matrix, const Eigen::Matrix<double, 6, 1>& force_of_hold,
+                std::span<double> stiffness, std::span<double> force) const;
   /// Velocities of the free covers, from those of the pool.
   void rates(std::span<const double> v, std::span<double> rate) const;
   /// q += d and v = rate on the free covers, then the ties.
@@ -44,7 +49,8 @@ class ImplicitBody {
   std::vector<Mat3> mass_;
   bool lumped_ = false;
   std::int32_t first_ = 0;
-  std::vector<std::int32_t> value_start_;
+  std::vector<std::size_t> held_;          // elements of the holds
+  std::vector<std::int32_t> value_start_;  // elements, then holds
   mutable std::vector<Eigen::Matrix<double, 6, 1>> corner_force_;
   mutable std::vector<double> energy_;
 };
@@ -72,6 +78,8 @@ double ImplicitBody::linearise(std::span<const std::array<std::int32_t, 3>> cove
         }
         return sum;
       });
+  if (!stiffness.empty())
+    std::fill(stiffness.begin() + static_cast<std::ptrdiff_t>(value(folded_.size())), stiffness.end(), 0.0);
   std::fill(force.begin(), force.end(), 0.0);
   for (std::size_t e = 0; e < folded_.size(); ++e) folded_.fold_force(e, corner_force_[e], force);
   return energy;

@@ -117,7 +117,16 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   else
     body->mesh = form.model_triangle ? make_onefold(record.shape.outline, model_triangle(model, to_origin))
                                      : make_onefold(record.shape.outline);
-  if (form.division.divides()) divide(*body);
+  if (!body->mesh.onefold) body->holds = edge_holds(model, record, body->mesh, to_origin, body->law);
+  if (form.division.divides()) {
+    if (!body->holds.empty())
+      throw MeshError(
+          fmt::format("block '{}' cannot be divided by the explicit region: a support holds a line of its outline; "
+                      "move the region, "
+                      "or hold a whole block",
+                      body->name));
+    divide(*body);
+  }
   const CoverMesh& mesh = body->mesh;
   const MassKind lumped = body->lumped && form.mass == MassKind::consistent ? MassKind::affine_exact : form.mass;
   if (!mass_.add(body->lumped ? *body->lumped : mesh, first, record.shape, lumped))
@@ -192,7 +201,9 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
                        division.divides() ? nullptr : &body.shape.second, first);
   std::vector<Mat3> masses;
   for (std::size_t e = 0; e < elements.size(); ++e) masses.push_back(body.consistent.element(e));
-  body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first);
+  std::vector<std::size_t> held;
+  for (const EdgeHold& h : body.holds) held.push_back(h.element);
+  body.implicit.make(std::move(folded), std::move(masses), body.form.mass == MassKind::lumped, first, std::move(held));
 }
 
 void NmmPool::finish() {
@@ -204,6 +215,8 @@ void NmmPool::finish() {
     body.frequency = body.onefold ? FrequencyBound{affine_frequency(body.shape, body.law), 0}
                                   : frequency_bound_of(body.lumped ? *body.lumped : body.mesh, chart_, first_node(b),
                                                        mass_.lumped(), body.scale, body.law);
+    if (!body.holds.empty())
+      body.frequency.lambda += hold_frequency(body.holds, body.mesh, chart_, first_node(b), mass_.lumped(), body.law);
   }
   ones_.assign(static_cast<std::size_t>(first_.back()), 1.0);
 }
@@ -257,7 +270,52 @@ void NmmPool::project(int body, const FieldCarrier& from, int other, std::span<c
 }
 
 double NmmPool::internal_force(std::span<const double> q, std::span<double> f) const {
-  return elements_.add_force(q, f);
+  double energy = elements_.add_force(q, f);
+  for (const auto& body : bodies_)
+    for (const EdgeHold& h : body->holds) {
+      const HoldResponse r = hold_response(h, element_of(*body, h.element), covers_of(*body, h.element, q));
+      energy += r.energy;
+      const auto& cover = elements_.cover(static_cast<std::size_t>(body->first_element) + h.element);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = 2 * static_cast<std::size_t>(cover[k]);
+        f[i] += r.force[2 * static_cast<Eigen::Index>(k)];
+        f[i + 1] += r.force[2 * static_cast<Eigen::Index>(k) + 1];
+      }
+    }
+  return energy;
+}
+
+StiffElement NmmPool::element_of(const Body& body, std::size_t e) const {
+  const std::size_t i = static_cast<std::size_t>(body.first_element) + e;
+  return {elements_.gradients(i), elements_.area(i), body.law, body.form.kinematics, elements_.initial_stress(i)};
+}
+
+std::array<Vec2, 3> NmmPool::covers_of(const Body& body, std::size_t e, std::span<const double> q) const {
+  const auto& cover = elements_.cover(static_cast<std::size_t>(body.first_element) + e);
+  return {node(q, cover[0]), node(q, cover[1]), node(q, cover[2])};
+}
+
+Vec2 NmmPool::edge_reaction(int body, std::size_t support, double s, std::span<const double> q) const {
+  const EdgeHold* nearest = nullptr;
+  const auto off = [s](const EdgeHold& h) { return std::max({h.from - s, s - h.to, 0.0}); };
+  for (const EdgeHold& h : of(body).holds)
+    if (h.support == support && (nearest == nullptr || off(h) < off(*nearest))) nearest = &h;
+  if (nearest == nullptr) return {0.0, 0.0};
+  const double along = std::clamp((s - nearest->from) / (nearest->to - nearest->from), 0.0, 1.0);
+  return hold_traction(*nearest, element_of(of(body), nearest->element), covers_of(of(body), nearest->element, q),
+                       along);
+}
+
+double NmmPool::edge_energy(int body, std::span<const double> q) const {
+  const Body& b = of(body);
+  double energy = 0.0;
+  for (const EdgeHold& h : b.holds)
+    energy += hold_response(h, element_of(b, h.element), covers_of(b, h.element, q)).energy;
+  return energy;
+}
+
+void NmmPool::shift_edges(int body, std::span<const double> shift) {
+  shift_holds(shift, bodies_[static_cast<std::size_t>(body)]->holds);
 }
 
 Fault NmmPool::find_fault(std::span<const double> q) const {
@@ -393,6 +451,7 @@ BodyTotals NmmPool::totals(int body, std::span<const double> q, std::span<const 
   const auto first = static_cast<std::size_t>(b.first_element);
   for (std::size_t e = first; e < first + b.mesh.elements(); ++e)
     t.elastic += elements_.area(e) * elements_.response(e, q).energy;
+  t.elastic += edge_energy(body, q);
   return t;
 }
 
@@ -519,12 +578,24 @@ double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, s
                           std::span<double> force) const {
   if (const auto& cover = of(body).onefold) return cover->form().linearise(cover->gradient(q), kind, stiffness, force);
   const auto first = static_cast<std::size_t>(of(body).first_element), count = of(body).mesh.elements();
-  return of(body).implicit.linearise(elements_.covers().subspan(first, count), q, kind, stiffness, force,
-                                     [&](std::size_t e) {
-                                       const std::size_t i = first + e;
-                                       return StiffElement{elements_.gradients(i), elements_.area(i), of(body).law,
-                                                           of(body).form.kinematics, elements_.initial_stress(i)};
-                                     });
+  double energy = of(body).implicit.linearise(
+      elements_.covers().subspan(first, count), q, kind, stiffness, force, [&](std::size_t e) {
+        const std::size_t i = first + e;
+        return StiffElement{elements_.gradients(i), elements_.area(i), of(body).law, of(body).form.kinematics,
+                            elements_.initial_stress(i)};
+      });
+  for (std::size_t k = 0; k < of(body).holds.size(); ++k) {
+    const EdgeHold& h = of(body).holds[k];
+    const StiffElement element = element_of(of(body), h.element);
+    const std::array<Vec2, 3> x = covers_of(of(body), h.element, q);
+    const HoldResponse r = hold_response(h, element, x);
+    energy += r.energy;
+    // Damping by the material's stiffness leaves supports out.
+    const bool wanted = !stiffness.empty() && kind != Stiffness::material;
+    of(body).implicit.add_hold(k, wanted ? hold_stiffness(h, element, x) : Mat6::Zero(), r.force,
+                               wanted ? stiffness : std::span<double>(), force);
+  }
+  return energy;
 }
 
 void NmmPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/field_carrier.h"
+#include "nmm/edge_holds.h"
 #include "nmm/element_forces.h"
 #include "nmm/implicit.h"
 #include "nmm/lumped_mass.h"
@@ -36,6 +37,10 @@ class NmmPool final : public Pool, public FieldCarrier {
   void place(int body, const AffineMotion& motion, std::span<double> q, std::span<double> v) const override;
   [[nodiscard]] Release release(int body, std::span<const double> q, std::span<const double> v) const override;
   [[nodiscard]] BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const override;
+  [[nodiscard]] bool holds_edges(int body) const override { return !of(body).onefold; }
+  [[nodiscard]] Vec2 edge_reaction(int body, std::size_t support, double s, std::span<const double> q) const override;
+  [[nodiscard]] double edge_energy(int body, std::span<const double> q) const override;
+  void shift_edges(int body, std::span<const double> shift) override;
   [[nodiscard]] bool has_fields(int body) const override { return !of(body).onefold; }
   void project(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
                std::span<const double> v_from, std::span<double> q, std::span<double> v) const override;
@@ -108,6 +113,7 @@ class NmmPool final : public Pool, public FieldCarrier {
     std::optional<OnefoldCover> onefold;  // with the block's exact mass, whatever the form says
     Elasticity law;
     double scale = 1.0;  // of the elements' areas
+    std::vector<EdgeHold> holds;
     std::int32_t first_element = 0;
     FrequencyBound frequency;
     std::string name;
@@ -125,6 +131,8 @@ class NmmPool final : public Pool, public FieldCarrier {
   void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
   void add_weight(int body, const Vec2& g, std::span<double> f) const;
   [[nodiscard]] double kinetic_of(int body, std::span<const double> v) const;
+  [[nodiscard]] StiffElement element_of(const Body& body, std::size_t e) const;
+  [[nodiscard]] std::array<Vec2, 3> covers_of(const Body& body, std::size_t e, std::span<const double> q) const;
   static void make_implicit(Body& body, std::int32_t first);
   /// An element for messages, where the model first had it.
   [[nodiscard]] std::string place_of(int body, std::size_t element) const;

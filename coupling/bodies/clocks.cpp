@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -73,6 +74,7 @@ struct Course {
 
 Clocks clocks_of(const Model& model, std::span<const Tick> stage_begin, Tick stage_end) {
   Clocks out;
+  out.stage = std::max(0, static_cast<std::int32_t>(stage_begin.size()) - 1);
   for (const GroundMotion& m : model.motions) {
     const Tick from = origin(m.setting().stage, stage_begin);
     out.motion.push_back(from == kLate ? kNever : seconds(from));

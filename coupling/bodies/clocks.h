@@ -14,6 +14,7 @@ namespace scree::coupling {
 /// begun, and does not in this stage. Empty: all from t = 0.
 struct Clocks {
   std::vector<double> motion, function;
+  std::int32_t stage = 0;  // its number in the plan
 };
 
 /// The clocks of the last stage that has begun. A function that begins where this stage ends, or later, belongs to

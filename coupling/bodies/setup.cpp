@@ -57,6 +57,7 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
 Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts,
              Clocks clocks)
     : model_(&model), ghosts_touch_(ghosts.touch), clocks_(std::move(clocks)), laws_(model.joints) {
+  for (const JointWater& w : model.waters) waters_.push_back(w.in_stage(clocks_.stage));
   std::map<PoolKey, std::int32_t> pool_of_key;
   for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(model, records[i], ghosts, i), 0);
   for (auto& [key, index] : pool_of_key) {
@@ -99,6 +100,12 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     if (!ghosts.touch &&
         (bodies_[static_cast<std::size_t>(e.body)].ghost || bodies_[static_cast<std::size_t>(e.body)].divided))
       e.touches = false;
+}
+
+const JointWater* Setup::water_in(JointId joint) const {
+  for (const JointWater& w : waters_)
+    if (w.fills(joint)) return &w;
+  return nullptr;
 }
 
 bool Setup::applies(std::span<const Row> rows) const {

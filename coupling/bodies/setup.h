@@ -127,6 +127,10 @@ class Setup {
   /// One flag a body of a pool: 1 if it is free.
   [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
 
+  /// Moves the anchors of a body that holds its edges, see BodyTransfer::shift_edges().
+  void shift_edges(const Body& b, std::span<const double> shift) {
+    pools_[static_cast<std::size_t>(b.pool)]->shift_edges(b.index, shift);
+  }
   /// Puts driven bodies where they are at a time, with their velocity; ghosts stay.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
@@ -142,6 +146,10 @@ class Setup {
     return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);
   }
   [[nodiscard]] const Clocks& clocks() const { return clocks_; }
+  /// The model's waters as they stand in the stage.
+  [[nodiscard]] const std::vector<JointWater>& waters() const { return waters_; }
+  /// The one in joints of a law; nullptr: they are dry.
+  [[nodiscard]] const JointWater* water_in(JointId joint) const;
 
  private:
   [[nodiscard]] double motion_time(MotionId m, double time) const {
@@ -160,6 +168,7 @@ class Setup {
   bool ghosts_touch_;
   Clocks clocks_;
   JointLaws laws_;
+  std::vector<JointWater> waters_;
   Outlines outlines_;
 };
 

@@ -13,7 +13,8 @@ struct EdgeStretch {
   std::int32_t body = -1;
   Row a, b;  // in the state's nodes
   double from = 0.0, to = 1.0;
-  double length = 0.0;  // as the model first had it [m]
+  double length = 0.0;            // as the model first had it [m]
+  double begin = 0.0, end = 1.0;  // as fractions of the edge
 
   /// Position, or velocity, at a fraction of the segment.
   [[nodiscard]] Vec2 at(double s, std::span<const double> q) const {

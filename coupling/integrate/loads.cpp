@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/integrate/edge_stretch.h"
+#include "model/edge_selection.h"
 
 namespace scree::coupling {
 namespace {
@@ -19,6 +20,24 @@ std::vector<double> forces_of(const Setup& setup, const Vec2& acceleration, cons
     std::fill(first, first + 2 * static_cast<std::ptrdiff_t>(b.nodes), 0.0);
   }
   return force;
+}
+
+/// Pressure of water on the faces that it presses on from outside, as consistent forces at the ends of their pieces.
+void add_water(const Setup& setup, const State& state, const JointWater& water, std::vector<PointForce>& out) {
+  const Model& model = setup.model();
+  for (const EdgeSpan& span : water.faces) {
+    const Polygon& polygon = model.blocks[span.block.index()].polygon;
+    const auto [first, last] = ends_of(polygon, span.edge);
+    const Vec2 n = outward_normal(polygon, span.edge);
+    for (const EdgeStretch& s : edge_stretches(setup, state, span)) {
+      const Vec2 from = first + s.begin * (last - first), to = first + s.end * (last - first), way = to - from;
+      // Each end of the piece carries what is nearer to it; within the segment a force at s is shared out straight.
+      const double at_from = water_force(water, from, way), at_to = water_force(water, to, -way);
+      const Vec2 a = -((1.0 - s.from) * at_from + (1.0 - s.to) * at_to) * n, b = -(s.from * at_from + s.to * at_to) * n;
+      if (a != Vec2::Zero()) out.push_back({s.a, a, PointForce::kWater});
+      if (b != Vec2::Zero()) out.push_back({s.b, b, PointForce::kWater});
+    }
+  }
 }
 
 }  // namespace
@@ -65,10 +84,12 @@ std::vector<PointForce> point_forces(const Setup& setup, const State& state) {
     }
     ++load;
   }
+  for (const JointWater& w : setup.waters()) add_water(setup, state, w, out);
   return out;
 }
 
 FunctionId load_function(const Model& model, std::int32_t load) {
+  if (load == PointForce::kWater) return {};
   const auto i = static_cast<std::size_t>(load), points = model.point_loads.size();
   return i < points ? model.point_loads[i].function : model.tractions[i - points].function;
 }
@@ -81,13 +102,12 @@ PointLoads::PointLoads(const Setup& setup, std::vector<PointForce> forces)
 void PointLoads::add(const Instant& at, std::span<double> f) {
   for (std::size_t i = 0; i < factor_.size(); ++i)
     factor_[i] = setup_->factor(load_function(setup_->model(), static_cast<std::int32_t>(i)), at.t);
-  for (const PointForce& p : forces_) add_force(p.row, factor_[static_cast<std::size_t>(p.load)] * p.force, f);
+  for (const PointForce& p : forces_) add_force(p.row, factor_of(p) * p.force, f);
 }
 
 double PointLoads::half_work(double h, std::span<const double> v) const {
   double power = 0.0;
-  for (const PointForce& p : forces_)
-    power += factor_[static_cast<std::size_t>(p.load)] * p.force.dot(position(p.row, v));
+  for (const PointForce& p : forces_) power += factor_of(p) * p.force.dot(position(p.row, v));
   return 0.5 * h * power;
 }
 

@@ -19,9 +19,10 @@ struct BodyLoad {
 
 /// A force on a point.
 struct PointForce {
-  Row row;                 // in the state's nodes
-  Vec2 force{0.0, 0.0};    // at a factor of 1 [N]
-  std::int32_t load = -1;  // into the model's loads: point loads, then tractions
+  static constexpr std::int32_t kWater = -1;
+  Row row;                     // in the state's nodes
+  Vec2 force{0.0, 0.0};        // at a factor of 1 [N]
+  std::int32_t load = kWater;  // into the model's loads: point loads, then tractions; or the water before a slope
 };
 /// Point loads, and tractions as the consistent forces of their stretches: on straight segments, along which the
 /// weights of a row are linear, those of the stretch's middle. None on driven bodies.
@@ -41,6 +42,9 @@ class PointLoads final : public ForceTerm {
 
  private:
   [[nodiscard]] double half_work(double h, std::span<const double> v) const;
+  [[nodiscard]] double factor_of(const PointForce& p) const {
+    return p.load == PointForce::kWater ? 1.0 : factor_[static_cast<std::size_t>(p.load)];
+  }
 
   const Setup* setup_;
   std::vector<PointForce> forces_;

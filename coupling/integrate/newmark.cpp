@@ -262,8 +262,9 @@ void Newmark::find_step_springs(const State& state, double h) {
   for (const PointSpring& s : supports_) {
     const Vec2 u = position(s.row, state.q) - s.anchor;
     for (int d = 0; d < 2; ++d) {
-      begin(s.k[d], u[d]);
-      add(s.body, s.row, d == 0 ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0));
+      const Vec2 axis = s.axes.col(d);
+      begin(s.k[d], axis.dot(u));
+      add(s.body, s.row, axis);
     }
   }
   // A dashpot's force -c v', v' = 2 u/h - v.

@@ -1,5 +1,5 @@
-// Point supports: springs between a point of a body and where that point was in the model, or where a hand-over has
-// shifted it.
+// Point supports, and edge supports of bodies that do not hold their edges themselves: springs between a point of a
+// body and where that point was in the model, or where a hand-over has shifted it.
 #pragma once
 
 #include <span>
@@ -12,12 +12,15 @@ namespace scree::coupling {
 struct PointSpring {
   Row row;  // in the state's nodes
   std::int32_t body = -1;
-  std::int32_t support = -1;  // into Model::point_supports
-  Vec2 anchor{0.0, 0.0};      // [m]
-  Vec2 k{0.0, 0.0};           // [N/m] in x and y; 0 where free
+  std::int32_t support = -1;     // into Model::point_supports; -1: it is one of an edge
+  Vec2 anchor{0.0, 0.0};         // [m]
+  Vec2 k{0.0, 0.0};              // [N/m] along the axes; 0 where free
+  Mat2 axes = Mat2::Identity();  // columns: unit vectors
 };
 
-/// One spring a point support of a free body. auto stiffness: 10 (K + 4G/3).
+/// One spring a point support of a free body; auto stiffness: 10 (K + 4G/3). Then two an edge support of a body that
+/// does not hold its edges, at the Gauss points of its span with half its bedding each: exact where the displacement is
+/// linear along the span, as it is in an affine body. Without a bedding: 10 (K + 4G/3)/sqrt(area) [Pa/m].
 [[nodiscard]] std::vector<PointSpring> point_springs(const Setup& setup, const State& state);
 
 /// Shifts the anchors of bodies that have been made anew, so that their springs pull as before: an affine body has the
@@ -27,12 +30,17 @@ struct PointSpring {
 void keep_elongations(const std::vector<PointSpring>& before, std::span<const double> q_before, const Setup& to,
                       const std::vector<char>& changed, State& state);
 
+/// The same for edge supports: anchors move so that springs pull as the edge was held before, and so that an edge which
+/// holds itself from now on has not strayed. Where bodies hold their edges before and after, anchors stay.
+void keep_edges(const Setup& from, std::span<const double> q_before, const std::vector<BodyRecord>& bodies_before,
+                Setup& to, const std::vector<char>& changed, State& state);
+
 /// Force on the body and energy of a spring.
 [[nodiscard]] inline Vec2 spring_force(const PointSpring& s, std::span<const double> q) {
-  return -s.k.cwiseProduct(position(s.row, q) - s.anchor);
+  return -s.axes * s.k.cwiseProduct(s.axes.transpose() * (position(s.row, q) - s.anchor));
 }
 [[nodiscard]] inline double spring_energy(const PointSpring& s, std::span<const double> q) {
-  const Vec2 u = position(s.row, q) - s.anchor;
+  const Vec2 u = s.axes.transpose() * (position(s.row, q) - s.anchor);
   return 0.5 * u.dot(s.k.cwiseProduct(u));
 }
 

@@ -34,6 +34,7 @@ SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
   if (fraction == 0.0) return;
   std::vector<char> exempt(model.blocks.size(), 0);
   for (const PointSupport& s : model.point_supports) exempt[s.block.index()] = 1;
+  for (const EdgeSupport& s : model.edge_supports) exempt[s.span.block.index()] = 1;
   for (const ViscousEdge& e : model.viscous_edges) exempt[e.span.block.index()] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     const Body& b = setup.bodies()[i];

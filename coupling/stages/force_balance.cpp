@@ -75,6 +75,7 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
   std::vector<char> held(setup.bodies().size(), 0);
   for (std::size_t i = 0; i < held.size(); ++i) held[i] = setup.bodies()[i].driven ? 1 : 0;
   for (const PointSupport& s : setup.model().point_supports) held[s.block.index()] = 1;
+  for (const EdgeSupport& s : setup.model().edge_supports) held[s.span.block.index()] = 1;
   std::vector<BoltRows> bolts = acting_bolts(setup, state);
   for (bool grew = true; grew;) {  // a pass a layer of blocks
     grew = false;

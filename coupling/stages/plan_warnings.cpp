@@ -11,6 +11,7 @@
 
 #include "coupling/bodies/partition.h"
 #include "coupling/stages/lasting_loads.h"
+#include "coupling/stages/model_warnings.h"
 #include "coupling/transfer/transfer.h"
 
 namespace scree::coupling {
@@ -61,6 +62,9 @@ std::vector<std::array<bool, 2>> held_axes(const Model& model, const Groups& gro
     at(s.block)[0] = at(s.block)[0] || s.fix_x;
     at(s.block)[1] = at(s.block)[1] || s.fix_y;
   }
+  for (const EdgeSupport& s : model.edge_supports)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      if (s.held.col(static_cast<Eigen::Index>(axis)).norm() > 1e-6) at(s.span.block)[axis] = true;
   return held;
 }
 
@@ -109,7 +113,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
   const std::vector<std::array<bool, 2>> held = held_axes(model, groups);
   std::vector<LastingForce> force(groups.blocks.size());
   add_lasting_loads(model, groups.of, force);
-  const bool no_support = model.block_supports.empty() && model.point_supports.empty();
+  const bool no_support = model.block_supports.empty() && model.point_supports.empty() && model.edge_supports.empty();
   std::vector<std::string> out;
   std::vector<BlockId> alone;
   std::vector<std::string> told;
@@ -276,6 +280,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   std::vector<char> stands(n, 0);
   for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
   for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
+  for (const EdgeSupport& s : model.edge_supports) stands[s.span.block.index()] = 1;
   /// How far a push into a block is turned from straight up, counter-clockwise [rad].
   const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
     return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
@@ -328,7 +333,8 @@ std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   const std::vector<Touch> touches = touching_blocks(model);
   std::vector<std::string> out = support_warnings(model, touches);
   for (const auto& more : {damping_warnings(model, plan), partition_warnings(model, plan),
-                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches)})
+                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches),
+                           stiffness_warnings(model), size_warnings(model), lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -102,6 +102,11 @@ std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Bo
 
 namespace {
 
+double edge_energy_of(const Setup& setup, std::size_t i, std::span<const double> q) {
+  const Body& b = setup.bodies()[i];
+  return setup.pool_of(b).edge_energy(b.index, setup.part(q, static_cast<std::size_t>(b.pool)));
+}
+
 /// One hand-over at work: what each body leaves behind, and how it goes on.
 class Change {
  public:
@@ -127,6 +132,7 @@ class Change {
     Kind kind = Kind::stays;
     Release release;
     BodyTotals before;
+    double edges = 0.0;       // of before.elastic, what its edge supports held [J]
     Remainder back;           // of Kind::back
     bool remade = false;      // of Kind::back: on other covers than those it was left on
     std::ptrdiff_t row = -1;  // into rows
@@ -229,6 +235,7 @@ void Change::release_one(std::size_t i, const BodyRequest& request) {
 TransferRow& Change::begin_row(std::size_t i, const BodyRequest& request) {
   One& one = bodies_[i];
   one.before = totals_of(from_, i, state_);
+  one.edges = edge_energy_of(from_, i, state_.q);
   one.row = std::ssize(rows);
   TransferRow& row = rows.emplace_back();
   row.time = seconds(state_.time);
@@ -392,6 +399,8 @@ void Change::book(const Setup& to) {
     if (one.kind == Kind::back) book_return(to, i, row);
     if (one.kind == Kind::remeshed)  // what the new covers cannot hold
       row.booked = (one.before.kinetic - after.kinetic) + (one.before.elastic - after.elastic);
+    if (one.kind == Kind::affine || one.kind == Kind::back)  // neither fields nor reservoir have it
+      row.booked += one.edges - edge_energy_of(to, i, state_.q);
     if (!to.pool_of(to.bodies()[i]).strains()) {  // strain and strain rates stay behind
       const double held = kinetic_of(one.release.shape, one.release.motion);
       row.reservoir_kinetic += held - after.kinetic;
@@ -415,6 +424,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<BoltRows> bolts = acting_bolts(from, state);
   const std::vector<double> q = state.q;
+  const std::vector<BodyRecord> bodies = model.edge_supports.empty() ? std::vector<BodyRecord>() : state.bodies;
   change.release(body_requests(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
   TransferReport out;
@@ -423,6 +433,14 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   keep_bolt_forces(bolts, q, *out.setup, state);
+  if (!model.edge_supports.empty()) {
+    keep_edges(from, q, bodies, *out.setup, change.changed(), state);
+    // Springs come and go with methods that do not hold their edges.
+    double energy = 0.0;
+    for (const PointSpring& s : point_springs(*out.setup, state)) energy += spring_energy(s, state.q);
+    state.ledger.book(Column::transfer, energy - state.ledger[Column::support_springs]);
+    state.ledger.set(Column::support_springs, energy);
+  }
   change.book(*out.setup);
   out.rows = std::move(change.rows);
   return out;

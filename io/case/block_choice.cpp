@@ -36,24 +36,30 @@ void check_point(const Section& s, const Model& model, BlockId block, const Vec2
                             box.hi.x(), box.hi.y()));
 }
 
-BlockId block_at(const Section& s, std::string_view key, const Model& model) {
-  const Vec2 point = s.point(key);
-  std::vector<std::size_t> holding;
+std::vector<BlockId> blocks_at(const Model& model, const Vec2& point) {
+  std::vector<BlockId> holding;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const Box box = bounds(model.blocks[b].polygon);
     const double near = near_outline(model.blocks[b].polygon);
     if ((point.array() < box.lo.array() - near).any() || (point.array() > box.hi.array() + near).any()) continue;
-    if (on_block(model.blocks[b].polygon, point)) holding.push_back(b);
+    if (on_block(model.blocks[b].polygon, point)) holding.push_back(BlockId{static_cast<std::int32_t>(b)});
   }
+  return holding;
+}
+
+BlockId block_at(const Section& s, std::string_view key, const Model& model) {
+  const Vec2 point = s.point(key);
+  const std::vector<BlockId> holding = blocks_at(model, point);
   if (holding.empty())
     throw s.error(key, "the point is in no block", "a point inside a block",
                   "check the point, or give block = \"NAME\"");
   if (holding.size() > 1)
-    throw s.error(key,
-                  fmt::format("the point lies on the boundary of blocks {} and {}",
-                              in_quotes(model.blocks[holding[0]].name), in_quotes(model.blocks[holding[1]].name)),
-                  "a point inside one block", "move the point, or say which with block = \"NAME\"");
-  return BlockId{static_cast<std::int32_t>(holding.front())};
+    throw s.error(
+        key,
+        fmt::format("the point lies on the boundary of blocks {} and {}",
+                    in_quotes(model.blocks[holding[0].index()].name), in_quotes(model.blocks[holding[1].index()].name)),
+        "a point inside one block", "move the point, or say which with block = \"NAME\"");
+  return holding.front();
 }
 
 BlockId block_of(const Section& s, const Model& model, std::string_view at) {

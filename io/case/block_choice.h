@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "io/case/section.h"
 #include "model/model.h"
@@ -15,6 +16,8 @@ namespace scree::io {
 
 /// @throws CaseError at the key `point` where the point is not on the block
 void check_point(const Section& s, const Model& model, BlockId block, const Vec2& point);
+/// All blocks that hold a point, inside or on their outline, in their order.
+[[nodiscard]] std::vector<BlockId> blocks_at(const Model& model, const Vec2& point);
 /// The one block that holds the point under a key.   @throws CaseError: none, or several on their boundary
 [[nodiscard]] BlockId block_at(const Section& s, std::string_view key, const Model& model);
 /// The block named under `block`; without that key the one that holds the point under `at`.

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "io/case/block_choice.h"
+#include "io/case/read_parts.h"
 #include "model/edge_selection.h"
 
 namespace scree::io {
@@ -52,6 +56,92 @@ std::vector<EdgeSpan> by_number(const Section& s, const Section& root, const Mod
 }
 
 }  // namespace
+
+namespace {
+
+/// 1e-6 of the extent of the model.
+double near_model(const Model& model) {
+  Box all = bounds(model.blocks.front().polygon);
+  for (const Block& b : model.blocks) {
+    const Box box = bounds(b.polygon);
+    all.lo = all.lo.cwiseMin(box.lo);
+    all.hi = all.hi.cwiseMax(box.hi);
+  }
+  return 1e-6 * (all.hi - all.lo).maxCoeff();
+}
+
+/// Blocks that a section names; empty: it names none.
+std::vector<BlockId> named(const Section& s, const Model& model) {
+  std::vector<BlockId> out;
+  if (s.has("block")) out.push_back(block_of(s, model));
+  if (s.has("at")) out.push_back(block_at(s, "at", model));
+  if (!s.has("blocks")) return out;
+  const std::vector<std::string> known = names_of(model.blocks);
+  for (std::size_t i = 0; i < s.texts("blocks").size(); ++i)
+    for (const std::int32_t b : find_names(s, "blocks", i, "block", known)) out.emplace_back(b);
+  return out;
+}
+
+/// Parts of an edge that lie in a box, as free_edges_in_box() finds them but also on joints.
+std::vector<EdgeSpan> in_box_of(const Model& model, const std::vector<BlockId>& blocks, const Box& box, double near) {
+  Model alone;  // one block at a time: nothing faces it
+  std::vector<EdgeSpan> out;
+  for (const BlockId b : blocks) {
+    alone.blocks = {model.blocks[b.index()]};
+    for (EdgeSpan span : free_edges_in_box(alone, box, near)) {
+      span.block = b;
+      out.push_back(span);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<EdgeSpan> free_edges(const Section& s, const Model& model) {
+  const double near = near_model(model);
+  const std::vector<BlockId> blocks = named(s, model);
+  std::vector<EdgeSpan> out;
+  if (s.has("box")) {
+    const Ring ends = s.ring("box");
+    if (ends.size() != 2 || ends[0] == ends[1])
+      throw s.error("box", "a box has two opposite corners", "[[x, y], [x, y]]", "write two points");
+    const Box box{ends[0].cwiseMin(ends[1]), ends[0].cwiseMax(ends[1])};
+    out = blocks.empty() ? free_edges_in_box(model, box, near) : in_box_of(model, blocks, box, near);
+    if (out.empty())
+      throw s.error("box", "no outline lies in the box", "a box that holds parts of outlines that face no other block",
+                    "name the blocks to mean joints as well; `scree check --blocks` lists where blocks are");
+    return out;
+  }
+  const Ring line = s.ring("on");
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if ((line[i + 1] - line[i]).norm() <= near)
+      throw s.error("on", i, "the line has no length here", fmt::format("points more than {:.3g} m apart", near),
+                    "remove the point");
+    std::vector<EdgeSpan> part;
+    if (blocks.empty()) part = free_edges_on_line(model, line[i], line[i + 1], near);
+    for (const BlockId b : blocks)
+      for (const EdgeSpan& span : edges_on_line(b, model.blocks[b.index()].polygon, line[i], line[i + 1], near))
+        part.push_back(span);
+    if (part.empty()) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Block& b : model.blocks)
+        least = std::min(least, nearest_edge(b.polygon, line[i], line[i + 1]).distance);
+      throw s.error(
+          "on", i,
+          fmt::format(
+              "no outline that faces no other block lies on the line from ({:.10g}, {:.10g}) to ({:.10g}, {:.10g})",
+              line[i].x(), line[i].y(), line[i + 1].x(), line[i + 1].y()),
+          fmt::format("a line within {:.3g} m of outlines", near),
+          fmt::format(
+              "the edge that comes nearest to holding it is up to {:.4g} m away; name the blocks to mean joints "
+              "as well",
+              least));
+    }
+    out.insert(out.end(), part.begin(), part.end());
+  }
+  return out;
+}
 
 std::vector<EdgeSpan> chosen_edges(const Section& s, const Section& root, const Model& model, BlockId block) {
   if (s.has("on") == s.has("edge"))

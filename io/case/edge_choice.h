@@ -15,4 +15,9 @@ namespace scree::io {
 [[nodiscard]] std::vector<EdgeSpan> chosen_edges(const Section& s, const Section& root, const Model& model,
                                                  BlockId block);
 
+/// The stretches of outlines that `on` (a line of any number of points) or `box` mean; at least one. Of all blocks
+/// those that face no other block; with block, blocks or at in the section those of these blocks, whatever faces them.
+/// @throws CaseError: a line or box without extent, nothing on it
+[[nodiscard]] std::vector<EdgeSpan> free_edges(const Section& s, const Model& model);
+
 }  // namespace scree::io

@@ -64,7 +64,7 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
              "check the number and its unit");
     const std::string here(fields.size() == 3 ? fields[2].text : std::string_view{});
     if (open && here != label) close();
-    if (!open) lines.emplace_back();
+    if (!open) lines.emplace_back().label = here;
     open = true;
     label = here;
     lines.back().points.push_back(p);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "model/geometry.h"
@@ -11,6 +12,7 @@ namespace scree::io {
 struct FileLine {
   std::vector<Vec2> points;  // [m], at least two
   std::vector<int> rows;     // line of the file that each point stands in, from 1
+  std::string label{};       // what the third column says
 };
 
 /// Reads points x, y [m], separated by comma, semicolon or white space, and an optional third column. A blank line

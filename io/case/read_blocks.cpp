@@ -44,7 +44,8 @@ Block read_block(const Section& s, const Model& model) {
 
 }  // namespace
 
-void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model, const Notice& notice) {
+void read_blocks(const Section& root, const std::filesystem::path& folder, const DrawnLayers& drawing, Model& model,
+                 const Notice& notice) {
   const std::vector<Section> sections = root.list("block");
   if (sections.empty() && !root.has("domain"))
     throw root.error("block", "the case has no block", "at least one [[block]], or a [domain]",
@@ -58,7 +59,7 @@ void read_blocks(const Section& root, const std::filesystem::path& folder, Model
     const InitialVelocity start{BlockId{static_cast<std::int32_t>(i)}, s.point("velocity"), s.number("spin")};
     if (start.velocity != Vec2::Zero() || start.spin != 0.0) model.initial_velocities.push_back(start);
   }
-  if (root.has("domain")) read_domain(root.table("domain"), folder, model, notice);
+  if (root.has("domain")) read_domain(root.table("domain"), folder, drawing, model, notice);
   for (std::size_t i = sections.size(); i < model.blocks.size(); ++i)
     if (names.count(model.blocks[i].name) > 0)
       for (const Section& s : sections)

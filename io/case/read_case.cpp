@@ -29,21 +29,23 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   out.files = data_files(document, file.parent_path());
 
   const Section root(out.path, document, "");
+  const DrawnLayers drawing = root.has("drawing") ? DrawnLayers(root, file.parent_path()) : DrawnLayers();
   read_laws(root, out.model);
   read_functions(root, file.parent_path(), out.model);
-  read_blocks(root, file.parent_path(), out.model, notice);
+  read_blocks(root, file.parent_path(), drawing, out.model, notice);
   read_cracks(root, out.model);
   read_motions(root, file.parent_path(), out.model);
   read_supports(root, out.model);
   read_loads(root, out.model);
   read_bolts(root, out.model);
-  read_water(root, out.model);
-  read_monitors(root, out.model);
+  read_water(root, drawing, out.model);
+  read_monitors(root, drawing, out.model);
   out.plan = read_plan(root, out.model, methods);
   check_times(root, out.model, out.plan);
   check_meshes(root, out.model, out.plan);
   read_reduction(root, methods, out.model, out.plan);
   out.resolved = to_toml(document);
+  if (!drawing.empty()) out.drawing = drawing.report();
   move_to_local_origin(out.model);  // last: errors above name the coordinates of the file
   for (coupling::Stage& stage : out.plan.stages)
     for (Vec2& corner : stage.partition.explicit_region) corner -= out.model.origin;

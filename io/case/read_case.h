@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "coupling/plan.h"
 #include "io/case/case_error.h"
+#include "io/case/drawn_layers.h"
 #include "io/case/notice.h"
 #include "model/model.h"
 
@@ -21,6 +23,7 @@ struct Case {
   std::string path;                          // as it was given
   std::vector<std::string> overrides;        // the --set options
   std::vector<std::filesystem::path> files;  // that the text names: records, tables, outlines, traces
+  std::optional<DrawingReport> drawing;      // of [drawing]
   std::string resolved;  // a case file that says the same with SI numbers, defaults and overrides written out
 };
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/case/block_choice.h"
 #include "io/case/edge_choice.h"
@@ -62,17 +63,37 @@ void read_point_load(const Section& s, const Section& root, std::size_t index, M
   model.point_loads.push_back(load);
 }
 
+/// What a traction acts on: edges of the block that it names, or of all that lie on its line and are free to move.
+std::vector<EdgeSpan> loaded_edges(const Section& s, const Section& root, const Model& model) {
+  if (s.has("block")) return chosen_edges(s, root, model, free_block(s, model, "the traction"));
+  if (s.has("edge") || !s.has("on"))
+    throw s.error(s.has("edge") ? "block" : "on", "nothing says which outlines are meant", "block and edge, or on",
+                  "write on = [[x, y], [x, y]], the ends of a straight line");
+  std::vector<EdgeSpan> spans = free_edges(s, model);
+  std::erase_if(spans, [&](const EdgeSpan& e) { return model.support_of(e.block) != nullptr; });
+  if (spans.empty())
+    throw s.error("on", "all blocks there are held whole: nothing else moves them", "edges of blocks that are free",
+                  "remove the traction, or the supports of the blocks");
+  return spans;
+}
+
 void read_traction(const Section& s, const Section& root, std::size_t index, Model& model) {
-  if (s.has("traction") == s.has("pressure"))
-    throw s.error(s.has("traction") ? "pressure" : "traction",
-                  s.has("traction") ? "traction and pressure are both given" : "the load has no size",
-                  "either traction or pressure", "write traction = [x, y], or pressure = p, which pushes if positive");
-  const BlockId block = free_block(s, model, "the traction");
-  const Polygon& polygon = model.blocks[block.index()].polygon;
+  std::vector<std::string> given;
+  for (const char* key : {"traction", "pressure", "surcharge"})
+    if (s.has(key)) given.emplace_back(key);
+  if (given.size() != 1)
+    throw s.error(given.empty() ? "traction" : given[1],
+                  given.empty() ? std::string("the load has no size")
+                                : fmt::format("{} and {} are both given", given[0], given[1]),
+                  "one of traction, pressure and surcharge",
+                  "write traction = [x, y], pressure = p, which pushes if positive, or surcharge = q, a weight");
+  const std::vector<EdgeSpan> spans = loaded_edges(s, root, model);
   const FunctionId function = function_of(s, root, "traction", index, model);
-  for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
-    const Vec2 traction =
-        s.has("traction") ? s.point("traction") : Vec2(-s.number("pressure") * outward_normal(polygon, span.edge));
+  for (const EdgeSpan& span : spans) {
+    const Vec2 normal = outward_normal(model.blocks[span.block.index()].polygon, span.edge);
+    const Vec2 traction = s.has("traction")   ? s.point("traction")
+                          : s.has("pressure") ? Vec2(-s.number("pressure") * normal)
+                                              : Vec2(0.0, -s.number("surcharge") * std::abs(normal.y()));
     model.tractions.push_back({span, traction, function});
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/plan.h"
+#include "io/case/drawn_layers.h"
 #include "io/case/notice.h"
 #include "io/case/section.h"
 #include "model/model.h"
@@ -33,22 +34,24 @@ void check_meshes(const Section& root, const Model& model, const coupling::Plan&
 void read_functions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Blocks with their edges and initial velocities, listed and cut from a domain; the geometry is checked.
 /// @param folder  that relative paths start from     @pre read_laws
-void read_blocks(const Section& root, const std::filesystem::path& folder, Model& model, const Notice& notice);
+void read_blocks(const Section& root, const std::filesystem::path& folder, const DrawnLayers& drawing, Model& model,
+                 const Notice& notice);
 /// Appends the blocks of [domain], its lines and cracks.   @pre read_laws
-void read_domain(const Section& section, const std::filesystem::path& folder, Model& model, const Notice& notice);
+void read_domain(const Section& section, const std::filesystem::path& folder, const DrawnLayers& drawing, Model& model,
+                 const Notice& notice);
 /// Cracks inside blocks, after those that a domain left.   @pre read_blocks
 void read_cracks(const Section& root, Model& model);
 /// Ground motions from their files.   @param folder  that relative paths start from
 void read_motions(const Section& root, const std::filesystem::path& folder, Model& model);
 /// Supports and monitors.   @pre read_blocks, read_motions
 void read_supports(const Section& root, Model& model);
-void read_monitors(const Section& root, Model& model);
+void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
 /// Bolts, laid out in the blocks.   @pre read_blocks, read_supports
 void read_bolts(const Section& root, Model& model);
 /// Water in joints.   @pre read_laws
-void read_water(const Section& root, Model& model);
+void read_water(const Section& root, const DrawnLayers& drawing, Model& model);
 /// How a stage represents blocks, damps and comes to rest; what does not go together is refused.
 /// @param used  method of every block in the stage   @param first  it is the first stage   @pre its method and
 /// integrator are set

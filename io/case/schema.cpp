@@ -195,17 +195,40 @@ constexpr Key kKeys[] = {
     {"block[].velocity", Type::point, "m/s", kAny, "[0.0, 0.0]", false, "", "Initial velocity of the centroid."},
     {"block[].spin", Type::number, "rad/s", kAny, "0.0", false, "", "Initial angular velocity, counter-clockwise."},
 
+    {"drawing", Type::table, "", kAny, "", false, "",
+     "A section drawing. Sections of the case take lines, rings and points from its layers: domain.outline_layer, "
+     "domain.holes_layer, domain.region.layer, domain.trace.layer, water.layer, monitor.layer. Names of layers know no "
+     "case, and * in them stands for any characters. `scree check` prints what was read and what was left out."},
+    {"drawing.file", Type::text, "", kAny, "", true, "",
+     "DXF of text, R12 to 2018: LINE, LWPOLYLINE and POLYLINE with bulges, ARC, CIRCLE, ELLIPSE, SPLINE, POINT, and "
+     "INSERT of blocks of these. Or, with the ending csv, txt or dat, columns x, y and the name of the layer, in the "
+     "form of domain.trace.file. Relative to the case file."},
+    {"drawing.unit", Type::choice, "", kAny, "\"auto\"", false, "auto|m|cm|mm|km|in|ft",
+     "Unit of its coordinates. \"auto\" is that of the header of a DXF, which must then have one, and m for columns."},
+    {"drawing.tolerance", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
+     "Largest distance of a curve from the chords that stand for it. \"auto\" is 1e-4 of the extent of the drawing."},
+    {"drawing.offset", Type::point, "m", kCoordinate, "[0.0, 0.0]", false, "",
+     "Subtracted from all of its coordinates."},
+    {"drawing.join", Type::number_or_auto, "m", kNotNegative, "\"auto\"", false, "",
+     "Ends of lines that are so near to each other meet, where outlines, regions and lines of water are made of "
+     "several "
+     "lines. \"auto\" is 1e-6 of the extent of the drawing."},
+
     {"domain", Type::table, "", kAny, "", false, "",
      "A domain that is cut into blocks by joint sets, traces and arcs. Lines that end inside a block do not cut it; "
      "they "
      "are kept as cracks."},
     {"domain.outline", Type::ring, "m", kCoordinate, "", false, "",
      "Corners in order around the domain, either way round; the first is not repeated at the end. Either this or "
-     "outline_file."},
+     "outline_file or outline_layer."},
     {"domain.outline_file", Type::text, "", kAny, "", false, "",
      "Text file with the outline as one line of points x, y; here the first point is repeated at the end. Form and "
      "path "
      "as domain.trace.file."},
+    {"domain.outline_layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing that holds the outline: one closed line, or lines that meet end to end."},
+    {"domain.holes_layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing with openings, in place of holes."},
     {"domain.holes", Type::rings, "m", kCoordinate, "[]", false, "",
      "Openings such as tunnels, each a list of corners."},
     {"domain.material", Type::name, "", kAny, "", true, "", "Name of the material outside regions."},
@@ -222,11 +245,18 @@ constexpr Key kKeys[] = {
      "of the same region if there is any; cracks that are shorter are trimmed away. \"auto\" is 1e-6 of the extent."},
     {"domain.least_area", Type::number, "m2", kNotNegative, "0.0", false, "",
      "Blocks with a smaller area join the neighbour with the longest shared edge."},
+    {"domain.dead_ends", Type::choice, "", kAny, "\"keep\"", false, "keep|drop|extend",
+     "What becomes of lines that end inside rock. keep: they are cracks, along which the NMM cuts its covers, and "
+     "which "
+     "the DDA leaves out. drop: no method has them. extend: they run on to the next line and cut the rock bridges "
+     "through. `scree check` says how many, and how long."},
     {"domain.region", Type::table_list, "", kAny, "", false, "",
      "A part of the domain with another material; its outline separates blocks. Regions may touch but not overlap."},
     {"domain.region[].name", Type::name, "", kAny, "", true, "", "Name, given once only; its blocks are NAME-k."},
-    {"domain.region[].polygon", Type::ring, "m", kCoordinate, "", true, "",
-     "Corners in order; what lies outside the domain does not count."},
+    {"domain.region[].polygon", Type::ring, "m", kCoordinate, "", false, "",
+     "Corners in order; what lies outside the domain does not count. Either this or layer."},
+    {"domain.region[].layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing with its outline. Of several closed lines each is a region, NAME_1, NAME_2, ..."},
     {"domain.region[].material", Type::name, "", kAny, "(domain.material)", false, "", "Name of a material."},
     {"domain.region[].joint", Type::name, "", kAny, "(domain.joint)", false, "",
      "Joint law of the region's outline, where no joint lies on it, and of edges of its blocks that lie on no joint."},
@@ -244,6 +274,9 @@ constexpr Key kKeys[] = {
     {"domain.joint_set[].dip_deviation_deg", Type::number, "deg", kDipDeviation, "0.0", false, "", "Its deviation."},
     {"domain.joint_set[].dip_distribution", Type::choice, "", kAny, "\"normal\"", false, "normal|uniform",
      "Its distribution."},
+    {"domain.joint_set[].dip_fisher_k", Type::number, "", kPositive, "", false, "",
+     "Scatter of the poles in space by the Fisher distribution of this concentration K, as from a stereonet, about the "
+     "mean pole, which lies in the section; the dips are the apparent ones there. In place of dip_deviation_deg."},
     {"domain.joint_set[].spacing", Type::number, "m", kPositive, "", true, "",
      "Distance between lines, normal to the mean dip."},
     {"domain.joint_set[].spacing_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
@@ -256,6 +289,14 @@ constexpr Key kKeys[] = {
      "normal|uniform|exponential|lognormal", "Its distribution."},
     {"domain.joint_set[].gap", Type::number, "m", kNotNegative, "0.0", false, "",
      "Rock bridge between the traces of a line; goes with length."},
+    {"domain.joint_set[].persistence",
+     Type::number,
+     "",
+     {0.0, 1.0, true, false},
+     "",
+     false,
+     "",
+     "Length over length + gap, in place of gap: 1 leaves no rock bridge."},
     {"domain.joint_set[].gap_deviation", Type::number, "m", kNotNegative, "0.0", false, "", "Its deviation."},
     {"domain.joint_set[].gap_distribution", Type::choice, "", kAny, "\"normal\"", false,
      "normal|uniform|exponential|lognormal", "Its distribution."},
@@ -269,7 +310,10 @@ constexpr Key kKeys[] = {
     {"domain.joint_set[].seed", Type::integer, "", kSeed, "(number of the set, from 1)", false, "",
      "Seed of the generator."},
     {"domain.trace", Type::table_list, "", kAny, "", false, "", "A discontinuity as a line of points."},
-    {"domain.trace[].points", Type::line, "m", kCoordinate, "", false, "", "Points in order. Either this or file."},
+    {"domain.trace[].points", Type::line, "m", kCoordinate, "", false, "",
+     "Points in order. Either this or file or layer."},
+    {"domain.trace[].layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing; each of its lines is a trace."},
     {"domain.trace[].file", Type::text, "", kAny, "", false, "",
      "Text file with columns x, y [m], separated by comma, semicolon or space; a blank line begins another trace, so "
      "does another name or number in a third column; # begins a comment; one line of headings may come first. Relative "
@@ -293,13 +337,28 @@ constexpr Key kKeys[] = {
     {"crack[].joint", Type::name, "", kAny, "(that of the block)", false, "", "Joint law of the crack."},
 
     {"support", Type::table_list, "", kAny, "", false, "",
-     "What holds blocks: whole blocks fixed or moving with the ground, or points on springs."},
+     "What holds blocks: whole blocks fixed or moving with the ground, points on springs, or outlines along a line or "
+     "in a box."},
     {"support[].block", Type::name, "", kAny, "", false, "", "Name of the block. Either this or blocks or at."},
     {"support[].blocks", Type::names, "", kAny, "", false, "",
      "Names of several blocks that are held whole; * stands for any characters: \"base-*\"."},
     {"support[].at", Type::point, "m", kCoordinate, "", false, "", "A point inside the block, in place of its name."},
-    {"support[].fix", Type::choice, "", kAny, "\"all\"", false, "all|x|y",
-     "Directions that are held. A whole block is held in all."},
+    {"support[].on", Type::line, "m", kCoordinate, "", false, "",
+     "Points of a line: the parts of outlines that lie on it, within 1e-6 of the extent of the model, and face no "
+     "other "
+     "block are held, whatever blocks lie there; with block or blocks those of these blocks, also on joints. The edge "
+     "stays where it is along the directions of fix, and slides freely along the others: blocks of the NMM by "
+     "Nitsche's "
+     "method on the elements that the line cuts, others on springs of 10 (K + 4G/3)/sqrt(area of the block)."},
+    {"support[].box", Type::line, "m", kCoordinate, "", false, "",
+     "Two opposite corners of a box: the same for the parts of outlines in it."},
+    {"support[].bedding", Type::number, "Pa/m", kPositive, "", false, "",
+     "Beside on or box: springs of so much force per area and displacement, which give way, in place of an edge that "
+     "does not."},
+    {"support[].fix", Type::choice, "", kAny, "\"all\"", false, "all|both|x|y|normal",
+     "Directions that are held; both is all. A whole block is held in all. normal, beside on or box: at right angles "
+     "to "
+     "the edge (a roller)."},
     {"support[].point", Type::point, "m", kCoordinate, "", false, "",
      "Point of the block, on its outline or inside, that a spring ties to its place. Without it the whole block is "
      "held."},
@@ -324,16 +383,19 @@ constexpr Key kKeys[] = {
 
     {"traction", Type::table_list, "", kAny, "", false, "",
      "A force per length of outline as the model first has it; its direction stays (a dead load)."},
-    {"traction[].block", Type::name, "", kAny, "", true, "", "Name of the block."},
+    {"traction[].block", Type::name, "", kAny, "(all that lie on the line)", false, "", "Name of the block."},
     {"traction[].on", Type::line, "m", kCoordinate, "", false, "",
      "Ends of a straight line: the parts of the outline that lie on it, holes too, within 1e-6 of the extent of the "
-     "block. Either this or edge."},
+     "block. Either this or edge. Without block it may have more points, and the parts of all outlines that lie on it "
+     "and face no other block are meant; blocks that are held whole are passed over."},
     {"traction[].edge", Type::integer, "", kIndex, "", false, "",
      "Edge of a listed block, from 0: edge 0 runs from the first corner of polygon to the second."},
     {"traction[].traction", Type::point, "Pa", kAny, "", false, "",
-     "Force per area in the axes of the model. Either this or pressure."},
+     "Force per area in the axes of the model. Either this or pressure or surcharge."},
     {"traction[].pressure", Type::number, "Pa", kAny, "", false, "",
      "Force per area at right angles to the outline; positive pushes into the block."},
+    {"traction[].surcharge", Type::number, "Pa", kAny, "", false, "",
+     "Weight per horizontal area that lies on the outline: it acts along -y, on a slope less per length of outline."},
     {"traction[].function", Type::name, "", kAny, "(constant)", false, "", "Name of the function that multiplies it."},
     {"traction[].start", Type::number_or_stage, "s", kShift, "(always)", false, "", "As point_load.start."},
     {"traction[].offset", Type::number, "s", kStart, "(0)", false, "", "As point_load.offset."},
@@ -408,16 +470,29 @@ constexpr Key kKeys[] = {
      "where "
      "two edges face each other, within the detection distance also where they have opened; contact forces are then "
      "effective forces. The line stays while the blocks move."},
-    {"water[].line", Type::line, "m", kCoordinate, "", true, "",
-     "Points of the piezometric line, x increasing. Beyond its ends it goes on level."},
+    {"water[].line", Type::line, "m", kCoordinate, "", false, "",
+     "Points of the piezometric line, x increasing. Beyond its ends it goes on level. Either this or layer."},
+    {"water[].layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing with the piezometric line: one line, or lines that meet end to end."},
+    {"water[].reservoir", Type::boolean, "", kAny, "false", false, "",
+     "The water also stands before the slope: its pressure presses on the outlines below the line that face no other "
+     "block and look out, not on the left, right and lower border of the model, nor on closed openings such as "
+     "tunnels. "
+     "A dead load of the pressure where the model first has the outline."},
+    {"water[].level", Type::table_list, "", kAny, "", false, "",
+     "Another line from a stage on: drawdown, or filling. In the joints and before the slope."},
+    {"water[].level[].stage", Type::name, "", kAny, "", true, "", "Name of the stage that it begins with."},
+    {"water[].level[].line", Type::line, "m", kCoordinate, "", true, "", "As water.line."},
     {"water[].unit_weight", Type::number, "N/m3", kPositive, "9810.0", false, "", "Unit weight of the water."},
     {"water[].joints", Type::names, "", kAny, "(all)", false, "",
      "Names of the joint laws that it fills; * stands for any characters. A law has one line at most."},
 
     {"monitor", Type::table_list, "", kAny, "", false, "", "A point whose history is written."},
     {"monitor[].block", Type::name, "", kAny, "(the block that holds the point)", false, "", "Name of the block."},
-    {"monitor[].point", Type::point, "m", kCoordinate, "", true, "",
-     "The point where the model starts, on the outline of the block or inside."},
+    {"monitor[].point", Type::point, "m", kCoordinate, "", false, "",
+     "The point where the model starts, on the outline of the block or inside. Either this or layer."},
+    {"monitor[].layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing; each of its POINTs is a monitor, named NAME-1, NAME-2, ... where name is given."},
     {"monitor[].name", Type::name, "", kAny, "(BLOCK#1, BLOCK#2, ...)", false, "",
      "Name in the results, given once only."},
 

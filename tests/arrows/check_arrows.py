@@ -18,10 +18,11 @@ ALLOWED = {
 ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/bolts", "coupling/contact/law", "coupling/contact/geometry",
          "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
          "coupling/integrate", "coupling/transfer", "coupling/stages"]
-# Inside io:  watch -> live -> results,  report -> {pictures, viewer},  serve -> {report, live},  pictures -> results,  checkpoint -> results;  text is below all of them.
+# Inside io:  case -> drawing,  watch -> live -> results,  report -> {pictures, viewer},  serve -> {report, live},  pictures -> results,  checkpoint -> results;  text is below all of them.
 INSIDE = {
     "io/text": set(),
-    "io/case": {"io/text"},
+    "io/drawing": {"io/text"},
+    "io/case": {"io/drawing", "io/text"},
     "io/results": {"io/text"},
     "io/pictures": {"io/results", "io/text"},
     "io/checkpoint": {"io/results", "io/text"},

@@ -29,7 +29,7 @@ struct NmmBlock {
   std::vector<double> q, v;  // at rest where the model has the block
 
   NmmBlock(const Polygon& polygon, const Formulation& form, const Material& material, Plane plane = Plane::strain,
-           std::vector<Crack> cracks = {}) {
+           std::vector<Crack> cracks = {}, std::vector<EdgeSupport> supports = {}) {
     model.plane = plane;
     model.materials.push_back(material);
     Block b;
@@ -38,6 +38,7 @@ struct NmmBlock {
     b.material = MaterialId{0};
     model.blocks.push_back(b);
     model.cracks = std::move(cracks);
+    model.edge_supports = std::move(supports);
     shape = shape_of(polygon, material.density);
     pool.add(model, {BlockId{0}, "nmm", shape, form});
     pool.finish();

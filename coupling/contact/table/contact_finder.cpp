@@ -598,7 +598,7 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
 
 void ContactFinder::fill_with_water(const ContactPoint& p, ContactMemory& m) const {
   m.water = 0.0;
-  const JointWater* water = setup_->model().water_in(JointId{m.joint});
+  const JointWater* water = setup_->water_in(JointId{m.joint});
   if (water == nullptr || !p.edge_edge || p.suppressed) return;
   // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
   // of a piece carries what a linear pressure gives it.

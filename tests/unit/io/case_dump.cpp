@@ -85,6 +85,10 @@ void dump_loads(Dump& d, const Model& m) {
     d.line("viscous");
     dump_span(d, x.span);
   }
+  for (const EdgeSupport& x : m.edge_supports) {
+    d.line("held {} {} {} bedding {}", x.held(0, 0), x.held(0, 1), x.held(1, 1), Dump::of(x.bedding));
+    dump_span(d, x.span);
+  }
 }
 
 void dump_water(Dump& d, const Model& m) {
@@ -92,6 +96,11 @@ void dump_water(Dump& d, const Model& m) {
     d.line("water {}", w.unit_weight);
     for (const Vec2& p : w.line) d.line("  {}", Dump::of(p));
     for (const JointId j : w.joints) d.line("  in {}", j.value);
+    for (const EdgeSpan& e : w.faces) dump_span(d, e);
+    for (const JointWater::Level& l : w.levels) {
+      d.line("  from stage {}", l.stage.value);
+      for (const Vec2& p : l.line) d.line("    {}", Dump::of(p));
+    }
   }
 }
 
@@ -140,6 +149,7 @@ std::string dump(const Case& c) {
   dump_model(d, c.model);
   dump_loads(d, c.model);
   dump_water(d, c.model);
+  if (c.drawing) d.line("drawing {} {} {}", c.drawing->unit, c.drawing->tolerance, c.drawing->join);
   dump_plan(d, c.plan);
   return d.out;
 }

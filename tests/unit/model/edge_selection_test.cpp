@@ -159,5 +159,57 @@ TEST(EdgesOnLine, random_stretches_of_turned_rectangles_come_back) {
   }
 }
 
+/// Blocks 1 x 1 side by side from x = 0, `rows` layers of them from y = 0.
+Model bricks(int columns, int rows) {
+  Model m;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      Block b;
+      b.polygon = {{{i + 0.0, j + 0.0}, {i + 1.0, j + 0.0}, {i + 1.0, j + 1.0}, {i + 0.0, j + 1.0}}, {}};
+      m.blocks.push_back(b);
+    }
+  return m;
+}
+
+double total(const Model& m, const std::vector<EdgeSpan>& spans) {
+  double sum = 0.0;
+  for (const EdgeSpan& s : spans) sum += scree::length_of(m, s);
+  return sum;
+}
+
+TEST(FreeEdges, joints_are_passed_over_and_borders_are_found) {
+  const Model m = bricks(4, 3);
+  EXPECT_NEAR(total(m, free_edges_on_line(m, {0, 0}, {4, 0}, 1e-6)), 4.0, 1e-9);
+  EXPECT_NEAR(total(m, free_edges_on_line(m, {4, 0}, {0.5, 0}, 1e-6)), 3.5, 1e-9);
+  EXPECT_TRUE(free_edges_on_line(m, {0, 1}, {4, 1}, 1e-6).empty());
+  EXPECT_NEAR(total(m, free_edges_in_box(m, {{-1, -1}, {5, 4}}, 1e-6)), 14.0, 1e-9);
+  EXPECT_NEAR(total(m, free_edges_in_box(m, {{-0.1, -0.1}, {4.1, 0.25}}, 1e-6)), 4.5, 1e-5);
+}
+
+TEST(FreeEdges, a_face_is_free_beside_a_shorter_block) {
+  // A block of 1 on one of 3: 2 of the upper face are free, in two parts.
+  Model m;
+  Block low, high;
+  low.polygon = {{{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {}};
+  high.polygon = {{{1.2, 1}, {2.2, 1}, {2.2, 2}, {1.2, 2}}, {}};
+  m.blocks = {low, high};
+  const auto spans = free_edges_on_line(m, {0, 1}, {3, 1}, 1e-6);
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_NEAR(total(m, spans), 2.0, 1e-9);
+  // Edge 2 runs from (3, 1) to (0, 1).
+  EXPECT_NEAR(spans[0].s0 * 3.0, 0.0, 1e-9);
+  EXPECT_NEAR(spans[0].s1 * 3.0, 0.8, 1e-9);
+  EXPECT_NEAR(spans[1].s0 * 3.0, 1.8, 1e-9);
+}
+
+TEST(FreeEdges, water_presses_on_what_looks_out) {
+  Model m = bricks(3, 1);
+  Block step;  // on the left block, with an opening in it
+  step.polygon = {{{0, 1}, {1, 1}, {1, 3}, {0, 3}}, {{{0.4, 1.5}, {0.4, 2.0}, {0.6, 2.0}, {0.6, 1.5}}}};
+  m.blocks.push_back(step);
+  // The top of the step 1, its right face 2, the tops of two bricks 2; not the opening, the sides and the bottom.
+  EXPECT_NEAR(total(m, outer_faces(m, 1e-6)), 5.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace scree

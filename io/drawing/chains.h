@@ -1,0 +1,22 @@
+// Lines that meet end to end, as rings and polylines.
+#pragma once
+
+#include <vector>
+
+#include "io/drawing/drawing.h"
+
+namespace scree::io {
+
+/// A ring or polyline, and the first line that it is made of.
+struct Chain {
+  std::vector<Vec2> points;
+  bool closed = false;  // then the first point is not repeated
+  int row = 0;
+};
+
+/// Joins lines whose ends are within the distance of each other.
+/// @param lines  usable ones
+/// @throws DrawingError where three or more ends meet: which way goes on is not said
+[[nodiscard]] std::vector<Chain> chained(const std::vector<const DrawnLine*>& lines, double distance);
+
+}  // namespace scree::io

@@ -1,0 +1,63 @@
+// Warnings of stiffnesses and sizes that are worlds apart, and of joints without a law.
+#include <gtest/gtest.h>
+
+#include "coupling/stages/model_warnings.h"
+#include "coupling/stages/plan_warnings.h"
+#include "tests/support/scene.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+TEST(ModelWarnings, stiffnesses_far_apart_are_told_with_their_names) {
+  Scene scene(1e9);
+  scene.add("block", rectangle(0, 0, 2, 2));
+  scene.model.joints[0].normal_stiffness = 1e10;
+  EXPECT_TRUE(stiffness_warnings(scene.model).empty());
+  scene.model.joints[0].normal_stiffness = 1e16;
+  const auto told = stiffness_warnings(scene.model);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("normal_stiffness of joint 'joint'"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("2e+07"), std::string::npos) << told[0];
+}
+
+TEST(ModelWarnings, sizes_far_apart_are_told_with_their_blocks) {
+  Scene scene;
+  scene.add("mountain", rectangle(0, 0, 2000, 2000), true);
+  scene.add("boulder", rectangle(0, 2000, 3, 2003));
+  EXPECT_TRUE(size_warnings(scene.model).empty());
+  scene.add("pebble", rectangle(10, 2000, 11, 2001));
+  const auto told = size_warnings(scene.model);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("'pebble' 1 m"), std::string::npos) << told[0];
+}
+
+TEST(ModelWarnings, faces_without_any_law_are_told) {
+  Scene scene;
+  scene.add("base", rectangle(0, 0, 4, 1), true);
+  scene.add("slider", rectangle(1, 1, 2, 2));
+  EXPECT_TRUE(lawless_warnings(scene.model, touching_blocks(scene.model)).empty());
+  scene.model.joints[0].name = "smooth";
+  scene.model.joints[0].friction = 0.0;
+  const auto told = lawless_warnings(scene.model, touching_blocks(scene.model));
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("1 m of faces"), std::string::npos) << told[0];
+}
+
+TEST(ModelWarnings, a_model_on_lines_is_held_along_what_they_fix) {
+  Scene scene;
+  const BlockId block = scene.add("block", rectangle(0, 0, 2, 2));
+  scene.stage("dda", Integrator::implicit, 0.1, 1e-3);
+  const auto told = [&] { return support_warnings(scene.model, touching_blocks(scene.model)); };
+  EXPECT_FALSE(told().empty());
+  Mat2 y = Mat2::Zero();
+  y(1, 1) = 1.0;
+  scene.model.edge_supports.push_back({{block, {0, 0}, 0.0, 1.0}, y, {}});
+  EXPECT_TRUE(told().empty());
+  scene.model.edge_supports[0].held = Mat2::Identity() - y;  // along x only
+  EXPECT_FALSE(told().empty());
+}
+
+}  // namespace
+}  // namespace scree::test
