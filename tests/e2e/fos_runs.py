@@ -98,8 +98,8 @@ def answers():
     text, _ = fos_cases.block_on_plane(2.0, 1.0, 0.0, 30.0)
     a = fos("block on level ground", text, "--strength", "peak")
     expect(a.get("status") == "stable at the largest factor" and a.get("stands") == 10.0, "stable at F_max: %s" % a.get("status"))
-    # undecided: too little time to tell
-    text, _ = fos_cases.plane_slope()
+    # undecided: on a flat plane, 8 degrees, a margin of 2 % accelerates too little for 0.3 (1 - F_s) g, and the time is too short to go the limit
+    text, _ = fos_cases.block_on_plane(2.0, 1.0, 8.0, 20.0)
     a = fos("too little time", text, "--strength", "peak", "--time", "0.02", "--limit", "0.05", code=4)
     expect(a.get("status") == "undecided", "undecided: %s" % a.get("status"))
     # back-analysis: friction with which a slope just stands
