@@ -4,8 +4,9 @@
 # the thread that computes; and that of the whole program, with the thread that encodes and sends. Ends with 1 when
 # streaming costs more than a hundredth of the wall time: by the wall itself, and by what the computing thread used more,
 # as a share of the wall (on a busy machine the first is noise).
-# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS [no-viewer]]. Without a viewer it
+# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS [no-viewer|pages]]. Without a viewer it
 # is what streaming takes by itself, as when the viewer is elsewhere: one beside it works as hard as the encoding thread.
+# pages: `scree view --live` hands the stream on to ten WebSockets, in place of `scree watch`.
 set -u
 [ $# -ge 1 ] || { echo "usage: SCREE_FULL=1 $0 SCREE [TURNS]"; exit 2; }
 [ "${SCREE_FULL:-}" = 1 ] || { echo "SKIPPED: set SCREE_FULL=1; it takes minutes"; exit 77; }
@@ -49,9 +50,17 @@ for row in range(40):
 END
 watch() {
   [ "$viewers" != no-viewer ] || return 0
+  [ "$viewers" != pages ] || return 0
   python3 "$(dirname "$0")/live/terminal.py" "$scree" watch --timeout 0 > /dev/null &
   viewer=$!
 }
+if [ "$viewers" = pages ]; then
+  "$scree" view --live > "$work/address" &
+  viewer=$!
+  for _ in $(seq 100); do grep -q http "$work/address" && break; sleep 0.1; done
+  python3 "$(dirname "$0")/view/viewers.py" "$(grep http "$work/address")" 10 > "$work/pages" &
+  pages=$!
+fi
 watch
 # timed NAME OPTIONS...: a run; what its first thread used of a processor [ns] goes to NAME.ns
 timed() {
@@ -70,6 +79,7 @@ for i in $(seq "$turns"); do
   timed "on$i" --live || fail "turn $i with streaming"
   [ -n "$viewer" ] && kill -0 "$viewer" 2> /dev/null || watch
 done
+[ "$viewers" != pages ] || { kill -TERM $pages; wait $pages; cat "$work/pages"; }
 python3 - "$work" "$turns" << 'END'
 import json, statistics, sys
 work, turns = sys.argv[1], int(sys.argv[2])

@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import { line_colour } from "./colours";
 import type { Run, Stage } from "./source";
+import { is_dark, on_theme } from "./theme";
 import { prefixed, short, superscript } from "./units";
 
 export interface Series {
@@ -16,7 +17,6 @@ export interface ChartText {
   log?: boolean;
 }
 
-const DARK = matchMedia("(prefers-color-scheme: dark)");
 const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /// One chart in an element; made anew when its data or the colours of the page change.
@@ -28,7 +28,7 @@ export class Chart {
 
   constructor(private readonly element: HTMLElement, private readonly height: number, private readonly stages: Stage[],
               private readonly on_time: (time: number) => void) {
-    DARK.addEventListener("change", () => this.remake?.());
+    on_theme(() => this.remake?.());
     new ResizeObserver(() => this.plot?.setSize({ width: this.width(), height: this.height })).observe(element);
   }
 
@@ -65,7 +65,7 @@ export class Chart {
       series: [
         { label: "time", value: (_u, v) => (v == null ? "–" : `${v.toFixed(3)} s`) },
         ...series.map((s, i) => ({
-          label: s.label, stroke: line_colour(i, DARK.matches), width: 1.5, points: { show: false },
+          label: s.label, stroke: line_colour(i, is_dark()), width: 1.5, points: { show: false },
           ...(s.dash ? { dash: s.dash } : {}),
           value: (_u: uPlot, v: number | null) => (v == null ? "–" : `${short(v)}${unit.name ? ` ${unit.name}` : ""}`),
         })),

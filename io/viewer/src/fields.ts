@@ -1,4 +1,6 @@
 // The fields that blocks can be coloured by: a number at each corner of each cell.
+import type { Rgb } from "./colours";
+import { block_rank, STATE_COLOURS, STATE_NAMES } from "./contacts";
 import type { Frame, Mesh, Run } from "./source";
 
 export interface Field {
@@ -11,6 +13,7 @@ export interface Field {
   /// Of cell c, for names: their number.
   cell?: (m: Mesh, f: Frame, c: number) => number;
   names?: (run: Run) => string[];
+  colours?: Rgb[]; // of the names; without: as name_colour has them
 }
 
 const mean = (f: Frame, p: number) => 0.5 * (f.stress[3 * p]! + f.stress[3 * p + 1]!);
@@ -29,17 +32,23 @@ export const FIELDS: Field[] = [
   { id: "sxy", label: "shear stress σxy", unit: "Pa", kind: "signed", point: (f, p) => f.stress[3 * p + 2]! },
   { id: "method", label: "method", unit: "", kind: "names", cell: (m, _f, c) => m.method[c]!, names: (r) => r.model.methods.map((n) => n.toUpperCase()) },
   { id: "integrator", label: "time integrator", unit: "", kind: "names", cell: (_m, f, c) => f.integrator[c]!, names: () => ["explicit", "implicit"] },
+  { id: "joint", label: "joint state (worst of a block's contacts)", unit: "", kind: "names", cell: (m, f, c) => block_rank(f.contacts, m.block[c]!), names: () => STATE_NAMES, colours: STATE_COLOURS },
   { id: "material", label: "material", unit: "", kind: "names", cell: (m, _f, c) => m.material[c]!, names: (r) => r.model.materials.map((m) => m.name) },
   { id: "block", label: "block", unit: "", kind: "names", cell: (m, _f, c) => m.block[c]! },
 ];
 
-/// Those that a stream has: its frames have displacements, and one scalar a cell.
-export function fields_of_stream(scalar: string): Field[] {
-  const carried: Field = scalar === "speed"
-    ? { id: "scalar", label: "mean speed", unit: "m/s", kind: "magnitude", cell: (_m, f, c) => f.scalar![c]! }
-    : { id: "scalar", label: scalar, unit: "Pa", kind: "signed", cell: (_m, f, c) => f.scalar![c]! };
-  return [...FIELDS.filter((f) => ["displacement", "ux", "uy"].includes(f.id)), carried, ...FIELDS.filter((f) => ["method", "material", "block"].includes(f.id))];
-}
+export const NO_VALUE = 3e38; // drawn in grey: this frame has not that field
+
+/// Those of a stream: its frames have displacements, and the one scalar a cell that was asked for (io/live/live_field.h), which a name tells.
+export const STREAM_SCALARS: Field[] = [
+  ...FIELDS.filter((f) => f.id === "speed"),
+  { id: "mean_stress", label: "mean stress", unit: "Pa", kind: "signed" } as Field,
+  ...FIELDS.filter((f) => ["s1", "s3", "shear", "sxx", "syy", "sxy", "joint", "integrator"].includes(f.id)),
+].map(({ point: _, ...f }) => ({ ...f, cell: (_m: Mesh, frame: Frame, c: number) => (frame.scalar_field === f.id ? frame.scalar![c]! : NO_VALUE) }));
+
+export const STREAM_FIELDS: Field[] = [
+  ...FIELDS.filter((f) => ["displacement", "ux", "uy"].includes(f.id)), ...STREAM_SCALARS, ...FIELDS.filter((f) => ["method", "material", "block"].includes(f.id)),
+];
 
 /// A value a corner (entry of mesh.cells).
 export function corner_values(field: Field, mesh: Mesh, frame: Frame, out: Float32Array): void {
@@ -56,7 +65,7 @@ export function frame_range(field: Field, mesh: Mesh, values: Float32Array, held
   const sizes: number[] = [];
   for (let c = 0; c + 1 < mesh.offsets.length; ++c) {
     if (held(mesh.block[c]!)) continue;
-    for (let i = mesh.offsets[c]!; i < mesh.offsets[c + 1]!; ++i) if (Number.isFinite(values[i])) sizes.push(Math.abs(values[i]!));
+    for (let i = mesh.offsets[c]!; i < mesh.offsets[c + 1]!; ++i) if (Number.isFinite(values[i]) && values[i]! < NO_VALUE / 2) sizes.push(Math.abs(values[i]!));
   }
   sizes.sort((a, b) => a - b);
   const share = field.unit === "Pa" ? 0.99 : 1;

@@ -1,5 +1,6 @@
 // Lines over the blocks: principal stress crosses, contacts, joints and outlines as the model first had them.
-import { name_colour, type Rgb } from "./colours";
+import { mapped, name_colour, type Rgb } from "./colours";
+import { FAILED, SLIPPING, STICKING } from "./contacts";
 import type { Contacts, Frame, Mesh, Piece, Run } from "./source";
 
 export interface LineSet {
@@ -21,9 +22,7 @@ class Builder {
 
 export const COMPRESSION: Rgb = [24, 82, 160];
 export const TENSION: Rgb = [200, 30, 30];
-export const STICKING: Rgb = [0, 114, 178];
-export const SLIPPING: Rgb = [213, 94, 0];
-export const FAILED: Rgb = [170, 20, 110];
+export const WATER: Rgb = [0, 96, 200];
 
 /// The value below which 98 % of the sizes are; 0 where there are none.
 function high_of(sizes: number[]): number {
@@ -106,6 +105,49 @@ export function contact_lines(contacts: Contacts, longest: number): ContactLines
     lines.add(x - dx, y - dy, x + dx, y + dy, (state & 3) === 2 ? STICKING : state & 4 ? FAILED : SLIPPING);
   }
   return { ...lines.done(), ...out };
+}
+
+export interface SlipLines extends LineSet {
+  most: number; // slip of the upper end of the colours [m]
+}
+
+/// Slip at each closed contact point, as a stretch of its edge.   @param half  of a stretch [m]
+export function slip_lines(contacts: Contacts, half: number): SlipLines {
+  const slips = Array.from(contacts.slip, Math.abs);
+  const most = slips.reduce((m, s) => (Number.isFinite(s) && s > m ? s : m), 0);
+  const lines = new Builder();
+  slips.forEach((slip, i) => {
+    const [dx, dy] = [-half * contacts.normal[2 * i + 1]!, half * contacts.normal[2 * i]!];
+    const [x, y] = [contacts.position[2 * i]!, contacts.position[2 * i + 1]!];
+    lines.add(x - dx, y - dy, x + dx, y + dy, mapped("magnitude", most > 0 ? slip / most : 0));
+  });
+  return { ...lines.done(), most };
+}
+
+/// Piezometric lines, level beyond their ends, with the sign that drawings have for a water level.
+/// @param size  of that sign [m]
+export function water_lines(run: Run, size: number): LineSet {
+  const lines = new Builder();
+  const [x0, , x1] = run.frames.bounds;
+  for (const { line } of run.model.water ?? []) {
+    const last = line.length - 2;
+    const points = [Math.min(x0, line[0]!), line[1]!, ...line, Math.max(x1, line[last]!), line[last + 1]!];
+    for (let i = 0; i + 3 < points.length; i += 2) lines.add(points[i]!, points[i + 1]!, points[i + 2]!, points[i + 3]!, WATER);
+    // On the middle of the longest stretch that is in the model.
+    let [best, x, y] = [-1, 0, 0];
+    for (let i = 0; i + 3 < points.length; i += 2) {
+      const [a, b] = [Math.max(x0, points[i]!), Math.min(x1, points[i + 2]!)];
+      if (b - a <= best) continue;
+      best = b - a;
+      x = 0.5 * (a + b);
+      y = points[i + 1]! + ((points[i + 3]! - points[i + 1]!) * (x - points[i]!)) / Math.max(points[i + 2]! - points[i]!, 1e-12);
+    }
+    lines.add(x, y, x - 0.6 * size, y + size, WATER);
+    lines.add(x - 0.6 * size, y + size, x + 0.6 * size, y + size, WATER);
+    lines.add(x + 0.6 * size, y + size, x, y, WATER);
+    for (const [below, half] of [[0.25, 0.45], [0.5, 0.25]] as const) lines.add(x - half * size, y - below * size, x + half * size, y - below * size, WATER);
+  }
+  return lines.done();
 }
 
 export function original_outline(run: Run, colour: Rgb): LineSet {

@@ -1,6 +1,7 @@
 // A run that streams: messages of `scree view --live` over a WebSocket (io/serve/live_messages.h). What has come stays, so
 // that one can go back in time; what came before the page was opened is not known.
-import { FIELDS } from "./fields";
+import { token, type Answer } from "./control";
+import { STREAM_FIELDS, STREAM_SCALARS } from "./fields";
 import { KEPT_BYTES, mesh_of, unpack, type Frame, type FrameNote, type Mesh, type Run, type Source, type Stream } from "./source";
 import { seconds, short } from "./units";
 
@@ -12,7 +13,7 @@ interface RunHead extends Head {
   run: string;
   title: string;
   version: string;
-  field: string;
+  control: boolean;
   end_time: number;
   origin: [number, number];
   bounds: [number, number, number, number];
@@ -29,6 +30,7 @@ interface FrameHead extends Head {
   step: number;
   stage: string;
   integrator: string;
+  field: string;
 }
 type Pair = [number, number];
 interface RowsHead extends Head {
@@ -62,8 +64,11 @@ const text = new TextDecoder();
 
 export class LiveSource implements Source, Stream {
   readonly live: Stream = this;
-  scalar = "speed";
   run!: Run;
+  private readonly token = token();
+  private takes_commands = false;
+  private asked: string | null = null; // a command without its answer
+  private answered: (answer: Answer) => void = () => undefined;
   private session = -1;
   private connected = false;
   private last_status: Status | null = null;
@@ -86,8 +91,22 @@ export class LiveSource implements Source, Stream {
 
   private constructor(private readonly waiting: (what: string) => void) {}
 
-  follow(changed: (thinned: boolean) => void): void {
+  follow(changed: (thinned: boolean) => void, answered: (answer: Answer) => void): void {
     this.changed = changed;
+    this.answered = answered;
+  }
+
+  can_control(): boolean {
+    return this.takes_commands && this.token !== "";
+  }
+
+  command(text: string): void {
+    this.asked = text;
+    this.socket?.send(`${this.token} ${text}`);
+  }
+
+  state(): string {
+    return this.connected ? this.last_status?.status ?? "" : "";
   }
 
   mesh(index: number): Promise<Mesh> {
@@ -147,6 +166,7 @@ export class LiveSource implements Source, Stream {
     }
     if (head.kind === "run") this.take_run(head as RunHead);
     else if (head.kind === "status") this.take_status(head as Status);
+    else if (head.kind === "answer") this.take_answer(head as Head & Answer);
     else if (head.session === this.session) {
       if (head.kind === "mesh") this.take_mesh(head as MeshHead, arrays);
       else if (head.kind === "rows") this.take_rows(head as RowsHead);
@@ -161,7 +181,7 @@ export class LiveSource implements Source, Stream {
   private take_run(head: RunHead): void {
     if (!this.run) {
       this.session = head.session;
-      this.scalar = head.field;
+      this.takes_commands = head.control;
       this.run = {
         format: 1, written_by: head.version, title: head.title, folder: head.run, origin: head.origin,
         model: { blocks: [], materials: [], methods: [], supports: [], joints: { laws: [], lines: [], cracks: [] } },
@@ -191,6 +211,12 @@ export class LiveSource implements Source, Stream {
     this.changed(false);
   }
 
+  private take_answer(head: Head & Answer): void {
+    if (head.command !== this.asked) return; // that of another page, or one from before this page came
+    this.asked = null;
+    this.answered(head);
+  }
+
   private take_mesh(head: MeshHead, bytes: Uint8Array): void {
     const mesh = mesh_of(unpack(bytes));
     // Each mesh counts its methods anew; the page counts those of all.
@@ -207,7 +233,7 @@ export class LiveSource implements Source, Stream {
     if (!this.meshes.has(head.mesh) || (last && last.time === head.time && last.mesh === head.mesh)) return; // sent again after a new connection
     const arrays = unpack(bytes);
     const frame: Frame = {
-      displacement: arrays.get("displacement") as Float32Array, scalar: arrays.get("scalar") as Float32Array,
+      displacement: arrays.get("displacement") as Float32Array, scalar: arrays.get("scalar") as Float32Array, scalar_field: head.field,
       velocity: new Float32Array(0), stress: new Float32Array(0), integrator: new Uint8Array(0), contacts: null,
     };
     this.grow_ranges(frame);
@@ -224,7 +250,8 @@ export class LiveSource implements Source, Stream {
   }
 
   private grow_ranges(frame: Frame): void {
-    const most: Record<string, number> = { displacement: 0, ux: 0, uy: 0, scalar: 0 };
+    const carried = STREAM_SCALARS.find((f) => f.id === frame.scalar_field && f.kind !== "names");
+    const most: Record<string, number> = { displacement: 0, ux: 0, uy: 0 };
     const u = frame.displacement;
     for (let p = 0; p + 1 < u.length; p += 2) {
       const [x, y] = [Math.abs(u[p]!), Math.abs(u[p + 1]!)];
@@ -233,11 +260,11 @@ export class LiveSource implements Source, Stream {
       const size = Math.hypot(x, y);
       if (size > most.displacement!) most.displacement = size;
     }
-    for (const s of frame.scalar!) if (Math.abs(s) > most.scalar!) most.scalar = Math.abs(s);
+    if (carried) most[carried.id] = frame.scalar!.reduce((m, s) => (Math.abs(s) > m ? Math.abs(s) : m), 0);
     const ranges = this.run.frames.ranges;
     for (const [id, size] of Object.entries(most)) {
       const high = Math.max(size, ranges[id]?.[1] ?? 0);
-      const signed = FIELDS.find((f) => f.id === id)?.kind === "signed" || (id === "scalar" && this.scalar !== "speed");
+      const signed = STREAM_FIELDS.find((f) => f.id === id)?.kind === "signed";
       if (high > 0) ranges[id] = [signed ? -high : 0, high];
     }
   }

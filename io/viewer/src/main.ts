@@ -1,24 +1,31 @@
 // The page: binds the source, the scene, the charts and the controls.
 import { ledger_series, Chart, closure, monitor_series, MONITOR_QUANTITIES, type Series } from "./charts";
-import { css, name_colour, type Rgb } from "./colours";
-import { corner_values, FIELDS, fields_of_stream, frame_range } from "./fields";
+import { css, mapped, name_colour, type Rgb } from "./colours";
+import { bind_control, show_control, told } from "./control";
+import { chosen_of, contact_at, contact_facts, FAILED, SLIPPING, STICKING, type Chosen } from "./contacts";
+import { corner_values, FIELDS, frame_range, STREAM_FIELDS, STREAM_SCALARS } from "./fields";
+import { by_id } from "./elements";
 import { cell_areas, cell_at } from "./geometry";
-import { contact_lines, COMPRESSION, crosses, diamonds, FAILED, joint_lines, original_outline, SLIPPING, STICKING, support_marks, TENSION, type ContactLines, type Crosses } from "./layers";
+import {
+  contact_lines, COMPRESSION, crosses, diamonds, joint_lines, original_outline, slip_lines, support_marks, TENSION, WATER, water_lines, type ContactLines, type Crosses,
+} from "./layers";
 import { legend_text, show_legend, type LegendText } from "./legend";
 import { merged, Pair, type Shown } from "./pair";
-import { picture } from "./picture";
+import { draw_picture, png_of, type PictureText } from "./picture";
 import { Scene, type Layer } from "./scene";
 import { LiveSource } from "./live";
 import { ServedSource } from "./served";
 import { ReportSource, type Frame, type FrameNote, type Mesh, type Source } from "./source";
+import { choose_theme, is_dark, on_theme } from "./theme";
 import { element, pairs, show_asked, show_events, show_found, status_of } from "./tables";
 import { prefixed, quantity, round_below, seconds, short } from "./units";
+import { FILM_RATE, start_film } from "./video";
 
-const by_id = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
-const DARK = matchMedia("(prefers-color-scheme: dark)");
 const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
 const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
+const CONTACT_REACH = 9; // [CSS pixels] from a click to the contact that it means
+const MOST_FILM = 60; // [s] of a film: a longer one is quickened
 
 const SERVED = document.body.dataset.source !== undefined;
 const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved; blocks and materials have numbers, as the stream has no names of them.";
@@ -67,14 +74,19 @@ class Page {
   private own_view = false; // the user has moved the view: it no longer follows the size of the window
   private crosses: Crosses | null = null;
   private forces: ContactLines | null = null;
-  private readonly shown: Record<Layer, boolean> = { original: true, joints: false, outline: true, crosses: false, contacts: false, supports: true, monitors: true, chosen: true };
+  private contact: Chosen | null = null;
+  private most_slip = 0; // of the frame that is shown, where the layer is [m]
+  private filming = false;
+  private readonly shown: Record<Layer, boolean> = {
+    original: true, joints: false, outline: true, crosses: false, water: true, slip: false, contacts: false, supports: true, monitors: true, chosen: true, contact: true,
+  };
   private block_chart: Chart | null = null;
   private block_history: { block: number; time: Float64Array; rows: Float64Array[] } | null = null;
 
   constructor(private readonly source: Source) {
     this.run = source.run;
     this.frames = this.run.frames.list;
-    if (source.live) this.fields = fields_of_stream(source.live.scalar);
+    this.fields = source.live ? STREAM_FIELDS : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
     let scene: Scene | null = null;
     try {
       scene = new Scene(by_id<HTMLCanvasElement>("view"));
@@ -101,7 +113,9 @@ class Page {
     this.tell_extent(true);
     if (this.source.live) {
       this.set_following(true);
-      this.source.live.follow((thinned) => this.stream_changed(thinned));
+      this.source.live.follow((thinned) => this.stream_changed(thinned), (answer) => this.tell(told(answer)));
+      bind_control((command) => this.source.live!.command(command));
+      this.show_stream();
     }
     document.body.dataset.ready = "true";
   }
@@ -156,6 +170,7 @@ class Page {
 
   private choices_changed(): void {
     this.use_choices();
+    this.ask_for_field();
     const value = (id: string) => by_id<HTMLSelectElement>(id).value;
     this.pair?.tell({ field: value("field"), range: value("range"), factor: value("factor") });
   }
@@ -168,7 +183,27 @@ class Page {
     if (on) void this.go(this.frames.length - 1);
   }
 
+  /// A field that the stream does not carry is asked for.
+  private ask_for_field(): void {
+    const live = this.source.live;
+    if (!live || !STREAM_SCALARS.includes(this.field) || this.newest_scalar() === this.field.id) return;
+    if (live.can_control()) live.command(`field ${this.field.id}`);
+    else this.tell(`The stream carries ${this.newest_scalar()}. It carries what this page asks for with scree run --live --control and scree view --live --control.`);
+  }
+
+  private newest_scalar(): string {
+    return this.frame?.scalar_field ?? "";
+  }
+
+  /// What of a stream does not wait for the next look of people.
+  private show_stream(): void {
+    const live = this.source.live!;
+    by_id("control-box").hidden = !live.can_control();
+    show_control(live.state());
+  }
+
   private stream_changed(thinned: boolean): void {
+    this.show_stream();
     if (thinned && this.note) {
       const at = this.frames.indexOf(this.note);
       this.index = this.wanted = at >= 0 ? at : Math.min(this.index, this.frames.length - 1);
@@ -230,6 +265,8 @@ class Page {
     else show_found(run, by_id("found"));
     by_id("asked-box").hidden = this.source.live !== undefined;
     by_id("follow").hidden = this.source.live === undefined;
+    by_id("contact-box").hidden = !run.contacts;
+    by_id("film").hidden = MODEL;
     show_asked(run, by_id("asked"));
     show_events(run, by_id("events"), (t) => this.go_to_time(t));
   }
@@ -256,10 +293,12 @@ class Page {
     fill("speed", speeds.map((s) => [String(s), s === 1 ? "real time" : `× ${s}`]), String(near));
     const layers = by_id("layers");
     const entries: [Layer, string][] = [["outline", "outlines of the blocks"]];
-    if (!live) entries.push(["original", "original outline"], ["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
+    entries.push(["original", "original outline"]);
+    if (!live) entries.push(["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
     if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
     if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
-    if (this.run.contacts) entries.push(["contacts", "contact forces and states"]);
+    if ((this.run.model.water ?? []).length > 0) entries.push(["water", "water levels"]);
+    if (this.run.contacts) entries.push(["contacts", "contact forces and states"], ["slip", "slip of the joints"]);
     const drawn = this.run.model.joints.lines.length + this.run.model.joints.cracks.length > 0;
     for (const [layer, text] of entries) {
       if (layer === "joints" && !drawn) continue;
@@ -313,13 +352,16 @@ class Page {
     on("zoom-out", "click", () => this.zoom(1 / 1.3));
     on("fit", "click", () => this.fit());
     on("save", "click", () => void this.save());
+    on("film", "click", () => void this.film());
+    on("contact-next", "click", () => this.next_contact());
+    on("theme", "change", () => choose_theme(by_id<HTMLSelectElement>("theme").value));
     for (const id of ["field", "range", "factor"]) on(id, "change", () => this.choices_changed());
     on("block", "change", () => this.choose(Number(by_id<HTMLSelectElement>("block").value)));
     on("monitor-quantity", "change", () => this.draw_monitors());
     on("block-quantity", "change", () => this.draw_block());
     on("ledger-sides", "change", () => this.draw_ledger());
     document.addEventListener("keydown", (e) => this.key(e));
-    DARK.addEventListener("change", () => (this.use_theme(), this.redraw()));
+    on_theme(() => (this.use_theme(), this.redraw()));
     if (!this.scene) return;
     new ResizeObserver(() => {
       this.scene!.resize();
@@ -363,6 +405,7 @@ class Page {
       up(e);
       if (moved <= 3 && this.mesh) {
         const [x, y] = scene.place(e.offsetX, e.offsetY);
+        if (this.contact_clicked(x, y)) return;
         const cell = cell_at(this.mesh, scene.position, x, y);
         this.choose(cell < 0 ? -1 : this.mesh.block[cell]!);
       }
@@ -396,7 +439,8 @@ class Page {
     const acts: Record<string, () => void> = {
       " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
       Home: () => this.seek(0), End: () => this.seek(this.frames.length - 1), "+": () => this.zoom(1.3), "=": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3),
-      "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(),
+      "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(), v: () => void this.film(), V: () => void this.film(),
+      c: () => this.next_contact(), C: () => this.next_contact(),
     };
     const act = acts[e.key];
     if (!act || (e.key === " " && target.tagName === "BUTTON")) return;
@@ -444,6 +488,7 @@ class Page {
           this.mesh = mesh;
           this.mesh_index = note.mesh;
           this.scene?.use_mesh(mesh, this.held);
+          if (this.source.live && this.scene) this.show_original();
         }
         this.frame = frame;
         this.index = Math.max(0, this.frames.indexOf(note)); // frames of a stream may have been thinned meanwhile
@@ -519,6 +564,7 @@ class Page {
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(f.time)} in stage ${f.stage}, coloured by ${this.field.label}`);
     for (const chart of this.charts) chart.at(f.time);
     this.show_block_facts();
+    this.show_contact_facts();
   }
 
   private say(): void {
@@ -530,12 +576,18 @@ class Page {
   private use_theme(): void {
     this.scene?.use_theme({ ground: rgb_of("--paper"), ink: rgb_of("--edge"), held: rgb_of("--held"), hatch: rgb_of("--hatch"), original: rgb_of("--original") });
     if (!this.scene) return;
-    const original = original_outline(this.run, rgb_of("--original"));
-    this.scene.use_lines("original", original.ends, original.tint);
+    this.show_original();
     const joints = joint_lines(this.run);
     this.scene.use_lines("joints", joints.ends, joints.tint);
     for (const layer of Object.keys(this.shown) as Layer[]) this.scene.show(layer, this.shown[layer]);
     if (this.frame) this.update_places();
+  }
+
+  /// The blocks as the model had them; a stream knows no more of them than its mesh.
+  private show_original(): void {
+    const colour = rgb_of("--original");
+    const original = this.source.live ? this.scene!.original_lines(colour) : original_outline(this.run, colour);
+    this.scene!.use_lines("original", original.ends, original.tint);
   }
 
   private factor(): number {
@@ -559,15 +611,24 @@ class Page {
       this.forces = contact_lines(this.frame.contacts, 0.08 * Math.hypot(x1 - x0, y1 - y0));
       this.scene.use_lines("contacts", this.forces.ends, this.forces.tint);
     }
+    this.most_slip = this.shown.slip && this.frame.contacts ? slip_lines(this.frame.contacts, 1).most : 0;
     this.show_layer_key();
   }
 
-  /// What keeps its size on the screen: supports, and monitors with their names.
+  /// What keeps its size on the screen: supports, slip, the chosen contact, and monitors with their names.
   private update_marks(): void {
     if (!this.scene || this.index < 0) return;
     const pixel = 1 / this.scene.view.scale;
     const supports = support_marks(this.run, rgb_of("--mark"), 11 * pixel);
     this.scene.use_lines("supports", supports.ends, supports.tint);
+    const water = water_lines(this.run, 12 * pixel);
+    this.scene.use_lines("water", water.ends, water.tint);
+    if (this.shown.slip && this.frame?.contacts) {
+      const slip = slip_lines(this.frame.contacts, 7 * pixel);
+      this.scene.use_lines("slip", slip.ends, slip.tint);
+    }
+    const chosen = diamonds(this.contact ? [this.contact.place] : [], [230, 60, 0], 9 * pixel);
+    this.scene.use_lines("contact", chosen.ends, chosen.tint);
     const time = this.frames[this.index]!.time;
     const places: [number, number][] = [];
     const labels: HTMLElement[] = [];
@@ -623,12 +684,16 @@ class Page {
       line([[STICKING, `sticking (${f.sticking})`], [SLIPPING, `slipping (${f.slipping})`], [FAILED, `slipping, strength failed (${f.failed})`]],
         f.force > 0 ? `· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
     }
+    if (this.shown.slip && this.run.contacts) line([[mapped("magnitude", 0), "slip 0"], [mapped("magnitude", 1), `${quantity(this.most_slip, "m")} (largest now)`]]);
+    if (this.shown.water)
+      for (const { joints } of this.run.model.water ?? [])
+        line([[WATER, `water in ${joints.length === 0 ? "all joints" : joints.map((j) => this.run.model.joints.laws[j]?.name).join(", ")}`]]);
   }
 
   private names(): [string, Rgb][] {
     if (this.field.kind !== "names") return [];
     if (!this.field.names) return Array.from({ length: 10 }, (_, i) => ["", name_colour(i)] as [string, Rgb]);
-    return this.field.names(this.run).map((n, i) => [n, name_colour(i)]);
+    return this.field.names(this.run).map((n, i) => [n, this.field.colours?.[i] ?? name_colour(i)]);
   }
 
   private update_colours(): void {
@@ -641,6 +706,7 @@ class Page {
     const names = this.names();
     this.scene.use_colours(this.field, range, names.map(([, c]) => c));
     this.legend = legend_text(this.field, range, names.filter(([n]) => n !== ""));
+    if (STREAM_SCALARS.includes(this.field) && this.frame.scalar_field !== this.field.id) this.legend.what += ": not in this frame";
     if (this.field.id === "block") this.legend.what = "block (neighbours differ in colour; the list below has the names)";
     show_legend(by_id("legend"), this.field, this.legend);
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(this.frames[this.index]!.time)} in stage ${this.frames[this.index]!.stage}, coloured by ${this.field.label}`);
@@ -685,18 +751,119 @@ class Page {
     this.redraw(true);
   }
 
+  private picture_text(): PictureText {
+    return {
+      title: this.run.title || "Scree run", instant: this.instant(), scale: this.scale_bar, field: this.field, legend: this.legend, dark: is_dark(), labels: this.labels,
+    };
+  }
+
+  private hand_out(blob: Blob, name: string): void {
+    const link = element("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `${this.run.folder || "scree"}-${this.field.id}-${name}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
   private async save(): Promise<void> {
     if (!this.scene) return;
     this.scene.render();
-    const blob = await picture(this.scene.canvas, {
-      title: this.run.title || "Scree run", instant: this.instant(), scale: this.scale_bar, field: this.field, legend: this.legend, dark: DARK.matches,
-      labels: this.labels,
-    });
-    const link = element("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = `${this.run.folder || "scree"}-${this.field.id}-${this.frames[this.index]!.time.toFixed(3)}s.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    this.hand_out(await png_of(draw_picture(this.scene.canvas, this.picture_text())), `${this.frames[this.index]!.time.toFixed(3)}s.png`);
+  }
+
+  /// Saves the animation as it is shown, at the speed that is chosen; a second time: ends it early.
+  private async film(): Promise<void> {
+    if (this.filming) {
+      this.filming = false;
+      return;
+    }
+    if (!this.scene) return;
+    this.play(false);
+    if (this.source.live) this.set_following(false);
+    const button = by_id<HTMLButtonElement>("film");
+    const before = this.index;
+    const sheet = draw_picture(this.scene.canvas, this.picture_text());
+    const film = await start_film(sheet.width, sheet.height);
+    if (!film) return this.tell("This browser cannot encode films (WebCodecs); Chrome 94, Firefox 130, Safari 16.4 or later can.");
+    this.filming = true;
+    button.setAttribute("aria-pressed", "true");
+    const [width, height] = [sheet.width, sheet.height];
+    try {
+      const steps = this.film_steps();
+      for (let k = 0; k < steps.length && this.filming; ++k) {
+        if (steps[k] !== this.index) await this.go(steps[k]!);
+        this.update_marks();
+        this.scene.render();
+        draw_picture(this.scene.canvas, this.picture_text(), sheet);
+        if (sheet.width !== width || sheet.height !== height) throw new Error("the window has changed its size");
+        await film.add(sheet);
+        button.textContent = `Stop (${Math.round((100 * k) / steps.length)} %)`;
+        if (k % 5 === 4) await new Promise((done) => setTimeout(done)); // the page answers meanwhile
+      }
+      this.hand_out(await film.end(), "film.webm");
+      this.tell("The film is saved.");
+    } catch (error) {
+      this.tell(`The film cannot be made: ${error instanceof Error ? error.message : String(error)}`);
+    } finally {
+      this.filming = false;
+      button.textContent = "Film";
+      button.setAttribute("aria-pressed", "false");
+      void this.go(before);
+    }
+  }
+
+  /// The frame of each picture of a film.
+  private film_steps(): number[] {
+    const [first, last] = [this.frames[0]!.time, this.frames[this.frames.length - 1]!.time];
+    const speed = Math.max(Number(by_id<HTMLSelectElement>("speed").value), (last - first) / MOST_FILM);
+    const count = Math.max(1, Math.ceil(((last - first) / speed) * FILM_RATE));
+    const steps = Array.from({ length: count + 1 }, (_, k) => this.index_at(first + (k * speed) / FILM_RATE));
+    return [...steps, ...Array.from({ length: FILM_RATE }, () => this.frames.length - 1)]; // the end stays for a second
+  }
+
+  private tell(text: string): void {
+    by_id("said").textContent = text;
+    by_id("note").textContent = text;
+    by_id("note").hidden = false;
+    setTimeout(() => (by_id("note").hidden = true), 6000);
+  }
+
+  // ---------------------------------------------------------------------------------------- contact
+
+  /// @return whether a contact that is drawn was meant
+  private contact_clicked(x: number, y: number): boolean {
+    const contacts = this.frame?.contacts;
+    const at = contacts && (this.shown.contacts || this.shown.slip) ? contact_at(contacts, x, y, CONTACT_REACH / this.scene!.view.scale) : -1;
+    this.choose_contact(at < 0 ? null : chosen_of(contacts!, at));
+    return at >= 0;
+  }
+
+  private choose_contact(contact: Chosen | null): void {
+    this.contact = contact;
+    this.show_contact_facts();
+    this.redraw();
+  }
+
+  /// The next closed contact of the chosen block, or of all.
+  private next_contact(): void {
+    const contacts = this.frame?.contacts;
+    if (!contacts) return;
+    const all = Array.from(contacts.state.keys()).filter((i) => this.chosen < 0 || contacts.blocks[3 * i] === this.chosen || contacts.blocks[3 * i + 1] === this.chosen);
+    if (all.length === 0) return this.choose_contact(null);
+    const now = this.contact ? contact_at(contacts, ...this.contact.place, Infinity, this.contact) : -1;
+    this.choose_contact(chosen_of(contacts, all[(all.indexOf(now) + 1) % all.length]!));
+  }
+
+  private show_contact_facts(): void {
+    const contacts = this.frame?.contacts;
+    const box = by_id("contact-facts");
+    if (!this.contact || !contacts) return box.replaceChildren();
+    // Blocks move a little between frames; what is farther away than a tenth of the model is another contact.
+    const [x0, y0, x1, y1] = this.run.frames.bounds;
+    const at = contact_at(contacts, ...this.contact.place, 0.1 * Math.hypot(x1 - x0, y1 - y0), this.contact);
+    if (at < 0) return pairs(box, [["State", "open at this instant"]]);
+    this.contact = chosen_of(contacts, at);
+    pairs(box, contact_facts(this.run, contacts, at));
   }
 
   // ------------------------------------------------------------------------------------------ block

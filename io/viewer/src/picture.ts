@@ -1,4 +1,4 @@
-// The view as PNG, with what a reader of the picture alone needs: title, instant, scale, legend.
+// The view as a picture, with what a reader of the picture alone needs: title, instant, scale, legend.
 import { css, mapped } from "./colours";
 import type { Field } from "./fields";
 import type { LegendText } from "./legend";
@@ -13,19 +13,26 @@ export interface PictureText {
   labels: [string, number, number][]; // text, place of its middle on the left [CSS pixels]
 }
 
-export function picture(view: HTMLCanvasElement, text: PictureText): Promise<Blob> {
+export function png_of(picture: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((done, fail) => picture.toBlob((blob) => (blob ? done(blob) : fail(new Error("the picture is too large to save"))), "image/png"));
+}
+
+/// @param out  is drawn into, and resized where its size is another: both sides are even, as films need them
+export function draw_picture(view: HTMLCanvasElement, text: PictureText, out = document.createElement("canvas")): HTMLCanvasElement {
   const ratio = view.width / Math.max(1, view.clientWidth);
   const [w, h] = [view.clientWidth, view.clientHeight];
   const top = 34;
   const foot = 62;
-  const out = document.createElement("canvas");
-  out.width = Math.round(w * ratio);
-  out.height = Math.round((h + top + foot) * ratio);
+  const even = (pixels: number) => 2 * Math.ceil(0.5 * pixels);
+  const [wide, high] = [even(w * ratio), even((h + top + foot) * ratio)];
+  if (out.width !== wide) out.width = wide;
+  if (out.height !== high) out.height = high;
   const c = out.getContext("2d")!;
-  c.scale(ratio, ratio);
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.textAlign = "left";
   const ink = text.dark ? "#e6e8e8" : "#1e2226";
   c.fillStyle = text.dark ? "#1c2024" : "#ffffff";
-  c.fillRect(0, 0, w, h + top + foot);
+  c.fillRect(0, 0, w + 2, h + top + foot + 2);
   c.drawImage(view, 0, top, w, h);
   c.fillStyle = c.strokeStyle = ink;
   c.font = "600 15px system-ui, sans-serif";
@@ -47,7 +54,7 @@ export function picture(view: HTMLCanvasElement, text: PictureText): Promise<Blo
   c.stroke();
   c.fillText(text.scale.text, 20 + text.scale.pixels, y);
   draw_legend(c, text, Math.max(w - 320, w / 2), y, Math.min(300, w / 2 - 20));
-  return new Promise((done, fail) => out.toBlob((blob) => (blob ? done(blob) : fail(new Error("the picture is too large to save"))), "image/png"));
+  return out;
 }
 
 function draw_legend(c: CanvasRenderingContext2D, text: PictureText, x: number, y: number, width: number): void {

@@ -30,6 +30,10 @@ void main() {
     colour = vec4(stripe < 1.2 * pixel ? hatch : ground, 1.0);
     return;
   }
+  if (v_value > 1e38) {  // NO_VALUE
+    colour = vec4(ground, 1.0);
+    return;
+  }
   float x = names > 0.5 ? (mod(floor(v_value + 0.5), names) + 0.5) / 256.0
                         : (0.5 + 255.0 * clamp((v_value - range.x) / (range.y - range.x), 0.0, 1.0)) / 256.0;
   colour = vec4(texture(colours, vec2(x, 0.5)).rgb, 1.0);
@@ -52,13 +56,17 @@ const LINE_FRAGMENT = `precision highp float;
 in vec3 v_tint; uniform float opacity; uniform vec4 over; out vec4 colour;
 void main() { colour = vec4(mix(v_tint, over.rgb, over.a), opacity); }`;
 
-export const LAYERS = ["original", "joints", "outline", "crosses", "contacts", "supports", "monitors", "chosen"] as const;
+export const LAYERS = ["original", "joints", "outline", "crosses", "water", "slip", "contacts", "supports", "monitors", "chosen", "contact"] as const;
 export type Layer = (typeof LAYERS)[number];
-const WIDTH: Record<Layer, number> = { original: 1, joints: 1.4, outline: 1, crosses: 1.2, contacts: 2, supports: 1.6, monitors: 2, chosen: 3 }; // [CSS pixels]
-const OPACITY: Record<Layer, number> = { original: 0.55, joints: 0.9, outline: 0.8, crosses: 0.95, contacts: 1, supports: 1, monitors: 1, chosen: 1 };
+const WIDTH: Record<Layer, number> = {
+  original: 1, joints: 1.4, outline: 1, crosses: 1.2, water: 2, slip: 4, contacts: 2, supports: 1.6, monitors: 2, chosen: 3, contact: 2.4,
+}; // [CSS pixels]
+const OPACITY: Record<Layer, number> = {
+  original: 0.55, joints: 0.9, outline: 0.8, crosses: 0.95, water: 1, slip: 1, contacts: 1, supports: 1, monitors: 1, chosen: 1, contact: 1,
+};
 
 // These read on any colour: they have a light seam.
-const SEAMED = new Set<Layer>(["crosses", "contacts", "supports", "monitors"]);
+const SEAMED = new Set<Layer>(["crosses", "water", "slip", "contacts", "supports", "monitors", "contact"]);
 
 /// Many straight lines of one width.
 class Lines {
@@ -208,6 +216,14 @@ export class Scene {
   private tint_edges(): void {
     if (!this.theme) return;
     for (let i = 0; i < this.edge_tint.length; ++i) this.edge_tint[i] = this.theme.ink[i % 3]!;
+  }
+
+  /// The outlines where the model had them.
+  original_lines(colour: Rgb): { ends: Float32Array; tint: Uint8Array } {
+    const origin = this.mesh?.origin ?? new Float32Array(0);
+    const ends = new Float32Array(2 * this.edges.length);
+    this.edges.forEach((p, e) => ends.set([origin[2 * p]!, origin[2 * p + 1]!], 2 * e));
+    return { ends, tint: new Uint8Array((3 * ends.length) / 4).map((_, i) => colour[i % 3]!) };
   }
 
   /// @param factor  how many times larger than they are displacements are drawn

@@ -1,5 +1,6 @@
 // What the page shows, and where it comes from. A report has everything in its own elements; `scree view` serves the same
 // chunks by their names (served.ts), or sends what a stream brings (live.ts).
+import type { Answer } from "./control";
 
 export interface Stage {
   name: string;
@@ -44,6 +45,7 @@ export interface Run {
     materials: { name: string; density: number; young: number; poisson: number }[];
     methods: string[];
     supports: [number, number, boolean, boolean][]; // x, y, held along x, along y
+    water?: { line: number[]; joints: number[] }[]; // piezometric lines x, y, x, y, ...; joint laws that they fill
     joints: { laws: Law[]; lines: Piece[]; cracks: Piece[] };
   };
   stages: Stage[];
@@ -91,6 +93,7 @@ export interface Frame {
   integrator: Uint8Array; // a cell; of a stream: none
   contacts: Contacts | null;
   scalar?: Float32Array; // a cell, of a stream: the field that it carries
+  scalar_field?: string; // which that is
 }
 
 export interface Source {
@@ -104,12 +107,16 @@ export interface Source {
 }
 
 export interface Stream {
-  /// The scalar of its frames: speed, mean stress.
-  readonly scalar: string;
+  /// Whether this page may give commands: it has the token, and the server takes them.
+  can_control(): boolean;
+  /// pause, resume, step N, checkpoint, stop, field NAME.   @pre can_control()
+  command(text: string): void;
+  /// running, paused, done, ...; empty: not known
+  state(): string;
   /// What people are told of it: status, rate, time left.
   status(): string;
   /// Called after something came; `thinned`: frames that were there are gone.
-  follow(changed: (thinned: boolean) => void): void;
+  follow(changed: (thinned: boolean) => void, answered: (answer: Answer) => void): void;
 }
 
 export type Numbers = Float32Array | Int32Array | Uint8Array;
