@@ -62,7 +62,8 @@ Choices choices() {
           {"scree snapshot --arrows", {"displacement", "velocity"}},
           {"scree snapshot --at", {"start", "end", "handover"}},
           {"scree cases verify", case_names()},
-          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
+          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate", "field"}},
+          {"scree gallery", case_names()},
           {"scree sweep --on", {"local", "slurm"}},
           {"scree sweep --emit", {"snakemake", "gnu-parallel"}},
           {"scree completion", {"bash", "zsh", "fish"}}};

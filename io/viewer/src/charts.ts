@@ -85,7 +85,7 @@ export class Chart {
       },
     };
     this.plot = new uPlot(options, [Array.from(time), ...series.map((s) => shown(s.values))] as uPlot.AlignedData, this.element);
-    this.at(this.time);
+    setTimeout(() => this.at(this.time)); // the scales have their ranges once the present task is over
   }
 
   /// Upright lines where stages begin.

@@ -150,15 +150,16 @@ export function water_lines(run: Run, size: number): LineSet {
   return lines.done();
 }
 
-export function original_outline(run: Run, colour: Rgb): LineSet {
-  const lines = new Builder();
+/// x0, y0, x1, y1 a line.
+export function original_outline(run: Run): Float32Array {
+  const ends: number[] = [];
   for (const block of run.model.blocks)
     for (const ring of block.rings)
       for (let i = 0; i < ring.length; i += 2) {
         const j = (i + 2) % ring.length;
-        lines.add(ring[i]!, ring[i + 1]!, ring[j]!, ring[j + 1]!, colour);
+        ends.push(ring[i]!, ring[i + 1]!, ring[j]!, ring[j + 1]!);
       }
-  return lines.done();
+  return Float32Array.from(ends);
 }
 
 /// Point supports as engineers draw them: a triangle below (held along y) or beside (held along x alone) the point, with a ground line where it is

@@ -25,6 +25,7 @@ const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
 const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
 const CONTACT_REACH = 9; // [CSS pixels] from a click to the contact that it means
+const READING = 150; // [ms] between looks of charts and facts at the instant, while playing
 const MOST_FILM = 60; // [s] of a film: a longer one is quickened
 
 const SERVED = document.body.dataset.source !== undefined;
@@ -77,6 +78,8 @@ class Page {
   private contact: Chosen | null = null;
   private most_slip = 0; // of the frame that is shown, where the layer is [m]
   private filming = false;
+  private read_at = 0; // when charts and facts were brought to the instant last [ms]
+  private was_dense = false;
   private readonly shown: Record<Layer, boolean> = {
     original: true, joints: false, outline: true, crosses: false, water: true, slip: false, contacts: false, supports: true, monitors: true, chosen: true, contact: true,
   };
@@ -89,7 +92,7 @@ class Page {
     this.fields = source.live ? STREAM_FIELDS : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
     let scene: Scene | null = null;
     try {
-      scene = new Scene(by_id<HTMLCanvasElement>("view"));
+      scene = new Scene(by_id<HTMLCanvasElement>("view"), this.run.model.blocks.length);
     } catch {
       trouble("this browser has no WebGL 2, which the animation needs; histories and tables are below");
     }
@@ -408,6 +411,7 @@ class Page {
         if (this.contact_clicked(x, y)) return;
         const cell = cell_at(this.mesh, scene.position, x, y);
         this.choose(cell < 0 ? -1 : this.mesh.block[cell]!);
+        if (cell >= 0) by_id("block-box").scrollIntoView({ block: "nearest" });
       }
     });
     view.addEventListener("wheel", (e) => {
@@ -515,7 +519,10 @@ class Page {
     const button = by_id("play");
     button.textContent = on ? "Pause" : "Play";
     button.setAttribute("aria-pressed", String(on));
-    if (!on) return this.say();
+    if (!on) {
+      if (this.index >= 0) this.show_instant();
+      return this.say();
+    }
     if (this.wanted >= this.frames.length - 1) this.wanted = 0;
     this.clock = this.frames[this.wanted]!.time;
     this.last_tick = performance.now();
@@ -562,6 +569,10 @@ class Page {
     time.value = String(this.index);
     time.setAttribute("aria-valuetext", `${seconds(f.time)}, stage ${f.stage}, frame ${this.index + 1} of ${this.frames.length}`);
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(f.time)} in stage ${f.stage}, coloured by ${this.field.label}`);
+    // What people read need not keep pace with what they see.
+    const now = performance.now();
+    if (this.playing && now - this.read_at < READING) return;
+    this.read_at = now;
     for (const chart of this.charts) chart.at(f.time);
     this.show_block_facts();
     this.show_contact_facts();
@@ -586,8 +597,7 @@ class Page {
   /// The blocks as the model had them; a stream knows no more of them than its mesh.
   private show_original(): void {
     const colour = rgb_of("--original");
-    const original = this.source.live ? this.scene!.original_lines(colour) : original_outline(this.run, colour);
-    this.scene!.use_lines("original", original.ends, original.tint);
+    this.scene!.use_original(this.source.live ? this.scene!.original_lines() : original_outline(this.run), colour);
   }
 
   private factor(): number {
@@ -664,6 +674,7 @@ class Page {
   }
 
   private show_layer_key(): void {
+    this.was_dense = this.scene?.dense ?? false;
     const key = by_id("layer-key");
     key.replaceChildren();
     const line = (entries: [Rgb, string][], more = "") => {
@@ -676,6 +687,7 @@ class Page {
       row.append(more);
       key.append(row);
     };
+    if (this.scene?.dense && (this.shown.outline || this.shown.original)) line([], "Outlines of blocks as small as here show when one zooms in.");
     if (this.run.model.blocks.some((b) => b.held)) line([], "Hatched: held or driven as a whole.");
     if (this.shown.joints) line(this.run.model.joints.laws.map((l, i) => [name_colour(i + 3), l.name]));
     if (this.crosses && this.crosses.stress > 0) line([[COMPRESSION, "compression"], [TENSION, "tension"]], `· Longest arm: ${quantity(this.crosses.stress, "Pa", 2)}.`);
@@ -707,6 +719,7 @@ class Page {
     this.scene.use_colours(this.field, range, names.map(([, c]) => c));
     this.legend = legend_text(this.field, range, names.filter(([n]) => n !== ""));
     if (STREAM_SCALARS.includes(this.field) && this.frame.scalar_field !== this.field.id) this.legend.what += ": not in this frame";
+    if (this.field.id === "joint") this.legend.what += ": the worst of their contacts";
     if (this.field.id === "block") this.legend.what = "block (neighbours differ in colour; the list below has the names)";
     show_legend(by_id("legend"), this.field, this.legend);
     by_id("view").setAttribute("aria-label", `The blocks at ${seconds(this.frames[this.index]!.time)} in stage ${this.frames[this.index]!.stage}, coloured by ${this.field.label}`);
@@ -719,6 +732,7 @@ class Page {
       this.pair?.tell({ view: [x + this.run.origin[0], y + this.run.origin[1], scale] });
     }
     if (moved && this.shown.crosses) this.update_layers();
+    else if (this.scene && this.scene.dense !== this.was_dense) this.show_layer_key();
     if (this.draw_asked || !this.scene) return;
     this.draw_asked = true;
     requestAnimationFrame(() => {
@@ -835,6 +849,7 @@ class Page {
     const contacts = this.frame?.contacts;
     const at = contacts && (this.shown.contacts || this.shown.slip) ? contact_at(contacts, x, y, CONTACT_REACH / this.scene!.view.scale) : -1;
     this.choose_contact(at < 0 ? null : chosen_of(contacts!, at));
+    if (at >= 0) by_id("contact-box").scrollIntoView({ block: "nearest" });
     return at >= 0;
   }
 

@@ -1,11 +1,11 @@
 // The blocks in WebGL: cells coloured by a number at their corners, and layers of lines over them.
 import {
-  BufferAttribute, BufferGeometry, ColorManagement, DataTexture, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry, LinearFilter, Mesh as Drawn,
-  OrthographicCamera, RawShaderMaterial, RGBAFormat, Scene as Stage3, Vector4, WebGLRenderer,
+  BufferAttribute, BufferGeometry, ColorManagement, DataTexture, FloatType, GLSL3, LinearFilter, Mesh as Drawn, OrthographicCamera, RawShaderMaterial,
+  RGBAFormat, Scene as Stage3, UnsignedByteType, Vector4, WebGLRenderer,
 } from "three";
 import { table, type Rgb } from "./colours";
 import type { Field } from "./fields";
-import { outline, triangles } from "./geometry";
+import { cell_areas, outline, triangles } from "./geometry";
 import type { Mesh } from "./source";
 
 /// What is seen: the middle [m] and pixels (CSS) a metre.
@@ -15,6 +15,10 @@ export interface View {
   scale: number;
 }
 
+const LEAST_BLOCK = 7; // [CSS pixels] across a block of mean size: outlines of smaller ones hide what they enclose
+const MANY = 3000; // blocks
+const CULLED = 5000; // lines above which only those in view are drawn
+const LINE_ROW = 1024; // lines in a row of their textures
 const CELL_VERTEX = `precision highp float;
 in vec2 position; in float value; in float held;
 uniform vec4 view;  // middle, factors to clip space
@@ -38,19 +42,23 @@ void main() {
                         : (0.5 + 255.0 * clamp((v_value - range.x) / (range.y - range.x), 0.0, 1.0)) / 256.0;
   colour = vec4(texture(colours, vec2(x, 0.5)).rgb, 1.0);
 }`;
-// A line is a rectangle: corner (0 or 1 along it, -1 or 1 across it).
+// A line is a rectangle whose ends and colour stand in textures: its corner is 0 or 1 along it, -1 or 1 across it. (Instances would be as short, but
+// software renderers draw each one by itself: 60,000 outlines took 1.3 s.)
 const LINE_VERTEX = `precision highp float;
-in vec2 position; in vec4 ends; in vec3 tint;
-uniform vec4 view; uniform vec2 size; uniform float width;
+uniform vec4 view; uniform vec2 size; uniform float width; uniform sampler2D ends; uniform sampler2D tint;
 out vec3 v_tint;
 void main() {
-  vec2 a = (ends.xy - view.xy) * view.zw, b = (ends.zw - view.xy) * view.zw;
+  int line = gl_VertexID / 4, corner = gl_VertexID % 4;
+  ivec2 at = ivec2(line % ${LINE_ROW}, line / ${LINE_ROW});
+  vec4 here = texelFetch(ends, at, 0);
+  vec2 position = vec2(corner == 1 || corner == 2 ? 1.0 : 0.0, corner < 2 ? -1.0 : 1.0);
+  vec2 a = (here.xy - view.xy) * view.zw, b = (here.zw - view.xy) * view.zw;
   vec2 along = (b - a) * size;
   float length_ = max(length(along), 1e-6);
   vec2 across = vec2(-along.y, along.x) / length_;
   vec2 cap = along / length_ * (position.x - 0.5) * width;
   gl_Position = vec4(mix(a, b, position.x) + (across * position.y * width + cap) / size, 0.0, 1.0);
-  v_tint = tint;
+  v_tint = texelFetch(tint, at, 0).rgb;
 }`;
 const LINE_FRAGMENT = `precision highp float;
 in vec3 v_tint; uniform float opacity; uniform vec4 over; out vec4 colour;
@@ -71,15 +79,18 @@ const SEAMED = new Set<Layer>(["crosses", "water", "slip", "contacts", "supports
 /// Many straight lines of one width.
 class Lines {
   readonly drawn: Drawn[]; // the seam first
-  private readonly geometry = new InstancedBufferGeometry();
+  private readonly geometry = new BufferGeometry();
+  private readonly ends = { value: Lines.texture(new Float32Array(4 * LINE_ROW), FloatType) };
+  private readonly tint = { value: Lines.texture(new Uint8Array(4 * LINE_ROW), UnsignedByteType) };
+  private room = 0; // lines that the textures hold
 
   constructor(view: Vector4, size: { value: [number, number] }, width: number, opacity: number, seamed: boolean) {
-    this.geometry.setAttribute("position", new BufferAttribute(new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]), 2));
-    this.geometry.setIndex([0, 1, 2, 0, 2, 3]);
     const of = (pixels: number, covered: number, over: number[]) => {
       const material = new RawShaderMaterial({
         glslVersion: GLSL3, vertexShader: LINE_VERTEX, fragmentShader: LINE_FRAGMENT, transparent: true, depthTest: false, depthWrite: false, side: 2,
-        uniforms: { view: { value: view }, size, width: { value: pixels }, opacity: { value: covered }, over: { value: over } },
+        uniforms: {
+          view: { value: view }, size, width: { value: pixels }, opacity: { value: covered }, over: { value: over }, ends: this.ends, tint: this.tint,
+        },
       });
       const drawn = new Drawn(this.geometry, material);
       drawn.frustumCulled = false;
@@ -89,21 +100,79 @@ class Lines {
     this.set(new Float32Array(0), new Uint8Array(0));
   }
 
+  private static texture(data: Float32Array | Uint8Array, type: typeof FloatType | typeof UnsignedByteType): DataTexture {
+    return new DataTexture(data as Float32Array<ArrayBuffer>, LINE_ROW, data.length / (4 * LINE_ROW), RGBAFormat, type);
+  }
+
+  /// Lines of one colour, of which only those that may be seen are handed over as the picture is drawn.
+  keep(ends: Float32Array, colour: Rgb): void {
+    this.kept = { ends, colour };
+    this.dirty = true;
+  }
+  private kept: { ends: Float32Array; colour: Rgb } | null = null;
+  private dirty = false;
+  private seen = ""; // the window of the last cull
+  private part = new Float32Array(0);
+  private part_tint = new Uint8Array(0);
+
+  /// @param hidden  they would be too dense to see   @param x0,y0,x1,y1  what is in view [m]
+  cull(hidden: boolean, x0: number, y0: number, x1: number, y1: number): void {
+    if (!this.kept || !this.shown) return;
+    const { ends, colour } = this.kept;
+    const all = ends.length / 4 <= CULLED;
+    const window = hidden ? "none" : all ? "all" : `${x0} ${y0} ${x1} ${y1}`;
+    if (!this.dirty && window === this.seen) return;
+    this.dirty = false;
+    this.seen = window;
+    if (this.part.length < ends.length) {
+      this.part = new Float32Array(ends.length);
+      this.part_tint = new Uint8Array((3 * ends.length) / 4);
+    }
+    let count = 0;
+    for (let i = 0; i < ends.length && !hidden; i += 4) {
+      const [ax, ay, bx, by] = [ends[i]!, ends[i + 1]!, ends[i + 2]!, ends[i + 3]!];
+      if (!all && ((ax < x0 && bx < x0) || (ax > x1 && bx > x1) || (ay < y0 && by < y0) || (ay > y1 && by > y1))) continue;
+      this.part[4 * count] = ax;
+      this.part[4 * count + 1] = ay;
+      this.part[4 * count + 2] = bx;
+      this.part[4 * count + 3] = by;
+      count += 1;
+    }
+    for (let i = 0; i < 3 * count; ++i) this.part_tint[i] = colour[i % 3]!;
+    this.set(this.part.subarray(0, 4 * count), this.part_tint.subarray(0, 3 * count));
+  }
+
   /// @param ends  x0, y0, x1, y1 a line   @param tint  r, g, b a line
   set(ends: Float32Array, tint: Uint8Array): void {
-    const old = this.geometry.getAttribute("ends") as InstancedBufferAttribute | undefined;
-    if (old && old.array.length === ends.length && ends.length > 0) {
-      old.copyArray(ends).needsUpdate = true;
-      (this.geometry.getAttribute("tint") as InstancedBufferAttribute).copyArray(tint).needsUpdate = true;
-    } else {
-      this.geometry.dispose(); // buffers of another length are made anew
-      this.geometry.setAttribute("ends", new InstancedBufferAttribute(ends.slice(), 4));
-      this.geometry.setAttribute("tint", new InstancedBufferAttribute(tint.slice(), 3, true));
-    }
     const lines = ends.length / 4;
-    this.geometry.instanceCount = lines;
+    if (lines > this.room) this.grow(lines);
+    (this.ends.value.image.data as unknown as Float32Array).set(ends);
+    const colours = this.tint.value.image.data as Uint8Array;
+    let same = true;
+    for (let i = 0; i < lines; ++i)
+      for (let k = 0; k < 3; ++k) {
+        same = same && colours[4 * i + k] === tint[3 * i + k];
+        colours[4 * i + k] = tint[3 * i + k]!;
+      }
+    if (lines > 0) this.ends.value.needsUpdate = true;
+    if (!same) this.tint.value.needsUpdate = true;
+    this.geometry.setDrawRange(0, 6 * lines);
     this.empty = lines === 0;
     this.show(this.shown);
+  }
+
+  private grow(lines: number): void {
+    const rows = Math.ceil((1.2 * lines) / LINE_ROW);
+    this.room = rows * LINE_ROW;
+    this.ends.value.dispose();
+    this.tint.value.dispose();
+    this.ends.value = Lines.texture(new Float32Array(4 * this.room), FloatType);
+    this.tint.value = Lines.texture(new Uint8Array(4 * this.room), UnsignedByteType);
+    this.ends.value.needsUpdate = this.tint.value.needsUpdate = true;
+    const index = new Uint32Array(6 * this.room);
+    for (let line = 0; line < this.room; ++line) [0, 1, 2, 0, 2, 3].forEach((corner, k) => (index[6 * line + k] = 4 * line + corner));
+    this.geometry.dispose();
+    this.geometry.setIndex(new BufferAttribute(index, 1));
   }
 
   private empty = true;
@@ -112,6 +181,15 @@ class Lines {
     this.shown = on;
     for (const drawn of this.drawn) drawn.visible = on && !this.empty;
   }
+}
+
+/// Whether this browser has no graphics card for WebGL.
+function drawn_by_processor(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 export interface Theme {
@@ -138,15 +216,16 @@ export class Scene {
   private edges: Uint32Array = new Uint32Array(0);
   private edge_block: Int32Array = new Int32Array(0);
   private edge_ends: Float32Array = new Float32Array(0);
-  private edge_tint: Uint8Array = new Uint8Array(0);
+  private block_size = 1; // the mean one: root of an area [m]
   position: Float32Array = new Float32Array(0); // x, y a point, now
   private theme: Theme | null = null;
   width = 1; // [CSS pixels]
   height = 1;
 
-  constructor(readonly canvas: HTMLCanvasElement) {
+  /// @param blocks  how many are to be drawn: smooth edges of very many take too long where the processor draws them
+  constructor(readonly canvas: HTMLCanvasElement, blocks: number) {
     ColorManagement.enabled = false; // colours are those of the screen, in shaders and for the ground alike
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: blocks < MANY || !drawn_by_processor(), preserveDrawingBuffer: true });
     this.renderer.sortObjects = false; // layers are drawn in the order they are added; nothing has a bounding sphere
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3, vertexShader: CELL_VERTEX, fragmentShader: CELL_FRAGMENT, depthTest: false, depthWrite: false, side: 2,
@@ -177,7 +256,7 @@ export class Scene {
     this.material.uniforms.ground!.value = unit(theme.held);
     this.material.uniforms.hatch!.value = unit(theme.hatch);
     this.renderer.setClearColor((theme.ground[0] << 16) | (theme.ground[1] << 8) | theme.ground[2], 1);
-    this.tint_edges();
+    this.lines.outline.keep(this.edge_ends, theme.ink);
   }
 
   resize(): void {
@@ -209,21 +288,23 @@ export class Scene {
     this.edges = found.edges;
     this.edge_block = found.block;
     this.edge_ends = new Float32Array(2 * this.edges.length);
-    this.edge_tint = new Uint8Array(3 * this.edge_block.length);
-    this.tint_edges();
+    this.block_size = Math.sqrt(cell_areas(mesh).reduce((sum, a) => sum + a, 0) / Math.max(1, new Set(mesh.block).size));
   }
 
-  private tint_edges(): void {
-    if (!this.theme) return;
-    for (let i = 0; i < this.edge_tint.length; ++i) this.edge_tint[i] = this.theme.ink[i % 3]!;
-  }
-
-  /// The outlines where the model had them.
-  original_lines(colour: Rgb): { ends: Float32Array; tint: Uint8Array } {
+  /// The outlines where the model had them, as x0, y0, x1, y1 a line.
+  original_lines(): Float32Array {
     const origin = this.mesh?.origin ?? new Float32Array(0);
     const ends = new Float32Array(2 * this.edges.length);
     this.edges.forEach((p, e) => ends.set([origin[2 * p]!, origin[2 * p + 1]!], 2 * e));
-    return { ends, tint: new Uint8Array((3 * ends.length) / 4).map((_, i) => colour[i % 3]!) };
+    return ends;
+  }
+  use_original(ends: Float32Array, colour: Rgb): void {
+    this.lines.original.keep(ends, colour);
+  }
+
+  /// Whether blocks are too small on the screen for their outlines.
+  get dense(): boolean {
+    return this.block_size * this.view.scale < LEAST_BLOCK;
   }
 
   /// @param factor  how many times larger than they are displacements are drawn
@@ -243,7 +324,7 @@ export class Scene {
       this.edge_ends[2 * e] = this.position[2 * p]!;
       this.edge_ends[2 * e + 1] = this.position[2 * p + 1]!;
     }
-    this.lines.outline.set(this.edge_ends, this.edge_tint);
+    this.lines.outline.keep(this.edge_ends, this.theme?.ink ?? [0, 0, 0]);
   }
 
   /// Corner values, to be written into and then shown by use_colours.
@@ -309,6 +390,9 @@ export class Scene {
 
   render(): void {
     this.window.set(this.view.x, this.view.y, (2 * this.view.scale) / this.width, (2 * this.view.scale) / this.height);
+    const [half_width, half_height] = [(0.5 * this.width) / this.view.scale, (0.5 * this.height) / this.view.scale];
+    const { x, y } = this.view;
+    for (const layer of ["outline", "original"] as const) this.lines[layer].cull(this.dense, x - half_width, y - half_height, x + half_width, y + half_height);
     this.renderer.render(this.stage, this.camera);
   }
 }

@@ -10,7 +10,7 @@ export const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 export const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"], // WebGL by the processor, as on a machine without a graphics card
 });
 /// What pages complained of, and requests that they may not make.
 export const faults = [];

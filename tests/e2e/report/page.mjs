@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
+import { test_contacts, test_film, test_theme } from "./steps.mjs";
 import { axe, browser, colour, drawn, faults, instant, LEVELS, near, open_page, places, show_frame, until, viridis } from "./browser.mjs";
 
 const [report, thin] = process.argv.slice(2);
@@ -129,7 +130,11 @@ async function test_accessibility(page, scheme) {
 try {
   const page = await open(report);
   await test_text(page);
-  await test_controls(page, await test_pixels(page));
+  const where = await test_pixels(page);
+  await test_controls(page, where);
+  await test_contacts(page, where.pixel);
+  await test_film(page);
+  await test_theme(page);
   await test_accessibility(page, "light");
   const dark = await open(report, { colorScheme: "dark" });
   near(await colour(dark, [30, 200]), [28, 32, 36], 2, "the dark ground");
