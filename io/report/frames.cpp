@@ -78,6 +78,9 @@ class Ranges {
       std::vector<double> u;
       for (std::size_t c = 0; c < f.cells(); ++c) u.push_back(std::abs(f.cell_displacement[2 * c + axis]));
       grow(axis == 0 ? "ux" : "uy", f, Field::displacement, u, skip);
+      std::vector<double> v;
+      for (std::size_t c = 0; c < f.cells(); ++c) v.push_back(std::abs(f.cell_velocity[2 * c + axis]));
+      grow(axis == 0 ? "vx" : "vy", f, Field::speed, v, skip);
     }
   }
 

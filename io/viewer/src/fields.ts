@@ -25,6 +25,8 @@ export const FIELDS: Field[] = [
   { id: "ux", label: "horizontal displacement", unit: "m", kind: "signed", point: (f, p) => f.displacement[2 * p]! },
   { id: "uy", label: "vertical displacement", unit: "m", kind: "signed", point: (f, p) => f.displacement[2 * p + 1]! },
   { id: "speed", label: "speed", unit: "m/s", kind: "magnitude", point: (f, p) => length(f.velocity[2 * p]!, f.velocity[2 * p + 1]!) },
+  { id: "vx", label: "horizontal velocity", unit: "m/s", kind: "signed", point: (f, p) => f.velocity[2 * p]! },
+  { id: "vy", label: "vertical velocity", unit: "m/s", kind: "signed", point: (f, p) => f.velocity[2 * p + 1]! },
   { id: "s1", label: "principal stress σ₁ (larger)", unit: "Pa", kind: "signed", point: (f, p) => mean(f, p) + radius(f, p) },
   { id: "s3", label: "principal stress σ₃ (smaller)", unit: "Pa", kind: "signed", point: (f, p) => mean(f, p) - radius(f, p) },
   { id: "shear", label: "maximum shear stress", unit: "Pa", kind: "magnitude", point: radius },

@@ -1,7 +1,7 @@
 // Lines over the blocks: principal stress crosses, contacts, joints and outlines as the model first had them.
 import { mapped, name_colour, type Rgb } from "./colours";
 import { FAILED, SLIPPING, STICKING } from "./contacts";
-import type { Contacts, Frame, Mesh, Piece, Run } from "./source";
+import type { Bolts, Contacts, Frame, Mesh, Piece, Run } from "./source";
 
 export interface LineSet {
   ends: Float32Array; // x0, y0, x1, y1 a line
@@ -121,6 +121,21 @@ export function slip_lines(contacts: Contacts, half: number): SlipLines {
     const [x, y] = [contacts.position[2 * i]!, contacts.position[2 * i + 1]!];
     lines.add(x - dx, y - dy, x + dx, y + dy, mapped("magnitude", most > 0 ? slip / most : 0));
   });
+  return { ...lines.done(), most };
+}
+
+export interface BoltLines extends LineSet {
+  most: number; // axial force of the upper end of the colours [N]
+}
+
+/// The segments of bolts, coloured by their axial force.
+export function bolt_lines(bolts: Bolts): BoltLines {
+  const most = bolts.force.reduce((m, f) => (Math.abs(f) > m ? Math.abs(f) : m), 0);
+  const lines = new Builder();
+  for (let i = 0; i + 1 < bolts.bolt.length; ++i)
+    if (bolts.bolt[i] === bolts.bolt[i + 1])
+      lines.add(bolts.position[2 * i]!, bolts.position[2 * i + 1]!, bolts.position[2 * i + 2]!, bolts.position[2 * i + 3]!,
+        mapped("magnitude", most > 0 ? Math.abs(bolts.force[i]!) / most : 0));
   return { ...lines.done(), most };
 }
 

@@ -234,7 +234,7 @@ export class LiveSource implements Source, Stream {
     const arrays = unpack(bytes);
     const frame: Frame = {
       displacement: arrays.get("displacement") as Float32Array, scalar: arrays.get("scalar") as Float32Array, scalar_field: head.field,
-      velocity: new Float32Array(0), stress: new Float32Array(0), integrator: new Uint8Array(0), contacts: null,
+      velocity: new Float32Array(0), stress: new Float32Array(0), integrator: new Uint8Array(0), contacts: null, bolts: null,
     };
     this.grow_ranges(frame);
     const stages = this.run.stages;

@@ -7,7 +7,7 @@ import { corner_values, FIELDS, frame_range, STREAM_FIELDS, STREAM_SCALARS } fro
 import { by_id } from "./elements";
 import { cell_areas, cell_at } from "./geometry";
 import {
-  contact_lines, COMPRESSION, crosses, diamonds, joint_lines, original_outline, slip_lines, support_marks, TENSION, WATER, water_lines, type ContactLines, type Crosses,
+  bolt_lines, contact_lines, COMPRESSION, crosses, diamonds, joint_lines, original_outline, slip_lines, support_marks, TENSION, WATER, water_lines, type ContactLines, type Crosses,
 } from "./layers";
 import { legend_text, show_legend, type LegendText } from "./legend";
 import { merged, Pair, type Shown } from "./pair";
@@ -76,12 +76,13 @@ class Page {
   private crosses: Crosses | null = null;
   private forces: ContactLines | null = null;
   private contact: Chosen | null = null;
+  private most_bolt = 0; // axial force of the frame that is shown [N]
   private most_slip = 0; // of the frame that is shown, where the layer is [m]
   private filming = false;
   private read_at = 0; // when charts and facts were brought to the instant last [ms]
   private was_dense = false;
   private readonly shown: Record<Layer, boolean> = {
-    original: true, joints: false, outline: true, crosses: false, water: true, slip: false, contacts: false, supports: true, monitors: true, chosen: true, contact: true,
+    original: true, joints: false, outline: true, crosses: false, water: true, slip: false, contacts: false, bolts: true, supports: true, monitors: true, chosen: true, contact: true,
   };
   private block_chart: Chart | null = null;
   private block_history: { block: number; time: Float64Array; rows: Float64Array[] } | null = null;
@@ -301,6 +302,7 @@ class Page {
     if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
     if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
     if ((this.run.model.water ?? []).length > 0) entries.push(["water", "water levels"]);
+    if (this.run.bolts) entries.push(["bolts", "bolts and their forces"]);
     if (this.run.contacts) entries.push(["contacts", "contact forces and states"], ["slip", "slip of the joints"]);
     const drawn = this.run.model.joints.lines.length + this.run.model.joints.cracks.length > 0;
     for (const [layer, text] of entries) {
@@ -621,6 +623,9 @@ class Page {
       this.forces = contact_lines(this.frame.contacts, 0.08 * Math.hypot(x1 - x0, y1 - y0));
       this.scene.use_lines("contacts", this.forces.ends, this.forces.tint);
     }
+    const bolts = this.shown.bolts && this.frame.bolts ? bolt_lines(this.frame.bolts) : null;
+    if (this.run.bolts) this.scene.use_lines("bolts", bolts?.ends ?? new Float32Array(0), bolts?.tint ?? new Uint8Array(0));
+    this.most_bolt = bolts?.most ?? 0;
     this.most_slip = this.shown.slip && this.frame.contacts ? slip_lines(this.frame.contacts, 1).most : 0;
     this.show_layer_key();
   }
@@ -697,6 +702,7 @@ class Page {
         f.force > 0 ? `· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
     }
     if (this.shown.slip && this.run.contacts) line([[mapped("magnitude", 0), "slip 0"], [mapped("magnitude", 1), `${quantity(this.most_slip, "m")} (largest now)`]]);
+    if (this.shown.bolts && this.run.bolts) line([[mapped("magnitude", 0), "bolt force 0"], [mapped("magnitude", 1), `${quantity(this.most_bolt, "N")}/m (largest now)`]]);
     if (this.shown.water)
       for (const { joints } of this.run.model.water ?? [])
         line([[WATER, `water in ${joints.length === 0 ? "all joints" : joints.map((j) => this.run.model.joints.laws[j]?.name).join(", ")}`]]);

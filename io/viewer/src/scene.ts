@@ -64,17 +64,17 @@ const LINE_FRAGMENT = `precision highp float;
 in vec3 v_tint; uniform float opacity; uniform vec4 over; out vec4 colour;
 void main() { colour = vec4(mix(v_tint, over.rgb, over.a), opacity); }`;
 
-export const LAYERS = ["original", "joints", "outline", "crosses", "water", "slip", "contacts", "supports", "monitors", "chosen", "contact"] as const;
+export const LAYERS = ["original", "joints", "outline", "crosses", "water", "slip", "contacts", "bolts", "supports", "monitors", "chosen", "contact"] as const;
 export type Layer = (typeof LAYERS)[number];
 const WIDTH: Record<Layer, number> = {
-  original: 1, joints: 1.4, outline: 1, crosses: 1.2, water: 2, slip: 4, contacts: 2, supports: 1.6, monitors: 2, chosen: 3, contact: 2.4,
+  original: 1, joints: 1.4, outline: 1, crosses: 1.2, water: 2, slip: 4, contacts: 2, bolts: 3, supports: 1.6, monitors: 2, chosen: 3, contact: 2.4,
 }; // [CSS pixels]
 const OPACITY: Record<Layer, number> = {
-  original: 0.55, joints: 0.9, outline: 0.8, crosses: 0.95, water: 1, slip: 1, contacts: 1, supports: 1, monitors: 1, chosen: 1, contact: 1,
+  original: 0.55, joints: 0.9, outline: 0.8, crosses: 0.95, water: 1, slip: 1, contacts: 1, bolts: 1, supports: 1, monitors: 1, chosen: 1, contact: 1,
 };
 
 // These read on any colour: they have a light seam.
-const SEAMED = new Set<Layer>(["crosses", "water", "slip", "contacts", "supports", "monitors", "contact"]);
+const SEAMED = new Set<Layer>(["crosses", "water", "slip", "contacts", "bolts", "supports", "monitors", "contact"]);
 
 /// Many straight lines of one width.
 class Lines {

@@ -62,6 +62,7 @@ export interface Run {
     whole: boolean;
   };
   contacts: boolean;
+  bolts?: boolean; // frames have them
   events: [number, string, string][];
   asked: Record<string, unknown> & { case: string; set: string[]; libraries: [string, string][] };
   found: Record<string, unknown> | null;
@@ -86,12 +87,20 @@ export interface Contacts {
   state: Uint8Array; // 1 slipping, 2 sticking; + 4 where its strength has failed
 }
 
+/// Bolts that are installed, bolt after bolt from head to toe.
+export interface Bolts {
+  position: Float32Array; // x, y a node
+  force: Float32Array; // axial, from a node to the next, for unit thickness; tension positive [N]
+  bolt: Int32Array; // of a node
+}
+
 export interface Frame {
   displacement: Float32Array; // x, y a point
   velocity: Float32Array; // x, y a point; of a stream: none
   stress: Float32Array; // xx, yy, xy a point; of a stream: none
   integrator: Uint8Array; // a cell; of a stream: none
   contacts: Contacts | null;
+  bolts: Bolts | null;
   scalar?: Float32Array; // a cell, of a stream: the field that it carries
   scalar_field?: string; // which that is
 }
@@ -190,6 +199,7 @@ export function frame_of(a: Map<string, Numbers>): Frame {
           blocks: array(a, "c.blocks"),
           state: array(a, "c.state"),
         },
+    bolts: !a.has("b.bolt") ? null : { position: array(a, "b.position"), force: array(a, "b.force"), bolt: array(a, "b.bolt") },
   };
 }
 
