@@ -85,7 +85,7 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
   }
   if (explicit_ones > 5) names += fmt::format(" and {} more", explicit_ones - 5);
   std::string text = fmt::format("{} of {} free blocks {} as it begins{}{}", explicit_ones, free,
-                                 partition.others_explicit ? "fast" : "explicit", names.empty() ? "" : ": ", names);
+                                 partition.slow_explicit ? "fast" : "explicit", names.empty() ? "" : ": ", names);
   std::string limits;
   if (partition.speed.used())
     limits = fmt::format("{:g} m/s until they are below {:g} m/s", partition.speed.up, partition.speed.down);
@@ -401,7 +401,8 @@ int check(const CheckOptions& options) {
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
     const coupling::Stage& s = c.plan.stages[i];
-    const coupling::Setup setup(c.model, methods, coupling::initial_records(c.model, coupling::wishes(c.model, s)));
+    const coupling::Setup setup(c.model, methods,
+                                coupling::initial_records(c.model, coupling::body_requests(c.model, s)));
     std::int64_t cells = 0, unknowns = 0;
     for (std::size_t p = 0; p < setup.pools(); ++p) {
       MeshPart part;

@@ -10,7 +10,7 @@ namespace scree::coupling {
 
 enum class ContactStatus : std::int32_t { open, slip, stick };
 
-/// A vertex of one block against an outline edge of another: the identity of a contact, whatever the methods.
+/// Per vertex of one block against an outline edge of another: the identity of a contact, whatever the methods.
 struct ContactKey {
   std::int32_t block_p = -1, ring_p = 0, vertex = 0, part = 0;  // the corner; part > 0: a mesh node along edge `vertex`
   std::int32_t block_e = -1, ring_e = 0, edge = 0;              // the edge
@@ -52,7 +52,7 @@ struct ContactMemory {
   std::int32_t bonded = 0;       // 1: closed since t = 0 with a tensile strength, which it still has
   std::int32_t joint = -1;       // law, chosen when the pair was first seen
   std::int32_t segment = -1;     // segment of the edge that the anchor below refers to, counted within the edge
-  double gap0 = 0.0;             // gap that counts as closed without stress (closed at t = 0, changed share) [m]
+  double gap0 = 0.0;             // gap that counts as closed without stress (closed at t = 0, changed tributary) [m]
   double gap = 0.0;              // gap at the present time, less gap0 [m]
   double stretch = 0.0;          // elongation of the tangential spring [m]
   double anchor = 0.0;           // its anchor: fraction of the segment
@@ -62,8 +62,8 @@ struct ContactMemory {
   double slip = 0.0;             // accumulated |slip| [m]
   double slip_known = 0.0;       // of it, what the law of friction has seen (model/friction_law.h) [m]
   double friction_change = 0.0;  // what that law has made of tan phi, less that of the friction angle
-  std::int32_t facing = 0;       // 1: part of an edge-edge contact; 0: a corner against an edge
-  double share = 0.0;            // length of joint that the point stands for [m]
+  std::int32_t edge_edge = 0;    // 1: part of an edge-edge contact; 0: a corner against an edge
+  double tributary = 0.0;        // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;     // stiffness of its springs [N/m]
   double impact = 0.0;           // time for which it still keeps the springs it closed with [s] (explicit steps)
   SlideMemory slide{};
@@ -107,8 +107,8 @@ void ContactMemory::visit(Visitor&& see) const {
   see("contact.slip", slip);
   see("contact.slip_known", slip_known);
   see("contact.friction_change", friction_change);
-  see("contact.facing", facing);
-  see("contact.share", share);
+  see("contact.edge_edge", edge_edge);
+  see("contact.tributary", tributary);
   see("contact.kn", kn);
   see("contact.kt", kt);
   see("contact.impact", impact);

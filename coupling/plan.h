@@ -57,7 +57,7 @@ struct Partition {
   // All contacts explicit; false: those between implicit blocks by the open-close iteration ([Qu2013] figure 7.6).
   bool shared_contacts = false;
   // The others take explicit steps too, of the same length; their internal force is met once in a dt.
-  bool others_explicit = false;
+  bool slow_explicit = false;
   [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
 };
 
@@ -124,7 +124,7 @@ struct Stage {
   SwitchRules change;
   StepControl control;
   /// Steps of two sizes, all of them explicit.
-  [[nodiscard]] bool subcycled() const { return integrator == Integrator::partitioned && partition.others_explicit; }
+  [[nodiscard]] bool subcycled() const { return integrator == Integrator::partitioned && partition.slow_explicit; }
   /// Some blocks take implicit steps.
   [[nodiscard]] bool has_implicit_steps() const { return integrator != Integrator::explicit_ && !subcycled(); }
 };

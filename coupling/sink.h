@@ -18,9 +18,9 @@ namespace scree::coupling {
 struct MeshView {
   std::uint32_t id = 0;
   std::span<const std::int32_t> offsets, connectivity;                   // polygon cells of points (VTK polygons)
-  std::span<const std::int32_t> cell_block, cell_material, cell_method;  // a cell
-  std::span<const char> cell_explicit;  // a cell: 1 in the explicit half of a divided block
-  std::span<const double> origin;       // x, y a point: where the model first had it [m]
+  std::span<const std::int32_t> cell_block, cell_material, cell_method;  // per cell
+  std::span<const char> cell_explicit;  // per cell: 1 in the explicit half of a divided block
+  std::span<const double> origin;       // x, y per point: where the model first had it [m]
   std::vector<std::string> methods;     // names that cell_method counts
 };
 
@@ -60,8 +60,8 @@ struct FrameView {
   std::string_view stage_name;
   Integrator integrator = Integrator::explicit_;
   double end_time = 0.0;                       // of the whole plan [s]
-  std::span<const double> position, velocity;  // x, y a point [m], [m/s]
-  std::span<const double> stress;              // xx, yy, xy a cell, Cauchy [Pa]
+  std::span<const double> position, velocity;  // x, y per point [m], [m/s]
+  std::span<const double> stress;              // xx, yy, xy per cell, Cauchy [Pa]
   const MeshView* mesh = nullptr;
   const State* state = nullptr;
   const RunStats* stats = nullptr;

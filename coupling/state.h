@@ -47,9 +47,9 @@ struct RuleMemory {
   double peak = 0.0;                          // kinetic energy, the largest so far [J]
   Tick slow_since = -1, balanced_since = -1;  // -1: it is not
   std::vector<Slip> slips;                    // sorted by blocks
-  Tick looked = -1, next_look = 0;            // for blocks that may change method
-  std::vector<Tick> calm_since;               // a block; -1: it is not
-  std::vector<char> other_method;             // a block: 1 where a rule has taken it from the stage's method
+  Tick evaluated = -1, next_evaluation = 0;   // for blocks that may change method
+  std::vector<Tick> calm_since;               // per block; -1: it is not
+  std::vector<char> other_method;             // per block: 1 where a rule has taken it from the stage's method
   struct Energy {                             // where a subcycled stage began (energy_watch.h) [J]
     double held = 0.0, work = 0.0, made = 0.0;
     std::int32_t told = 0;  // 1: a warning has been given
@@ -68,9 +68,9 @@ struct State {
   Tick last_step = 0;              // length of the step before, for the shadow term
   double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
-  // A body: 1 where it takes explicit steps, kDivided where one half of it does; partitioned stages, else empty.
+  // Per body: 1 where it takes explicit steps, kDivided where one half of it does; partitioned stages, else empty.
   std::vector<char> explicit_side;
-  std::vector<double> q, v;      // x, y a node; pool after pool, body after body (Setup has the offsets)
+  std::vector<double> q, v;      // x, y per node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;         // acceleration at `time`, same layout (explicit stages; else empty)
   std::vector<double> v_before;  // velocity of the half step before, where damping lags on it (else empty)
   std::vector<double> damping;   // forces of mass-proportional damping that spares affine motion (else empty) [N]
@@ -78,7 +78,8 @@ struct State {
   std::vector<ContactMemory> contacts;  // sorted by key
   KeptFactor factored;                  // of implicit steps
   std::vector<Remainder> rest;
-  std::vector<double> anchors;  // x, y a point support: how far hand-overs have shifted its anchor; empty: none yet [m]
+  std::vector<double>
+      anchors;  // x, y per point support: how far hand-overs have shifted its anchor; empty: none yet [m]
   RuleMemory rules;
   Ledger ledger;
 
@@ -130,8 +131,8 @@ void RuleMemory::visit(Visitor&& see) const {
     see("rules.slip_b", s.b);
     see("rules.slip", s.slip);
   }
-  see("rules.looked", looked);
-  see("rules.next_look", next_look);
+  see("rules.evaluated", evaluated);
+  see("rules.next_evaluation", next_evaluation);
   see("rules.calm_since", calm_since);
   see("rules.other_method", other_method);
   see("rules.energy_held", energy.held);

@@ -1,4 +1,4 @@
-// A body: its boundary as rows on its nodes, its shape free of stress, how it is represented, and its motion.
+// Per body: its boundary as rows on its nodes, its shape free of stress, how it is represented, and its motion.
 // The one idea that joins the methods: the position of a boundary node is linear in its body's nodes,
 //   x = sum_k w_k q[node_k],
 // three weights, constant until the body is discretised anew. Contact, supports, transfer, output and streaming see

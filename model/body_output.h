@@ -14,8 +14,8 @@ struct MeshPart {
   std::vector<Vec2> origin;           // where the model first had each point [m]
   std::vector<std::int32_t> offsets;  // cells + 1
   std::vector<std::int32_t> connectivity;
-  std::vector<std::int32_t> body;   // a cell: body index in the pool
-  std::vector<char> explicit_half;  // a cell: 1 in the explicit half of a divided body; empty: no body is divided
+  std::vector<std::int32_t> body;   // per cell: body index in the pool
+  std::vector<char> explicit_half;  // per cell: 1 in the explicit half of a divided body; empty: no body is divided
 };
 
 /// What results, pictures and streams show of the bodies.

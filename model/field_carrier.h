@@ -21,8 +21,8 @@ class FieldCarrier {
   /// @param from, other     the body that was
   /// @param q_from, v_from  nodes of its pool
   /// @param q, v            nodes of this pool
-  virtual void take_over(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
-                         std::span<const double> v_from, std::span<double> q, std::span<double> v) const = 0;
+  virtual void project(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
+                       std::span<const double> v_from, std::span<double> q, std::span<double> v) const = 0;
 };
 
 }  // namespace scree

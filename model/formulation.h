@@ -22,8 +22,8 @@ enum class BlockRotation {
   affine  // (c, F) themselves with Newton's method on the co-rotated energy: what a onefold NMM cover does
 };
 
-/// A block of one continuum of which one half takes explicit steps and the other implicit ones: elements whose centroid
-/// was first in the region, and the others. Covers that both need exist twice (Pool::seams).
+/// Per block of one continuum of which one half takes explicit steps and the other implicit ones: elements whose
+/// centroid was first in the region, and the others. Covers that both need exist twice (Pool::interface_constraints).
 /// @source docs/theory/explicit-implicit-coupling.md, "Divided blocks"; [Qu2013] 7.2.2, element partition
 struct Division {
   enum class Acts { both, explicit_half, implicit_half };

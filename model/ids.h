@@ -17,12 +17,12 @@ struct Id {
   constexpr auto operator<=>(const Id&) const = default;
 };
 
-using BlockId = Id<struct BlockTag>;        // a block of the model; never changes during a run
+using BlockId = Id<struct BlockTag>;        // per block of the model; never changes during a run
 using MaterialId = Id<struct MaterialTag>;  // a material of the model
 using JointId = Id<struct JointTag>;        // a joint law of the model
 using MotionId = Id<struct MotionTag>;      // a ground motion of the model
 using FunctionId = Id<struct FunctionTag>;  // a time function of the model
-using StageId = Id<struct StageTag>;        // a stage of the plan, in their order
+using StageId = Id<struct StageTag>;        // per stage of the plan, in their order
 
 /// Simulated time in whole picoseconds: stages, substeps and output times are sums of integers, so nothing drifts.
 using Tick = std::int64_t;

@@ -36,7 +36,7 @@ void move(Polygon& polygon, const Vec2& by) {
 
 }  // namespace
 
-void take_local_origin(Model& model) {
+void move_to_local_origin(Model& model) {
   const Box box = box_of(model);
   const double extent = (box.hi - box.lo).maxCoeff();
   if (!(extent > 0.0) || !std::isfinite(extent)) return;

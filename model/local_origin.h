@@ -20,7 +20,7 @@ inline constexpr double kFarExtents = 100.0;
 ///   The origin is the multiple nearest to the middle of the box of a power of two not below the extent. It lies within
 ///   a factor of two of every coordinate of the box, so that the differences are exact.
 /// @pre check_geometry finds nothing     @source [Sterbenz1974] theorem 4.3.1
-void take_local_origin(Model& model);
+void move_to_local_origin(Model& model);
 
 /// A position for a message, in the coordinates of the user: "(0.5, 2)"; with more digits where the origin is not zero.
 /// @param x  [m], counted from the origin

@@ -48,7 +48,7 @@ struct JointLaw {
   std::vector<double> friction_constants;     // of that law, in the order of its keys
 };
 
-/// A block: its polygon, material and joints.
+/// Per block: its polygon, material and joints.
 struct Block {
   std::string name;
   Polygon polygon;  // oriented
@@ -89,9 +89,9 @@ struct Model {
   std::string title;
   Plane plane = Plane::strain;
   Vec2 gravity{0.0, -9.81};  // [m/s2]
-  // What all positions below are counted from [m]: (0, 0) unless take_local_origin() moved a model that lies far away.
-  // Without that call such a model runs, with the round-off of its distance: forces of contacts 1e6 m away are off by
-  // 1e-5 to 1e-4 of a weight.
+  // What all positions below are counted from [m]: (0, 0) unless move_to_local_origin() moved a model that lies far
+  // away. Without that call such a model runs, with the round-off of its distance: forces of contacts 1e6 m away are
+  // off by 1e-5 to 1e-4 of a weight.
   Vec2 origin{0.0, 0.0};
   std::vector<Material> materials;
   std::vector<JointLaw> joints;

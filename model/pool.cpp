@@ -14,7 +14,7 @@ double ExplicitOperator::damp(double, double, std::span<const double>, std::span
   return 0.0;
 }
 std::string ExplicitOperator::binding(int) const { return {}; }
-std::span<const BodySet::Seam> BodySet::seams(int) const { return {}; }
+std::span<const BodySet::InterfaceConstraint> BodySet::interface_constraints(int) const { return {}; }
 
 std::span<const std::int32_t> BodySet::undivided(int) const { return {}; }
 

@@ -66,7 +66,7 @@ class ConsistentMass {
   CoverChart chart_;
   std::vector<std::int32_t> cover_of_;                            // a free cover
   Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t> M_;  // over free covers, both triangles
-  std::vector<double> row_sum_;                                   // a cover
+  std::vector<double> row_sum_;                                   // per cover
   std::vector<Eigen::Vector3d> basis_;                            // M [1, X] of a free cover
   std::vector<Vec2> star_;                                        // reference position of a cover [m]
   Mat3 inverse_ = Mat3::Zero();                                   // (P^T M P)^-1, P = [1, X]

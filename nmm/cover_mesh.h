@@ -38,13 +38,13 @@ struct CoverMesh {
   std::vector<double> area;                        // of the material [m2]
   std::vector<std::int32_t> piece;                 // into pieces; -1: the whole triangle
 
-  std::vector<Gradients> shapes;        // the lattice's two triangles, then one a onefold cover
-  std::vector<double> triangle_areas;   // a shape [m2]
-  std::vector<Polygon> pieces;          // material of the elements that boundaries or cracks cut [m]
-  std::vector<Tie> ties;                // by cover; roots are never tied
-  std::vector<char> explicit_part;      // a component of a divided block: 1 in the explicit half; else empty
-  std::vector<Pool::Seam> seams;        // covers of the two halves at one star
-  std::vector<std::int32_t> undivided;  // a cover of a divided block: its number where the block is not
+  std::vector<Gradients> shapes;       // the lattice's two triangles, then one a onefold cover
+  std::vector<double> triangle_areas;  // a shape [m2]
+  std::vector<Polygon> pieces;         // material of the elements that boundaries or cracks cut [m]
+  std::vector<Tie> ties;               // by cover; roots are never tied
+  std::vector<char> explicit_part;     // per component of a divided block: 1 in the explicit half; else empty
+  std::vector<Pool::InterfaceConstraint> interface_constraints;  // covers of the two halves at one star
+  std::vector<std::int32_t> undivided;  // per cover of a divided block: its number where the block is not
   double area_left_out = 0.0;           // of elements that half_of() took away [m2]
   Boundary boundary;            // outline, split where it crosses mesh lines; nodes and cells counted from this mesh
   bool onefold = false;         // one triangle around the whole block

@@ -28,7 +28,7 @@ const std::array<std::int32_t, 3>& covers(const CoverMesh& mesh, std::int32_t e)
   return mesh.cover[static_cast<std::size_t>(e)];
 }
 
-/// Unknown places of a mesh: free covers, those at a seam once.
+/// Unknown places of a mesh: free covers, those at an interface constraint once.
 class Places {
  public:
   explicit Places(const CoverMesh& mesh) : share_(mesh.star.size()) {
@@ -38,7 +38,7 @@ class Places {
       while (leader[static_cast<std::size_t>(c)] != c) c = leader[static_cast<std::size_t>(c)];
       return c;
     };
-    for (const Pool::Seam& s : mesh.seams) {
+    for (const Pool::InterfaceConstraint& s : mesh.interface_constraints) {
       const std::int32_t a = find(s.explicit_node), b = find(s.implicit_node);
       leader[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
     }

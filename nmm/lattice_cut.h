@@ -40,7 +40,7 @@ struct LatticePieces {
 /// Numbers the physical covers: pieces of neighbouring triangles that share an edge length that is not on a crack
 /// share the two covers at its ends. Covers count by rows of the lattice and along them.
 /// @param is_explicit  an element of a divided block: 1 in the explicit half; pieces of different halves share no
-///                     cover, and covers that they would have shared become seams. Empty: one body
+///                     cover, and covers that they would have shared become interface constraints. Empty: one body
 /// @source docs/theory/kinematics-and-nmm.md, "Covers and elements"; [Qu2013] 6.2.1
 void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks, std::span<const char> is_explicit,
                    CoverMesh& mesh);

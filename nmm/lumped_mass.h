@@ -74,11 +74,11 @@ class LumpedMass {
 
   std::vector<Part> parts_;
   std::vector<Chunk> chunks_;                            // by part, each of at most kChunk covers
-  std::vector<std::int32_t> part_of_;                    // a cover
+  std::vector<std::int32_t> part_of_;                    // per cover
   std::vector<double> lumped_, inverse_, unit_;          // M_L, 1/M_L (0 for tied covers), M 1
   std::vector<Vec2> X_;                                  // reference position less the part's centre of mass [m]
   mutable std::vector<AffineMoments> partial_, moment_;  // of chunks and parts
-  mutable std::vector<double> power_;                    // a chunk: work of damping
+  mutable std::vector<double> power_;                    // per chunk: work of damping
 };
 
 }  // namespace scree::nmm

@@ -88,7 +88,8 @@ void NmmPool::divide(Body& body) {
     throw MeshError(fmt::format("block '{}' cannot be divided by the explicit region: {}", body.name, why));
   };
   if (mesh.onefold) refuse("it is so narrow that one cover carries it; choose a smaller cover_size");
-  if (mesh.seams.empty()) refuse("no two neighbouring elements have their centroids one in it and one outside");
+  if (mesh.interface_constraints.empty())
+    refuse("no two neighbouring elements have their centroids one in it and one outside");
   if (mesh.shapes.size() > 2)
     refuse(
         "a part of one half has no element of half a triangle; move the region's border, or choose a smaller "
@@ -145,7 +146,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
     for (std::int32_t& n : row.node) n += first;
   for (Boundary::Segment& s : body->mesh.boundary.segments) s.cell += body->first_element;
   idle_.resize(static_cast<std::size_t>(first) + mesh.star.size(), 0);
-  for (Seam& s : body->mesh.seams) {
+  for (InterfaceConstraint& s : body->mesh.interface_constraints) {
     s.explicit_node += first;
     s.implicit_node += first;
   }
@@ -240,15 +241,15 @@ void NmmPool::settle(int body, std::span<double> q, std::span<double> v) const {
   }
 }
 
-void NmmPool::take_over(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
-                        std::span<const double> v_from, std::span<double> q, std::span<double> v) const {
+void NmmPool::project(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
+                      std::span<const double> v_from, std::span<double> q, std::span<double> v) const {
   const auto& was = dynamic_cast<const NmmPool&>(from);
   const auto part = [](auto all, const NmmPool& pool, int b) {
     const auto first = static_cast<std::size_t>(pool.first_node(b)),
                last = static_cast<std::size_t>(pool.first_node(b + 1));
     return all.subspan(2 * first, 2 * (last - first));
   };
-  // Of a divided block the whole, whose seams are still counted from its first cover.
+  // Of a divided block the whole, whose interface constraints are still counted from its first cover.
   const auto mesh = [](const Body& b) -> const CoverMesh& { return b.whole ? *b.whole : b.mesh; };
   project_motion({&mesh(was.of(other)), part(q_from, was, other), part(v_from, was, other)}, mesh(of(body)),
                  of(body).law, of(body).form.kinematics, part(q, *this, body), part(v, *this, body));

@@ -24,7 +24,9 @@ class NmmPool final : public Pool, public FieldCarrier {
   [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
   [[nodiscard]] std::int32_t first_node(int body) const override { return first_[static_cast<std::size_t>(body)]; }
   [[nodiscard]] const Boundary& boundary(int body) const override { return of(body).mesh.boundary; }
-  [[nodiscard]] std::span<const Seam> seams(int body) const override { return of(body).mesh.seams; }
+  [[nodiscard]] std::span<const InterfaceConstraint> interface_constraints(int body) const override {
+    return of(body).mesh.interface_constraints;
+  }
   [[nodiscard]] std::span<const std::int32_t> undivided(int body) const override { return of(body).mesh.undivided; }
   void settle(int body, std::span<double> q, std::span<double> v) const override;
   [[nodiscard]] bool idle(std::int32_t node) const override { return idle_[static_cast<std::size_t>(node)] != 0; }
@@ -35,8 +37,8 @@ class NmmPool final : public Pool, public FieldCarrier {
   [[nodiscard]] Release release(int body, std::span<const double> q, std::span<const double> v) const override;
   [[nodiscard]] BodyTotals totals(int body, std::span<const double> q, std::span<const double> v) const override;
   [[nodiscard]] bool has_fields(int body) const override { return !of(body).onefold; }
-  void take_over(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
-                 std::span<const double> v_from, std::span<double> q, std::span<double> v) const override;
+  void project(int body, const FieldCarrier& from, int other, std::span<const double> q_from,
+               std::span<const double> v_from, std::span<double> q, std::span<double> v) const override;
 
   double internal_force(std::span<const double> q, std::span<double> f) const override;
   [[nodiscard]] Fault find_fault(std::span<const double> q) const override;
@@ -93,7 +95,7 @@ class NmmPool final : public Pool, public FieldCarrier {
 
  private:
   struct Body {
-    CoverMesh mesh;  // elements that act; boundary rows and cells, and seams, count within the pool
+    CoverMesh mesh;  // elements that act; boundary rows and cells, and interface constraints, count within the pool
     // Of a divided block: all elements, and those that mass_ carries.
     std::unique_ptr<CoverMesh> whole, lumped;
     // And what both halves oppose to a force, whichever acts: contacts on the other one are damped by it too.
@@ -134,7 +136,7 @@ class NmmPool final : public Pool, public FieldCarrier {
   LumpedMass mass_;
   ElementForces elements_;
   std::vector<double> ones_;
-  std::vector<char> idle_;                             // a cover
+  std::vector<char> idle_;                             // per cover
   std::optional<std::array<Vec2, 3>> model_triangle_;  // where the model was first
   Vec2 model_origin_{0.0, 0.0};
 };

@@ -21,7 +21,7 @@ Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const
 
 void NmmPool::topology(MeshPart& mesh) const {
   mesh.offsets.assign(1, 0);
-  std::vector<std::int32_t> point_of;  // a cover: the mesh point at its star, where whole triangles show it
+  std::vector<std::int32_t> point_of;  // per cover: the mesh point at its star, where whole triangles show it
   for (int b = 0; b < bodies(); ++b) {
     const Body& body = of(b);
     // The affine map from the reference shape to where the model first had the block.

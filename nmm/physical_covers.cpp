@@ -67,7 +67,7 @@ bool share_length(const std::vector<Stretch>& a, const std::vector<Stretch>& b, 
 }
 
 /// Halves of the components, and pairs of covers, one of either half, that would be one cover of the undivided block.
-void find_seams(UnionFind& undivided, std::span<const char> is_explicit, CoverMesh& mesh) {
+void find_interface_constraints(UnionFind& undivided, std::span<const char> is_explicit, CoverMesh& mesh) {
   mesh.explicit_part.assign(static_cast<std::size_t>(mesh.components), 0);
   struct Corner {
     std::int32_t root, cover;
@@ -91,12 +91,12 @@ void find_seams(UnionFind& undivided, std::span<const char> is_explicit, CoverMe
     };
     const auto e = first(true), i = first(false);
     if (e == end || i == end) continue;
-    // As many seams as hold them all together.
+    // As many interface constraints as hold them all together.
     for (auto c = begin; c != end; ++c)
       if (!c->is_explicit)
-        mesh.seams.push_back({e->cover, c->cover});
+        mesh.interface_constraints.push_back({e->cover, c->cover});
       else if (c != e)
-        mesh.seams.push_back({c->cover, i->cover});
+        mesh.interface_constraints.push_back({c->cover, i->cover});
   }
 }
 
@@ -192,7 +192,7 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
     mesh.component[c] = mesh.component[root];
   }
   if (is_explicit.empty()) return;
-  find_seams(undivided, is_explicit, mesh);
+  find_interface_constraints(undivided, is_explicit, mesh);
   // Covers of the undivided block would be numbered in the same order.
   std::vector<Cover> one;
   for (std::size_t e = 0; e < count; ++e) {

@@ -56,7 +56,7 @@ Forms forms_of(double width, bool model_triangle) {
   stage.integrator = Integrator::implicit;
   for (std::int32_t b = 0; b < 3; ++b) stage.rules.push_back({{BlockId{b}}, "nmm", 0.0, true, model_triangle});
   const Methods methods = standard_methods();
-  const Setup setup(model, methods, initial_records(model, wishes(model, stage)));
+  const Setup setup(model, methods, initial_records(model, body_requests(model, stage)));
   std::vector<double> q(2 * static_cast<std::size_t>(setup.nodes()), 0.0), v = q, f = q;
   for (const Body& b : setup.bodies()) {
     AffineMotion at;

@@ -40,11 +40,11 @@ Model model_of(double Omega) {
 }
 
 /// z at the start and after every step.
-std::vector<Vec2> steps_of(coupling::Mover& mover, coupling::State& state, int steps) {
-  (void)mover.enter(state);
+std::vector<Vec2> steps_of(coupling::TimeIntegrator& integrator, coupling::State& state, int steps) {
+  (void)integrator.enter(state);
   std::vector<Vec2> z{{state.q[0], kStep * state.v[0]}};
   for (int i = 0; i < steps; ++i) {
-    const coupling::StepReport report = mover.step(state, ticks(kStep));
+    const coupling::StepReport report = integrator.step(state, ticks(kStep));
     if (report.status != coupling::StepReport::Status::ok)
       throw std::runtime_error("the oscillator's step failed: " + report.cause);
     z.emplace_back(state.q[0], kStep * state.v[0]);
@@ -60,7 +60,7 @@ std::vector<Vec2> oscillator_steps(coupling::Integrator integrator, double Omega
   stage.method = "dda";
   stage.integrator = integrator;
   coupling::State state;
-  state.bodies = coupling::initial_records(model, coupling::wishes(model, stage));
+  state.bodies = coupling::initial_records(model, coupling::body_requests(model, stage));
   const coupling::Setup setup(model, coupling::standard_methods(), state.bodies);
   state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   state.v = state.q;
@@ -69,15 +69,15 @@ std::vector<Vec2> oscillator_steps(coupling::Integrator integrator, double Omega
   setup.pool(0).place(0, start, state.q, state.v);
   state.ledger.open(std::array{0.5 * kMass * kSpeed * kSpeed});
 
-  // The movers by themselves: a driver would refuse explicit steps beyond the stable one.
+  // The integrators by themselves: a driver would refuse explicit steps beyond the stable one.
   coupling::StepControl control;
   control.max_displacement = kRoom;
   if (integrator == coupling::Integrator::implicit) {
-    coupling::Newmark mover(setup, control, kRoom, {});
-    return steps_of(mover, state, steps);
+    coupling::Newmark time_integrator(setup, control, kRoom, {});
+    return steps_of(time_integrator, state, steps);
   }
-  coupling::CentralDifference mover(setup, control, kRoom, {});
-  return steps_of(mover, state, steps);
+  coupling::CentralDifference time_integrator(setup, control, kRoom, {});
+  return steps_of(time_integrator, state, steps);
 }
 
 MeasuredStep measured_step(const std::vector<Vec2>& z) {

@@ -14,7 +14,7 @@ namespace scree::app {
 /// A parameter as a column.
 struct ParameterColumn {
   std::string key, units;       // units: of the schema where the values are numbers; empty for texts
-  std::vector<double> numbers;  // a run; empty where some value is no number
+  std::vector<double> numbers;  // per run; empty where some value is no number
   std::vector<std::string> texts;
 
   [[nodiscard]] bool is_number() const { return !numbers.empty(); }

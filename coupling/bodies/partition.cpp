@@ -62,8 +62,8 @@ std::vector<char> first_sides(const Model& model, const Partition& partition) {
   return side;
 }
 
-Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides) {
-  Guests out;
+Ghosts slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides) {
+  Ghosts out;
   if (!stage.subcycled()) return out;
   std::vector<char> first;
   if (sides.empty()) sides = first = first_sides(model, stage.partition);

@@ -10,7 +10,7 @@
 namespace scree::coupling {
 
 class Setup;
-struct Guests;
+struct Ghosts;
 
 /// Sides that lists, a region or areas settle, as State::explicit_side; -1 for none of them.
 [[nodiscard]] std::vector<char> settled_sides(const Model& model, const Partition& partition);
@@ -21,7 +21,7 @@ struct Guests;
 
 /// What a setup of the whole model has to know of a stage: bodies whose internal force is met at long steps.
 /// @param sides  State::explicit_side; empty: as the stage begins
-[[nodiscard]] Guests slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides = {});
+[[nodiscard]] Ghosts slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides = {});
 
 /// Sides by the motion at an instant.   @pre partition.changes()
 /// @param fixed  settled_sides(): those stay

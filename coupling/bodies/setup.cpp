@@ -27,26 +27,26 @@ namespace {
 
 bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empty() && flags[i] != 0; }
 
-/// What decides the pool of a body: its method, whether its forces are another mover's, whether it is slow.
+/// What decides the pool of a body: its method, whether its forces are another integrator's, whether it is slow.
 using PoolKey = std::tuple<std::string, bool, bool>;
-PoolKey key_of(const Model& model, const BodyRecord& record, const Guests& guests, std::size_t i) {
-  const bool foreign = flagged(guests.guest, i) || (!guests.touch && model.support_of(record.block) != nullptr);
-  return {record.method, foreign, flagged(guests.slow, i)};
+PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
+  const bool foreign = flagged(ghosts.ghost, i) || (!ghosts.touch && model.support_of(record.block) != nullptr);
+  return {record.method, foreign, flagged(ghosts.slow, i)};
 }
 
 /// Body i but for its places in pools and arrays.
-Body describe(const Model& model, const BodyRecord& record, const Guests& guests, std::size_t i) {
+Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
   Body b;
   b.block = record.block;
-  b.slow = flagged(guests.slow, i);
+  b.slow = flagged(ghosts.slow, i);
   if (const BlockSupport* s = model.support_of(record.block)) {
     b.driven = true;
     b.motion = s->motion;
   }
-  b.guest = !b.driven && flagged(guests.guest, i);
-  b.driven = b.driven || b.guest;
-  b.touched = guests.shared ? b.guest || !b.driven : !b.driven;
-  if (guests.shared && !guests.touch) b.touched = false;
+  b.ghost = !b.driven && flagged(ghosts.ghost, i);
+  b.driven = b.driven || b.ghost;
+  b.touched = ghosts.shared ? b.ghost || !b.driven : !b.driven;
+  if (ghosts.shared && !ghosts.touch) b.touched = false;
   b.divided = record.form.division.divides() && record.form.division.acts != Division::Acts::both;
   b.centre = moments(model.blocks[record.block.index()].polygon).centroid;
   return b;
@@ -54,11 +54,11 @@ Body describe(const Model& model, const BodyRecord& record, const Guests& guests
 
 }  // namespace
 
-Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests,
+Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts,
              Clocks clocks)
-    : model_(&model), guests_touch_(guests.touch), clocks_(std::move(clocks)) {
+    : model_(&model), ghosts_touch_(ghosts.touch), clocks_(std::move(clocks)) {
   std::map<PoolKey, std::int32_t> pool_of_key;
-  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(model, records[i], guests, i), 0);
+  for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(model, records[i], ghosts, i), 0);
   for (auto& [key, index] : pool_of_key) {
     const auto& [method, is_foreign, is_slow] = key;
     index = static_cast<std::int32_t>(pools_.size());
@@ -70,8 +70,8 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     counted_.emplace_back();
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
-    Body b = describe(model, records[i], guests, i);
-    b.pool = pool_of_key[key_of(model, records[i], guests, i)];
+    Body b = describe(model, records[i], ghosts, i);
+    b.pool = pool_of_key[key_of(model, records[i], ghosts, i)];
     Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
     b.index = pool.bodies();
     pool.add(model, records[i]);
@@ -89,24 +89,24 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     const Pool& pool = pool_of(b);
     b.first_node = pool_first_[static_cast<std::size_t>(b.pool)] + pool.first_node(b.index);
     b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
-    if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.guest ? NodeKind::guest : NodeKind::driven);
+    if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.ghost ? NodeKind::ghost : NodeKind::driven);
     for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
       if (pool.idle(pool.first_node(b.index) + k))
-        kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::guest;
+        kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::ghost;
     add_outline(static_cast<std::int32_t>(i));
   }
   for (Outlines::Edge& e : outlines_.edges)
-    if (!guests.touch &&
-        (bodies_[static_cast<std::size_t>(e.body)].guest || bodies_[static_cast<std::size_t>(e.body)].divided))
+    if (!ghosts.touch &&
+        (bodies_[static_cast<std::size_t>(e.body)].ghost || bodies_[static_cast<std::size_t>(e.body)].divided))
       e.touches = false;
 }
 
 bool Setup::applies(std::span<const Row> rows) const {
-  bool guests = false, own = false;
+  bool ghosts = false, own = false;
   for (const Row& row : rows)
     for (std::size_t k = 0; k < 3; ++k)
-      if (row.w[k] != 0.0) (kind(row.node[k]) == NodeKind::guest ? guests : own) = true;
-  return guests_touch_ ? own : own && !guests;
+      if (row.w[k] != 0.0) (kind(row.node[k]) == NodeKind::ghost ? ghosts : own) = true;
+  return ghosts_touch_ ? own : own && !ghosts;
 }
 
 Row Setup::global(const Body& b, Row row) const {
@@ -237,7 +237,7 @@ Vec2 Setup::driven_displacement(const Body& b, double time) const {
 
 void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
   for (const Body& b : bodies_) {
-    if (!b.driven || b.guest) continue;
+    if (!b.driven || b.ghost) continue;
     AffineMotion m;
     m.c = b.centre + driven_displacement(b, time);
     if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(motion_time(b.motion, time));

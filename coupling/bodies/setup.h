@@ -18,11 +18,11 @@ struct Body {
   BlockId block;
   std::int32_t pool = 0, index = 0;        // pool, and body within it
   std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
-  bool driven = false;                     // held or moved as a whole, or a guest; has no unknowns
-  bool guest = false;                      // another mover moves it (see Guests)
-  bool divided = false;                    // another mover moves one half of it
-  bool slow = false;                       // its internal force is met at long steps only (see Guests)
-  bool touched = true;                     // contact forces on it matter to some mover of this setup
+  bool driven = false;                     // held or moved as a whole, or a ghost; has no unknowns
+  bool ghost = false;                      // another integrator moves it (see Ghosts)
+  bool divided = false;                    // another integrator moves one half of it
+  bool slow = false;                       // its internal force is met at long steps only (see Ghosts)
+  bool touched = true;                     // contact forces on it matter to some integrator of this setup
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
@@ -62,13 +62,14 @@ struct Outlines {
 };
 
 /// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
-/// driven, but along paths that their mover knows, and live in pools of their own. Of a divided body the half that does
-/// not act here is a guest, in the pool of the other half; its contacts are all the explicit side's.
-struct Guests {
-  std::vector<char> guest;  // a body: 1 for a guest; empty: none
+/// driven, but along paths that their integrator knows, and live in pools of their own. Of a divided body the half that
+/// does not act here is a ghost, in the pool of the other half; its contacts are all the explicit side's.
+struct Ghosts {
+  std::vector<char> ghost;  // per body: 1 for a ghost; empty: none
   bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
-  bool shared = false;      // all contacts are the explicit side's, those between two guests too
-  // A body: 1 where a Subcycled mover meets its internal force at long steps only; pools of their own. Empty: none.
+  bool shared = false;      // all contacts are the explicit side's, those between two ghosts too
+  // Per body: 1 where a Subcycled integrator meets its internal force at long steps only; pools of their own. Empty:
+  // none.
   std::vector<char> slow;
 };
 
@@ -76,13 +77,13 @@ struct Guests {
 class Setup {
  public:
   /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
-  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Guests& guests = {},
+  Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts = {},
         Clocks clocks = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
-  /// Pools whose forces and energies are this setup's: all but those of guests.
+  /// Pools whose forces and energies are this setup's: all but those of ghosts.
   [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
   /// The same in two: those whose internal force is met at every step, and those of slow bodies.
   [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
@@ -93,26 +94,26 @@ class Setup {
   /// First node of a pool in the state's arrays.
   [[nodiscard]] std::int32_t pool_first(std::size_t p) const { return pool_first_[p]; }
   [[nodiscard]] const Pool& pool_of(const Body& b) const { return *pools_[static_cast<std::size_t>(b.pool)]; }
-  /// Part of an array (x, y a node) that belongs to a pool.
+  /// Part of an array (x, y per node) that belongs to a pool.
   template <class T>
   [[nodiscard]] std::span<T> part(std::span<T> all, std::size_t p) const {
     const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
     return all.subspan(2 * first, 2 * (last - first));
   }
-  /// False for two bodies whom contact forces do not move, and for guests whom nobody touches.
+  /// False for two bodies whom contact forces do not move, and for ghosts whom nobody touches.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
-    return (x.touched || y.touched) && (guests_touch_ || !(x.guest || y.guest || x.divided || y.divided));
+    return (x.touched || y.touched) && (ghosts_touch_ || !(x.ghost || y.ghost || x.divided || y.divided));
   }
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;
   [[nodiscard]] Row local(const Body& b, Row row) const;
-  enum class NodeKind : char { free, driven, guest };
+  enum class NodeKind : char { free, driven, ghost };
   [[nodiscard]] NodeKind kind(std::int32_t node) const { return kind_[static_cast<std::size_t>(node)]; }
-  /// True for a row on a node that another mover moves.
-  [[nodiscard]] bool on_guest(const Row& row) const {
+  /// True for a row on a node that another integrator moves.
+  [[nodiscard]] bool on_ghost(const Row& row) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (row.w[k] != 0.0 && kind(row.node[k]) == NodeKind::guest) return true;
+      if (row.w[k] != 0.0 && kind(row.node[k]) == NodeKind::ghost) return true;
     return false;
   }
   /// True if a force on rows of one body is this setup's to apply, and not the other side's: of a divided body it is
@@ -121,7 +122,7 @@ class Setup {
   /// One flag a body of a pool: 1 if it is free.
   [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
 
-  /// Puts driven bodies where they are at a time, with their velocity; guests stay.
+  /// Puts driven bodies where they are at a time, with their velocity; ghosts stay.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
@@ -147,7 +148,7 @@ class Setup {
   std::vector<Body> bodies_;
   std::vector<NodeKind> kind_;
   std::vector<std::vector<char>> counted_;
-  bool guests_touch_;
+  bool ghosts_touch_;
   Clocks clocks_;
   Outlines outlines_;
 };

@@ -107,7 +107,7 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
 }
 
 void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
-  finder_.find(q, now_, false, ahead_, ContactPairs::Of::guests);
+  finder_.find(q, now_, false, ahead_, ContactPairs::Of::ghosts);
   respond(h, v, ahead_);
   (void)finder_.adopt_kinds(ahead_);
   add(ahead_, f);
@@ -158,7 +158,7 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
     } else if (fa == 0.0 || fb == 0.0)
       ledger.book(Column::contact_transition, trapezoid + energy_b - energy_a);
     else
-      ledger.book(Column::contact_share, 0.5 * a.gap * b.gap * (b.kn - a.kn));
+      ledger.book(Column::contact_tributary, 0.5 * a.gap * b.gap * (b.kn - a.kn));
   }
   if (a.status == ContactStatus::open) return;  // a spring that begins here has done no work
   const double de = trial_[after] - a.stretch, ta = a.ft - a.fdt, tb = b.ft - b.fdt;
@@ -169,16 +169,16 @@ void ExplicitContact::book_pair(std::size_t before, std::size_t after, const Hal
     return;
   }
   ledger.book(Column::contact_geometry, left_[before].tangential + arriving.tangential - 0.5 * (ta + tb) * de);
-  ledger.book(Column::contact_share, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
+  ledger.book(Column::contact_tributary, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
   if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
-bool ExplicitContact::on_guest(const ContactPoint& p) const {
-  const auto is_guest = [&](std::int32_t node) {
+bool ExplicitContact::on_ghost(const ContactPoint& p) const {
+  const auto is_ghost = [&](std::int32_t node) {
     const auto b = static_cast<std::size_t>(setup_->outlines().node_body[static_cast<std::size_t>(node)]);
-    return setup_->bodies()[b].guest || setup_->bodies()[b].divided;
+    return setup_->bodies()[b].ghost || setup_->bodies()[b].divided;
   };
-  return is_guest(p.node[0]) || is_guest(p.node[1]);
+  return is_ghost(p.node[0]) || is_ghost(p.node[1]);
 }
 
 void ExplicitContact::respond(double h, std::span<const double> v, ContactList& list) {
@@ -192,9 +192,9 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
     PointMotion motion = motion_of(p);
     motion.per_time = 1.0 / h;
-    // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the guest
+    // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
     // that its own force leads to. It acts from the next step on.
-    if (m.status != ContactStatus::open || !on_guest(p)) {
+    if (m.status != ContactStatus::open || !on_ghost(p)) {
       motion.cn = p.cn;
       motion.ct = p.ct;
     }
@@ -215,7 +215,7 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
   }
 }
 
-void ExplicitContact::hand_over(double h, std::span<const double> v) {
+void ExplicitContact::transfer_impact_energy(double h, std::span<const double> v) {
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     const ContactPoint& p = now_.points[i];
     ContactMemory& m = now_.memory[i];
@@ -252,7 +252,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   std::swap(now_, before_);
   if (clear_ > 0.0) return;  // both lists are empty and stay so
   finder_.find(q, before_, false, now_);
-  hand_over(h, v);
+  transfer_impact_energy(h, v);
   respond(h, v, now_);
   if (checks_friction_) {  // velocities are physical
     follow_slides(h);
@@ -290,7 +290,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
   anchor_.resize(now_.memory.size());
   for (std::size_t i = 0; i < anchor_.size(); ++i) anchor_[i] = now_.memory[i].anchor;
-  ledger.book(Column::contact_share, finder_.adopt_kinds(now_));
+  ledger.book(Column::contact_tributary, finder_.adopt_kinds(now_));
   for (std::size_t i = 0; i < anchor_.size(); ++i) {
     const ContactPoint& p = now_.points[i];
     const ContactMemory& m = now_.memory[i];

@@ -37,7 +37,7 @@ class ExplicitContact {
   /// Points at the new positions, return mapping, second half of the books.
   /// @param farthest  no node of the state has moved farther since the instant left [m]
   void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
-  /// f += forces that contacts with guests will have at other positions, as arrive() would find them.
+  /// f += forces that contacts with ghosts will have at other positions, as arrive() would find them.
   /// @param q,v  as arrive() has them
   void foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
   /// Checks the points of the present instant.
@@ -55,13 +55,13 @@ class ExplicitContact {
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m,
                                std::span<const double> v) const;
   void add(const ContactList& list, std::span<double> f) const;
-  /// True if another mover moves one of its bodies, or a half of it.
-  [[nodiscard]] bool on_guest(const ContactPoint& p) const;
+  /// True if another integrator moves one of its bodies, or a half of it.
+  [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
   /// In an impact a spring that passes to another edge or tip there holds what the work of its force in the step leaves
   /// of its energy, whatever the gap at which it passes:
   ///   k g^2/2 = E - h/2 f_n g'_n - h/2 f g',  f = -k g
   /// The direction of the force jumps within the step: the gap alone would be off by an error of first order.
-  void hand_over(double h, std::span<const double> v);
+  void transfer_impact_energy(double h, std::span<const double> v);
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards.
   void respond(double h, std::span<const double> v, ContactList& list);
   /// After respond(): the check of friction sees the points.
@@ -75,7 +75,7 @@ class ExplicitContact {
   bool checks_friction_;
   ContactList now_, before_, ahead_;
   double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<double> tan_friction_;  // a joint law
+  std::vector<double> tan_friction_;  // per joint law
   std::vector<Half> left_;            // a point of before_
   std::vector<char> kept_;            // 1: the point of before_ goes on in now_
   std::vector<double> trial_;         // stretch before return mapping, a point of the list at hand

@@ -125,7 +125,7 @@ void CentralDifference::sum_up(const Instant& at) {
     stress_right_ += partial_[index * sums];
     for (std::size_t w = 0; w + 1 < sums; ++w) weight_power_[w] += partial_[index * sums + w + 1];
   }
-  for (const auto* held : {&chunks_.driven(), &chunks_.guests()})
+  for (const auto* held : {&chunks_.driven(), &chunks_.ghosts()})
     for (const Chunk& c : *held)
       std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
                 total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
@@ -195,7 +195,7 @@ void CentralDifference::add_terms(const State& state) {
   if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(std::move(edges)));
 }
 
-void CentralDifference::resume(const State& state, const MoverMemory& memory) {
+void CentralDifference::resume(const State& state, const IntegratorMemory& memory) {
   add_terms(state);
   contact_.resume(state, memory.points);
   sum_up(lagging(state));  // for the terms: they act on free bodies alone
@@ -211,8 +211,8 @@ void CentralDifference::resume(const State& state, const MoverMemory& memory) {
   bound_ = memory.bound;
 }
 
-MoverMemory CentralDifference::memory() const {
-  MoverMemory out;
+IntegratorMemory CentralDifference::memory() const {
+  IntegratorMemory out;
   out.points = contact_.list().points;
   out.stress = stress_;
   out.total = total_;
@@ -311,7 +311,7 @@ StepReport CentralDifference::lost(const State& state, std::span<const double> f
 
 void CentralDifference::move_driven(const State& state, double h, double end, double& farthest) {
   for (const Body& b : setup_->bodies()) {
-    if (!b.driven || b.guest) continue;
+    if (!b.driven || b.ghost) continue;
     const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
     if (h * u.norm() > farthest) farthest = h * u.norm();
     const auto t = setup_->pool_of(b).translation(b.index);
@@ -366,7 +366,7 @@ void CentralDifference::book_step(double h, double stress_energy, double driven_
 bool CentralDifference::arrive(double h) {
   const double check =
       chunks_.sum_free([&](const Chunk& c) { return kick(c, v_half_.data(), 0.5 * h, a_new_.data(), v_new_.data()); });
-  for (const auto* held : {&chunks_.driven(), &chunks_.guests()})
+  for (const auto* held : {&chunks_.driven(), &chunks_.ghosts()})
     for (const Chunk& c : *held)
       for (std::size_t i = c.begin; i < c.end; ++i) v_new_[i] = v_half_[i];
   return std::isfinite(check);
@@ -411,7 +411,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   // would go too far is refused here.
   double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
-  if (!chunks_.guests().empty()) move_guests(state, state.time + ticks_of_step, farthest);
+  if (!chunks_.ghosts().empty()) move_ghosts(state, state.time + ticks_of_step, farthest);
   if (!(outline_weights_ * farthest <= control_.max_displacement)) {
     StepReport report = refuse(h);
     if (report.status != StepReport::Status::ok) {

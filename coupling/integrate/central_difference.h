@@ -7,10 +7,10 @@
 #include "coupling/integrate/force_term.h"
 #include "coupling/integrate/held_force.h"
 #include "coupling/integrate/loads.h"
-#include "coupling/integrate/mover.h"
 #include "coupling/integrate/node_chunks.h"
 #include "coupling/integrate/sliding_damping.h"
 #include "coupling/integrate/step_bound.h"
+#include "coupling/integrate/time_integrator.h"
 
 namespace scree::coupling {
 
@@ -23,15 +23,15 @@ namespace scree::coupling {
 /// step behind: F(x_n, v_{n-1/2}). Local damping: -alpha |F| sign(v_{n-1/2}) on every component of every free node, F
 /// the unbalanced force [Cundall1987]; on DDA blocks the nodes are the centre and the columns of the gradient.
 /// @source docs/theory/time-integration.md, "Central difference"; [Qu2013] 4.3, 6.5
-class CentralDifference final : public Mover {
+class CentralDifference final : public TimeIntegrator {
  public:
   /// @param rest  kinetic damping: all velocities are dropped when the kinetic energy has passed a peak
   CentralDifference(const Setup& setup, const StepControl& control, double detection,
                     const ExplicitDamping& damping = {}, bool rest = false);
 
   double enter(State& state) override;
-  void resume(const State& state, const MoverMemory& memory) override;
-  [[nodiscard]] MoverMemory memory() const override;
+  void resume(const State& state, const IntegratorMemory& memory) override;
+  [[nodiscard]] IntegratorMemory memory() const override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
@@ -39,23 +39,23 @@ class CentralDifference final : public Mover {
   void contact_forces(const State&, std::span<double> f) const override { contact_.add(f); }
   [[nodiscard]] bool step_still_stable() const override;
 
-  /// From now to `time` guests go along straight lines from where they are.   @param end  x, y a node at that time
-  void lead_guests(const State& state, std::span<const double> end, Tick time);
-  /// Forces f of contacts on nodes of guests at the end of a step in which they go along straight lines; nothing
+  /// From now to `time` ghosts go along straight lines from where they are.   @param end  x, y per node at that time
+  void lead_ghosts(const State& state, std::span<const double> end, Tick time);
+  /// Forces f of contacts on nodes of ghosts at the end of a step in which they go along straight lines; nothing
   /// changes.
-  /// @param end  x, y a node there   @param f  x, y a node, zero at first
+  /// @param end  x, y per node there   @param f  x, y per node, zero at first
   void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
-  /// Slow bodies (Guests::slow): their internal force counts this many times where the next step arrives; 0: it is not
+  /// Slow bodies (Ghosts::slow): their internal force counts this many times where the next step arrives; 0: it is not
   /// met there, and its energy stays as it was.
   void weigh_next(double weight) { slow_.next = weight; }
   /// It counts so many times at the present instant, where it has been met. The acceleration jumps.
   void weigh(State& state, double weight);
   /// Nodes that hold() has forces for; before enter() or resume().
   void hold_nodes(std::vector<std::int32_t> nodes);
-  /// From now on these forces act on them, x, y a node [N]. The acceleration jumps, and with it the shadow.
+  /// From now on these forces act on them, x, y per node [N]. The acceleration jumps, and with it the shadow.
   void hold(State& state, std::span<const double> force);
   [[nodiscard]] std::span<const double> held() const { return held_ ? held_->force() : std::span<const double>(); }
-  /// Forces at the present instant; those of contacts alone on nodes of guests [N].
+  /// Forces at the present instant; those of contacts alone on nodes of ghosts [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
   /// What steps change beside the state.
@@ -91,7 +91,7 @@ class CentralDifference final : public Mover {
   [[nodiscard]] StepReport refuse(double h) const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
-  void move_guests(const State& state, Tick arrival, double& farthest);
+  void move_ghosts(const State& state, Tick arrival, double& farthest);
   void turn(const State& state, double h);  // what was moved, where nodes turn
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
@@ -128,7 +128,7 @@ class CentralDifference final : public Mover {
   std::vector<double> rigid_x_, rigid_y_, rigid_turn_, momentum_, turn_momentum_;
   std::vector<double> unit_mass_;  // M of a translation by 1
   std::vector<BodyLoad> weights_;
-  std::vector<double> factor_;  // a weight: its factor at the present instant
+  std::vector<double> factor_;  // per weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   HeldForce* held_ = nullptr;      // among them
   struct Slow {                    // internal force of slow bodies
@@ -142,18 +142,18 @@ class CentralDifference final : public Mover {
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
   double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
-  std::vector<double> weight_power_;  // a weight: force at a factor of 1 times velocity
+  std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
     double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, sliding = 0.0, largest = 0.0;
   };
-  std::vector<Left> left_;  // a chunk
-  struct Lead {             // the way of the guests
+  std::vector<Left> left_;  // per chunk
+  struct Lead {             // the way of the ghosts
     Tick begin = 0, end = 0;
     std::vector<double> from, to;
   };
   Lead lead_;
-  std::vector<MoverMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
+  std::vector<IntegratorMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };
 
 }  // namespace scree::coupling

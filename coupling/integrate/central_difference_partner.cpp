@@ -1,5 +1,5 @@
-// What another mover asks of the explicit one: guests on given paths, held and weighed forces, contacts foreseen, a way
-// back.
+// What another integrator asks of the explicit one: ghosts on given paths, held and weighed forces, contacts foreseen,
+// a way back.
 #include <algorithm>
 #include <cmath>
 
@@ -55,19 +55,19 @@ void CentralDifference::jump(State& state) {
   state.ledger.book(Column::step_change, -h * h / 8.0 * (after - before));
 }
 
-void CentralDifference::lead_guests(const State& state, std::span<const double> end, Tick time) {
+void CentralDifference::lead_ghosts(const State& state, std::span<const double> end, Tick time) {
   lead_.begin = state.time;
   lead_.end = time;
   lead_.from.assign(state.q.begin(), state.q.end());
   lead_.to.assign(end.begin(), end.end());
 }
 
-void CentralDifference::move_guests(const State& state, Tick arrival, double& farthest) {
+void CentralDifference::move_ghosts(const State& state, Tick arrival, double& farthest) {
   const double h = seconds(arrival - state.time), s = seconds(arrival - lead_.begin) / seconds(lead_.end - lead_.begin);
   double most = 0.0;
-  for (const Chunk& c : chunks_.guests())
+  for (const Chunk& c : chunks_.ghosts())
     for (std::size_t i = c.begin; i < c.end; ++i) {
-      // At the end to the last bit: the guest's own mover goes on from there.
+      // At the end to the last bit: the ghost's own integrator goes on from there.
       q_new_[i] = arrival == lead_.end ? lead_.to[i] : lead_.from[i] + s * (lead_.to[i] - lead_.from[i]);
       v_half_[i] = (q_new_[i] - state.q[i]) / h;
       most = std::max(most, std::abs(v_half_[i]));
@@ -86,7 +86,7 @@ void CentralDifference::foresee(const State& state, std::span<const double> end,
   });
   double farthest = 0.0;
   move_driven(state, h, seconds(state.time + ticks_of_step), farthest);
-  for (const Chunk& c : chunks_.guests())
+  for (const Chunk& c : chunks_.ghosts())
     for (std::size_t i = c.begin; i < c.end; ++i) {
       q_new_[i] = end[i];
       v_half_[i] = (end[i] - state.q[i]) / h;

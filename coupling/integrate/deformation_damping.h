@@ -17,7 +17,7 @@ class DeformationDamping {
   /// @param setup,system  must outlive it
   DeformationDamping(const Setup& setup, const ImplicitSystem& system);
 
-  /// Finds C at the start of a step.   @pre system.take_masses() at the same state
+  /// Finds C at the start of a step.   @pre system.compute_masses() at the same state
   /// @param rates   per body [1/s]
   /// @param factor  of C in the matrix of the step [1/s]
   void find(std::span<const double> q, std::span<const double> rates, double factor);

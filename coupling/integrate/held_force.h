@@ -9,13 +9,13 @@
 
 namespace scree::coupling {
 
-/// Forces on nodes, x, y a node [N], that an outside holds constant: their work over any time is force times way.
+/// Forces on nodes, x, y per node [N], that an outside holds constant: their work over any time is force times way.
 class HeldForce final : public ForceTerm {
  public:
   explicit HeldForce(std::vector<std::int32_t> nodes) : nodes_(std::move(nodes)), force_(2 * nodes_.size(), 0.0) {}
 
   [[nodiscard]] std::span<const double> force() const { return force_; }
-  /// @param change  gets what the new forces are more than the old ones, x, y a node of the state; zero elsewhere
+  /// @param change  gets what the new forces are more than the old ones, x, y per node of the state; zero elsewhere
   void take(std::span<const double> force, std::span<double> change) {
     for (std::size_t k = 0; k < force_.size(); ++k) {
       change[at(k)] += force[k] - force_[k];
@@ -28,7 +28,7 @@ class HeldForce final : public ForceTerm {
   }
   void leave(double h, std::span<const double> v) override { work_ = half_work(h, v); }
   void arrive(double h, std::span<const double> v, Ledger& ledger) override {
-    ledger.book(Column::seams, work_ + half_work(h, v));
+    ledger.book(Column::interface_constraints, work_ + half_work(h, v));
   }
 
  private:

@@ -68,7 +68,7 @@ void ImplicitSystem::find_units(std::span<const double> reference) {
   }
 }
 
-void ImplicitSystem::take_masses(std::span<const double> q, std::span<const double> v) {
+void ImplicitSystem::compute_masses(std::span<const double> q, std::span<const double> v) {
   std::fill(mass_.begin(), mass_.end(), 0.0);
   for (std::size_t i = 0; i < first_dof_.size(); ++i) {
     if (!takes(i, true)) continue;

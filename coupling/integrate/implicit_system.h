@@ -33,7 +33,7 @@ class ImplicitSystem {
   /// a strain. What a force on it is to be divided by to be one of newtons.
   [[nodiscard]] std::span<const double> unit() const { return unit_; }
   /// Masses and velocities in the unknowns at a state.
-  void take_masses(std::span<const double> q, std::span<const double> v);
+  void compute_masses(std::span<const double> q, std::span<const double> v);
   /// Stiffness and internal force of the bodies whose force is not linear, or of all.
   /// @param K      numbers on the pattern; empty: only the force
   /// @param force  a number an unknown
@@ -49,7 +49,7 @@ class ImplicitSystem {
     for (std::size_t k = 0; k < static_cast<std::size_t>(point.n); ++k)
       out.add(point.dof[k], c.x() * point.tx[k] + c.y() * point.ty[k]);
   }
-  /// out += forces on nodes, in the unknowns.   @param f  x, y a node of the state's arrays
+  /// out += forces on nodes, in the unknowns.   @param f  x, y per node of the state's arrays
   void add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const;
   /// Accelerations of the free bodies' nodes in the unknowns, and back.   @pre constant charts
   void accelerations(std::span<const double> q, std::span<const double> nodes, std::span<double> dofs) const;
@@ -65,9 +65,9 @@ class ImplicitSystem {
   void scatter(std::size_t body, std::span<const double> values, std::span<double> out) const;
 
   const Setup* setup_;
-  std::vector<std::int32_t> first_dof_;   // a body
-  std::vector<char> nonlinear_body_;      // a body
-  std::vector<std::size_t> first_value_;  // a body: into place_
+  std::vector<std::int32_t> first_dof_;   // per body
+  std::vector<char> nonlinear_body_;      // per body
+  std::vector<std::size_t> first_value_;  // per body: into place_
   std::int32_t dofs_ = 0;
   bool nonlinear_ = false, constant_charts_ = true;
   SymmetricPattern pattern_;

@@ -10,7 +10,7 @@ namespace scree::coupling {
 
 /// Forces that share a time function: f times the function's value.
 struct LoadVector {
-  std::vector<double> f;  // x, y a node of the state's arrays, at the factor 1 [N]
+  std::vector<double> f;  // x, y per node of the state's arrays, at the factor 1 [N]
   FunctionId function;    // invalid: constant
 };
 

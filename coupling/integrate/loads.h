@@ -9,7 +9,7 @@ namespace scree::coupling {
 
 /// A load that acts on all of some bodies: nodal forces times a factor of time.
 struct BodyLoad {
-  std::vector<double> force;  // x, y a node of the state; 0 on driven bodies [N]
+  std::vector<double> force;  // x, y per node of the state; 0 on driven bodies [N]
   FunctionId function;        // invalid: constant
   Column column;              // where its work is booked
 };

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 
 namespace scree::coupling {
 

@@ -55,13 +55,13 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
                   &rate_,
                   &rhs_,
                   &out_,
-                  &pull_,
-                  &asked_forces_,
+                  &interface_force_,
+                  &predicted_unknowns_force_,
                   &mismatch_,
                   &kick_,
-                  &foreseen_,
-                  &unforeseen_,
-                  &pulled_at_})
+                  &predictor_,
+                  &predictor_error_,
+                  &interface_force_at_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -84,13 +84,13 @@ void Newmark::enter_stage(const State& state) {
   system_.find_units(reference_);
 }
 
-void Newmark::resume(const State& state, const MoverMemory& memory) {
+void Newmark::resume(const State& state, const IntegratorMemory& memory) {
   enter_stage(state);
   list_.restore(memory.points, state.contacts);
 }
 
-MoverMemory Newmark::memory() const {
-  MoverMemory out;
+IntegratorMemory Newmark::memory() const {
+  IntegratorMemory out;
   out.points = list_.points;
   return out;
 }
@@ -124,7 +124,7 @@ double Newmark::enter(State& state) {
       system_.node_accelerations(acceleration_, state.a);
     }
   } else {
-    state.a.assign(path_ != nullptr ? state.q.size() : 0, 0.0);
+    state.a.assign(interface_ != nullptr ? state.q.size() : 0, 0.0);
   }
   return contact_energy(list_);
 }
@@ -166,7 +166,7 @@ void Newmark::prepare(const State& state, double h) {
     driven_move_[i] =
         b.driven ? Vec2(setup_->driven_displacement(b, t0 + h) - setup_->driven_displacement(b, t0)) : Vec2(0.0, 0.0);
   }
-  system_.take_masses(q, state.v);
+  system_.compute_masses(q, state.v);
   find_sliding(state, h);
   const auto to_dofs = [&](std::span<const double> nodes, std::vector<double>& out) {
     std::fill(out.begin(), out.end(), 0.0);
@@ -277,31 +277,31 @@ void Newmark::find_step_springs(const State& state, double h) {
       }
     }
   }
-  guides_ = springs_.size();
-  if (path_ == nullptr) return;
-  for (const PathForce::Spring& s : path_->springs()) {
+  interface_springs_ = springs_.size();
+  if (interface_ == nullptr) return;
+  for (const InterfaceForce::Spring& s : interface_->springs()) {
     begin(s.k, 0.0);
     for (std::size_t i = 0; i < s.count; ++i) {
       const auto node = static_cast<std::size_t>(s.node[i]);
       add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
     }
   }
-  seams_ = springs_.size();
-  const std::span<const PathForce::Seam> seams = path_->seams();
-  const std::span<const double> factor = path_->seam_factor();
+  constraint_springs_ = springs_.size();
+  const std::span<const InterfaceForce::InterfaceConstraint> constraints = interface_->interface_constraints();
+  const std::span<const double> factor = interface_->constraint_factor();
   const std::array<Vec2, 2> axes{Vec2(1.0, 0.0), Vec2(0.0, 1.0)};
-  seam_rows_.clear();
-  for (const PathForce::Seam& s : seams)
+  constraint_rows_.clear();
+  for (const InterfaceForce::InterfaceConstraint& s : constraints)
     for (const Vec2& axis : axes) {
-      seam_rows_.begin_row();
-      ImplicitSystem::add_point(system_.chart(s.body, s.row, state.q), axis, seam_rows_);
+      constraint_rows_.begin_row();
+      ImplicitSystem::add_point(system_.chart(s.body, s.row, state.q), axis, constraint_rows_);
     }
-  for (std::size_t j = 0; j < seams.size(); ++j)
+  for (std::size_t j = 0; j < constraints.size(); ++j)
     for (std::size_t d = 0; d < 2; ++d) {
-      const double first = factor[j * seams.size() + j];
+      const double first = factor[j * constraints.size() + j];
       begin(first * first, 0.0);
-      for (std::size_t i = j; i < seams.size(); ++i)
-        add(seams[i].body, seams[i].row, factor[j * seams.size() + i] / first * axes[d]);
+      for (std::size_t i = j; i < constraints.size(); ++i)
+        add(constraints[i].body, constraints[i].row, factor[j * constraints.size() + i] / first * axes[d]);
     }
 }
 
@@ -332,13 +332,14 @@ double Newmark::residual(const State& state, double h, double& largest) {
     largest = std::max(largest, largest_of(damped_after_.sliding));
     for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += damped_after_.sliding[i];
   }
-  if (path_ != nullptr) {
-    largest = std::max({largest, largest_of(pull_), largest_of(held_)});
-    largest_pulled_ = largest;  // guides have forces that may be larger by far
+  if (interface_ != nullptr) {
+    largest = std::max({largest, largest_of(interface_force_), largest_of(held_)});
+    largest_interface_force_ = largest;  // guides have forces that may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
-  if (path_ != nullptr) {
-    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += asked_forces_[i];  // less the guides', which are in
+  if (interface_ != nullptr) {
+    for (std::size_t i = 0; i < out_.size(); ++i)
+      out_[i] += predicted_unknowns_force_[i];  // less the guides', which are in
   }
   return largest_of(out_);
 }
@@ -352,7 +353,7 @@ Newmark::RoundOff Newmark::round_off(const State& state) const {
     out.system = std::max(out.system, A_[diagonal]);
     out.bodies = std::max(out.bodies, K_[diagonal]);
   }
-  for (std::size_t i = guides_; i < springs_.size(); ++i) out.system = std::max(out.system, springs_.k[i]);
+  for (std::size_t i = interface_springs_; i < springs_.size(); ++i) out.system = std::max(out.system, springs_.k[i]);
   const double places = std::numeric_limits<double>::epsilon() * largest_of(state.q);
   out.system *= 8.0 * places;
   out.bodies *= 2.0 * places;
@@ -374,8 +375,8 @@ void Newmark::find_right_side(std::span<const double> moved, std::span<const dou
   // (s M + K + 2 C/h) d = known inertia + loads + f(x_k) + K d_k + C v.
   for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
   system_.pattern().multiply_add(1.0, K_, moved, rhs_);
-  if (path_ != nullptr)
-    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += asked_forces_[i];
+  if (interface_ != nullptr)
+    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += predicted_unknowns_force_[i];
   if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
   if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
   damper_.add_force(1.0, system_.rate(), rhs_);
@@ -407,8 +408,8 @@ void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
-  if (path_ != nullptr) begin_pull(state, h);
-  loop.iterative = system_.nonlinear() || spares_affine() || path_ != nullptr;
+  if (interface_ != nullptr) begin_interface_iteration(state, h);
+  loop.iterative = system_.nonlinear() || spares_affine() || interface_ != nullptr;
   loop.affine.assign(d_.size(), 0.0);
   loop.moved.resize(d_.size());
   if (spares_affine()) add_affine_damping(state, system_.rate(), loop.affine);
@@ -450,32 +451,33 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
 
 Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepReport& report) {
   const RoundOff rounded = loop.iterative ? round_off(state) : RoundOff{};
-  bool met = path_ == nullptr;
-  const double allowed = std::max(options_.together * largest_pulled_, rounded.system);
-  if (path_ != nullptr) {
-    met = way_since_pull() * path_->stiffness() <= allowed || !foresee_pull(state);
-    if (met && !meet_pull(state, false, report)) return Settled::failed;
+  bool met = interface_ == nullptr;
+  const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
+  if (interface_ != nullptr) {
+    met =
+        largest_change_since_interface_force() * interface_->stiffness() <= allowed || !predict_interface_force(state);
+    if (met && !evaluate_interface_force(state, false, report)) return Settled::failed;
   }
   loop.at_round_off = loop.left <= rounded.system;
   const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
              stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
-             kicked = path_ != nullptr && loop.left <= rounded.bodies;  // what is left is not lost: mismatch_
+             kicked = interface_ != nullptr && loop.left <= rounded.bodies;  // what is left is not lost: mismatch_
   loop.apart = 0.0;
   for (;; met = true) {
-    if (path_ != nullptr) loop.apart = pulls_apart();
+    if (interface_ != nullptr) loop.apart = interface_residual();
     if (loop.apart > allowed || !(balanced || stays || kicked)) return Settled::no;
     if (met) {
       report.at_round_off = !balanced;
       return Settled::yes;
     }
-    if (!meet_pull(state, true, report)) return Settled::failed;
+    if (!evaluate_interface_force(state, true, report)) return Settled::failed;
   }
 }
 
 void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
-  if (path_ != nullptr) {
-    pull_iteration_.next(answer_, asked_);
-    sum_asked();
+  if (interface_ != nullptr) {
+    interface_iteration_.next(corrected_, predicted_);
+    sum_predicted();
   }
   // A kept stiffness that is too far from this iterate's is made anew.
   if (system_.nonlinear() && loop.left > 0.05 * loop.last && !loop.at_round_off) {
@@ -521,7 +523,7 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
   q_new_ = state.q;
   v_new_ = state.v;
   for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-  if (path_ != nullptr) kick(h);
+  if (interface_ != nullptr) kick(h);
   system_.retract(d_, rate_, true, q_new_, v_new_);
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
   double farthest = 0.0;

@@ -8,13 +8,13 @@
 #include "coupling/contact/law/friction_evolution.h"
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/deformation_damping.h"
+#include "coupling/integrate/interface_force.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
-#include "coupling/integrate/mover.h"
 #include "coupling/integrate/open_close.h"
-#include "coupling/integrate/path_force.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/sliding_damping.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/integrate/viscous_edges.h"
 #include "coupling/linear/fixed_point.h"
 
@@ -28,7 +28,8 @@ struct ImplicitOptions {
   bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
   double stiffness_damping = 0.0;  // [s]
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
-  double together = 1e-9;  // of the largest force: how far a PathForce may be from what the balance was made with
+  double together =
+      1e-9;  // of the largest force: largest difference of the interface force from the one in the balance
   OpenClose::Factor factor = OpenClose::Factor::kept;
 };
 
@@ -42,25 +43,25 @@ struct ImplicitOptions {
 /// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
 /// chart; what linear forms and exact geometry differ by is booked in columns of its own.
 /// @source docs/theory/time-integration.md, "Newmark steps"; [Newmark1959]; [Qu2013] 3.3.2, 3.2.2, 4.5; [Shi1988]
-class Newmark final : public Mover {
+class Newmark final : public TimeIntegrator {
  public:
   Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options = {});
 
   double enter(State& state) override;
-  void resume(const State& state, const MoverMemory& memory) override;
-  [[nodiscard]] MoverMemory memory() const override;
-  void heed(Control* control) override { contacts_.heed(control); }
+  void resume(const State& state, const IntegratorMemory& memory) override;
+  [[nodiscard]] IntegratorMemory memory() const override;
+  void set_control(Control* control) override { contacts_.set_control(control); }
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   double stable_step(const State& state, std::string* binding) override;
   void contact_forces(const State& state, std::span<double> f) const override;
 
-  /// A force from outside in every step from now on; null: none. It must outlive the steps.
-  void pull(PathForce* force) { path_ = force; }
+  /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
+  void set_interface(InterfaceForce* force) { interface_ = force; }
   [[nodiscard]] const ContactList& list() const { return list_; }
-  /// Contacts that another mover holds at bodies of this one; blocks slide on them as well. Null: none. The outlines
-  /// and the list must outlive the steps.
+  /// Contacts of another integrator with bodies of this one; blocks slide on them as well. Null: none. The outlines and
+  /// the list must outlive the steps.
   void also_touch(const Outlines* outlines, const ContactList* list) {
     outlines_elsewhere_ = outlines;
     list_elsewhere_ = list;
@@ -78,7 +79,7 @@ class Newmark final : public Mover {
 
   void enter_stage(const State& state);
 
-  // newmark.cpp: the step's equations; newmark_pull.cpp: the force from outside
+  // newmark.cpp: the step's equations; newmark_interface.cpp: the interface force
   void prepare(const State& state, double h);
   struct Damping {  // forces in the unknowns
     std::vector<double> mass, stiffness, sliding;
@@ -89,23 +90,26 @@ class Newmark final : public Mover {
   [[nodiscard]] bool velocity_is_physical() const { return !trapezoidal() && options_.dynamics == 1.0; }
   void find_sliding(const State& state, double h);
   void find_step_springs(const State& state, double h);
-  // The force from outside: its mean at an iterate, and what the linear system has of it.
-  void begin_pull(const State& state, double h);
+  // The interface force: its mean at an iterate, and its part in the linear system.
+  void begin_interface_iteration(const State& state, double h);
   void move_to_iterate(const State& state);
-  void take_pull(const State& state);
-  /// How far nodes are from where the pull was last known for [m].
-  [[nodiscard]] double way_since_pull() const;
-  [[nodiscard]] bool foresee_pull(const State& state);
-  /// @param foreseen  it was, at this iterate: what the difference is is known from now on
-  [[nodiscard]] bool meet_pull(const State& state, bool foreseen, StepReport& report);
-  /// How far what pulls now is from what the balance was made with [N]; both differences go into mismatch_.
-  [[nodiscard]] double pulls_apart();
+  void apply_interface_force(const State& state);
+  /// Largest change of an unknown since the interface force was last evaluated, as a displacement [m].
+  [[nodiscard]] double largest_change_since_interface_force() const;
+  [[nodiscard]] bool predict_interface_force(const State& state);
+  /// Evaluates the interface force at the iterate.
+  /// @param foreseen  it was predicted at this iterate; the error of the prediction is kept and added to later ones
+  /// @return false: the report has the reason
+  [[nodiscard]] bool evaluate_interface_force(const State& state, bool foreseen, StepReport& report);
+  /// Largest component of corrected less predicted interface force [N]. mismatch_ receives this difference plus the
+  /// residual of the balance.
+  [[nodiscard]] double interface_residual();
   void find_along(std::span<const double> d);
-  void sum_asked();
-  /// out -= C C^T u of the seams; `half` is C^T u.
-  void take_seams(std::span<const double> half, std::span<double> out) const;
+  void sum_predicted();
+  /// out -= C C^T u of the interface constraints; `half` is C^T u.
+  void subtract_constraint_forces(std::span<const double> half, std::span<double> out) const;
   void kick(double h);
-  void book_pull(State& state, double h) const;
+  void book_interface(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
@@ -116,7 +120,7 @@ class Newmark final : public Mover {
     bool at_round_off = false;          // what is left is round-off of the system's forces
     double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
     double last = std::numeric_limits<double>::infinity();  // residual of the one before [N]
-    double apart = 0.0;                                     // pulls_apart() [N]
+    double apart = 0.0;                                     // interface_residual() [N]
   };
   void begin_balance(const State& state, double h, NewtonLoop& loop);
   /// Solves for the next iterate and finds its residual.   @return false: the report says why it cannot
@@ -173,32 +177,34 @@ class Newmark final : public Mover {
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;
-  std::size_t guides_ = 0;  // the first of them that only stands for the stiffness of path_
-  std::size_t seams_ = 0;   // and the first of those that do for its seams
+  std::size_t interface_springs_ = 0;   // index of the first spring that stands for the stiffness of interface_
+  std::size_t constraint_springs_ = 0;  // index of the first one that stands for its interface constraints
   SlidingDamping sliding_;
   DeformationDamping damper_;
   const Outlines* outlines_elsewhere_ = nullptr;
   const ContactList* list_elsewhere_ = nullptr;
-  PathForce* path_ = nullptr;
-  FixedPoint pull_iteration_;
+  InterfaceForce* interface_ = nullptr;
+  FixedPoint interface_iteration_;
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
   std::vector<LoadVector> loads_;
-  std::vector<double> weight_;      // gravity on the nodes
-  std::vector<Vec2> driven_move_;   // a body
-  std::vector<double> reference_;   // the nodes of bodies in their reference shape
-  std::vector<double> pull_nodes_;  // mean of path_ in the step, on the nodes
-  // A number an unknown; pull_: that mean, asked_: the same with the guides' forces, as the linear system takes it,
-  // and after the unknowns the forces of the seams where nothing moves; answer_ alike.
-  // mismatch_: what it is more than the balance was made with, and what that left; its impulse is given to the bodies
-  // at the end.
-  std::vector<double> pull_, asked_, answer_, mismatch_, kick_;
-  std::vector<double> foreseen_, unforeseen_;  // pull_ as it was foreseen; what it turned out to be more than that
-  std::vector<double> pulled_at_;              // the iterate that it is of
-  std::vector<double> asked_forces_, units_;   // asked_ in the unknowns; what asked_ is measured by
-  DofRows seam_rows_;                          // the places of the seams, x, y a seam
-  std::vector<double> held_, apart_, along_;   // of the seams: forces at the iterate, what they leave, C^T u
-  double largest_pulled_ = 0.0;                // of the forces on bodies that are pulled [N]
+  std::vector<double> weight_;           // gravity on the nodes
+  std::vector<Vec2> driven_move_;        // per body
+  std::vector<double> reference_;        // the nodes of bodies in their reference shape
+  std::vector<double> interface_nodes_;  // mean interface force of the step, x, y per node [N]
+  // One component per unknown. interface_force_: the mean interface force; predicted_: the same plus the forces of the
+  // interface springs, as the linear system uses it, followed by the constraint forces; corrected_: the values
+  // evaluated at the iterate, in the same layout; mismatch_: corrected_ less predicted_ plus the residual of the
+  // balance, whose impulse is applied to the bodies at the end of the step.
+  std::vector<double> interface_force_, predicted_, corrected_, mismatch_, kick_;
+  std::vector<double> predictor_;                 // interface_force_ as InterfaceForce::foresee() predicted it
+  std::vector<double> predictor_error_;           // evaluated less predicted interface force
+  std::vector<double> interface_force_at_;        // iterate at which interface_force_ was evaluated
+  std::vector<double> predicted_unknowns_force_;  // predicted_ with the constraint forces added to the unknowns
+  std::vector<double> units_;                     // scale of each component of predicted_
+  DofRows constraint_rows_;                       // rows of the constrained nodes, x, y per interface constraint
+  std::vector<double> held_, apart_, along_;      // per constraint component: force, gap at the end, C^T u
+  double largest_interface_force_ = 0.0;          // largest force on bodies with an interface force [N]
   Cholesky mass_factor_;
   bool mass_made_ = false;
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,

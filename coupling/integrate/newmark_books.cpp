@@ -63,7 +63,7 @@ void Newmark::book_damping(Ledger& ledger) const {
 }
 
 void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
-  for (std::size_t i = 0; i < guides_; ++i) {
+  for (std::size_t i = 0; i < interface_springs_; ++i) {
     const double u = springs_.rows[i].change(d_), k = springs_.k[i], at = springs_.at[i];
     if (i < 2 * supports_.size()) {
       if (!trapezoidal()) ledger.book(Column::newmark_damping, 0.5 * k * u * u);
@@ -158,23 +158,23 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
     const auto a = static_cast<std::size_t>(p.from);
     m.kn = before_.memory[a].kn;
     m.kt = before_.memory[a].kt;
-    const double with_old_share = normal_energy(p, m) + tangential_energy(m);
-    ledger.book(Column::update_contact, with_old_share - linear[a]);
-    ledger.book(Column::contact_share, now - with_old_share);
+    const double with_old_tributary = normal_energy(p, m) + tangential_energy(m);
+    ledger.book(Column::update_contact, with_old_tributary - linear[a]);
+    ledger.book(Column::contact_tributary, now - with_old_tributary);
     linear[a] = 0.0;
   }
   for (const double left : linear) ledger.book(Column::springs_dropped, left);  // of contacts that ended
-  ledger.book(Column::contact_share, finder_.adopt_kinds(list_));
+  ledger.book(Column::contact_tributary, finder_.adopt_kinds(list_));
   ledger.set(Column::contact_springs, contact_energy(list_));
 }
 
-void Newmark::book_pull(State& state, double h) const {
+void Newmark::book_interface(State& state, double h) const {
   // Its bodies were pulled along straight lines; the step's equations have the work in their unknowns.
   double along = 0.0;
-  for (std::size_t i = 0; i < pull_nodes_.size(); ++i) along += pull_nodes_[i] * (q_new_[i] - state.q[i]);
-  state.ledger.book(Column::update_contact, dot(pull_, d_) - along);
-  for (std::size_t i = 0; i < seam_rows_.size(); ++i)
-    state.ledger.book(Column::seams, held_[i] * seam_rows_[i].change(d_));
+  for (std::size_t i = 0; i < interface_nodes_.size(); ++i) along += interface_nodes_[i] * (q_new_[i] - state.q[i]);
+  state.ledger.book(Column::update_contact, dot(interface_force_, d_) - along);
+  for (std::size_t i = 0; i < constraint_rows_.size(); ++i)
+    state.ledger.book(Column::interface_constraints, held_[i] * constraint_rows_[i].change(d_));
   // The kick gives J.v less half its own, v the velocity after it; the mismatch did no work on the way.
   state.ledger.book(Column::waveform, h * (dot(mismatch_, rate_) - 0.5 * dot(mismatch_, kick_)) - dot(mismatch_, d_));
 }
@@ -217,9 +217,9 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     system_.node_accelerations(acceleration_, state.a);
   }
 
-  if (path_ != nullptr) book_pull(state, h);
+  if (interface_ != nullptr) book_interface(state, h);
 
-  if (path_ != nullptr && !trapezoidal())  // what the next step begins with
+  if (interface_ != nullptr && !trapezoidal())  // what the next step begins with
     for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (v_new_[i] - state.v[i]) / h;
 
   state.q.swap(q_new_);

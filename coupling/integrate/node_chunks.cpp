@@ -8,7 +8,7 @@ NodeChunks::NodeChunks(const Setup& setup) {
   std::vector<std::vector<Chunk>*> kind(static_cast<std::size_t>(setup.nodes()), &free_);
   for (std::size_t k = 0; k < kind.size(); ++k) {
     const Setup::NodeKind of = setup.kind(static_cast<std::int32_t>(k));
-    if (of != Setup::NodeKind::free) kind[k] = of == Setup::NodeKind::guest ? &guests_ : &driven_;
+    if (of != Setup::NodeKind::free) kind[k] = of == Setup::NodeKind::ghost ? &ghosts_ : &driven_;
   }
   for (std::size_t k = 0; k < kind.size();) {
     std::size_t end = k + 1;

@@ -40,12 +40,12 @@ class NodeChunks {
     return sum;
   }
   [[nodiscard]] std::size_t count() const { return free_.size(); }
-  /// Nodes of driven bodies, and of guests, which are driven by others.
+  /// Nodes of driven bodies, and of ghosts, which are driven by others.
   [[nodiscard]] const std::vector<Chunk>& driven() const { return driven_; }
-  [[nodiscard]] const std::vector<Chunk>& guests() const { return guests_; }
+  [[nodiscard]] const std::vector<Chunk>& ghosts() const { return ghosts_; }
 
  private:
-  std::vector<Chunk> free_, driven_, guests_;
+  std::vector<Chunk> free_, driven_, ghosts_;
   std::size_t numbers_ = 0;
   mutable std::vector<double> partial_;
 };

@@ -160,7 +160,7 @@ double OpenClose::tangential_stiffness(std::size_t i) const {
   return trial_[i].status == ContactStatus::stick ? list_->memory[i].kt : 0.0;
 }
 
-void OpenClose::take_states() {
+void OpenClose::apply_states() {
   k_.assign(springs_->k.begin(), springs_->k.end());
   at_.assign(springs_->at.begin(), springs_->at.end());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
@@ -201,7 +201,7 @@ void OpenClose::take_states() {
 }
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
-  take_states();
+  apply_states();
   if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
@@ -307,7 +307,7 @@ double OpenClose::tolerance(std::size_t i) const {
   return 1e-9 * weight_[i] + 1e-11 * largest_force_ + list_->memory[i].kn * gap_round_off_;
 }
 
-bool OpenClose::switch_slack(std::size_t i, Wish& w) const {
+bool OpenClose::switch_slack(std::size_t i, ProposedState& w) const {
   const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   const double least = slack_force(i), force = pressed(t, t.gap - m.gap);
@@ -317,11 +317,11 @@ bool OpenClose::switch_slack(std::size_t i, Wish& w) const {
   return true;
 }
 
-OpenClose::Wish OpenClose::wish(std::size_t i) const {
+OpenClose::ProposedState OpenClose::proposed_state(std::size_t i) const {
   const Trial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   const Strength& s = strength_[i];
-  Wish w{t.status, t.direction, t.opens, t.slack};
+  ProposedState w{t.status, t.direction, t.opens, t.slack};
   if (t.status == ContactStatus::open) {
     if (t.gap >= 0.0 || !may_close(i)) return w;
     // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
@@ -371,12 +371,12 @@ OpenClose::Wish OpenClose::wish(std::size_t i) const {
 int OpenClose::switch_states(bool only_worst) {
   largest_force_ = 0.0;
   for (const Trial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
-  wishes_.clear();
+  proposed_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (list_->points[i].suppressed) continue;
-    const Wish w = wish(i);
+    const ProposedState w = proposed_state(i);
     const bool other = w.status != trial_[i].status || w.opens != trial_[i].opens || w.slack != trial_[i].slack;
-    if (other && w.violation > tolerance(i)) wishes_.emplace_back(i, w);
+    if (other && w.violation > tolerance(i)) proposed_.emplace_back(i, w);
   }
   const auto bodies_of = [&](std::size_t i) {
     const auto& node = list_->points[i].node;
@@ -385,17 +385,17 @@ int OpenClose::switch_states(bool only_worst) {
   };
   if (only_worst) {
     worst_.assign(setup_->bodies().size(), 0.0);
-    for (const auto& [i, w] : wishes_)
+    for (const auto& [i, w] : proposed_)
       for (const std::int32_t b : bodies_of(i))
         worst_[static_cast<std::size_t>(b)] = std::max(worst_[static_cast<std::size_t>(b)], w.violation);
   }
   int switched = 0;
-  for (const auto& [i, w] : wishes_) {
+  for (const auto& [i, w] : proposed_) {
     if (only_worst) {
       // One of two that are as bad is enough.
-      const auto is_worst = [&, &wished = w](std::int32_t b) {
+      const auto is_worst = [&, &proposed = w](std::int32_t b) {
         return setup_->bodies()[static_cast<std::size_t>(b)].driven ||
-               wished.violation >= worst_[static_cast<std::size_t>(b)];
+               proposed.violation >= worst_[static_cast<std::size_t>(b)];
       };
       const std::array bodies = bodies_of(i);
       if (!is_worst(bodies[0]) || !is_worst(bodies[1])) continue;

@@ -9,7 +9,7 @@
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/linear/cholesky.h"
 #include "coupling/linear/conjugate_residuals.h"
 
@@ -73,7 +73,7 @@ class OpenClose {
   OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
 
   /// Whom solve() asks, once a pass, whether to give up; null: nobody.
-  void heed(Control* control) { control_of_run_ = control; }
+  void set_control(Control* control) { control_of_run_ = control; }
   /// Takes over the factor that a state tells of.
   void enter(const KeptFactor& kept);
   /// Begins a step with the points of a list and other springs, which must outlive it.
@@ -108,7 +108,7 @@ class OpenClose {
                 std::span<const Vec2> driven_move);
   [[nodiscard]] const ChartRow& chart(std::int32_t node, std::span<const double> q);
   /// Stiffnesses and right-hand side of the states of the points.
-  void take_states();
+  void apply_states();
   /// Brings the factor to them, or leaves a kept one.
   [[nodiscard]] bool factorise(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_anew(StepReport& report);
@@ -154,15 +154,15 @@ class OpenClose {
   /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
   [[nodiscard]] double tolerance(std::size_t i) const;
   /// The state that a point's forces and motions ask for, and how far they violate the one it has, as a force [N].
-  struct Wish {
+  struct ProposedState {
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;
     bool opens = false, slack = false;
     double violation = 0.0;
   };
   /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should switch
-  [[nodiscard]] bool switch_slack(std::size_t i, Wish& w) const;
-  [[nodiscard]] Wish wish(std::size_t i) const;
+  [[nodiscard]] bool switch_slack(std::size_t i, ProposedState& w) const;
+  [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
   /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
   [[nodiscard]] int switch_states(bool only_worst);
   [[nodiscard]] bool refuse(StepReport& report) const;
@@ -199,10 +199,10 @@ class OpenClose {
     DilatingForce dilation;
   };
   std::vector<Slipping> slipping_;
-  std::vector<std::pair<std::size_t, Wish>> wishes_;  // of points that switch in a pass
-  std::vector<double> worst_;                         // violation of a body's points [N]
-  std::string states_;                                // of all points in a pass, a character each
-  std::vector<std::size_t> seen_;                     // hashes of the states that the passes have had
+  std::vector<std::pair<std::size_t, ProposedState>> proposed_;  // of points that switch in a pass
+  std::vector<double> worst_;                                    // violation of a body's points [N]
+  std::string states_;                                           // of all points in a pass, a character each
+  std::vector<std::size_t> seen_;                                // hashes of the states that the passes have had
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;

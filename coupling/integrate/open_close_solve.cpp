@@ -53,7 +53,8 @@ double OpenClose::round_off(std::span<const double> d) const {
       size[row] += std::abs(A_[at] * d[column]);
       if (row != column) size[column] += std::abs(A_[at] * d[row]);
     }
-  // Of a stiff spring what is left of large displacements that cancel in its elongation: seams of small halves.
+  // Of a stiff spring what is left of large displacements that cancel in its elongation: interface constraints of small
+  // halves.
   for (const std::size_t r : active_) {
     const DofRow row = rows_[r];
     double length = std::abs(at_[r]);

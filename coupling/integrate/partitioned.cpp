@@ -6,12 +6,12 @@
 #include <iterator>
 
 namespace scree::coupling {
-Guests Partitioned::guests(const Setup& whole, const State& state, bool is_explicit, bool shared) {
-  Guests out;
+Ghosts Partitioned::ghosts(const Setup& whole, const State& state, bool is_explicit, bool shared) {
+  Ghosts out;
   out.touch = is_explicit;
   out.shared = shared;
   for (std::size_t i = 0; i < whole.bodies().size(); ++i)
-    out.guest.push_back(state.explicit_side[i] == kDivided || (state.explicit_side[i] != 0) == is_explicit ? 0 : 1);
+    out.ghost.push_back(state.explicit_side[i] == kDivided || (state.explicit_side[i] != 0) == is_explicit ? 0 : 1);
   return out;
 }
 
@@ -26,7 +26,7 @@ std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explici
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit,
                         bool shared)
     : setup(whole.model(), methods, records(state_of_all, is_explicit),
-            guests(whole, state_of_all, is_explicit, shared), whole.clocks()) {
+            ghosts(whole, state_of_all, is_explicit, shared), whole.clocks()) {
   state.bodies = state_of_all.bodies;
   state.anchors = state_of_all.anchors;
 }
@@ -40,13 +40,13 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       explicit_(std::make_unique<CentralDifference>(explicit_side_.setup, control, detection, choice.explicit_damping)),
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
-  implicit_->pull(this);
+  implicit_->set_interface(this);
   implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_->contacts());
   const Setup& setup = explicit_side_.setup;
   for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
     const Row& row = setup.outlines().nodes[i];
     const Body& b = setup.bodies()[static_cast<std::size_t>(setup.outlines().node_body[i])];
-    compliance_.push_back(setup.on_guest(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
+    compliance_.push_back(setup.on_ghost(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
   }
 }
 
@@ -71,42 +71,42 @@ void Partitioned::find_runs() {
   }
 }
 
-void Partitioned::find_seams(const MoverMemory* memory) {
-  seams_.clear();
+void Partitioned::find_interface_constraints(const IntegratorMemory* memory) {
+  interface_constraints_.clear();
   explicit_at_.clear();
   implicit_at_.clear();
   std::vector<std::int32_t> nodes;
   for (std::size_t b = 0; b < whole_->bodies().size(); ++b) {
     const Body &w = whole_->bodies()[b], &e = explicit_side_.setup.bodies()[b], &i = implicit_side_.setup.bodies()[b];
     const std::int32_t first = whole_->pool_of(w).first_node(w.index);
-    for (const Pool::Seam& s : whole_->pool_of(w).seams(w.index)) {
+    for (const Pool::InterfaceConstraint& s : whole_->pool_of(w).interface_constraints(w.index)) {
       const std::int32_t of_explicit = e.first_node + s.explicit_node - first,
                          of_implicit = i.first_node + s.implicit_node - first;
       const auto row = [](std::int32_t node) { return Row{{node, node, node}, {1.0, 0.0, 0.0}}; };
-      seams_.push_back({static_cast<std::int32_t>(b), row(of_implicit)});
+      interface_constraints_.push_back({static_cast<std::int32_t>(b), row(of_implicit)});
       nodes.push_back(of_explicit);
       explicit_at_.push_back(2 * static_cast<std::size_t>(of_explicit));
       implicit_at_.push_back(2 * static_cast<std::size_t>(of_implicit));
     }
   }
-  held_.assign(2 * seams_.size(), 0.0);
+  held_.assign(2 * interface_constraints_.size(), 0.0);
   held_back_ = held_;
   if (!nodes.empty()) explicit_->hold_nodes(std::move(nodes));
-  find_seam_mass();
+  find_constraint_mass();
   if (memory != nullptr) {
     apart_ = memory->apart;
     for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = -memory->sides[0].held[k];
     return;
   }
   apart_.clear();
-  for (std::size_t k = 0; k < 2 * seams_.size(); ++k)
+  for (std::size_t k = 0; k < 2 * interface_constraints_.size(); ++k)
     apart_.push_back(implicit_side_.state.q[implicit_at_[k / 2] + k % 2] -
                      explicit_side_.state.q[explicit_at_[k / 2] + k % 2]);
 }
 
-void Partitioned::find_seam_mass() {
+void Partitioned::find_constraint_mass() {
   // Acceleration of each node by a unit force on each other, inverted.
-  const auto n = static_cast<Eigen::Index>(seams_.size());
+  const auto n = static_cast<Eigen::Index>(interface_constraints_.size());
   const Setup& setup = explicit_side_.setup;
   Eigen::MatrixXd compliance(n, n);
   std::vector<double> force(explicit_side_.state.q.size(), 0.0), a = force;
@@ -123,8 +123,8 @@ void Partitioned::find_seam_mass() {
   compliance = 0.5 * (compliance + compliance.transpose()).eval();
   compliance.diagonal() *= 1.0 + 1e-6;
   const Eigen::MatrixXd mass = compliance.llt().solve(Eigen::MatrixXd::Identity(n, n)), factor = mass.llt().matrixL();
-  seam_mass_.assign(factor.data(), factor.data() + factor.size());
-  seam_factor_ = seam_mass_;
+  constraint_mass_.assign(factor.data(), factor.data() + factor.size());
+  constraint_factor_ = constraint_mass_;
 }
 
 void Partitioned::copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all,
@@ -179,7 +179,7 @@ void Partitioned::open_ledgers() {
 
 double Partitioned::enter(State& state) {
   split(state);
-  find_seams(nullptr);
+  find_interface_constraints(nullptr);
   const double energy = explicit_->enter(explicit_side_.state) + implicit_->enter(implicit_side_.state);
   open_ledgers();
   has_base_ = false;
@@ -190,9 +190,9 @@ double Partitioned::enter(State& state) {
   return energy;
 }
 
-void Partitioned::resume(const State& state, const MoverMemory& memory) {
+void Partitioned::resume(const State& state, const IntegratorMemory& memory) {
   split(state);
-  find_seams(&memory);
+  find_interface_constraints(&memory);
   explicit_side_.state.contacts.clear();
   implicit_side_.state.contacts.clear();
   for (const ContactMemory& m : state.contacts) {
@@ -212,8 +212,8 @@ void Partitioned::resume(const State& state, const MoverMemory& memory) {
   bound_ = memory.step_bound;
 }
 
-MoverMemory Partitioned::memory() const {
-  MoverMemory out;
+IntegratorMemory Partitioned::memory() const {
+  IntegratorMemory out;
   out.sides = {explicit_->memory(), implicit_->memory()};
   out.ledgers = {explicit_side_.state.ledger, implicit_side_.state.ledger, base_};
   out.step_bound = bound_;
@@ -261,12 +261,12 @@ void Partitioned::find_springs() {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
-    const auto is_guest = [&](std::int32_t node) { return setup.on_guest(o.nodes[static_cast<std::size_t>(node)]); };
+    const auto is_ghost = [&](std::int32_t node) { return setup.on_ghost(o.nodes[static_cast<std::size_t>(node)]); };
     const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
       s.k = 0.5 * k + c / H;
       for (std::size_t n = 0; n < 3; ++n) {
-        if (!is_guest(p.node[n])) continue;
+        if (!is_ghost(p.node[n])) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
         turns_back += s.k * compliance_[static_cast<std::size_t>(p.node[n])];
@@ -280,29 +280,29 @@ void Partitioned::find_springs() {
   }
   // Short steps: bodies hardly follow, and iterations without the springs end as soon.
   constexpr double kHardly = 1e-3;
-  if (seams_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
+  if (interface_constraints_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {
-  way_back_.go(*explicit_, explicit_side_.state);
+  rollback_.go(*explicit_, explicit_side_.state);
   gone_ = false;
 }
 
-void Partitioned::add_to_guests(double weight, std::span<const double> f) {
+void Partitioned::add_to_ghosts(double weight, std::span<const double> f) {
   for (const Run& r : implicit_runs_)
     for (std::size_t k = r.of_explicit; k < r.of_explicit + r.count; ++k) sum_[k] += weight * f[k];
 }
 
 bool Partitioned::foresee(std::span<const double> end, std::span<double> force) {
-  // In one substep explicit bodies go where they go whatever the guests do; before the last of many they do not.
-  if (substeps_ > 1 || !seams_.empty()) return false;
+  // In one substep explicit bodies go where they go whatever the ghosts do; before the last of many they do not.
+  if (substeps_ > 1 || !interface_constraints_.empty()) return false;
   if (gone_) rewind();
   copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
   ahead_.assign(end_.size(), 0.0);
   explicit_->foresee(explicit_side_.state, end_, step_, ahead_);
   std::fill(sum_.begin(), sum_.end(), 0.0);
-  add_to_guests(0.5, explicit_->forces());
-  add_to_guests(0.5, ahead_);
+  add_to_ghosts(0.5, explicit_->forces());
+  add_to_ghosts(0.5, ahead_);
   copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
   return true;
 }
@@ -314,8 +314,8 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<const double
   gone_ = true;
   ++repeats_;
   copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
-  explicit_->lead_guests(s, end_, s.time + step_);
-  if (!seams_.empty()) {
+  explicit_->lead_ghosts(s, end_, s.time + step_);
+  if (!interface_constraints_.empty()) {
     for (std::size_t k = 0; k < held.size(); ++k) {
       held_[k] = held[k];
       held_back_[k] = -held[k];
@@ -328,13 +328,13 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<const double
   for (std::int32_t j = 0; j < substeps_; ++j) {
     const Tick ticks = left / (substeps_ - j);
     const double weight = 0.5 * seconds(ticks) / H;
-    add_to_guests(weight, explicit_->forces());
+    add_to_ghosts(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
     if (report.status != StepReport::Status::ok) {
-      gone_ = substeps_ > 1 || !seams_.empty();  // a step that fails leaves things as they were
+      gone_ = substeps_ > 1 || !interface_constraints_.empty();  // a step that fails leaves things as they were
       return report;
     }
-    add_to_guests(weight, explicit_->forces());
+    add_to_ghosts(weight, explicit_->forces());
     left -= ticks;
   }
   copy(implicit_runs_, &Run::of_explicit, sum_, &Run::of_implicit, force);
@@ -357,7 +357,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   step_ = ticks_of_step;
   repeats_ = 0;
   gone_ = false;
-  way_back_.keep(*explicit_, e, substeps_ > 1 || !seams_.empty());
+  rollback_.keep(*explicit_, e, substeps_ > 1 || !interface_constraints_.empty());
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);
@@ -366,7 +366,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   find_springs();
   // By their mass alone nodes go H^2/2 on per unit of acceleration; what waves have reached by then is slower.
   const double scale = std::sqrt(2.0 * substeps_) / H;
-  for (std::size_t k = 0; k < seam_mass_.size(); ++k) seam_factor_[k] = scale * seam_mass_[k];
+  for (std::size_t k = 0; k < constraint_mass_.size(); ++k) constraint_factor_[k] = scale * constraint_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
   report.explicit_steps = static_cast<std::int64_t>(repeats_) * substeps_;
@@ -375,7 +375,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
     return report;
   }
   if (audit_ != nullptr) explicit_->check(e, *audit_);
-  // Guests stand where their own side has them, with its velocity.
+  // Ghosts stand where their own side has them, with its velocity.
   copy(implicit_runs_, &Run::of_implicit, i.q, &Run::of_explicit, e.q);
   copy(implicit_runs_, &Run::of_implicit, i.v, &Run::of_explicit, e.v);
   join(state);

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "coupling/integrate/central_difference.h"
+#include "coupling/integrate/interface_force.h"
 #include "coupling/integrate/newmark.h"
-#include "coupling/integrate/path_force.h"
-#include "coupling/integrate/way_back.h"
+#include "coupling/integrate/step_rollback.h"
 
 namespace scree::coupling {
 
@@ -14,16 +14,16 @@ namespace scree::coupling {
 /// contacts between them:
 ///   1. Substep j of the explicit side sees the implicit bodies at x_n + (j/m) u, contact evaluated at every substep.
 ///   2. The implicit side sees the mean force (1/m)[f_0/2 + f_1 + ... + f_m/2] of those contacts, at its whole step.
-///   3. u is found so that both hold: the substeps are repeated within Newton's method (PathForce, FixedPoint).
+///   3. u is found so that both hold: the substeps are repeated within Newton's method (InterfaceForce, FixedPoint).
 /// Impulses on both sides are equal and opposite, and so is the work, whatever u: momentum is exact and the ledger has
 /// no term of its own. Stable under the explicit bound with the implicit bodies fixed, whatever H and their mass.
 /// Contacts among implicit bodies are those of Newmark's open-close iteration, or all are met at the substeps.
-/// The two halves of a divided block are one continuum: nodes at one place (Pool::seams) are held together by forces
-/// that are constant through H, equal and opposite, and such that both go the same way from one end of H to the other.
-/// They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
+/// The two halves of a divided block are one continuum: nodes at one place (Pool::interface_constraints) are held
+/// together by forces that are constant through H, equal and opposite, and such that both go the same way from one end
+/// of H to the other. They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
 /// @source docs/theory/explicit-implicit-coupling.md, "Partitioned steps";
 ///         docs/theory/explicit-implicit-coupling.md, "Divided blocks"; [Qu2013] 6.3, ch. 7, 7.2.2
-class Partitioned final : public Mover, private PathForce {
+class Partitioned final : public TimeIntegrator, private InterfaceForce {
  public:
   struct Choice {
     ExplicitDamping explicit_damping;
@@ -38,15 +38,15 @@ class Partitioned final : public Mover, private PathForce {
               double detection, const Choice& choice);
 
   double enter(State& state) override;
-  void resume(const State& state, const MoverMemory& memory) override;
-  [[nodiscard]] MoverMemory memory() const override;
+  void resume(const State& state, const IntegratorMemory& memory) override;
+  [[nodiscard]] IntegratorMemory memory() const override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
   /// Of the substeps.
   double stable_step(const State& state, std::string* binding) override;
   void contact_forces(const State& state, std::span<double> f) const override;
-  void heed(Control* control) override { implicit_->heed(control); }
+  void set_control(Control* control) override { implicit_->set_control(control); }
   [[nodiscard]] bool step_still_stable() const override { return explicit_->step_still_stable(); }
 
   [[nodiscard]] const Newmark& implicit_side() const { return *implicit_; }
@@ -55,13 +55,13 @@ class Partitioned final : public Mover, private PathForce {
   [[nodiscard]] int repeats() const { return repeats_; }
 
  private:
-  /// A side: bodies of its own, the others as guests, with numbers in its own order.
+  /// A side: bodies of its own, the others as ghosts, with numbers in its own order.
   struct Side {
     Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit, bool shared);
     Setup setup;
     State state;
   };
-  [[nodiscard]] static Guests guests(const Setup& whole, const State& state, bool is_explicit, bool shared);
+  [[nodiscard]] static Ghosts ghosts(const Setup& whole, const State& state, bool is_explicit, bool shared);
   [[nodiscard]] static std::vector<BodyRecord> records(const State& state, bool is_explicit);
   /// Numbers that follow one another in all three orders: of the whole, the explicit and the implicit side.
   struct Run {
@@ -69,8 +69,8 @@ class Partitioned final : public Mover, private PathForce {
   };
   void find_runs();
   /// Nodes of divided blocks that belong together.   @param memory  of a run that goes on; null: the stage begins
-  void find_seams(const MoverMemory* memory);
-  void find_seam_mass();
+  void find_interface_constraints(const IntegratorMemory* memory);
+  void find_constraint_mass();
   static void copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all, std::size_t Run::*to,
                    std::span<double> out);
   /// Of the whole to a side.
@@ -85,39 +85,42 @@ class Partitioned final : public Mover, private PathForce {
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
   [[nodiscard]] double stiffness() const override { return stiffness_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
-  [[nodiscard]] std::span<const Seam> seams() const override { return seams_; }
-  [[nodiscard]] std::span<const double> seam_factor() const override { return seam_factor_; }
+  [[nodiscard]] std::span<const InterfaceConstraint> interface_constraints() const override {
+    return interface_constraints_;
+  }
+  [[nodiscard]] std::span<const double> constraint_factor() const override { return constraint_factor_; }
   [[nodiscard]] std::span<const double> held() const override { return held_; }
   bool foresee(std::span<const double> end, std::span<double> force) override;
   StepReport mean(std::span<const double> end, std::span<const double> held, std::span<double> force,
                   std::span<double> apart) override;
-  /// sum_ += weight times the forces on guests.
-  void add_to_guests(double weight, std::span<const double> f);
+  /// sum_ += weight times the forces on ghosts.
+  void add_to_ghosts(double weight, std::span<const double> f);
 
   const Setup* whole_;
   Choice choice_;
   Side explicit_side_, implicit_side_;
   std::unique_ptr<CentralDifference> explicit_;
   std::unique_ptr<Newmark> implicit_;
-  std::vector<Run> all_, explicit_runs_, implicit_runs_;  // of all nodes, and of those that a side moves
-  std::vector<Seam> seams_;                               // as the implicit side sees them
+  std::vector<Run> all_, explicit_runs_, implicit_runs_;    // of all nodes, and of those that a side moves
+  std::vector<InterfaceConstraint> interface_constraints_;  // as the implicit side sees them
   // Cholesky's factor of the mass that the explicit half has at them, and the same as stiffness of a step.
-  std::vector<double> seam_mass_, seam_factor_;
-  std::vector<std::size_t> explicit_at_, implicit_at_;  // a seam: first number of its nodes
-  std::vector<double> apart_, held_, held_back_;        // x, y a seam; held_back_: what the explicit side feels
-  Ledger base_;                                         // of the run until the first step
+  std::vector<double> constraint_mass_, constraint_factor_;
+  std::vector<std::size_t> explicit_at_, implicit_at_;  // an interface constraint: first number of its nodes
+  std::vector<double> apart_, held_,
+      held_back_;  // x, y per interface constraint; held_back_: what the explicit side feels
+  Ledger base_;    // of the run until the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
-  double stiffness_ = 0.0;                 // of all contacts with guests, half of it [N/m]
-  std::vector<double> compliance_;         // of outline nodes of guests [1/kg]
+  double stiffness_ = 0.0;                 // of all contacts with ghosts, half of it [N/m]
+  std::vector<double> compliance_;         // of outline nodes of ghosts [1/kg]
   std::vector<double> present_;            // numbers of the implicit side
   std::vector<double> end_, sum_, ahead_;  // numbers of the explicit side
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;
   bool gone_ = false;  // the explicit side is at the end of the step
-  WayBack way_back_;
+  StepRollback rollback_;
 };
 
 }  // namespace scree::coupling

@@ -28,14 +28,15 @@ class Parts {
         stiff_(static_cast<std::size_t>(setup.nodes()), 0.0),
         viscous_(static_cast<std::size_t>(setup.nodes()), 0.0) {}
 
-  /// What another mover moves (a guest, or the other half of a divided body) is on a given path, and does not count.
+  /// What another integrator moves (a ghost, or the other half of a divided body) is on a given path, and does not
+  /// count.
   void add(Kind kind, std::int32_t body, std::int32_t other, std::span<const Row> rows, double size) {
     const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
     if (b.driven) return;
     Part part{kind, body, other, size, {}};
     std::vector<std::int32_t> groups;
     for (const Row& row : rows) {
-      if (setup_->on_guest(row)) continue;
+      if (setup_->on_ghost(row)) continue;
       setup_->pool_of(b).bound_groups(b.index, setup_->local(b, row), groups);
       part.groups.insert(part.groups.end(), groups.begin(), groups.end());
     }
@@ -51,7 +52,7 @@ class Parts {
   }
   [[nodiscard]] double compliance(std::int32_t body, const Row& row) const {
     const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
-    return b.driven || setup_->on_guest(row) ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, row));
+    return b.driven || setup_->on_ghost(row) ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, row));
   }
   [[nodiscard]] std::int32_t worst(const Body& b, bool viscous) const {
     const std::vector<double>& sum = viscous ? viscous_ : stiff_;

@@ -13,13 +13,13 @@ double Subcycled::enter(State& state) {
   return fine_.enter(state);
 }
 
-void Subcycled::resume(const State& state, const MoverMemory& memory) {
+void Subcycled::resume(const State& state, const IntegratorMemory& memory) {
   fine_.resume(state, memory);
   bound_ = memory.step_bound;
 }
 
-MoverMemory Subcycled::memory() const {
-  MoverMemory out = fine_.memory();
+IntegratorMemory Subcycled::memory() const {
+  IntegratorMemory out = fine_.memory();
   out.step_bound = bound_;
   return out;
 }
@@ -40,7 +40,7 @@ std::int64_t Subcycled::parts(Tick left) const {
 StepReport Subcycled::step(State& state, Tick ticks_of_step) {
   const double H = seconds(ticks_of_step);
   const std::int64_t first = state.step;
-  way_back_.keep(fine_, state, true);
+  rollback_.keep(fine_, state, true);
   fine_.watch(audit_);
   substeps_ = 0;
   std::int64_t parts_left = 0;
@@ -57,7 +57,7 @@ StepReport Subcycled::step(State& state, Tick ticks_of_step) {
     fine_.weigh_next(ticks == left ? kick : 0.0);
     StepReport report = fine_.step(state, ticks);
     if (report.status != StepReport::Status::ok) {
-      way_back_.go(fine_, state);
+      rollback_.go(fine_, state);
       return report;
     }
     left -= ticks;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "coupling/integrate/central_difference.h"
-#include "coupling/integrate/way_back.h"
+#include "coupling/integrate/step_rollback.h"
 
 namespace scree::coupling {
 
 /// Central difference in substeps of h for every body, H = sum of h the step. Contacts, loads, supports, damping and
-/// the internal force of fast bodies act at every instant, the internal force S of slow ones (Guests::slow) at the two
+/// the internal force of fast bodies act at every instant, the internal force S of slow ones (Ghosts::slow) at the two
 /// ends of H alone, as kicks of H/2 each:
 ///   M a_j = F(x_j) + w_j S(x_j),   w_j = H/h at the ends of H, 0 between
 /// It is the central difference with another force, so that its identities of work hold as they stand, and all kicks
@@ -17,7 +17,7 @@ namespace scree::coupling {
 /// next to nothing of it. That keeps off the strong resonances of the kicks with the faster motion of contacts; weak
 /// ones remain, in which a step grows by some hundredths (subcycled_test.cpp has the map): watch_energy() tells.
 /// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
-class Subcycled final : public Mover {
+class Subcycled final : public TimeIntegrator {
  public:
   struct Choice {
     ExplicitDamping damping;
@@ -28,8 +28,8 @@ class Subcycled final : public Mover {
   Subcycled(const Setup& setup, const StepControl& control, double detection, const Choice& choice);
 
   double enter(State& state) override;
-  void resume(const State& state, const MoverMemory& memory) override;
-  [[nodiscard]] MoverMemory memory() const override;
+  void resume(const State& state, const IntegratorMemory& memory) override;
+  [[nodiscard]] IntegratorMemory memory() const override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override { fine_.leave(state); }
   void update_ledger(State& state) override { fine_.update_ledger(state); }
@@ -49,7 +49,7 @@ class Subcycled final : public Mover {
   CentralDifference fine_;
   double bound_ = 0.0;  // certified substep [s]; 0: to be found
   std::int32_t substeps_ = 0;
-  WayBack way_back_;
+  StepRollback rollback_;
 };
 
 }  // namespace scree::coupling

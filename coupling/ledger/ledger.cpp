@@ -37,7 +37,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"contact_transition", Side::scheme, "trapezoid work across opening and closing", kWatched},
     {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear", kWatched},
     {"contact_edges", Side::scheme, "contacts that change edge or end at a corner", kWatched},
-    {"contact_share", Side::scheme, "contacts whose share of a joint changes", kWatched},
+    {"contact_tributary", Side::scheme, "contacts whose tributary length changes", kWatched},
     {"support_trapezoid", Side::scheme, "support energy less the trapezoid work of its springs", kWatched},
     {"update_kinetic", Side::scheme, "kinetic energy changed by the geometry update of implicit steps", kWatched},
     {"update_elastic", Side::scheme, "elastic energy changed by the geometry update of implicit steps", kWatched},
@@ -45,7 +45,8 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
      kWatched},
     {"waveform", Side::scheme, "explicit and implicit bodies: what the iteration between them leaves, as a kick",
      kWatched},
-    {"seams", Side::scheme, "explicit and implicit halves of a block: what the forces between them leave", kWatched},
+    {"interface_constraints", Side::scheme,
+     "explicit and implicit halves of a block: what the forces between them leave", kWatched},
     {"step_change", Side::scheme, "change of the shadow term with the step or the scheme"},
     {"transfer", Side::scheme, "cross terms booked when bodies change method"},
 }};

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/sink.h"
 #include "coupling/stages/rest_watch.h"
 #include "coupling/stages/run_watch.h"
@@ -14,11 +14,11 @@ namespace scree::coupling {
 /// steps; at the end of a stage before that end is told.
 struct Checkpoint {
   State state;
-  MoverMemory mover;
+  IntegratorMemory integrator;
   // How far the stage is.
   Tick stage_end = 0;
   std::int64_t first_step = 0;      // of the stage
-  std::vector<double> stage_begin;  // x, y a body: where its centre of mass was then [m]
+  std::vector<double> stage_begin;  // x, y per body: where its centre of mass was then [m]
   RestTrace rest;                   // how a stage to rest comes there
   bool ended = false;               // before its duration is over: at rest, or by a rule
   std::uint32_t mesh = 0;           // id of the present mesh
@@ -29,7 +29,7 @@ struct Checkpoint {
   std::vector<TransferRow> transfers;
   std::vector<StageTravel> travels;
   std::vector<Warning> warnings;
-  std::vector<std::int64_t> rule_changes;  // a stage: changes by its rules of methods, and of sides (2 a stage)
+  std::vector<std::int64_t> rule_changes;  // per stage: changes by its rules of methods, and of sides (2 a stage)
   Told told;
 
   /// As State::visit().
@@ -119,7 +119,7 @@ void visit(const RunStats& s, Visitor&& see) {
 template <class Visitor>
 void Checkpoint::visit(Visitor&& see) const {
   state.visit(see);
-  mover.visit(see);
+  integrator.visit(see);
   see("stage_end", stage_end);
   see("first_step", first_step);
   see("stage_begin", stage_begin);

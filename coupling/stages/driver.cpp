@@ -177,11 +177,11 @@ StageTravel Driver::travel_since(const std::vector<Vec2>& begin) const {
 }
 
 void Driver::complete_ledger() {
-  mover_->update_ledger(state_);
+  integrator_->update_ledger(state_);
   state_.ledger.set_last_places(stats_.left_work + energy_of_last_places(*model_, state_));
 }
 
-void Driver::look(bool frame) {
+void Driver::sample(bool frame) {
   const double begin = wall();
   complete_ledger();
   stats_.contacts = std::count_if(state_.contacts.begin(), state_.contacts.end(),
@@ -218,8 +218,8 @@ void Driver::start() {
   state_ = State{};
   mesh_ = mesh_shown_ = 0;
   enter_time(plan_->stages.front());
-  take_sides(plan_->stages.front());
-  state_.bodies = initial_records(*model_, wishes(*model_, plan_->stages.front(), state_.explicit_side));
+  assign_sides(plan_->stages.front());
+  state_.bodies = initial_records(*model_, body_requests(*model_, plan_->stages.front(), state_.explicit_side));
   setup_ = in_plan(plan_->stages.front(), 0.0, [&] {
     return std::make_unique<Setup>(*model_, *methods_, state_.bodies,
                                    slow_bodies(*model_, plan_->stages.front(), state_.explicit_side), clocks());
@@ -260,7 +260,7 @@ void Driver::enter_time(const Stage& stage) {
 
 Clocks Driver::clocks() const { return clocks_of(*model_, state_.stage_begin, stage_end_); }
 
-void Driver::take_sides(const Stage& stage) {
+void Driver::assign_sides(const Stage& stage) {
   settled_.clear();
   state_.explicit_side.clear();
   if (stage.integrator == Integrator::partitioned) state_.explicit_side = first_sides(*model_, stage.partition);
@@ -270,9 +270,9 @@ void Driver::change_stage(std::size_t index) {
   const Stage& stage = plan_->stages[index];
   stats_.effort_before = stats_.effort;
   if (index > 0) {
-    mover_->leave(state_);
-    mover_.reset();
-    take_sides(stage);
+    integrator_->leave(state_);
+    integrator_.reset();
+    assign_sides(stage);
     enter_time(stage);
     state_.rules = {};
     change_bodies(stage);
@@ -285,8 +285,9 @@ void Driver::change_stage(std::size_t index) {
 }
 
 void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
-  HandOver handed = in_plan(stage, seconds(state_.time),
-                            [&] { return hand_over(*model_, *methods_, *setup_, stage, state_, clocks()); });
+  TransferReport handed = in_plan(stage, seconds(state_.time), [&] {
+    return transfer_bodies(*model_, *methods_, *setup_, stage, state_, clocks());
+  });
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {
@@ -309,10 +310,10 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
 }
 
 void Driver::begin_moving(const Stage& stage, bool new_mesh) {
-  mover_ = make_mover(stage);
+  integrator_ = make_integrator(stage);
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
-  const double now = mover_->enter(state_);
+  const double now = integrator_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
   if (new_mesh) ++mesh_;
@@ -326,11 +327,11 @@ void Driver::watch_rules(const Stage& stage) {
 }
 
 void Driver::change_methods(const Stage& stage) {
-  const std::vector<MethodChange> changes = method_rules_->look(state_, *mover_);
+  const std::vector<MethodChange> changes = method_rules_->evaluate(state_, *integrator_);
   if (changes.empty()) return;
   count_rule(kMethodRule, static_cast<std::int64_t>(changes.size()));
-  mover_->leave(state_);
-  mover_.reset();
+  integrator_->leave(state_);
+  integrator_.reset();
   state_.rules.other_method.resize(model_->blocks.size(), 0);
   for (const MethodChange& c : changes) state_.rules.other_method[c.block.index()] ^= 1;
   change_bodies(stage, changes);
@@ -353,8 +354,8 @@ void Driver::change_partition(const Stage& stage) {
           stage.subcycled() ? (sides[i] != 0 ? "fast" : "slow") : (sides[i] != 0 ? "explicit" : "implicit"));
   }
   count_rule(kSideRule, changed);
-  mover_->leave(state_);
-  mover_.reset();
+  integrator_->leave(state_);
+  integrator_.reset();
   state_.explicit_side = std::move(sides);
   change_bodies(stage);
   begin_moving(stage, stage.subcycled());  // in the order of pools
@@ -363,18 +364,18 @@ void Driver::change_partition(const Stage& stage) {
                                           changed > 5 ? fmt::format(" and {} more", changed - 5) : std::string()));
 }
 
-std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
+std::unique_ptr<TimeIntegrator> Driver::make_integrator(const Stage& stage) {
   step_control_ = stage.control;
   if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
   // A point may not pass through the detection distance in one step.
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
-  std::unique_ptr<Mover> mover;
+  std::unique_ptr<TimeIntegrator> integrator;
   if (stage.integrator == Integrator::explicit_) {
-    mover =
+    integrator =
         std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
   } else if (stage.subcycled()) {
     check_subcycled(stage, *setup_, state_.explicit_side);
-    mover =
+    integrator =
         std::make_unique<Subcycled>(*setup_, step_control_, detection_,
                                     Subcycled::Choice{explicit_damping(stage), stage.safety, stage.partition.substeps});
   } else {
@@ -382,16 +383,16 @@ std::unique_ptr<Mover> Driver::make_mover(const Stage& stage) {
     const ImplicitOptions options{stage.newmark,           stage.rest ? 0.0 : stage.dynamics, stage.damping,
                                   stage.damp_rigid_motion, stage.stiffness_damping,           stage.sliding_damping};
     if (stage.integrator == Integrator::implicit)
-      mover = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
+      integrator = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
     else
-      mover =
+      integrator =
           std::make_unique<Partitioned>(*setup_, *methods_, state_, step_control_, detection_,
                                         Partitioned::Choice{explicit_damping(stage), options, stage.safety,
                                                             stage.partition.substeps, stage.partition.shared_contacts});
   }
-  if (plan_->audit) mover->watch(&audit_);
-  mover->heed(control_);
-  return mover;
+  if (plan_->audit) integrator->watch(&audit_);
+  integrator->set_control(control_);
+  return integrator;
 }
 
 void Driver::observe() {
@@ -449,7 +450,7 @@ void Driver::begin_stage(const Stage& stage) {
       acts_in(*model_, *plan_, static_cast<std::size_t>(state_.stage), state_.stage_begin, stage_end_);
   if (const auto damping = stage_damping(*model_, stage, acts))
     event(damps_much(*damping) ? EventKind::warning : EventKind::stage_step, text(*damping));
-  look(true);
+  sample(true);
   keep(state_.step == 0);
 }
 
@@ -466,20 +467,20 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   // Who looks takes the first step at or after the time: steps are the stage's alone.
   while (state_.time < std::min(stop, stage_end_) && !ended_) {
     const Tick before = state_.time;
-    RunEnd result = take_step(stage);
+    RunEnd result = advance_step(stage);
     if (result.status != RunEnd::Status::done) return result;
     const bool over = ended_ || state_.time >= stage_end_, stopped = !over && state_.time >= stop;
     const bool frame = over || passes_multiple(before, state_.time, plan_->output.every);
-    const bool looked = frame || passes_multiple(before, state_.time, plan_->output.history_every);
-    if (looked) {
-      look(frame);
+    const bool sampled = frame || passes_multiple(before, state_.time, plan_->output.history_every);
+    if (sampled) {
+      sample(frame);
       warn_of_losses(stage, true);
       RunEnd found = check_finite(stage);
       if (found.status == RunEnd::Status::done) found = check_gain(stage, true);
       if (found.status != RunEnd::Status::done) return found;
     }
     keep(over || stopped);
-    if (stopped && !looked) look(false);  // whoever goes on from the checkpoint does without
+    if (stopped && !sampled) sample(false);  // whoever goes on from the checkpoint does without
   }
   const bool rested = stage.rest && !to_balance && state_.time >= stage_end_;
   if (const BlockId loose = rested ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {

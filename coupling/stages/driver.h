@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/sink.h"
 #include "coupling/stages/checkpoint.h"
 #include "coupling/stages/end_rules.h"
@@ -55,11 +55,11 @@ class Driver {
  private:
   void start();
   void change_stage(std::size_t index);
-  void take_sides(const Stage& stage);
+  void assign_sides(const Stage& stage);
   /// Bodies as the stage, and the sides of a partitioned one, want them.
   /// @param why  blocks that change by a rule
   void change_bodies(const Stage& stage, std::span<const MethodChange> why = {});
-  /// A mover for them, and who looks on.
+  /// An integrator for them, and who looks on.
   void begin_moving(const Stage& stage, bool new_mesh);
   /// What looks at the rules of a stage, for the present bodies.
   void watch_rules(const Stage& stage);
@@ -68,9 +68,9 @@ class Driver {
   /// Blocks that have become calm, or are struck, change method.
   void change_methods(const Stage& stage);
   [[nodiscard]] bool takes_explicit_steps(const Stage& stage, const Body& b) const;
-  /// The setup, mover and observer of a checkpoint's stage, as they were.
+  /// The setup, integrator and observer of a checkpoint's stage, as they were.
   void go_on();
-  [[nodiscard]] std::unique_ptr<Mover> make_mover(const Stage& stage);
+  [[nodiscard]] std::unique_ptr<TimeIntegrator> make_integrator(const Stage& stage);
   void observe();
   /// Shows sinks the present mesh, once.
   void show_mesh();
@@ -125,11 +125,11 @@ class Driver {
   /// One step, by as many attempts as it takes; and what is looked at after it.
   /// Finds anew how long steps may be, where that is due or a step has made it doubtful.
   void bound_step(const Stage& stage, bool due);
-  /// One attempt of the mover.   @param cap  of its length   @param h  its length
+  /// One attempt of the integrator.   @param cap  of its length   @param h  its length
   [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
   /// A sentence on an attempt that was refused.
   [[nodiscard]] std::string told_refusal(const StepReport& report, Tick h) const;
-  [[nodiscard]] RunEnd take_step(const Stage& stage);
+  [[nodiscard]] RunEnd advance_step(const Stage& stage);
   void count(const StepReport& report);
   [[nodiscard]] RunEnd after_step(const Stage& stage);
   [[nodiscard]] std::int64_t steps_of_stage() const { return state_.step - first_step_; }
@@ -144,7 +144,7 @@ class Driver {
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
   /// Brings the ledger up to date, for whoever looks at its closure.
   void complete_ledger();
-  void look(bool frame);
+  void sample(bool frame);
   /// Hands the last state to the sinks.
   void finish(const RunEnd& result);
 
@@ -158,7 +158,7 @@ class Driver {
   State state_;
   std::unique_ptr<Setup> setup_;
   std::unique_ptr<Observer> observer_;
-  std::unique_ptr<Mover> mover_;
+  std::unique_ptr<TimeIntegrator> integrator_;
   StepControl step_control_;
   double detection_ = 0.0;
   std::unique_ptr<ForceBalance> balance_;      // of stages with rest_force
@@ -178,7 +178,7 @@ class Driver {
   std::vector<TransferRow> transfers_;
   std::vector<StageTravel> travels_;
   std::vector<Warning> warnings_;
-  std::vector<std::int64_t> rule_changes_;  // a stage: of methods, and of sides
+  std::vector<std::int64_t> rule_changes_;  // per stage: of methods, and of sides
   Told told_;
   double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };

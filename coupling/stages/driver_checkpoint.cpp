@@ -27,8 +27,8 @@ void Driver::go_on() {
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
                                    clocks());
-  mover_ = make_mover(stage);
-  mover_->resume(state_, c.mover);
+  integrator_ = make_integrator(stage);
+  integrator_->resume(state_, c.integrator);
   stats_ = c.stats;
   end_ = latest_end();
   observe();
@@ -39,7 +39,7 @@ void Driver::go_on() {
 Checkpoint Driver::checkpoint() const {
   Checkpoint c;
   c.state = state_;
-  c.mover = mover_->memory();
+  c.integrator = integrator_->memory();
   c.stage_end = stage_end_;
   c.first_step = first_step_;
   for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});

@@ -36,7 +36,7 @@ std::string told_number(double steps) { return steps < 1e6 ? "" : fmt::format(",
 Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
-  const double bound = mover_->stable_step(state_, &binding);
+  const double bound = integrator_->stable_step(state_, &binding);
   if (stage.subcycled()) check_slow_step(stage, first);
   if (stage.integrator == Integrator::partitioned) {
     const std::int32_t m = stage.partition.substeps;
@@ -111,7 +111,7 @@ Tick Driver::step_of_fastest() const {
 }
 
 void Driver::bound_step(const Stage& stage, bool due) {
-  if (!due && largest_ != 0 && mover_->step_still_stable()) return;
+  if (!due && largest_ != 0 && integrator_->step_still_stable()) return;
   // What the first step tells is told once, though a stop may take back the step itself.
   const Tick found = largest_step(stage, steps_of_stage() == 0 && largest_ == 0);
   if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
@@ -122,7 +122,7 @@ StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
   if (implicit) cap = std::min(cap, step_of_fastest());
   h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
   const double begin = wall();
-  const StepReport report = mover_->step(state_, h);
+  const StepReport report = integrator_->step(state_, h);
   (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
   count(report);
   return report;
@@ -137,7 +137,7 @@ std::string Driver::told_refusal(const StepReport& report, Tick h) const {
   return fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
 }
 
-RunEnd Driver::take_step(const Stage& stage) {
+RunEnd Driver::advance_step(const Stage& stage) {
   int cuts = 0;
   Tick attempt_cap = std::numeric_limits<Tick>::max();
   // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
@@ -324,7 +324,7 @@ void Driver::drop_velocities() {
 
 void Driver::check_end(const Stage& stage) {
   if (!end_watch_) return;
-  const std::optional<std::string> why = end_watch_->look(state_, *mover_, stage_begin_);
+  const std::optional<std::string> why = end_watch_->evaluate(state_, *integrator_, stage_begin_);
   if (!why || state_.time >= stage_end_) return;
   ended_ = true;
   end_ = latest_end();
@@ -340,7 +340,7 @@ void Driver::follow_rest(const Stage& stage, std::optional<double> ratio) {
 }
 
 void Driver::tell_unbalanced(const Stage& stage) {
-  const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *mover_);
+  const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *integrator_);
   if (found.body < 0 || found.ratio <= kRested) return;
   event(EventKind::warning,
         fmt::format("t = {:.6g} s, stage '{}' ends before it is at rest: block '{}' has an unbalanced force of {:.3g} "
@@ -352,7 +352,7 @@ void Driver::tell_unbalanced(const Stage& stage) {
 }
 
 RunEnd Driver::check_rest(const Stage& stage) {
-  const ForceBalance::Result found = balance_->measure(state_, *mover_);
+  const ForceBalance::Result found = balance_->measure(state_, *integrator_);
   follow_rest(stage, found.ratio);
   const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
   ended_ = found.ratio <= stage.rest_force;

@@ -69,8 +69,8 @@ std::optional<std::string> EndWatch::slow(State& state) const {
                      kinetic / peak, rules_->kinetic_below);
 }
 
-std::optional<std::string> EndWatch::balanced(State& state, const Mover& mover) {
-  const ForceBalance::Result found = balance_->measure(state, mover);
+std::optional<std::string> EndWatch::balanced(State& state, const TimeIntegrator& integrator) {
+  const ForceBalance::Result found = balance_->measure(state, integrator);
   if (!has_held(found.ratio <= rules_->force_below, rules_->hold, state.time, state.rules.balanced_since)) return {};
   return fmt::format("no unbalanced force is above {:.3g} of the largest force (force_below = {:g})", found.ratio,
                      rules_->force_below);
@@ -118,14 +118,15 @@ std::optional<std::string> EndWatch::moved(const State& state, std::span<const V
                      farthest, rules_->displacement);
 }
 
-std::optional<std::string> EndWatch::look(State& state, const Mover& mover, std::span<const Vec2> begin) {
+std::optional<std::string> EndWatch::evaluate(State& state, const TimeIntegrator& integrator,
+                                              std::span<const Vec2> begin) {
   std::optional<std::string> why;
   const auto add = [&](std::optional<std::string> one) {
     if (one) why = why ? *why + ", and " + *one : std::move(one);
   };
   // Each of them in any case: they remember.
   if (rules_->kinetic_below > 0.0) add(slow(state));
-  if (rules_->force_below > 0.0) add(balanced(state, mover));
+  if (rules_->force_below > 0.0) add(balanced(state, integrator));
   if (rules_->slip > 0.0) add(slipped(state));
   if (rules_->displacement > 0.0) add(moved(state, begin));
   return why;

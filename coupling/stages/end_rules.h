@@ -22,11 +22,12 @@ class EndWatch {
   EndWatch(const EndRules& rules, const Setup& setup, const State& state);
   /// @param begin  centres of mass where the stage began, a block [m]
   /// @return the rule and its value, for people; empty: none has come true
-  [[nodiscard]] std::optional<std::string> look(State& state, const Mover& mover, std::span<const Vec2> begin);
+  [[nodiscard]] std::optional<std::string> evaluate(State& state, const TimeIntegrator& integrator,
+                                                    std::span<const Vec2> begin);
 
  private:
   [[nodiscard]] std::optional<std::string> slow(State& state) const;
-  [[nodiscard]] std::optional<std::string> balanced(State& state, const Mover& mover);
+  [[nodiscard]] std::optional<std::string> balanced(State& state, const TimeIntegrator& integrator);
   [[nodiscard]] std::optional<std::string> slipped(const State& state) const;
   [[nodiscard]] std::optional<std::string> moved(const State& state, std::span<const Vec2> begin) const;
   /// Centre of mass of a body [m].
@@ -35,7 +36,7 @@ class EndWatch {
   const EndRules* rules_;
   const Setup* setup_;
   std::unique_ptr<ForceBalance> balance_;
-  std::vector<double> mass_;  // x, y a node: what its position counts for in the centre of mass [kg]
+  std::vector<double> mass_;  // x, y per node: what its position counts for in the centre of mass [kg]
 };
 
 }  // namespace scree::coupling

@@ -28,7 +28,7 @@ void ForceBalance::take(std::vector<double>& term) {
   }
 }
 
-ForceBalance::Result ForceBalance::measure(const State& state, const Mover& mover) {
+ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegrator& integrator) {
   const std::size_t n = state.q.size();
   total_.assign(n, 0.0);
   largest_ = 0.0;
@@ -50,7 +50,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const Mover& move
   term([&](std::vector<double>& f) {
     for (const PointSpring& s : supports_) add_force(s.row, spring_force(s, state.q), f);
   });
-  term([&](std::vector<double>& f) { mover.contact_forces(state, f); });
+  term([&](std::vector<double>& f) { integrator.contact_forces(state, f); });
 
   Result out;
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {

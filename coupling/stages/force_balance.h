@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "coupling/integrate/load_vectors.h"
-#include "coupling/integrate/mover.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/integrate/time_integrator.h"
 
 namespace scree::coupling {
 
@@ -20,7 +20,7 @@ class ForceBalance {
     std::int32_t body = -1;  // with the largest unbalanced force
   };
   ForceBalance(const Setup& setup, const State& state);
-  [[nodiscard]] Result measure(const State& state, const Mover& mover);
+  [[nodiscard]] Result measure(const State& state, const TimeIntegrator& integrator);
 
  private:
   void take(std::vector<double>& term);
@@ -28,7 +28,7 @@ class ForceBalance {
   const Setup* setup_;
   std::vector<LoadVector> loads_;
   std::vector<PointSpring> supports_;
-  std::vector<double> lever_;  // a node: what its force is divided by, 0 for driven bodies
+  std::vector<double> lever_;  // per node: what its force is divided by, 0 for driven bodies
   std::vector<double> term_, total_;
   double largest_ = 0.0;
 };

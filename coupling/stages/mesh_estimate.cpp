@@ -13,12 +13,12 @@ constexpr double kCellBytes = 11.0, kExplicitBytes = 800.0, kImplicitBytes = 400
 }  // namespace
 
 MeshEstimate mesh_estimate(const Model& model, const Stage& stage) {
-  const std::vector<Wish> wish = wishes(model, stage);
+  const std::vector<BodyRequest> request = body_requests(model, stage);
   MeshEstimate out;
   double most = 0.0;
-  for (std::size_t b = 0; b < wish.size(); ++b) {
-    const Formulation& form = wish[b].form;
-    if (wish[b].method != "nmm" || form.onefold) continue;
+  for (std::size_t b = 0; b < request.size(); ++b) {
+    const Formulation& form = request[b].form;
+    if (request[b].method != "nmm" || form.onefold) continue;
     const Polygon& polygon = model.blocks[b].polygon;
     const Vec2 span = bounds(polygon).hi - bounds(polygon).lo;
     const double h = form.cover_size, triangle = std::sqrt(3.0) / 4.0 * h * h,

@@ -12,7 +12,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr Tick kLooks = 10;  // in the time that a block has to be calm
+constexpr Tick kEvaluations = 10;  // in the time that a block has to be calm
 
 /// The largest principal value, without its sign.
 double largest_principal(const Mat2& a) {
@@ -47,9 +47,9 @@ MethodRules::MethodRules(const Stage& stage, const Methods& methods, const Setup
   }
 }
 
-void MethodRules::sum_contacts(const State& state, const Mover& mover) {
+void MethodRules::sum_contacts(const State& state, const TimeIntegrator& integrator) {
   force_.assign(state.q.size(), 0.0);
-  if (stage_->change.back.acceleration > 0.0) mover.contact_forces(state, force_);
+  if (stage_->change.back.acceleration > 0.0) integrator.contact_forces(state, force_);
 }
 
 MethodMeasures MethodRules::measure(const Body& b, const State& state) const {
@@ -105,15 +105,15 @@ bool MethodRules::cheaper(const Body& b, const State& state, MethodMeasures& m) 
   return m.cost_after < m.cost_before;
 }
 
-std::vector<MethodChange> MethodRules::look(State& state, const Mover& mover) {
+std::vector<MethodChange> MethodRules::evaluate(State& state, const TimeIntegrator& integrator) {
   std::vector<MethodChange> out;
   RuleMemory& memory = state.rules;
-  if (memory.looked == state.time) return out;
-  memory.looked = state.time;
+  if (memory.evaluated == state.time) return out;
+  memory.evaluated = state.time;
   memory.calm_since.resize(setup_->bodies().size(), -1);
-  const bool all = state.time >= memory.next_look;
+  const bool all = state.time >= memory.next_evaluation;
   if (!all && dda_.empty()) return out;
-  sum_contacts(state, mover);
+  sum_contacts(state, integrator);
   for (const std::size_t i : dda_) {
     const Body& b = setup_->bodies()[i];
     const MethodMeasures m = measure(b, state);
@@ -121,7 +121,7 @@ std::vector<MethodChange> MethodRules::look(State& state, const Mover& mover) {
   }
   if (!all) return out;
   const Tick hold = stage_->change.hold;
-  memory.next_look = state.time + std::max<Tick>(1, hold / kLooks);
+  memory.next_evaluation = state.time + std::max<Tick>(1, hold / kEvaluations);
   for (const std::size_t i : nmm_) {
     const Body& b = setup_->bodies()[i];
     Tick& since = memory.calm_since[i];

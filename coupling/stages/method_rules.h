@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/sink.h"
 
 namespace scree::coupling {
@@ -30,7 +30,7 @@ class MethodRules {
   MethodRules(const Stage& stage, const Methods& methods, const Setup& setup, const State& state);
   /// Blocks that change now, in their order. State::rules keeps since when a block has been calm; called again at the
   /// same instant it finds none.
-  [[nodiscard]] std::vector<MethodChange> look(State& state, const Mover& mover);
+  [[nodiscard]] std::vector<MethodChange> evaluate(State& state, const TimeIntegrator& integrator);
 
  private:
   [[nodiscard]] MethodMeasures measure(const Body& b, const State& state) const;
@@ -39,13 +39,13 @@ class MethodRules {
   [[nodiscard]] bool calm(const MethodMeasures& m) const;
   /// Fills the predicted costs.   @return true if the DDA costs less
   [[nodiscard]] bool cheaper(const Body& b, const State& state, MethodMeasures& m) const;
-  void sum_contacts(const State& state, const Mover& mover);
+  void sum_contacts(const State& state, const TimeIntegrator& integrator);
 
   const Stage* stage_;
   const Methods* methods_;
   const Setup* setup_;
   std::vector<std::size_t> nmm_, dda_;  // bodies that may change, by the method they have
-  std::vector<double> force_;           // of the contacts, x, y a node [N]
+  std::vector<double> force_;           // of the contacts, x, y per node [N]
 };
 
 /// One line for events.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "coupling/integrate/mover.h"
+#include "coupling/integrate/time_integrator.h"
 #include "coupling/sink.h"
 
 namespace scree::coupling {

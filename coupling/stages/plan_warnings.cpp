@@ -21,7 +21,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Blocks that hang together by touching.
 struct Groups {
-  std::vector<std::int32_t> of;              // a block
+  std::vector<std::int32_t> of;              // per block
   std::vector<std::vector<BlockId>> blocks;  // a group
 };
 
@@ -71,7 +71,7 @@ bool thrown(const Model& model, BlockId block) {
 }
 
 /// Methods whose blocks move in an affine way only: damping that spares affine motion finds nothing in them.
-bool affine(const Wish& wish) { return wish.method == "dda" || wish.form.onefold; }
+bool affine(const BodyRequest& request) { return request.method == "dda" || request.form.onefold; }
 
 /// Time acts in a stage: velocities are those of the motion.
 bool dynamic(const Stage& stage) { return !stage.rest && stage.dynamics == 1.0; }
@@ -151,12 +151,12 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
 std::vector<std::string> damping_warnings(const Model& model, const Plan& plan) {
   std::vector<std::string> out;
   for (const Stage& stage : plan.stages) {
-    const std::vector<Wish> wish = wishes(model, stage);
+    const std::vector<BodyRequest> request = body_requests(model, stage);
     bool free = false, bends = stage.change.used && stage.change.back.used();
-    for (std::size_t b = 0; b < wish.size(); ++b) {
+    for (std::size_t b = 0; b < request.size(); ++b) {
       if (model.support_of(BlockId(static_cast<std::int32_t>(b))) != nullptr) continue;
       free = true;
-      bends = bends || !affine(wish[b]);
+      bends = bends || !affine(request[b]);
     }
     const bool any = stage.damping > 0.0 || stage.stiffness_damping > 0.0 || stage.local_damping > 0.0;
     if (any && !free)
@@ -241,10 +241,10 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
   if (stones.empty()) return {};
   std::vector<std::string> out;
   for (const Stage& stage : plan.stages) {
-    const std::vector<Wish> wish = wishes(model, stage);
+    const std::vector<BodyRequest> request = body_requests(model, stage);
     // Joints of an automatic stiffness that a mesh divides.
     const auto divided = [&](BlockId b) {
-      const Wish& w = wish[b.index()];
+      const BodyRequest& w = request[b.index()];
       return w.method == "nmm" && !w.form.onefold && std::any_of(touches.begin(), touches.end(), [&](const Touch& t) {
                return (t.a == b || t.b == b) && std::any_of(t.facing.begin(), t.facing.end(), [&](const Stretch& s) {
                         const bool automatic = !s.law.valid() || (!model.joints[s.law.index()].normal_stiffness &&

@@ -15,7 +15,7 @@ struct RestTrace {
   static constexpr int kParts = 4;
   std::vector<double>
       least;  // a part so far: the smallest unbalanced force, of the largest force; where it is measured
-  std::vector<double> centre;  // part after part: x, y a body, its centre of mass as the part began [m]
+  std::vector<double> centre;  // part after part: x, y per body, its centre of mass as the part began [m]
 
   /// @param progress  0 to 1   @return true if a part begins
   [[nodiscard]] bool begins_part(double progress) const;

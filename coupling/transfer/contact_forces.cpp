@@ -67,7 +67,7 @@ void hand_contacts_over(const Setup& from, const std::vector<char>& changed, Sta
       ContactMemory& m = state.contacts[static_cast<std::size_t>(to)];
       m.fn += part * (gone.fn - gone.fd);
       m.ft += part * (gone.ft - gone.fdt);
-      m.share += part * gone.share;  // what the force rests on: a new mesh takes the traction from it
+      m.tributary += part * gone.tributary;  // what the force rests on: a new mesh takes the traction from it
     }
   }
   std::erase_if(state.contacts, goes);

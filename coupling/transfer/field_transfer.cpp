@@ -52,10 +52,10 @@ void keep_below(double most, const Pool& pool, int body, std::span<const double>
 
 }  // namespace
 
-void take_fields(const Pool& from, int other, std::span<const double> q_from, std::span<const double> v_from,
-                 const Pool& pool, int body, const BodyTotals& was, std::span<double> q, std::span<double> v) {
-  dynamic_cast<const FieldCarrier&>(pool).take_over(body, dynamic_cast<const FieldCarrier&>(from), other, q_from,
-                                                    v_from, q, v);
+void project_fields(const Pool& from, int other, std::span<const double> q_from, std::span<const double> v_from,
+                    const Pool& pool, int body, const BodyTotals& was, std::span<double> q, std::span<double> v) {
+  dynamic_cast<const FieldCarrier&>(pool).project(body, dynamic_cast<const FieldCarrier&>(from), other, q_from, v_from,
+                                                  q, v);
   const Vec2 shift = was.centre - pool.totals(body, q, v).centre;
   const auto begin = 2 * static_cast<std::size_t>(pool.first_node(body)),
              end = 2 * static_cast<std::size_t>(pool.first_node(body + 1));

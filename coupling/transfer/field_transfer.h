@@ -23,7 +23,7 @@ void keep_momenta(const Pool& pool, int body, const BodyTotals& was, std::span<c
 /// @param from, other           the body before; its method carries fields
 /// @param q_from, v_from, q, v  nodes of the two pools
 /// @param was                   totals to keep: of the body before, or of the affine one that it has been since
-void take_fields(const Pool& from, int other, std::span<const double> q_from, std::span<const double> v_from,
-                 const Pool& pool, int body, const BodyTotals& was, std::span<double> q, std::span<double> v);
+void project_fields(const Pool& from, int other, std::span<const double> q_from, std::span<const double> v_from,
+                    const Pool& pool, int body, const BodyTotals& was, std::span<double> q, std::span<double> v);
 
 }  // namespace scree::coupling

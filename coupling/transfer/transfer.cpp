@@ -57,8 +57,8 @@ double elastic_of(const Elasticity& law, const Release& release) {
 
 }  // namespace
 
-std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side,
-                         std::span<const char> other_method) {
+std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage, std::span<const char> explicit_side,
+                                       std::span<const char> other_method) {
   Formulation form;
   form.kinematics = stage.kinematics;
   std::vector<char> first;
@@ -66,7 +66,7 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
     explicit_side = first = first_sides(model, stage.partition);
   form.cover_size = stage.cover_size;
   form.cracks = stage.cracks;
-  std::vector<Wish> out(model.blocks.size(), Wish{stage.method, form});
+  std::vector<BodyRequest> out(model.blocks.size(), BodyRequest{stage.method, form});
   for (std::size_t i = 0; i < out.size(); ++i) {
     const bool is_explicit =
         !stage.has_implicit_steps() || (stage.integrator == Integrator::partitioned && explicit_side[i] != 0);
@@ -77,7 +77,7 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
   }
   for (const MethodRule& rule : stage.rules)
     for (BlockId b : rule.blocks) {
-      Wish& w = out[b.index()];
+      BodyRequest& w = out[b.index()];
       w.method = rule.method;
       w.form.onefold = rule.onefold;
       w.form.model_triangle = rule.model_triangle;
@@ -85,16 +85,16 @@ std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const
     }
   for (std::size_t i = 0; i < other_method.size(); ++i)
     if (other_method[i] != 0) out[i].method = out[i].method == "nmm" ? "dda" : "nmm";
-  for (Wish& w : out)
+  for (BodyRequest& w : out)
     if (w.method != "nmm") w.form = Formulation{.rotation = stage.rotation};
   return out;
 }
 
-std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wish) {
+std::vector<BodyRecord> initial_records(const Model& model, const std::vector<BodyRequest>& request) {
   std::vector<BodyRecord> records;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const BlockId block{static_cast<std::int32_t>(i)};
-    records.push_back({block, wish[i].method, reference_shape(model, block), wish[i].form});
+    records.push_back({block, request[i].method, reference_shape(model, block), request[i].form});
   }
   return records;
 }
@@ -108,7 +108,7 @@ class Change {
       : model_(model), methods_(methods), from_(from), stage_(stage), state_(state), bodies_(state.bodies.size()) {}
 
   /// Measures the bodies that change, and puts their new records into the state.
-  void release(const std::vector<Wish>& wish);
+  void release(const std::vector<BodyRequest>& request);
   /// Those whose contacts are measured anew.
   [[nodiscard]] std::vector<char> changed() const;
   /// Unknowns of the new bodies.
@@ -130,15 +130,15 @@ class Change {
     bool remade = false;      // of Kind::back: on other covers than those it was left on
     std::ptrdiff_t row = -1;  // into rows
   };
-  void release_one(std::size_t i, const Wish& wish);
+  void release_one(std::size_t i, const BodyRequest& request);
   /// False where a block that has a mesh with the mass that it had goes on a onefold cover with that of `form`, or the
   /// other way round: which of them a narrow block has is a matter of the step that its mass allows.
   [[nodiscard]] bool keeps_fields(std::size_t i, const Formulation& form) const;
   /// The row of a body that changes; `before` is measured.
-  TransferRow& begin_row(std::size_t i, const Wish& wish);
+  TransferRow& begin_row(std::size_t i, const BodyRequest& request);
   /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
   /// @param affine  the body is all affine now: else its own fields would be lost
-  [[nodiscard]] std::optional<Remainder> take_rest(BlockId block, const Wish& wish, bool affine);
+  [[nodiscard]] std::optional<Remainder> find_remainder(BlockId block, const BodyRequest& request, bool affine);
   /// The nodes of a body that is divided from now on, or not any more.
   void join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
   /// A body that comes back to the method that it left, with its fields on other covers than then.
@@ -153,15 +153,16 @@ class Change {
   std::vector<One> bodies_;
 };
 
-void Change::release(const std::vector<Wish>& wish) {
+void Change::release(const std::vector<BodyRequest>& request) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyRecord& record = state_.bodies[i];
-    if (record.method != wish[i].method || !record.form.same_covers(wish[i].form) || !keeps_fields(i, wish[i].form)) {
-      release_one(i, wish[i]);
-    } else if (record.form != wish[i].form) {
-      bodies_[i].kind = record.form.same_mesh(wish[i].form) ? Kind::reformed : Kind::halved;
+    if (record.method != request[i].method || !record.form.same_covers(request[i].form) ||
+        !keeps_fields(i, request[i].form)) {
+      release_one(i, request[i]);
+    } else if (record.form != request[i].form) {
+      bodies_[i].kind = record.form.same_mesh(request[i].form) ? Kind::reformed : Kind::halved;
       bodies_[i].before = totals_of(from_, i, state_);
-      record.form = wish[i].form;
+      record.form = request[i].form;
     }
   }
 }
@@ -178,43 +179,43 @@ bool Change::keeps_fields(std::size_t i, const Formulation& form) const {
   return has_fields(*made, 0) == has_fields(from_.pool_of(b), b.index);
 }
 
-void Change::release_one(std::size_t i, const Wish& wish) {
+void Change::release_one(std::size_t i, const BodyRequest& request) {
   One& one = bodies_[i];
   BodyRecord& record = state_.bodies[i];
   const Body& b = from_.bodies()[i];
   const auto p = static_cast<std::size_t>(b.pool);
   one.kind = Kind::affine;
   if (b.driven) {
-    record = {record.block, wish.method, reference_shape(model_, record.block), wish.form};  // it never deforms
+    record = {record.block, request.method, reference_shape(model_, record.block), request.form};  // it never deforms
     one.release.shape = record.shape;
     return;
   }
-  TransferRow& row = begin_row(i, wish);
-  if (record.method == wish.method && !wish.form.onefold && has_fields(from_.pool_of(b), b.index)) {
+  TransferRow& row = begin_row(i, request);
+  if (record.method == request.method && !request.form.onefold && has_fields(from_.pool_of(b), b.index)) {
     one.kind = Kind::remeshed;
     one.release.shape = record.shape;
-    (void)take_rest(record.block, wish, false);
-    record.form = wish.form;
+    (void)find_remainder(record.block, request, false);
+    record.form = request.form;
     return;
   }
   one.release = from_.pool_of(b).release(b.index, from_.part(std::span<const double>(state_.q), p),
                                          from_.part(std::span<const double>(state_.v), p));
-  if (std::optional<Remainder> rest = take_rest(record.block, wish, one.release.position.empty())) {
+  if (std::optional<Remainder> rest = find_remainder(record.block, request, one.release.position.empty())) {
     one.kind = Kind::back;
-    one.remade = !rest->record.form.same_mesh(wish.form);
+    one.remade = !rest->record.form.same_mesh(request.form);
     one.back = std::move(*rest);
     row.reservoir_kinetic = -one.back.kinetic;
     row.reservoir_elastic = -one.back.elastic;
     record = one.back.record;
-    record.form = wish.form;
+    record.form = request.form;
   } else {
-    row.booked = take_along(stage_.transfer, stage_.transfer_cap, one.release) + one.release.elastic_cross;
+    row.booked = limit_release(stage_.transfer, stage_.transfer_cap, one.release) + one.release.elastic_cross;
     row.reservoir_kinetic = one.release.kinetic_rest;
     row.reservoir_elastic = one.release.elastic_rest;
     if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
       state_.rest.push_back({record.block, row.reservoir_kinetic, row.reservoir_elastic, record,
                              std::move(one.release.position), std::move(one.release.velocity_rest)});
-    record = {record.block, wish.method, one.release.shape, wish.form};
+    record = {record.block, request.method, one.release.shape, request.form};
     // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
     // read there: what that changes does work on the strain.
     const Mat2& F = one.release.motion.F;
@@ -224,7 +225,7 @@ void Change::release_one(std::size_t i, const Wish& wish) {
   }
 }
 
-TransferRow& Change::begin_row(std::size_t i, const Wish& wish) {
+TransferRow& Change::begin_row(std::size_t i, const BodyRequest& request) {
   One& one = bodies_[i];
   one.before = totals_of(from_, i, state_);
   one.row = std::ssize(rows);
@@ -232,19 +233,19 @@ TransferRow& Change::begin_row(std::size_t i, const Wish& wish) {
   row.time = seconds(state_.time);
   row.block = state_.bodies[i].block;
   row.from = state_.bodies[i].method;
-  row.to = wish.method;
+  row.to = request.method;
   row.before = one.before;
   return row;
 }
 
-std::optional<Remainder> Change::take_rest(BlockId block, const Wish& wish, bool affine) {
+std::optional<Remainder> Change::find_remainder(BlockId block, const BodyRequest& request, bool affine) {
   std::optional<Remainder> found;
   for (std::size_t k = state_.rest.size(); k-- > 0;) {
     Remainder& rest = state_.rest[k];
     if (rest.block != block || rest.position.empty()) continue;
-    if (affine && rest.record.method == wish.method &&
-        (rest.record.form.same_mesh(wish.form) ||
-         (carries_fields(*methods_.at(wish.method)()) && !wish.form.onefold))) {
+    if (affine && rest.record.method == request.method &&
+        (rest.record.form.same_mesh(request.form) ||
+         (carries_fields(*methods_.at(request.method)()) && !request.form.onefold))) {
       found = std::move(rest);
       state_.rest.erase(state_.rest.begin() + static_cast<std::ptrdiff_t>(k));
     } else {
@@ -283,9 +284,9 @@ void Change::place(const Setup& to) {
       join_or_halve(to, i, q, v);
     } else if (one.kind == Kind::remeshed) {
       const auto old = static_cast<std::size_t>(a.pool);
-      take_fields(from_.pool_of(a), a.index, from_.part(std::span<const double>(state_.q), old),
-                  from_.part(std::span<const double>(state_.v), old), to.pool_of(b), b.index, one.before,
-                  to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
+      project_fields(from_.pool_of(a), a.index, from_.part(std::span<const double>(state_.q), old),
+                     from_.part(std::span<const double>(state_.v), old), to.pool_of(b), b.index, one.before,
+                     to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
     } else if (one.kind == Kind::back && (one.remade || std::ssize(one.back.position) != size_to)) {
       remake(to, i, q, v);
     } else if (one.kind == Kind::back) {
@@ -351,7 +352,7 @@ void Change::remake(const Setup& to, std::size_t i, std::span<double> q, std::sp
   before.centre = one.before.centre;
   before.momentum = one.before.momentum;
   before.angular_momentum = one.before.angular_momentum;
-  take_fields(*was, 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
+  project_fields(*was, 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
 }
 
 /// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
@@ -407,14 +408,14 @@ void Change::book(const Setup& to) {
 
 }  // namespace
 
-HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state,
-                   Clocks clocks) {
+TransferReport transfer_bodies(const Model& model, const Methods& methods, const Setup& from, const Stage& stage,
+                               State& state, Clocks clocks) {
   Change change(model, methods, from, stage, state);
   const std::vector<PointSpring> supports = point_springs(from, state);
   const std::vector<double> q = state.q;
-  change.release(wishes(model, stage, state.explicit_side, state.rules.other_method));
+  change.release(body_requests(model, stage, state.explicit_side, state.rules.other_method));
   hand_contacts_over(from, change.changed(), state);
-  HandOver out;
+  TransferReport out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side),
                                       std::move(clocks));
   change.place(*out.setup);

@@ -11,17 +11,19 @@
 namespace scree::coupling {
 
 /// Method and mesh that a stage wants for each block, in the order of the blocks.
-struct Wish {
+struct BodyRequest {
   std::string method;
   Formulation form{};
 };
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
 /// @param other_method   RuleMemory::other_method; empty: as a stage begins
-[[nodiscard]] std::vector<Wish> wishes(const Model& model, const Stage& stage, std::span<const char> explicit_side = {},
-                                       std::span<const char> other_method = {});
+[[nodiscard]] std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage,
+                                                     std::span<const char> explicit_side = {},
+                                                     std::span<const char> other_method = {});
 
 /// Records of all blocks at rest in their model shape.
-[[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Wish>& wishes);
+[[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model,
+                                                      const std::vector<BodyRequest>& body_requests);
 
 /// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
@@ -31,11 +33,11 @@ struct Wish {
 /// and cross terms are booked; one row a body that changed.
 /// @param clocks  of the new setup
 /// @source docs/theory/transfer.md, "Affine part"
-struct HandOver {
+struct TransferReport {
   std::unique_ptr<Setup> setup;
   std::vector<TransferRow> rows;
 };
-[[nodiscard]] HandOver hand_over(const Model& model, const Methods& methods, const Setup& from, const Stage& stage,
-                                 State& state, Clocks clocks = {});
+[[nodiscard]] TransferReport transfer_bodies(const Model& model, const Methods& methods, const Setup& from,
+                                             const Stage& stage, State& state, Clocks clocks = {});
 
 }  // namespace scree::coupling

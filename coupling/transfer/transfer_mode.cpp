@@ -19,7 +19,7 @@ double kinetic_of(const ReferenceShape& shape, const AffineMotion& motion) {
          0.5 * (motion.Fdot * shape.second * motion.Fdot.transpose()).trace();
 }
 
-double take_along(TransferMode mode, double cap, Release& release) {
+double limit_release(TransferMode mode, double cap, Release& release) {
   if (mode == TransferMode::reservoir || release.velocity_rest.empty()) return 0.0;  // affine as it is
   AffineMotion& motion = release.motion;
   const Mat2 S = motion.F * release.shape.second * motion.F.transpose();

@@ -18,6 +18,6 @@ namespace scree::coupling {
 /// @param cap  largest factor of the strain rates, >= 1
 /// @return kinetic energy that neither the motion nor the reservoir has [J]
 /// @source docs/theory/transfer.md, "Modes"
-[[nodiscard]] double take_along(TransferMode mode, double cap, Release& release);
+[[nodiscard]] double limit_release(TransferMode mode, double cap, Release& release);
 
 }  // namespace scree::coupling

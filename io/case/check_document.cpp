@@ -32,9 +32,9 @@ std::string type_name(const Value& value) {
   return "a table";
 }
 
-/// The key that a symbol of the trade stands for; empty: none.
+/// The key that a symbol of the trade, or a key of an earlier version, stands for; empty: none.
 std::string_view key_of_symbol(std::string_view symbol) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSymbols{{{"phi", "friction_deg"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSymbols{{{"phi", "friction_deg"},
                                                                                     {"friction_angle", "friction_deg"},
                                                                                     {"c", "cohesion"},
                                                                                     {"E", "young"},
@@ -47,7 +47,8 @@ std::string_view key_of_symbol(std::string_view symbol) {
                                                                                     {"timestep", "dt"},
                                                                                     {"time_step", "dt"},
                                                                                     {"vertices", "polygon"},
-                                                                                    {"points", "polygon"}}};
+                                                                                    {"points", "polygon"},
+                                                                                    {"others", "slow_blocks"}}};
   for (const auto& [name, key] : kSymbols)
     if (name == symbol) return key;
   return {};

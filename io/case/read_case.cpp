@@ -43,7 +43,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   check_times(root, out.model, out.plan);
   check_meshes(root, out.model, out.plan);
   out.resolved = to_toml(document);
-  take_local_origin(out.model);  // last: errors above name the coordinates of the file
+  move_to_local_origin(out.model);  // last: errors above name the coordinates of the file
   for (coupling::Stage& stage : out.plan.stages)
     for (Vec2& corner : stage.partition.explicit_region) corner -= out.model.origin;
   return out;

@@ -17,7 +17,8 @@ using coupling::Partition;
 /// Any of these says that some block may be explicit.
 constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
                                   "explicit_strain_rate"};
-constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps", "others"};
+constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps",
+                                   "slow_blocks"};
 
 void refuse_elsewhere(const Section& s) {
   const auto refuse = [&](const char* key) {
@@ -110,7 +111,7 @@ void check_divided(const Section& s, const Model& model, std::span<const std::st
                     fmt::format("block {} lies across its border, and only a block whose other half takes implicit "
                                 "steps is divided",
                                 in_quotes(model.blocks[b].name)),
-                    "a border between blocks where others = \"explicit\"",
+                    "a border between blocks where slow_blocks = \"explicit\"",
                     "move the border, or name the block in explicit_blocks or implicit_blocks");
     const bool onefold = std::any_of(stage.rules.begin(), stage.rules.end(), [&](const coupling::MethodRule& rule) {
       return rule.onefold && std::find(rule.blocks.begin(), rule.blocks.end(), block) != rule.blocks.end();
@@ -146,11 +147,11 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
   if (s.has("explicit_area")) p.explicit_area = s.number("explicit_area");
   p.speed = read_band(s, "explicit_speed", "implicit_speed", "m/s");
   p.strain_rate = read_band(s, "explicit_strain_rate", "implicit_strain_rate", "1/s");
-  if (!s.has("others")) s.settle("others", "implicit");
-  p.others_explicit = s.text("others") == "explicit";
+  if (!s.has("slow_blocks")) s.settle("slow_blocks", "implicit");
+  p.slow_explicit = s.text("slow_blocks") == "explicit";
   p.shared_contacts = s.boolean("shared_contacts");
-  if (p.others_explicit && p.shared_contacts)
-    throw s.error("shared_contacts", "all contacts are explicit where others = \"explicit\"", "false",
+  if (p.slow_explicit && p.shared_contacts)
+    throw s.error("shared_contacts", "all contacts are explicit where slow_blocks = \"explicit\"", "false",
                   "remove the key");
   if (s.has("substeps")) p.substeps = s.integer("substeps");
 }

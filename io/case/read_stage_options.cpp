@@ -67,8 +67,8 @@ void read_damping(const Section& s, coupling::Stage& stage) {
   refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to act on it",
          "true beside damping", "give damping = ... [1/s], or remove the key");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.subcycled(),
-         "local damping acts on the unbalanced force, which others = \"explicit\" does not have in every step", "0",
-         "use damping, or others = \"implicit\"");
+         "local damping acts on the unbalanced force, which slow_blocks = \"explicit\" does not have in every step",
+         "0", "use damping, or slow_blocks = \"implicit\"");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.integrator == Integrator::implicit,
          "local damping is one of explicit steps", "0 in implicit stages",
          "for a static solution by implicit steps set rest = true, or dynamics below 1");

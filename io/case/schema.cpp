@@ -381,7 +381,7 @@ constexpr Key kKeys[] = {
      "stages the step of the implicit, or other, blocks, of which substeps are a part."},
     {"stage[].force_dt", Type::boolean, "", kAny, "false", false, "",
      "Take an explicit dt, or substeps, above the certified bound all the same, for studies of stability, and a dt "
-     "above what others = \"explicit\" allows; it is reported."},
+     "above what slow_blocks = \"explicit\" allows; it is reported."},
     {"stage[].duration", Type::number, "s", kTime, "", true, "", "Simulated time of the stage."},
     {"stage[].safety", Type::number, "", kSafety, "0.8", false, "",
      "Fraction of the stability bound that dt = \"auto\" takes, and automatic substeps."},
@@ -474,7 +474,7 @@ constexpr Key kKeys[] = {
      "blocks are those of the open-close iteration, the others explicit (thesis, figure 7.6)."},
     {"stage[].substeps", Type::integer, "", kCount, "(as many as the certified bound asks for)", false, "",
      "Partitioned stages: explicit steps in a dt of the other blocks."},
-    {"stage[].others", Type::choice, "", kAny, "(\"implicit\", in partitioned stages)", false, "implicit|explicit",
+    {"stage[].slow_blocks", Type::choice, "", kAny, "(\"implicit\", in partitioned stages)", false, "implicit|explicit",
      "Partitioned stages: what steps the other blocks take. explicit: the same as the explicit blocks, only that their "
      "internal force is met once in a dt, which may be 0.5/w at most, w the bound of their own frequencies; "
      "implicit_... "

@@ -19,7 +19,7 @@ struct AffineMap {
 /// The map of a body, if it has one: least squares over its points, accepted when it puts each of them where it is to
 /// within the rounding of float32 displacements. So no method needs to be known here by its name: DDA
 /// blocks and driven ones always have a map, an NMM block as long as its strain is that even.
-/// @param position  x, y a point of the mesh [m]
+/// @param position  x, y per point of the mesh [m]
 /// @return empty where no map fits, or a position is not finite
 [[nodiscard]] std::optional<AffineMap> affine_map(const LiveMesh& mesh, std::size_t body,
                                                   std::span<const double> position);

@@ -23,14 +23,14 @@ struct LiveMesh {
   std::vector<float> origin_x, origin_y;               // in the model, from base, a point [m]
   std::vector<double> start_x, start_y;                // when this mesh began, a point [m]
   std::vector<std::int32_t> offsets{0}, connectivity;  // polygon cells of points; cells + 1 offsets
-  std::vector<std::int32_t> block, material, method;   // a cell
+  std::vector<std::int32_t> block, material, method;   // per cell
   std::vector<std::string> methods;                    // names that method counts
 
   /// Found from the cells by find_bodies(): the blocks of the mesh as their first cells come.
   std::vector<std::int32_t> body_first;  // first entry of each in body_points; bodies + 1
   std::vector<std::int32_t> body_points;
 
-  /// @param position  x, y a point when the mesh began; empty: where the model had them
+  /// @param position  x, y per point when the mesh began; empty: where the model had them
   [[nodiscard]] static LiveMesh copy(const coupling::MeshView& view, std::span<const double> position = {});
   /// @pre cells and points fit together
   void find_bodies();
@@ -49,9 +49,14 @@ struct LiveMesh {
 struct LiveFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
+<<<<<<< HEAD
   std::vector<double> position;  // x, y a point [m]; not a number where it is not finite
   std::vector<float> scalar;     // a cell
   std::string field;             // what that is (live_field.h); empty: not known yet
+=======
+  std::vector<double> position;  // x, y per point [m]; not a number where it is not finite
+  std::vector<float> scalar;     // per cell
+>>>>>>> main
 };
 
 /// All monitors at one instant; x, y a monitor.

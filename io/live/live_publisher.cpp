@@ -8,8 +8,8 @@
 #include <scree/info_v1_t.hpp>
 #include <utility>
 
+#include "io/live/encode.h"
 #include "io/live/signals_blocked.h"
-#include "io/live/take_apart.h"
 
 namespace scree::io {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "io/live/decode.h"
 #include "io/live/live_bus.h"
-#include "io/live/put_together.h"
 
 namespace scree::io {
 

@@ -56,7 +56,7 @@ struct LiveReplay::Impl {
   StoredLedger ledger;
   std::vector<StoredMonitor> monitors;
   std::vector<StoredEvent> events;
-  std::vector<StoredProgress> known;  // a frame
+  std::vector<StoredProgress> known;  // per frame
   std::vector<std::string> stages;
 
   LiveProgress progress;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <ctime>
 
+#include "io/live/encode.h"
 #include "io/live/live_publisher.h"
-#include "io/live/take_apart.h"
 
 namespace scree::io {
 namespace {

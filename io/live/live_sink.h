@@ -22,11 +22,11 @@ struct LiveRun {
   std::optional<double> until = {};  // the run stops here, before the end of its plan [s]
 };
 
-/// A frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last frame
-/// of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent before
-/// the next is replaced. Events are all sent; INFO goes out once a second, TOPO with the first frame of a mesh and
-/// every second, and with it once more the newest of everything else, so that a viewer may come at any time. Sending
-/// has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
+/// Per frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last
+/// frame of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent
+/// before the next is replaced. Events are all sent; INFO goes out once a second, TOPO with the first frame of a mesh
+/// and every second, and with it once more the newest of everything else, so that a viewer may come at any time.
+/// Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
 class LiveSink final : public coupling::Sink {
  public:
   using Warn = std::function<void(std::string)>;

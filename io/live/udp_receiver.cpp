@@ -57,7 +57,7 @@ std::int64_t milliseconds_now() {
 
 }  // namespace
 
-LcmDatagram take_datagram_apart(std::span<const std::uint8_t> datagram) {
+LcmDatagram decode_datagram(std::span<const std::uint8_t> datagram) {
   constexpr std::uint32_t kWhole = 0x4C433032, kFragment = 0x4C433033;
   constexpr std::size_t kHead = 8, kFragmentHead = 20, kFragmentNumber = 16;
   LcmDatagram out;
@@ -168,7 +168,7 @@ bool UdpReceiver::from_here(std::uint32_t address) {
 }
 
 void UdpReceiver::take(std::span<const std::uint8_t> datagram, std::uint32_t from) {
-  const LcmDatagram d = take_datagram_apart(datagram);
+  const LcmDatagram d = decode_datagram(datagram);
   const bool here = !local_only_ || from_here(from);
   const std::lock_guard lock(mutex_);
   ++counts_.datagrams;

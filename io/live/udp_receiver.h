@@ -33,7 +33,7 @@ struct LcmDatagram {
 /// @source [LCM], lcm_udpm.c: two big-endian words (magic, number of the message), then the channel ended by a zero,
 ///         then the data; a fragment has the size of the whole, its offset, its number and their count (4, 4, 2, 2
 ///         bytes) in between
-[[nodiscard]] LcmDatagram take_datagram_apart(std::span<const std::uint8_t> datagram);
+[[nodiscard]] LcmDatagram decode_datagram(std::span<const std::uint8_t> datagram);
 
 struct UdpCounts {
   std::int64_t datagrams = 0;

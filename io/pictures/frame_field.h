@@ -45,7 +45,7 @@ struct Arrow {
   Vec2 at, vector;
 };
 /// The mean of a vector over each block that is not skipped; a block larger than `spacing` is divided evenly.
-/// @param value  two a cell   @param skip  a cell   @param spacing [m], positive
+/// @param value  two per cell   @param skip  a cell   @param spacing [m], positive
 [[nodiscard]] std::vector<Arrow> arrows_of(const StoredFrame& frame, const std::vector<double>& value,
                                            const std::vector<char>& skip, double spacing);
 

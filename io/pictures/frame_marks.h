@@ -14,7 +14,7 @@ namespace scree::io {
 class ArrowMarks {
  public:
   ArrowMarks() = default;
-  /// @param value  two a cell   @param skip  a cell   @param block  usual width of a block on the page [pt]
+  /// @param value  two per cell   @param skip  a cell   @param block  usual width of a block on the page [pt]
   /// @param noise  none are drawn when no vector is longer   @param si  unit of the value
   ArrowMarks(const StoredFrame& frame, const std::vector<double>& value, const std::vector<char>& skip,
              const PlotArea& area, double block, double noise, const std::string& name, const std::string& si);

@@ -20,7 +20,7 @@ constexpr int kPixels = 1680;
 /// One quantity of every monitor.
 struct Panel {
   std::string label;
-  std::vector<std::vector<double>> value;  // a monitor, in the unit
+  std::vector<std::vector<double>> value;  // per monitor, in the unit
   double low = 0.0, high = 1.0;
   Ticks ticks;
 };

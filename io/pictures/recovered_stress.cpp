@@ -112,7 +112,7 @@ class Recovery {
   std::size_t nodes_ = 0;
   std::vector<std::size_t> node_;                // a corner of a cell
   std::vector<std::vector<std::size_t>> cells_;  // around a node
-  std::vector<Vec2> middle_;                     // a cell
+  std::vector<Vec2> middle_;                     // per cell
   std::vector<double> area_;
 };
 

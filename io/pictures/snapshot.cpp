@@ -28,9 +28,9 @@ struct Scene {
   const RunReader& run;
   const SnapshotOptions& options;
   StoredFrame frame;
-  std::vector<double> values;   // a cell
+  std::vector<double> values;   // per cell
   std::vector<double> corners;  // of smoothed stress: an entry of frame.connectivity; else empty
-  std::vector<char> held;       // a cell
+  std::vector<char> held;       // per cell
   ColourScale scale;            // for fields with a unit
 
   Scene(const RunReader& reader, const SnapshotOptions& asked);

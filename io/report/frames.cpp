@@ -22,7 +22,7 @@ std::vector<float> floats(const std::vector<double>& values, int bits = 23) {
   return out;
 }
 
-/// xx, yy, xy a point: the recovered stress; a point of two nodes of the recovery has their mean.
+/// xx, yy, xy per point: the recovered stress; a point of two nodes of the recovery has their mean.
 std::vector<double> point_stress(const StoredFrame& f) {
   const std::vector<double> corner = recovered_stress(f);
   std::vector<double> sum(kComponents * f.points(), 0.0), count(f.points(), 0.0);

@@ -19,8 +19,8 @@ struct ReportFrame {
   std::size_t mesh = 0;  // place in ReportFrames::meshes
   double time = 0.0;     // [s]
   std::string stage, integrator;
-  std::string text;  // chunk: displacement, velocity (x, y a point), stress (xx, yy, xy a point), integrator (a cell);
-                     // contact points that are closed
+  std::string text;  // chunk: displacement, velocity (x, y per point), stress (xx, yy, xy per point), integrator (per
+                     // cell); contact points that are closed
 };
 
 /// What the colours of a field span: all frames shown.
@@ -30,8 +30,9 @@ struct ReportRange {
 };
 
 struct ReportFrames {
-  std::vector<std::string> meshes;  // chunk: origin (x, y a point), offsets, cells, block, material, method (a cell)
-  std::vector<std::size_t> first;   // first frame of each mesh, a frame of the run
+  std::vector<std::string>
+      meshes;                      // chunk: origin (x, y per point), offsets, cells, block, material, method (per cell)
+  std::vector<std::size_t> first;  // first frame of each mesh, a frame of the run
   std::vector<ReportFrame> frames;
   std::vector<ReportRange> ranges;
   std::array<double, 4> bounds{};  // x0, y0, x1, y1 of all points shown [m], less `base`

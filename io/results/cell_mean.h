@@ -11,8 +11,9 @@ namespace scree::io {
 ///   m = sum_i a_i (u_0 + u_i + u_i+1)/3 / sum_i a_i,   a_i the signed area of the triangle (0, i, i + 1)
 /// Exact for fields that are affine in the cell, whatever its shape: those of a manifold element and of a DDA block.
 /// Where a cell has no area: mean of its points.
-/// @param place  x, y a point [m]    @param value  two a point    @param offsets, connectivity  as MeshView has them
-/// @return two a cell, in the unit of the value
+/// @param place  x, y per point [m]    @param value  two per point    @param offsets, connectivity  as MeshView has
+/// them
+/// @return two per cell, in the unit of the value
 [[nodiscard]] std::vector<double> cell_mean(std::span<const double> place, std::span<const double> value,
                                             std::span<const std::int32_t> offsets,
                                             std::span<const std::int32_t> connectivity);

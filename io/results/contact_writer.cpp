@@ -42,10 +42,10 @@ void ContactWriter::frame(const coupling::FrameView& frame) {
     edge_.append(std::array{k.block_e, k.ring_e, k.edge});
     joint_.append(m.joint);
     state_.append(static_cast<std::int32_t>(m.status));
-    facing_.append(m.facing);
+    facing_.append(m.edge_edge);
     bonded_.append(m.bonded);
     failed_.append(m.failed);
-    share_.append(m.share);
+    share_.append(m.tributary);
     gap_.append(m.gap);
     gap0_.append(m.gap0);
     fn_.append(m.fn);

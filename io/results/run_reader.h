@@ -19,9 +19,9 @@ struct StoredFrame {
   double time = 0.0;                           // [s]
   std::string stage, integrator;
   std::uint64_t state_hash = 0;
-  std::vector<double> position, displacement, velocity;  // x, y a point [m], [m], [m/s]
+  std::vector<double> position, displacement, velocity;  // x, y per point [m], [m], [m/s]
   std::vector<std::int64_t> offsets, connectivity;
-  std::vector<std::int32_t> block, element, material, method, cell_integrator;  // a cell
+  std::vector<std::int32_t> block, element, material, method, cell_integrator;  // per cell
   std::vector<double> cell_displacement, cell_velocity;                         // x, y a cell, means over it [m], [m/s]
   std::vector<double> stress, principal;  // xx, yy, xy; larger, smaller a cell; tension positive [Pa]
 
@@ -113,7 +113,7 @@ struct StoredWater {
 
 /// Contact points of one frame, an entry a point of each.
 struct StoredContacts {
-  std::vector<double> position, normal;   // x, y a point: of the corner [m]; of the edge, outward of its block
+  std::vector<double> position, normal;   // x, y per point: of the corner [m]; of the edge, outward of its block
   std::vector<double> fn, ft, gap, slip;  // [N], [N], [m], [m]; docs/results.md says how they are counted
   std::vector<std::int32_t> state;        // 0 open, 1 slipping, 2 sticking
   std::vector<std::int32_t> failed;       // 1 where what failure takes of the strength is lost

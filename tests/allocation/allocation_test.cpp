@@ -12,13 +12,13 @@ using namespace coupling;
 /// Allocations in steps 3 to 200; `closed` tells whether contacts took part.
 std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping, bool closed = false) {
   ByHand hand(scene.model, scene.plan.stages[0]);
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.02}, 0.05, damping);
-  mover.enter(hand.state);
-  const Tick h = ticks(0.5 * mover.stable_step(hand.state, nullptr));
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.02}, 0.05, damping);
+  integrator.enter(hand.state);
+  const Tick h = ticks(0.5 * integrator.stable_step(hand.state, nullptr));
   std::int64_t begin = 0;
   for (int i = 1; i <= 200; ++i) {
     if (i == 3) begin = allocations_so_far();
-    EXPECT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
+    EXPECT_EQ(integrator.step(hand.state, h).status, StepReport::Status::ok);
   }
   const std::int64_t end = allocations_so_far();
   EXPECT_EQ(closed, !hand.state.contacts.empty());

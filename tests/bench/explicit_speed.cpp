@@ -36,7 +36,7 @@ double median(std::vector<double> x) {
 struct Run {
   test::Scene scene{1e9, 0.25, 2000.0};
   std::unique_ptr<test::ByHand> hand;
-  std::unique_ptr<coupling::CentralDifference> mover;
+  std::unique_ptr<coupling::CentralDifference> integrator;
   Tick h = 0;
   std::int64_t elements = 0;
   int threads;
@@ -53,9 +53,9 @@ struct Run {
     control.max_displacement = 0.1;
     coupling::ExplicitDamping damping;
     damping.mass = 1.0;
-    mover = std::make_unique<coupling::CentralDifference>(*hand->setup, control, 0.1, damping);
-    mover->enter(hand->state);
-    h = ticks(0.8 * mover->stable_step(hand->state, nullptr));
+    integrator = std::make_unique<coupling::CentralDifference>(*hand->setup, control, 0.1, damping);
+    integrator->enter(hand->state);
+    h = ticks(0.8 * integrator->stable_step(hand->state, nullptr));
     elements = dynamic_cast<const nmm::NmmPool&>(hand->setup->pool(0)).elements().size();
   }
   /// Seconds that the steps take.
@@ -63,8 +63,8 @@ struct Run {
     omp_set_num_threads(threads);
     const double begin = now();
     for (int i = 0; i < count; ++i) {
-      if (mover->step(hand->state, h).status != coupling::StepReport::Status::ok) std::abort();
-      if (hand->state.step % kOutput == 0) mover->update_ledger(hand->state);
+      if (integrator->step(hand->state, h).status != coupling::StepReport::Status::ok) std::abort();
+      if (hand->state.step % kOutput == 0) integrator->update_ledger(hand->state);
     }
     return now() - begin;
   }

@@ -24,15 +24,15 @@ int main(int argc, char** argv) {
   test::ByHand hand(scene.model, stage);
   coupling::StepControl control;
   control.max_displacement = 1.0;
-  coupling::Newmark mover(*hand.setup, control, 0.1);
+  coupling::Newmark integrator(*hand.setup, control, 0.1);
   double begin = now();
-  mover.enter(hand.state);
+  integrator.enter(hand.state);
   const int unknowns = hand.setup->pool(0).dofs(0);
   fmt::print("{} unknowns, {} elements; entering {:.2f} s\n", unknowns,
              dynamic_cast<const nmm::NmmPool&>(hand.setup->pool(0)).elements().size(), now() - begin);
   for (int i = 0; i < 4; ++i) {
     begin = now();
-    const coupling::StepReport report = mover.step(hand.state, ticks(1e-3));
+    const coupling::StepReport report = integrator.step(hand.state, ticks(1e-3));
     if (report.status != coupling::StepReport::Status::ok) {
       fmt::print("the step failed: {}\n", report.cause);
       return 1;

@@ -47,7 +47,7 @@ struct Wall {
 
 struct Side {
   test::ByHand hand;
-  coupling::Newmark mover;
+  coupling::Newmark integrator;
   coupling::StepReport all;
   int cut = 0;
   double seconds = 0.0;
@@ -56,20 +56,20 @@ struct Side {
 
   Side(Wall& wall, coupling::OpenClose::Factor factor)
       : hand(wall.scene.model, wall.scene.plan.stages[0]),
-        mover(*hand.setup, wall.control, 0.05, coupling::ImplicitOptions{.factor = factor}) {
-    mover.enter(hand.state);
+        integrator(*hand.setup, wall.control, 0.05, coupling::ImplicitOptions{.factor = factor}) {
+    integrator.enter(hand.state);
   }
   void step() {
     Tick h = ticks(1e-3);
     for (;;) {
       const double begin = now();
-      const coupling::StepReport report = mover.step(hand.state, h);
+      const coupling::StepReport report = integrator.step(hand.state, h);
       seconds += now() - begin;
       all.passes += report.passes;
       all.switches += report.switches;
       all.updates += report.updates;
       all.factorisations += report.factorisations;
-      for (const auto& p : mover.contacts().passes())
+      for (const auto& p : integrator.contacts().passes())
         if (p.switched > 0) {
           pass[std::min(p.switched, 5)].push_back(p.seconds);
           bringing[std::min(p.switched, 5)].push_back(p.factor_seconds);

@@ -61,8 +61,8 @@ Timing settled(const Size& size, int steps) {
   coupling::StepControl control;
   control.max_displacement = 0.05;
   const auto run = [&](double dynamics, double dt, int count) {
-    coupling::Newmark mover(*hand.setup, control, 0.05, coupling::ImplicitOptions{.dynamics = dynamics});
-    mover.enter(hand.state);
+    coupling::Newmark integrator(*hand.setup, control, 0.05, coupling::ImplicitOptions{.dynamics = dynamics});
+    integrator.enter(hand.state);
     coupling::StepReport all;
     int cuts = 0;
     std::vector<double> times;
@@ -70,7 +70,7 @@ Timing settled(const Size& size, int steps) {
       const double begin = now();
       coupling::StepReport report;
       for (Tick h = ticks(dt); h > 1000; h /= 3) {
-        report = mover.step(hand.state, h);
+        report = integrator.step(hand.state, h);
         if (report.status == coupling::StepReport::Status::ok) break;
         ++cuts;
       }
@@ -82,7 +82,7 @@ Timing settled(const Size& size, int steps) {
       all.corrections += report.corrections;
     }
     std::sort(times.begin(), times.end());
-    mover.update_ledger(hand.state);
+    integrator.update_ledger(hand.state);
     fmt::print("{:>7} {:>8.1f} {:>6} {:>8} {:>8} {:>8} {:>8} {:>9} {:>5} {:>9.2f} {:>9.2f} {:>10.2e}\n",
                hand.setup->bodies().size() - 1, dynamics, count, all.passes, all.switches, all.updates,
                all.factorisations, all.corrections, cuts, times[times.size() / 2], times.back(),

@@ -26,7 +26,7 @@ struct Big {
     scene.add("base", rectangle(-20, -5, 120, 0), true);
     scene.add("block", rectangle(0, 0, 100, 86.6));
     scene.stage("nmm", Integrator::explicit_, 1.0, std::nullopt, 1.0).rules = {{{BlockId{0}}, "dda"}};
-    state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
+    state.bodies = initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0]));
     setup = std::make_unique<Setup>(scene.model, methods, state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;
@@ -44,13 +44,13 @@ struct Big {
     State s = state;
     StepControl control;
     control.max_displacement = 1.0;
-    CentralDifference mover(*setup, control, 0.5, {.mass = 10.0});
-    mover.enter(s);
-    const Tick h = ticks(0.5 * mover.stable_step(s, nullptr));
+    CentralDifference integrator(*setup, control, 0.5, {.mass = 10.0});
+    integrator.enter(s);
+    const Tick h = ticks(0.5 * integrator.stable_step(s, nullptr));
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < steps; ++i) EXPECT_EQ(mover.step(s, h).status, StepReport::Status::ok);
+    for (int i = 0; i < steps; ++i) EXPECT_EQ(integrator.step(s, h).status, StepReport::Status::ok);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    mover.update_ledger(s);
+    integrator.update_ledger(s);
     return {state_hash(s), seconds};
   }
 };
@@ -85,7 +85,7 @@ TEST(Copies, of_a_state_run_twice_give_the_same_end) {
   EXPECT_EQ(big.run(2, 30).first, big.run(2, 30).first);
 }
 
-TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
+TEST(Copies, new_integrators_on_a_copied_state_continue_bit_for_bit) {
   // As a restart does: the state alone, everything else made anew.
   for (const bool implicit : {false, true}) {
     Scene scene(1e8, 0.2, 2000.0, 20.0);
@@ -101,14 +101,14 @@ TEST(Copies, new_movers_on_a_copied_state_continue_bit_for_bit) {
     const coupling::Setup& setup = *hand.setup;
     StepControl control;
     control.max_displacement = 0.01;
-    const auto make = [&]() -> std::unique_ptr<Mover> {
+    const auto make = [&]() -> std::unique_ptr<TimeIntegrator> {
       if (implicit) return std::make_unique<Newmark>(setup, control, 0.05);
       return std::make_unique<CentralDifference>(setup, control, 0.05, ExplicitDamping{5.0, true, 1e-6, 0.05});
     };
     auto first = make();
     first->enter(state);
-    const auto advance = [&](Mover& mover, State& s, int steps) {
-      for (int i = 0; i < steps; ++i) ASSERT_EQ(mover.step(s, ticks(2e-5)).status, StepReport::Status::ok);
+    const auto advance = [&](TimeIntegrator& integrator, State& s, int steps) {
+      for (int i = 0; i < steps; ++i) ASSERT_EQ(integrator.step(s, ticks(2e-5)).status, StepReport::Status::ok);
     };
     advance(*first, state, 300);
     State copy = state;

@@ -86,7 +86,7 @@ TEST_P(NmmBits, continue_from_a_copy_of_the_state) {
   ByHand hand(scene.model, stage);
   State& state = hand.state;
   const coupling::Setup& setup = *hand.setup;
-  const auto make = [&]() -> std::unique_ptr<Mover> {
+  const auto make = [&]() -> std::unique_ptr<TimeIntegrator> {
     if (stage.integrator == Integrator::implicit)
       return std::make_unique<Newmark>(setup, stage.control, 0.2,
                                        ImplicitOptions{stage.newmark, stage.rest ? 0.0 : stage.dynamics, stage.damping,
@@ -100,9 +100,9 @@ TEST_P(NmmBits, continue_from_a_copy_of_the_state) {
   first->enter(state);
   const Tick h =
       stage.integrator == Integrator::implicit ? ticks(1e-3) : ticks(0.5 * first->stable_step(state, nullptr));
-  const auto advance = [&](Mover& mover, State& s, int steps) {
+  const auto advance = [&](TimeIntegrator& integrator, State& s, int steps) {
     for (int i = 0; i < steps; ++i) {
-      const StepReport report = mover.step(s, h);
+      const StepReport report = integrator.step(s, h);
       ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
     }
   };

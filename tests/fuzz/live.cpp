@@ -1,6 +1,6 @@
 // What a viewer hears: messages one after another, their CRCs put right so that the decoders see them.
 #include "io/live/channel.h"
-#include "io/live/put_together.h"
+#include "io/live/decode.h"
 #include "tests/fuzz/harness.h"
 #include "tests/unit/io/live_strip.h"
 

@@ -13,7 +13,7 @@ struct ByHand {
 
   /// @param model  must outlive this
   explicit ByHand(const Model& model, const coupling::Stage& stage) {
-    state.bodies = coupling::initial_records(model, coupling::wishes(model, stage));
+    state.bodies = coupling::initial_records(model, coupling::body_requests(model, stage));
     setup = std::make_unique<coupling::Setup>(model, methods, state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;

@@ -61,7 +61,7 @@ void expect_nothing_created(const Ledger& ledger, double allowed) {
 struct Kept {
   double energy = 0.0;                     // of that at the start
   double transition = 0.0, dropped = 0.0;  // columns, of the same
-  double geometry = 0.0;                   // contact_geometry + contact_edges + contact_share
+  double geometry = 0.0;                   // contact_geometry + contact_edges + contact_tributary
 };
 
 Kept collide(int side, unsigned seed, double safety, double duration) {
@@ -72,7 +72,7 @@ Kept collide(int side, unsigned seed, double safety, double duration) {
   const Ledger& l = run.state().ledger;
   const double given = l.given();
   const Kept kept{l.held() / given, l[Column::contact_transition] / given, l[Column::springs_dropped] / given,
-                  (l[Column::contact_geometry] + l[Column::contact_edges] + l[Column::contact_share]) / given};
+                  (l[Column::contact_geometry] + l[Column::contact_edges] + l[Column::contact_tributary]) / given};
   std::printf(
       "%d blocks, seed %u, %g s, safety %.1f: kept %.5f; transition %+.1e, dropped %+.1e, others %+.1e; %lld steps\n",
       side * side, seed, duration, safety, kept.energy, kept.transition, kept.dropped, kept.geometry,

@@ -117,7 +117,7 @@ TEST_P(ContactPatch, overlap_is_counted_once) {
   for (const coupling::ContactMemory& m : run.state().contacts)
     if (std::min(m.key.block_p, m.key.block_e) < 4 && std::min(m.key.block_p, m.key.block_e) > 1 &&
         std::max(m.key.block_p, m.key.block_e) > 3)
-      between += m.share;
+      between += m.tributary;
   EXPECT_NEAR(between, 4.0, 1e-4);  // the strain of the run, and no more
 }
 
@@ -128,7 +128,7 @@ TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
   for (Block& b : scene.model.blocks) b.polygon = transformed(b.polygon, Vec2(0.0, 0.0), Q);
   const coupling::Methods methods = coupling::standard_methods();
   coupling::State state;
-  state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
+  state.bodies = initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0]));
   const coupling::Setup setup(scene.model, methods, state.bodies);
   state.q.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   state.v = state.q;
@@ -148,9 +148,9 @@ TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
       setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(state.q), p),
                              setup.part(std::span<double>(state.v), p));
     }
-    coupling::CentralDifference mover(setup, {}, coupling::auto_detection(scene.model));
+    coupling::CentralDifference integrator(setup, {}, coupling::auto_detection(scene.model));
     state.a.clear();
-    (void)mover.enter(state);
+    (void)integrator.enter(state);
     ++state.step;
   };
   put(0.0);  // contacts close here, without force

@@ -136,18 +136,18 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
     const BodyTotals before = hand.totals(hand.setup->bodies()[0]);
     coupling::StepControl control;
     control.max_displacement = 0.01;
-    std::unique_ptr<coupling::Mover> mover;
+    std::unique_ptr<coupling::TimeIntegrator> integrator;
     if (integrator == Integrator::implicit)
-      mover = std::make_unique<coupling::Newmark>(*hand.setup, control, 0.02);
+      integrator = std::make_unique<coupling::Newmark>(*hand.setup, control, 0.02);
     else
-      mover =
+      integrator =
           std::make_unique<coupling::CentralDifference>(*hand.setup, control, 0.02, coupling::ExplicitDamping{}, false);
-    (void)mover->enter(hand.state);
-    const double h = integrator == Integrator::implicit ? 1e-5 : 0.5 * mover->stable_step(hand.state, nullptr);
+    (void)integrator->enter(hand.state);
+    const double h = integrator == Integrator::implicit ? 1e-5 : 0.5 * integrator->stable_step(hand.state, nullptr);
     double most = 0.0;
     bool was_open = false, closed = false;
     for (int i = 0; i < 300; ++i) {
-      const coupling::StepReport report = mover->step(hand.state, ticks(h));
+      const coupling::StepReport report = integrator->step(hand.state, ticks(h));
       ASSERT_EQ(report.status, coupling::StepReport::Status::ok) << report.cause;
       for (const coupling::ContactMemory& m : hand.state.contacts) {
         was_open = was_open || m.gap > 1e-6;
@@ -155,7 +155,7 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
         most = std::max(most, -m.gap);
       }
     }
-    mover->leave(hand.state);
+    integrator->leave(hand.state);
     EXPECT_TRUE(was_open && closed);
     EXPECT_LT(most, 1e-3);
     const BodyTotals after = hand.totals(hand.setup->bodies()[0]);

@@ -62,27 +62,27 @@ double energy_left(const Way& way, const Damping& damping, double steps_a_period
     hand.move(0, {0.0, 0.0}, stretch);
   }
   const StepControl control{.max_displacement = 0.1};
-  std::unique_ptr<Mover> mover;
+  std::unique_ptr<TimeIntegrator> integrator;
   if (way.integrator == Integrator::explicit_)
-    mover = std::make_unique<CentralDifference>(
+    integrator = std::make_unique<CentralDifference>(
         *hand.setup, control, 0.05,
         ExplicitDamping{.mass = damping.mass, .rigid = damping.rigid, .stiffness = damping.stiffness});
   else
-    mover = std::make_unique<Newmark>(*hand.setup, control, 0.05,
-                                      ImplicitOptions{.scheme = way.newmark,
-                                                      .damping = damping.mass,
-                                                      .damp_rigid_motion = damping.rigid,
-                                                      .stiffness_damping = damping.stiffness});
-  (void)mover->enter(hand.state);
+    integrator = std::make_unique<Newmark>(*hand.setup, control, 0.05,
+                                           ImplicitOptions{.scheme = way.newmark,
+                                                           .damping = damping.mass,
+                                                           .damp_rigid_motion = damping.rigid,
+                                                           .stiffness_damping = damping.stiffness});
+  (void)integrator->enter(hand.state);
   const double period = 2.0 * std::numbers::pi / way.omega();
   const Tick h = ticks(period / steps_a_period);
   const int steps = static_cast<int>(std::lround(kPeriods * steps_a_period));
   for (int i = 0; i < steps; ++i) {
-    const StepReport report = mover->step(hand.state, h);
+    const StepReport report = integrator->step(hand.state, h);
     EXPECT_EQ(report.status, StepReport::Status::ok) << report.cause;
     if (report.status != StepReport::Status::ok) return 0.0;
   }
-  mover->update_ledger(hand.state);
+  integrator->update_ledger(hand.state);
   EXPECT_LT(hand.state.ledger.relative_closure(), 1e-9);
   const BodyTotals t = hand.totals(hand.setup->bodies()[0]);
   return t.kinetic + t.elastic;

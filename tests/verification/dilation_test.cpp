@@ -46,8 +46,8 @@ double mean_slip(const State& state) {
   double slip = 0.0, length = 0.0;
   for (const ContactMemory& m : state.contacts) {
     if (m.status == ContactStatus::open) continue;
-    slip += m.slip * m.share;
-    length += m.share;
+    slip += m.slip * m.tributary;
+    length += m.tributary;
   }
   return slip / length;
 }
@@ -131,7 +131,7 @@ TEST_P(Dilation, raises_the_normal_force_under_confinement) {
     bool slips = true;
     for (const ContactMemory& m : run.state().contacts) {
       normal += m.fn, shear += std::abs(m.ft);
-      slips = slips && (m.status == ContactStatus::slip || m.share < 1e-3);
+      slips = slips && (m.status == ContactStatus::slip || m.tributary < 1e-3);
     }
     const double lift = centre_of(run, block_).y() - 0.5 * kHeight;
     // Inertia is small beside the springs: their force is that of the lift, and the lift that of the slip.

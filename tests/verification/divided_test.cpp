@@ -15,12 +15,12 @@ namespace {
 
 using namespace scree::coupling;
 
-/// How far the nodes of seams lie apart now, at most [m].
+/// How far the nodes of interface constraints lie apart now, at most [m].
 double largest_gap(const Setup& setup, std::span<const double> q) {
   double most = 0.0;
   for (const Body& b : setup.bodies()) {
     const std::int32_t first = setup.pool_first(static_cast<std::size_t>(b.pool));
-    for (const Pool::Seam& s : setup.pool_of(b).seams(b.index))
+    for (const Pool::InterfaceConstraint& s : setup.pool_of(b).interface_constraints(b.index))
       for (std::size_t d = 0; d < 2; ++d)
         most = std::max(most, std::abs(q[2 * static_cast<std::size_t>(first + s.explicit_node) + d] -
                                        q[2 * static_cast<std::size_t>(first + s.implicit_node) + d]));
@@ -28,9 +28,9 @@ double largest_gap(const Setup& setup, std::span<const double> q) {
   return most;
 }
 
-std::size_t seams_of(const Driver& run) {
+std::size_t constraints_of(const Driver& run) {
   std::size_t count = 0;
-  for (const Body& b : run.setup().bodies()) count += run.setup().pool_of(b).seams(b.index).size();
+  for (const Body& b : run.setup().bodies()) count += run.setup().pool_of(b).interface_constraints(b.index).size();
   return count;
 }
 
@@ -73,7 +73,7 @@ Spun spun(const Plate& p) {
   run.add_sink(watch);
   const RunEnd end = run.run();
   EXPECT_EQ(end.status, RunEnd::Status::done) << end.reason;
-  EXPECT_GT(seams_of(run), 8u);
+  EXPECT_GT(constraints_of(run), 8u);
   const BodyTotals t = totals_of(run, BlockId{0});
   out.spin = t.angular_momentum / (2500.0 * 4.0 * 8.0 / 12.0);
   out.iterations = static_cast<double>(run.stats().iterations) / static_cast<double>(run.stats().steps);
@@ -104,12 +104,13 @@ TEST(Divided, a_spinning_plate_loses_what_the_implicit_half_takes_and_its_halves
       const double energy = run.ledger[Column::kinetic];
       std::printf(
           "E = %.1e, H = %.1e s, m = %d, %.0f turns, %s half explicit: %.2f iterations a step, apart %.1e m, "
-          "ledger %.1e, seams %.1e of the kinetic energy, momentum %.1e, spin %.4f 1/s\n",
+          "ledger %.1e, interface constraints %.1e of the kinetic energy, momentum %.1e, spin %.4f 1/s\n",
           p.young, p.dt, p.substeps, p.turns, left ? "left" : "right", run.iterations, run.apart,
-          run.ledger.relative_closure(), run.ledger[Column::seams] / energy, run.momentum.norm(), run.spin);
+          run.ledger.relative_closure(), run.ledger[Column::interface_constraints] / energy, run.momentum.norm(),
+          run.spin);
       EXPECT_LT(run.apart, 1e-10);
       EXPECT_LT(run.ledger.relative_closure(), 1e-12);
-      EXPECT_LT(std::abs(run.ledger[Column::seams]), 1e-8 * energy);
+      EXPECT_LT(std::abs(run.ledger[Column::interface_constraints]), 1e-8 * energy);
       EXPECT_LT(run.momentum.norm(), 1e-12 * 1e4 * p.spin * run.time / p.dt);  // round-off of so many steps
       loss += 0.5 * (p.spin - run.spin);
       time = run.time;
@@ -155,7 +156,7 @@ std::vector<std::array<double, 2>> history(const Bar& bar, double& closure) {
   return sink.v;
 }
 
-TEST(Divided, a_wave_passes_the_seam) {
+TEST(Divided, a_wave_passes_the_interface) {
   const double speed = std::sqrt(1e9 / 2500.0), most = 1e6 / (2500.0 * speed);
   double ignored = 0.0;
   const auto whole = history(Bar(Integrator::explicit_, 2e-5, 1), ignored);
@@ -199,7 +200,7 @@ Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
     stage.partition.explicit_region.push_back(rotation(turn) * x);
   stage.partition.substeps = substeps;
   // The bound of the explicit half alone.
-  std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
   records[0].form.division.acts = Division::Acts::explicit_half;
   const Setup half(scene.model, methods(), records);
   const double h = 0.999 * 2.0 / std::sqrt(half.pool(0).mass_ratio(0) * half.pool(0).frequency_bound(0));
@@ -242,10 +243,12 @@ TEST(Divided, no_instability_at_the_bound_of_the_explicit_half) {
       4 * blocks, growth, closure, apart);
   EXPECT_LT(growth, 1.05);  // the shadow term is not counted
   EXPECT_LT(closure, 1e-11);
-  EXPECT_LT(apart, 1e-8);  // 1e-9 of the blow's force against the mass at a seam, made good in the next step
+  EXPECT_LT(apart,
+            1e-8);  // 1e-9 of the blow's force against the mass at an interface constraint, made good in the next step
 }
 
-/// A block that slides over the seam of a divided base, which stood undivided before and stands so again.
+/// A block that slides over the interface constraint of a divided base, which stood undivided before and stands so
+/// again.
 TEST(Divided, contacts_and_hand_over) {
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   const BlockId base = scene.add("base", rectangle(-3.0, -1.0, 3.0, 0.0)),

@@ -97,20 +97,20 @@ TEST(Rayleigh, stretching_block_decays_by_half_rate_times_omega_squared) {
   stretch(0, 0) = 1e-3;
   hand.move(0, {0.0, 0.0}, stretch);
   const double omega = std::sqrt(12.0 * 1e8 / (2000.0 * 4.0)), xi = 0.05, rate = 2.0 * xi / omega;
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05, {.stiffness = rate});
-  mover.enter(hand.state);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, {.stiffness = rate});
+  integrator.enter(hand.state);
   const int steps = 20000;  // a period
   const double period = 2.0 * std::numbers::pi / omega;
   const Tick h = ticks(period / steps);
   const double damped = omega * std::sqrt(1.0 - xi * xi);
   for (int i = 0; i < 2 * steps; ++i) {
-    ASSERT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
+    ASSERT_EQ(integrator.step(hand.state, h).status, StepReport::Status::ok);
     if (i % 500 != 0) continue;
     const double t = seconds(hand.state.time);
     EXPECT_NEAR(hand.state.q[2] - 1.0, 1e-3 / damped * std::exp(-xi * omega * t) * std::sin(damped * t),
                 1e-3 / omega * 1e-3);
   }
-  mover.update_ledger(hand.state);
+  integrator.update_ledger(hand.state);
   EXPECT_LT(hand.state.ledger.relative_closure(), 1e-12);
   EXPECT_NEAR(hand.state.ledger[Column::stiffness_damping] / (0.5 * 4000.0 / 3.0 * 1e-6),
               1.0 - std::exp(-4.0 * std::numbers::pi * 2.0 * xi), 1e-2);

@@ -58,7 +58,7 @@ TEST(FreeSpin, explicit_nmm_keeps_angular_momentum) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-11);
 }
 
-TEST(HandOver, explicit_nmm_to_dda_keeps_mass_momenta_and_energy) {
+TEST(TransferReport, explicit_nmm_to_dda_keeps_mass_momenta_and_energy) {
   Scene scene(1e7, 0.2, 2000.0);
   const BlockId id = scene.add("block", {{{0, 0}, {2, 0.3}, {1.5, 1.2}, {0.2, 1}}, {}});
   scene.add("base", rectangle(-2, -2, 5, -0.02), true);
@@ -96,7 +96,7 @@ Eigen::Vector3d mean_stress(const coupling::Driver& run, BlockId id) {
   return sum / count;
 }
 
-TEST(HandOver, in_situ_stress_goes_along_both_ways) {
+TEST(TransferReport, in_situ_stress_goes_along_both_ways) {
   // A block that expands from its in-situ stress, turning: affine whole (onefold), so that nothing may jump.
   Scene scene(1e7, 0.2, 2000.0);
   InitialStress s;

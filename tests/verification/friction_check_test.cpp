@@ -138,7 +138,7 @@ TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
       (kind == 1 ? stage.partition.implicit_blocks : stage.partition.explicit_blocks) = {scene.wedge};
       if (kind == 1) stage.partition.explicit_blocks = {other};
       stage.partition.shared_contacts = kind == 1;
-      stage.partition.others_explicit = kind == 2;
+      stage.partition.slow_explicit = kind == 2;
       bare(scene);
       scene.model.body_accelerations[0].blocks = scene.model.body_accelerations[1].blocks = {scene.wedge};
       Found found;
@@ -239,7 +239,7 @@ struct Point {
     scene.add("block", rectangle(0, 0, 1, 1));
     scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
     setup = std::make_unique<Setup>(scene.model, all,
-                                    initial_records(scene.model, wishes(scene.model, scene.plan.stages[0])));
+                                    initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0])));
     ContactPoint p;
     const Outlines& o = setup->outlines();
     for (std::size_t v = 0; v < o.vertices.size(); ++v)
@@ -248,7 +248,7 @@ struct Point {
     ContactMemory m;
     m.joint = 0;
     m.kn = m.kt = 1e8;  // an elastic stretch of 6e-5 of the block
-    m.share = 0.5;
+    m.tributary = 0.5;
     m.status = ContactStatus::stick;
     m.fn = 1e4;
     list.points.push_back(p);

@@ -46,7 +46,7 @@ Scene placed(Scene scene, const Place& place) {
     if (law.normal_stiffness) *law.normal_stiffness *= s;
   for (InitialVelocity& v : model.initial_velocities) v.velocity = s * (R * v.velocity);
   for (Stage& stage : scene.plan.stages) stage.cover_size *= s;
-  take_local_origin(model);  // as the reader of cases does
+  move_to_local_origin(model);  // as the reader of cases does
   return scene;
 }
 

@@ -40,18 +40,18 @@ struct Released {
     state.ledger.open(energies);
     control.max_displacement = 1.0;
   }
-  void run(coupling::Mover& mover, double duration, double h) {
-    (void)mover.enter(state);
+  void run(coupling::TimeIntegrator& integrator, double duration, double h) {
+    (void)integrator.enter(state);
     const Tick step = ticks(h);
     for (Tick t = 0; t + step <= ticks(duration); t += step) {
-      const coupling::StepReport report = mover.step(state, step);
+      const coupling::StepReport report = integrator.step(state, step);
       ASSERT_EQ(report.status, coupling::StepReport::Status::ok) << report.cause;
     }
-    mover.update_ledger(state);
+    integrator.update_ledger(state);
   }
   void run(NewmarkScheme scheme, double duration, double h) {
-    Newmark mover(*setup, control, 0.05, {.scheme = scheme});
-    run(mover, duration, h);
+    Newmark integrator(*setup, control, 0.05, {.scheme = scheme});
+    run(integrator, duration, h);
   }
 };
 
@@ -64,8 +64,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(ImplicitNmm, schemes_meet_explicit_steps_with_orders_one_and_two) {
   const double duration = 0.016;  // half a period of the slowest mode
   Released reference(Kinematics::corotational);
-  coupling::CentralDifference explicit_mover(*reference.setup, reference.control, 0.05, {});
-  reference.run(explicit_mover, duration, 1e-6);
+  coupling::CentralDifference explicit_integrator(*reference.setup, reference.control, 0.05, {});
+  reference.run(explicit_integrator, duration, 1e-6);
   for (const auto& [scheme, order] :
        {std::pair(NewmarkScheme::damped, 1.0), std::pair(NewmarkScheme::trapezoidal, 2.0)}) {
     std::vector<double> errors;
@@ -228,8 +228,8 @@ TEST(ImplicitNmm, velocity_scaled_between_steps_is_booked_as_rest_damping) {
   std::array<double, 2> kept{};
   for (const int i : {0, 1}) {
     Released r(Kinematics::corotational);
-    Newmark mover(*r.setup, r.control, 0.05, {.dynamics = i == 0 ? 0.98 : 1.0});
-    r.run(mover, 0.01, 1e-4);
+    Newmark integrator(*r.setup, r.control, 0.05, {.dynamics = i == 0 ? 0.98 : 1.0});
+    r.run(integrator, 0.01, 1e-4);
     kept[static_cast<std::size_t>(i)] = r.state.ledger[Column::kinetic];
     EXPECT_EQ(r.state.ledger[Column::rest_damping] > 0.0, i == 0);
     EXPECT_LT(r.state.ledger.relative_closure(), 1e-9);
@@ -239,11 +239,11 @@ TEST(ImplicitNmm, velocity_scaled_between_steps_is_booked_as_rest_damping) {
 
 TEST(ImplicitNmm, lumped_mass_takes_implicit_steps) {
   Released r(Kinematics::corotational, MassKind::lumped);
-  Newmark mover(*r.setup, r.control, 0.05, {});
-  r.run(mover, 0.001, 1e-4);
+  Newmark integrator(*r.setup, r.control, 0.05, {});
+  r.run(integrator, 0.001, 1e-4);
 }
 
-TEST(ImplicitNmm, copied_state_goes_on_bit_for_bit_with_new_movers) {
+TEST(ImplicitNmm, copied_state_goes_on_bit_for_bit_with_new_integrators) {
   for (const NewmarkScheme scheme : {NewmarkScheme::damped, NewmarkScheme::trapezoidal}) {
     Released r(Kinematics::corotational);
     Newmark first(*r.setup, r.control, 0.05, {.scheme = scheme});

@@ -37,8 +37,8 @@ struct Joint {
       ++points;
       normal += m.fn;
       shear += m.ft;
-      length += m.share;
-      bonded += m.bonded != 0 ? m.share : 0.0;
+      length += m.tributary;
+      bonded += m.bonded != 0 ? m.tributary : 0.0;
       gap = std::max(gap, m.gap);
     }
   }
@@ -100,9 +100,9 @@ TEST_P(Strength, pulled_block_follows_its_springs_and_breaks_off_at_the_strength
     for (const ContactMemory& m : run.state().contacts) {
       if (m.status == ContactStatus::open) continue;
       ASSERT_EQ(m.bonded, 1);
-      ASSERT_NEAR(m.fn - m.fd, -kStiffness * m.share * m.gap, 1e-9 * strength);
+      ASSERT_NEAR(m.fn - m.fd, -kStiffness * m.tributary * m.gap, 1e-9 * strength);
       // The geometry update after an implicit step leaves round-off.
-      ASSERT_LE(-m.fn, strength * m.share * (1.0 + 1e-12));
+      ASSERT_LE(-m.fn, strength * m.tributary * (1.0 + 1e-12));
     }
     if (joint.bonded < length * (1.0 - 1e-9)) return;  // breaking, from point to point
     held = pull;
@@ -220,7 +220,7 @@ TEST_P(Shear, bonded_joint_fails_at_its_peak_and_keeps_its_residual) {
       const double c = m.failed != 0 ? law().residual_cohesion : law().cohesion;
       const double phi = m.failed != 0 ? *law().residual_friction : law().friction;
       // The step in which it fails ends at the peak in implicit steps, at the residual in explicit ones.
-      if (m.slip > 0.01) off = std::max(off, std::abs(std::abs(m.ft) - c * m.share - m.fn * std::tan(phi)));
+      if (m.slip > 0.01) off = std::max(off, std::abs(std::abs(m.ft) - c * m.tributary - m.fn * std::tan(phi)));
     }
   };
   run.add_sink(watch);
@@ -297,7 +297,7 @@ TEST_P(Shear, friction_falls_with_slip_along_its_line) {
       const double mu = peak + (residual - peak) * std::min(1.0, s / over);
       off = std::max(off, std::abs(std::abs(m.ft) - m.fn * mu));
       const double moved = centre_of(run, block).x() - 2.0;
-      way_off = std::max(way_off, std::abs(moved - m.slip - std::abs(m.ft) / (kStiffness * m.share)));
+      way_off = std::max(way_off, std::abs(moved - m.slip - std::abs(m.ft) / (kStiffness * m.tributary)));
       ++(s == 0.0 ? at_peak : (s < over ? between : at_residual));
     }
   };

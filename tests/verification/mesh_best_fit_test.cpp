@@ -284,7 +284,7 @@ TEST(MeshBestFit, a_stage_hands_on_the_best_fit_and_the_momenta) {
     coupling::Stage stage = scene.stage("nmm", coupling::Integrator::explicit_, 1.0, std::nullopt, 0.1);
     stage.kinematics = Kinematics::linear;
     coupling::State state;
-    state.bodies = coupling::initial_records(scene.model, coupling::wishes(scene.model, stage));
+    state.bodies = coupling::initial_records(scene.model, coupling::body_requests(scene.model, stage));
     const coupling::Setup setup(scene.model, methods, state.bodies);
     const CoverMesh old_mesh = nmm::make_cover_mesh(state.bodies[0].shape.outline, stage.cover_size),
                     new_mesh = nmm::make_cover_mesh(state.bodies[0].shape.outline, ratio * stage.cover_size);
@@ -309,7 +309,7 @@ TEST(MeshBestFit, a_stage_hands_on_the_best_fit_and_the_momenta) {
     const DenseMesh from(old_mesh), to(new_mesh);
     const double U = energy(from, D, u), best = energy(to, D, BestFit(from, to, D).in_energy(D, u));
     stage.cover_size = ratio * stage.cover_size;
-    const coupling::HandOver handed = coupling::hand_over(scene.model, methods, setup, stage, state);
+    const coupling::TransferReport handed = coupling::transfer_bodies(scene.model, methods, setup, stage, state);
     ASSERT_EQ(handed.rows.size(), 1U);
     const coupling::TransferRow& row = handed.rows[0];
     std::printf("h'/h %.1f: U'/U %.6f, best %.6f, errors of momentum %.0e, angular momentum %.0e\n", ratio,

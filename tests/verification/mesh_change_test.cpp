@@ -144,7 +144,7 @@ class Shaken {
     }
     before_ = scene_.stage("nmm", Integrator::partitioned, 1.0, 1e-4, number(0.2, 0.35));
     divide(before_);
-    state.bodies = coupling::initial_records(scene_.model, coupling::wishes(scene_.model, before_));
+    state.bodies = coupling::initial_records(scene_.model, coupling::body_requests(scene_.model, before_));
     setup = std::make_unique<coupling::Setup>(scene_.model, methods(), state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;
@@ -166,7 +166,7 @@ class Shaken {
       stage.integrator = Integrator::explicit_;  // and one body again
       stage.partition = {};
     }
-    coupling::HandOver handed = coupling::hand_over(scene_.model, methods(), *setup, stage, state);
+    coupling::TransferReport handed = coupling::transfer_bodies(scene_.model, methods(), *setup, stage, state);
     setup = std::move(handed.setup);
     return std::move(handed.rows);
   }

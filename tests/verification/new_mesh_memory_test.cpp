@@ -83,17 +83,17 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
   Stage nmm = scene.stage("nmm", Integrator::explicit_, 0.1, std::nullopt, 0.3);
   nmm.rules.push_back({{BlockId{0}}, "dda", 0.0});  // the base stays as it is
   ByHand hand(scene.model, dda);
-  Newmark mover(*hand.setup, {.max_displacement = 0.1}, 0.05, {.dynamics = 0.0});
-  (void)mover.enter(hand.state);
-  for (int i = 0; i < 10; ++i) ASSERT_EQ(mover.step(hand.state, ticks(1e-3)).status, StepReport::Status::ok);
-  mover.leave(hand.state);
+  Newmark integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, {.dynamics = 0.0});
+  (void)integrator.enter(hand.state);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(integrator.step(hand.state, ticks(1e-3)).status, StepReport::Status::ok);
+  integrator.leave(hand.state);
   for (ContactMemory& m : hand.state.contacts) {
     ASSERT_NE(m.status, ContactStatus::open);
     m.slip = m.key.vertex == 0 ? 0.01 : 0.04;  // corners 0 and 1 of the block: left and right
     m.failed = m.key.vertex == 0 ? 0 : 1;
   }
   ASSERT_EQ(hand.state.contacts.size(), 2U);
-  const HandOver handed = hand_over(scene.model, hand.methods, *hand.setup, nmm, hand.state);
+  const TransferReport handed = transfer_bodies(scene.model, hand.methods, *hand.setup, nmm, hand.state);
   ContactFinder finder(*handed.setup, 0.05);
   ContactList known, now;
   finder.restore(hand.state.contacts, known);

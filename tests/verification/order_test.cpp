@@ -71,7 +71,7 @@ class Equations {
  public:
   Equations(const Model& model, const coupling::Stage& stage)
       : model_(model),
-        block_(model.blocks[0].polygon, coupling::wishes(model, stage)[0].form, model.materials[0]),
+        block_(model.blocks[0].polygon, coupling::body_requests(model, stage)[0].form, model.materials[0]),
         unknown_(block_.unknowns(&unknowns_)) {
     for (const PointSupport& s : model.point_supports) supports_.push_back(row_of(s.point));
   }
@@ -323,7 +323,8 @@ struct HandOverByHand {
       for (std::size_t i = 0; i < a.size(); ++i) run.state.v[i] -= 0.5 * h * a[i];
       lost -= kinetic_energy(*run.setup, run.state);
     }
-    const coupling::HandOver handed = coupling::hand_over(scene.model, run.methods, *run.setup, stages[1], run.state);
+    const coupling::TransferReport handed =
+        coupling::transfer_bodies(scene.model, run.methods, *run.setup, stages[1], run.state);
     Newmark second(*handed.setup, stages[1].control, scene.plan.detection, {.scheme = stages[1].newmark});
     go(second, run.state, h);
     second.update_ledger(run.state);
@@ -331,10 +332,10 @@ struct HandOverByHand {
   }
 
  private:
-  static void go(coupling::Mover& mover, coupling::State& state, double h) {
-    (void)mover.enter(state);
+  static void go(coupling::TimeIntegrator& integrator, coupling::State& state, double h) {
+    (void)integrator.enter(state);
     for (const Tick end = state.time + ticks(kStage); state.time < end;) {
-      const coupling::StepReport report = mover.step(state, ticks(h));
+      const coupling::StepReport report = integrator.step(state, ticks(h));
       ASSERT_EQ(report.status, coupling::StepReport::Status::ok) << report.cause;
     }
   }

@@ -148,14 +148,14 @@ TEST(PartitionedSlide, one_substep_is_gone_through_once_where_contacts_are_fores
   control.max_displacement = 0.01;
   Partitioned::Choice choice;
   choice.substeps = 1;
-  Partitioned mover(*start.setup, start.methods, start.state, control, 0.05, choice);
-  (void)mover.enter(start.state);
+  Partitioned integrator(*start.setup, start.methods, start.state, control, 0.05, choice);
+  (void)integrator.enter(start.state);
   const int steps = 2000;
   int repeats = 0, iterations = 0;
   for (int i = 0; i < steps; ++i) {
-    const StepReport report = mover.step(start.state, ticks(4e-5));
+    const StepReport report = integrator.step(start.state, ticks(4e-5));
     ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
-    repeats += mover.repeats();
+    repeats += integrator.repeats();
     iterations += report.iterations;
   }
   std::printf("explicit steps gone through %.4f times, %.2f iterations\n", static_cast<double>(repeats) / steps,

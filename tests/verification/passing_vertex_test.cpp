@@ -107,7 +107,7 @@ Passage pass(const Scheme& scheme, Ground ground, double dt) {
     }
     const BodyTotals b = totals_of(run, slider);
     const double held = b.kinetic + b.elastic - kDensity * scene.model.gravity.dot(b.centre) +
-                        state.ledger[Column::contact_springs] - state.ledger[Column::contact_share];
+                        state.ledger[Column::contact_springs] - state.ledger[Column::contact_tributary];
     if (before && time > 0.03) {  // the tangential spring has been stretched by then
       most.normal = std::max(most.normal, std::abs(n - normal));
       most.tangential = std::max(most.tangential, std::abs(t - tangential));

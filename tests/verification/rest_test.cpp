@@ -54,7 +54,7 @@ TEST_P(Rest, stack_comes_to_its_static_state_and_stays) {
     drift = std::max(drift, (centre_of(run, BlockId{i}) - rested[static_cast<std::size_t>(i) - 1]).norm());
   // The topmost centroid sinks by three joints, of stiffness E over the height of 1 m, by the two blocks below, each
   // under the mean of the stress at its ends, and by its own lower half: its mean stress in DDA, which has one strain
-  // a block, p/4; p/3 in truth, the mean of p (y - y^2/2).
+  // per block, p/4; p/3 in truth, the mean of p (y - y^2/2).
   const double p = kDensity * kGravity;  // of one block's weight
   const double joints = (3.0 + 2.0 + 1.0) * p / kYoung, below = (2.5 + 1.5) * p / kYoung;
   const double half = (std::string(scheme.method) == "dda" ? 0.25 : 1.0 / 3.0) * p / kYoung;
@@ -171,7 +171,7 @@ TEST_F(HandOverOfContacts, resultants_stay) {
 }
 
 /// From one mesh to another: what the corners are given of the vertices that go rests on what those stood for.
-TEST(HandOver, force_passes_from_mesh_to_mesh) {
+TEST(TransferReport, force_passes_from_mesh_to_mesh) {
   Scene scene(1e10, 0.0, kDensity, 30.0);
   scene.model.joints[0].normal_stiffness = scene.model.joints[0].shear_stiffness = 2e7;
   scene.add("base", rectangle(-1, -1, 2.5, 0), true);

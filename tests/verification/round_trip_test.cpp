@@ -29,7 +29,7 @@ class RoundTrip {
     nmm_ = scene_.stage("nmm", Integrator::explicit_, 1.0, 1e-4, 0.3);
     dda_ = scene_.stage("dda", Integrator::implicit, 1.0, 1e-3);
     dda_.transfer = mode;
-    state.bodies = coupling::initial_records(scene_.model, coupling::wishes(scene_.model, nmm_));
+    state.bodies = coupling::initial_records(scene_.model, coupling::body_requests(scene_.model, nmm_));
     setup = std::make_unique<coupling::Setup>(scene_.model, methods_, state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;
@@ -107,7 +107,7 @@ class RoundTrip {
   }
 
   std::vector<coupling::TransferRow> change(const coupling::Stage& stage) {
-    coupling::HandOver handed = coupling::hand_over(scene_.model, methods_, *setup, stage, state);
+    coupling::TransferReport handed = coupling::transfer_bodies(scene_.model, methods_, *setup, stage, state);
     setup = std::move(handed.setup);
     return std::move(handed.rows);
   }

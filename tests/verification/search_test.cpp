@@ -185,14 +185,14 @@ TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
   StepControl control;
   control.max_displacement = 0.01;
   const double detection = 0.03;
-  CentralDifference mover(*hand.setup, control, detection);
-  mover.enter(hand.state);
+  CentralDifference integrator(*hand.setup, control, detection);
+  integrator.enter(hand.state);
   ContactFinder followed(*hand.setup, detection);
   const Tick h = ticks(5e-5);
   int compared = 0;
   std::size_t most = 0, kept = 0;
   for (int step = 0; step < 20000; ++step) {
-    ASSERT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
+    ASSERT_EQ(integrator.step(hand.state, h).status, StepReport::Status::ok);
     if (step % 50 != 0) continue;
     ContactFinder fresh(*hand.setup, detection);
     ContactList known, now, again;
@@ -209,7 +209,7 @@ TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
       ASSERT_EQ(a.segment, b.segment);
       ASSERT_EQ(a.suppressed, b.suppressed);
       ASSERT_EQ(a.beyond, b.beyond);
-      ASSERT_EQ(a.facing, b.facing);
+      ASSERT_EQ(a.edge_edge, b.edge_edge);
       ASSERT_EQ(a.springs, b.springs);
       ASSERT_EQ(m.status, n.status);
       ASSERT_EQ(m.gap, n.gap);

@@ -98,7 +98,7 @@ TEST(StageTimes, motion_that_is_no_more_met_after_an_early_end_is_refused) {
   }
 }
 
-/// A run, looked at in a way of its own.
+/// Per run, looked at in a way of its own.
 std::uint64_t hash_of(Scene scene, double every, double history_every, bool audit) {
   scene.plan.output.every = ticks(every);
   scene.plan.output.history_every = ticks(history_every);
@@ -137,11 +137,11 @@ TEST_P(StageTimes, steps_do_not_depend_on_who_looks) {
 }
 
 TEST(StageTimes, steps_of_partitioned_stages_do_not_depend_on_who_looks) {
-  for (const bool others_explicit : {false, true}) {
+  for (const bool slow_explicit : {false, true}) {
     Scene scene = falling();
-    Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.03, others_explicit ? 2e-5 : 7e-4, 0.5);
+    Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.03, slow_explicit ? 2e-5 : 7e-4, 0.5);
     stage.partition.explicit_blocks = {BlockId{2}};
-    stage.partition.others_explicit = others_explicit;
+    stage.partition.slow_explicit = slow_explicit;
     expect_same_however_looked_at(scene);
   }
 }

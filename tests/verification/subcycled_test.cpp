@@ -103,7 +103,7 @@ Scene pair(const Springs& s, double dt, int substeps, double duration) {
   stage.control.max_displacement = 1.0;
   stage.force_dt = true;
   stage.partition.explicit_blocks = {fast};
-  stage.partition.others_explicit = true;
+  stage.partition.slow_explicit = true;
   stage.partition.substeps = substeps;
   return scene;
 }
@@ -247,7 +247,7 @@ Scene flying(const char* fast_method, const char* slow_method, double dt, double
   Stage& stage = scene.stage(slow_method, Integrator::partitioned, duration, dt, 0.8);
   stage.rules.push_back({{left}, fast_method, 0.25, false});
   stage.partition.explicit_blocks = {left};
-  stage.partition.others_explicit = true;
+  stage.partition.slow_explicit = true;
   stage.partition.substeps = m;
   return scene;
 }
@@ -327,7 +327,7 @@ Scene heap(double duration) {
   scene.model.joints[0].normal_stiffness = 1e13;
   scene.add("base", rectangle(-3.0, -1.0, 3.0, 0.0), true);
   Stage& stage = scene.stage("nmm", Integrator::partitioned, duration, 6e-5, 0.7);
-  stage.partition.others_explicit = true;
+  stage.partition.slow_explicit = true;
   stage.partition.explicit_area = 0.4;
   stage.partition.speed = {1.5, 1.0};
   const double width[] = {1.6, 0.5, 1.2, 0.6, 1.0};

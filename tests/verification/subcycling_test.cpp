@@ -1,5 +1,5 @@
 // Two rigid blocks on springs, one explicit in m substeps, one implicit, bonded to each other: amplification of a step
-// of the real mover, for 132 sets of parameters and m up to 50, beside the schemes that suggest themselves.
+// of the real integrator, for 132 sets of parameters and m up to 50, beside the schemes that suggest themselves.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -61,7 +61,7 @@ class Pair {
     Stage& stage = scene_.stage("rigid", Integrator::partitioned, 1.0, 1.0);
     stage.partition.explicit_blocks = {BlockId{0}};
     rest_.explicit_side = {1, 0};
-    rest_.bodies = initial_records(scene_.model, wishes(scene_.model, stage));
+    rest_.bodies = initial_records(scene_.model, body_requests(scene_.model, stage));
     setup_ = std::make_unique<Setup>(scene_.model, rigid(), rest_.bodies);
     rest_.q.assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
     rest_.v = rest_.q;
@@ -73,9 +73,9 @@ class Pair {
                                setup_->part(std::span<double>(rest_.v), p));
     }
     // The bond is made where they touch without force.
-    std::unique_ptr<Mover> mover = make(1);
-    (void)mover->enter(rest_);
-    mover->leave(rest_);
+    std::unique_ptr<TimeIntegrator> integrator = make(1);
+    (void)integrator->enter(rest_);
+    integrator->leave(rest_);
     rest_.step = 1;
     rest_.ledger = Ledger{};
   }
@@ -91,21 +91,21 @@ class Pair {
       state.q[6 * b] += begin[2 * static_cast<Eigen::Index>(b)];
       state.v[6 * b] = begin[2 * static_cast<Eigen::Index>(b) + 1];
     }
-    std::unique_ptr<Mover> mover = make(m);
-    const double energy = mover->enter(state);
-    mover->update_ledger(state);
+    std::unique_ptr<TimeIntegrator> integrator = make(m);
+    const double energy = integrator->enter(state);
+    integrator->update_ledger(state);
     Ledger& ledger = state.ledger;
     ledger.open(std::array{ledger[Column::kinetic], ledger[Column::elastic], energy, ledger[Column::support_springs]});
-    mover = make(m);  // the ledger of the run begins here
+    integrator = make(m);  // the ledger of the run begins here
     state.a.clear();
-    (void)mover->enter(state);
+    (void)integrator->enter(state);
     double largest = std::abs(state.v[0]);
     for (int i = 0; i < n; ++i) {
-      const StepReport report = mover->step(state, m * ticks(h));
+      const StepReport report = integrator->step(state, m * ticks(h));
       if (report.status != StepReport::Status::ok) return {Eigen::Vector4d::Constant(NAN), state, largest};
       largest = std::max(largest, std::abs(state.v[0]));
     }
-    mover->update_ledger(state);
+    integrator->update_ledger(state);
     Eigen::Vector4d x;
     for (std::size_t b = 0; b < 2; ++b) {
       x[2 * static_cast<Eigen::Index>(b)] = state.q[6 * b] - rest_.q[6 * b];
@@ -120,7 +120,7 @@ class Pair {
   }
 
  private:
-  [[nodiscard]] std::unique_ptr<Mover> make(int m) const {
+  [[nodiscard]] std::unique_ptr<TimeIntegrator> make(int m) const {
     StepControl control;
     control.max_displacement = 1e3;
     Partitioned::Choice choice;

@@ -54,12 +54,12 @@ struct FirstStep {
     StepControl control;
     control.max_displacement = 1.0;
     control.max_passes = 60;
-    Newmark mover(*hand.setup, control, 0.01, {});
-    (void)mover.enter(hand.state);
+    Newmark integrator(*hand.setup, control, 0.01, {});
+    (void)integrator.enter(hand.state);
     ImplicitSystem system(*hand.setup);
     const State before = hand.state;
     const std::vector<double>& q = before.q;
-    system.take_masses(q, before.v);
+    system.compute_masses(q, before.v);
     std::vector<double> K(system.pattern().size(), 0.0);
     const auto n = static_cast<Eigen::Index>(system.dofs());
     std::vector<double> force(static_cast<std::size_t>(n), 0.0), weight(q.size(), 0.0);
@@ -69,7 +69,7 @@ struct FirstStep {
       hand.setup->pool(p).body_force(notches.scene.model.gravity, hand.setup->part(std::span<double>(weight), p));
     system.add_forces(weight, q, force);
 
-    const StepReport report = mover.step(hand.state, ticks(h));
+    const StepReport report = integrator.step(hand.state, ticks(h));
     EXPECT_EQ(report.status, StepReport::Status::ok) << report.cause;
     passes = report.passes;
     held.assign(notches.factor.size(), 0.0);
@@ -95,7 +95,7 @@ struct FirstStep {
       double k = 0.0, g = 0.0;
     };
     std::vector<Normal> normals;
-    const auto& trials = mover.contacts().trials();
+    const auto& trials = integrator.contacts().trials();
     for (std::size_t i = 0; i < trials.size(); ++i) {
       const OpenClose::Trial& t = trials[i];
       const ContactMemory& m = before.contacts[i];
@@ -104,8 +104,8 @@ struct FirstStep {
         normals.push_back({Eigen::VectorXd::Zero(n), 0.0, 0.0});
         continue;
       }
-      const Eigen::VectorXd along = dense(mover.contacts().tangential(i));
-      Normal normal{dense(mover.contacts().normal(i)), m.kn, m.gap};
+      const Eigen::VectorXd along = dense(integrator.contacts().tangential(i));
+      Normal normal{dense(integrator.contacts().normal(i)), m.kn, m.gap};
       Eigen::VectorXd works = normal.h;  // what f_n and the friction that follows it push
       if (t.status == ContactStatus::slip) {
         ++slipping;

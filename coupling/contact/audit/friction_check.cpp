@@ -58,7 +58,7 @@ FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
     const Material& rock = model.materials[block.material.index()];
     const double area = moments(block.polygon).area, shear = rock.young / (2.0 * (1.0 + rock.poisson));
     bodies_.push_back(
-        {!b.driven || b.guest, rock.density * area, 2.0 * std::sqrt(area * rock.density / shear), std::sqrt(area)});
+        {!b.driven || b.ghost, rock.density * area, 2.0 * std::sqrt(area * rock.density / shear), std::sqrt(area)});
   }
 }
 

@@ -35,12 +35,12 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
   double behind = 0.0;
   for (std::size_t i = 0; i < kinks_.size(); ++i) {
     const double ahead = i + 1 < kinks_.size() ? kinks_[i + 1].s - kinks_[i].s : 0.0,
-                 share = 0.5 * behind + 0.5 * ahead;
-    if (share > 0.0) {
+                 tributary = 0.5 * behind + 0.5 * ahead;
+    if (tributary > 0.0) {
       OverlapPoint& p = points_.emplace_back();
       p.vertex = kinks_[i].vertex;
       p.edge = kinks_[i].edge;
-      p.share = share;
+      p.tributary = tributary;
       p.behind = behind;
       p.ahead = ahead;
     }

@@ -8,11 +8,11 @@
 
 namespace scree::coupling {
 
-/// A vertex of one edge that lies over the other, with the length of joint that it stands for.
+/// Per vertex of one edge that lies over the other, with the length of joint that it stands for.
 struct OverlapPoint {
   std::int32_t vertex = -1;          // into Outlines::vertices
   std::int32_t edge = -1;            // the edge that it faces
-  double share = 0.0;                // [m], half of the pieces on either side
+  double tributary = 0.0;            // [m], half of the pieces on either side
   double behind = 0.0, ahead = 0.0;  // their lengths, against and along the direction given [m]
 };
 

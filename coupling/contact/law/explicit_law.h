@@ -20,7 +20,7 @@ struct PointMotion {
 /// In: m.gap and m.stretch as the motion left them without slip. Out: forces fn, ft with their parts of damping fd,
 /// fdt; status; accumulated slip; the anchor moved by the slip; gap0 moved by what slip has opened; failure of the
 /// bond. The law depends on nothing else: same arguments, same result.
-/// @param tan_friction  tangent of law.friction   @pre m.kn, m.kt and m.share are those of the point
+/// @param tan_friction  tangent of law.friction   @pre m.kn, m.kt and m.tributary are those of the point
 /// @source docs/theory/contact-law.md, "Coulomb friction"
 void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& motion, ContactMemory& m);
 

@@ -54,12 +54,12 @@ double JointSprings::corner_length(JointId id, std::int32_t edge_a, std::int32_t
          std::min(root_area_[static_cast<std::size_t>(edge_a)], root_area_[static_cast<std::size_t>(edge_b)]);
 }
 
-Springs JointSprings::springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const {
+Springs JointSprings::springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double tributary) const {
   const JointLaw& j = law(id);
   if (j.penalty)
-    return {j.contact_length > 0.0 ? j.contact_length : share, *j.penalty, j.shear_penalty.value_or(*j.penalty)};
+    return {j.contact_length > 0.0 ? j.contact_length : tributary, *j.penalty, j.shear_penalty.value_or(*j.penalty)};
   const double normal = normal_stiffness(id, edge_a, edge_b);
-  return {share, share * normal, share * j.shear_stiffness.value_or(normal)};
+  return {tributary, tributary * normal, tributary * j.shear_stiffness.value_or(normal)};
 }
 
 }  // namespace scree::coupling

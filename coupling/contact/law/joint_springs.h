@@ -10,7 +10,7 @@ namespace scree::coupling {
 
 /// The springs of a contact point under a law.
 struct Springs {
-  double share = 0.0;         // length of joint that the point stands for [m]
+  double tributary = 0.0;     // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;  // [N/m]
   [[nodiscard]] bool operator==(const Springs&) const = default;
 };
@@ -32,7 +32,7 @@ class JointSprings {
   /// Extent of the edge's block, as the model has it, normal to the edge [m].
   [[nodiscard]] double width(std::int32_t edge) const { return width_[static_cast<std::size_t>(edge)]; }
   /// Springs of a point with a length of overlap [m].
-  [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double share) const;
+  [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double tributary) const;
 
  private:
   [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }

@@ -27,7 +27,7 @@ Strength strength(const JointLaw& law, const ContactMemory& memory) {
 Strength strength(const JointLaw& law, double tan_friction, const ContactMemory& memory) {
   const double tension = tension_limit(law, memory);
   const double cohesion =
-      std::isinf(tension) ? tension : (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.share;
+      std::isinf(tension) ? tension : (memory.failed != 0 ? law.residual_cohesion : law.cohesion) * memory.tributary;
   return {cohesion, coefficient(law, tan_friction, memory), tension};
 }
 
@@ -36,7 +36,7 @@ double friction_limit(const JointLaw& law, const ContactMemory& memory, double f
 }
 
 double tension_limit(const JointLaw& law, const ContactMemory& memory) {
-  return memory.bonded != 0 ? law.tensile_strength * memory.share : 0.0;
+  return memory.bonded != 0 ? law.tensile_strength * memory.tributary : 0.0;
 }
 
 bool can_fail(const JointLaw& law) {

@@ -8,7 +8,7 @@ namespace scree::coupling {
 
 /// What the law leaves a point at an instant.
 struct Strength {
-  double cohesion = 0.0;     // times its share; infinite: it never slips [N]
+  double cohesion = 0.0;     // times its tributary; infinite: it never slips [N]
   double coefficient = 0.0;  // tan phi
   double tension = 0.0;      // the largest pull that it bears [N]
 

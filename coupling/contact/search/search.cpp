@@ -49,7 +49,7 @@ struct Search::Impl {
   const Setup* setup;
   double reach;
   std::vector<Owner> owners;       // of segments
-  std::vector<std::size_t> first;  // a node: its first in segments_at, and the end
+  std::vector<std::size_t> first;  // per node: its first in segments_at, and the end
   std::vector<std::size_t> segments_at;
   std::vector<Box> fat;   // of segments
   std::vector<Box> room;  // of nodes: in all boxes of its segments, half the reach away from their sides

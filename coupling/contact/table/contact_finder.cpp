@@ -38,7 +38,7 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
     largest_weights_ =
         std::max(largest_weights_, std::abs(o.nodes[i].w[0]) + std::abs(o.nodes[i].w[1]) + std::abs(o.nodes[i].w[2]));
-    compliance_.push_back(b.driven && !b.guest ? 0.0
+    compliance_.push_back(b.driven && !b.ghost ? 0.0
                                                : setup.pool_of(b).compliance(b.index, setup.local(b, o.nodes[i])));
   }
 }
@@ -112,21 +112,21 @@ void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) co
     known_.for_vertices(of, next, see);
     // Where vertices meet exactly, either may stand for both.
     known_.for_against(of, [&](std::size_t i) {
-      if (next(pairs_.facing_edge(known_.vertex(i), known_.edge(i)))) see(i);
+      if (next(pairs_.opposing_edge(known_.vertex(i), known_.edge(i)))) see(i);
     });
   }
 }
 
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
-  if (!p.facing || p.largest_share == 0.0) return -1;
+  if (!p.edge_edge || p.largest_tributary == 0.0) return -1;
   const Outlines& o = setup_->outlines();
-  const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
+  const std::int32_t own = pairs_.opposing_edge(p.vertex, p.edge);
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
     if (!known_.closed(i) && (next_only || p.from >= 0)) return;
     if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
-    if (!known_.facing(i)) return;
+    if (!known_.edge_edge(i)) return;
     const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(i))].node);
     const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
     if (d > within || d >= nearest) return;
@@ -156,14 +156,14 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   // find each other, and another edge can take it over.
   const auto beyond = [&](bool convex, std::int32_t next) {
     const bool ends = convex || pairs_.in_line(next, p.edge);
-    return !ends || p.facing ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+    return !ends || p.edge_edge ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
   const Outlines::Vertex &first = o.vertices[static_cast<std::size_t>(edge.first_segment)],
                          &last = o.vertices[static_cast<std::size_t>(edge.end_vertex)];
   p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
   p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
   const double foot = p.at.xi * p.at.length;
-  p.beyond = !p.facing && (foot < p.s_low || foot > p.s_high);
+  p.beyond = !p.edge_edge && (foot < p.s_low || foot > p.s_high);
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
@@ -186,11 +186,11 @@ double ContactFinder::compliance(const ContactPoint& p) const {
 
 void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const {
   constexpr double kPeriods = 4.0, kSwings = 10.0;
-  Springs springs{m.share, m.kn, m.kt};
-  if (p.facing) {
-    const std::int32_t own = pairs_.facing_edge(p.vertex, p.edge);
+  Springs springs{m.tributary, m.kn, m.kt};
+  if (p.edge_edge) {
+    const std::int32_t own = pairs_.opposing_edge(p.vertex, p.edge);
     const JointId law{m.joint};
-    const double length = std::min(springs_.corner_length(law, own, p.edge), p.full_share);
+    const double length = std::min(springs_.corner_length(law, own, p.edge), p.full_tributary);
     const Springs corner = springs_.springs(law, own, p.edge, length);
     if (m.kn < corner.kn) springs = corner;
   }
@@ -198,7 +198,7 @@ void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMem
   if (speed < touching_ * rate || speed * rate < kSwings * setup_->model().gravity.norm()) return;
   const std::int32_t beside = neighbour(p, false);
   if (beside >= 0 && known_.list().memory[static_cast<std::size_t>(beside)].impact == 0.0) return;
-  m.share = springs.share;
+  m.tributary = springs.tributary;
   m.kn = springs.kn;
   m.kt = springs.kt;
   m.impact = kPeriods * 2.0 * std::numbers::pi / rate;
@@ -209,13 +209,14 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   if (fraction == 0.0) return;
   const double mu = compliance(p);
   // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
-  const double part = p.full_share > 0.0 && m.facing != 0 ? std::sqrt(std::min(1.0, m.share / p.full_share)) : 1.0;
+  const double part =
+      p.full_tributary > 0.0 && m.edge_edge != 0 ? std::sqrt(std::min(1.0, m.tributary / p.full_tributary)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
   p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
 }
 
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
-  if ((to.facing && !in_impact(from)) || to.beyond) return false;
+  if ((to.edge_edge && !in_impact(from)) || to.beyond) return false;
   const Outlines& o = setup_->outlines();
   const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
                        &b = o.edges[static_cast<std::size_t>(to.edge)];
@@ -239,7 +240,7 @@ bool ContactFinder::was_closed(const ContactPoint& p) const {
 
 void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
   for (ContactPoint& from : points) {
-    if ((from.facing && !in_impact(from)) || !was_closed(from) ||
+    if ((from.edge_edge && !in_impact(from)) || !was_closed(from) ||
         known_.list().memory[static_cast<std::size_t>(from.from)].bonded != 0)
       continue;
     for (ContactPoint& to : points) {
@@ -257,7 +258,7 @@ bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const Cont
                                   const ContactPoint& to, std::span<const ContactPoint> of_tip) const {
   const Outlines::Vertex& corner = setup_->outlines().vertices[static_cast<std::size_t>(from.vertex)];
   if ((to.edge != corner.edge_in && to.edge != corner.edge_out) || to.beyond || was_closed(to)) return false;
-  if (to.facing && -pairs_.direction(from.edge).dot(pairs_.direction(to.edge)) > kStillFaces) return false;
+  if (to.edge_edge && -pairs_.direction(from.edge).dot(pairs_.direction(to.edge)) > kStillFaces) return false;
   if (to.at.gap >= 0.0 || to.at.gap <= kClearly * from.at.gap) return false;
   const auto goes_on = [this](const ContactPoint& p, std::span<const ContactPoint> of_vertex) {
     return std::any_of(of_vertex.begin(), of_vertex.end(), [&](const ContactPoint& other) {
@@ -277,7 +278,7 @@ void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
   };
   for (ContactPoint& from : out.points) {
     const double depth = -from.at.gap, s = from.at.xi * from.at.length;
-    if (from.facing || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
+    if (from.edge_edge || from.suppressed || depth <= 0.0 || !in_impact(from)) continue;
     const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
     const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
     // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
@@ -338,7 +339,7 @@ void ContactFinder::pass_energy_on(bool at_start, ContactList& out) {
       set_range(*successor, true);
       m = {};
       remember(index, at_start, out);
-      m.gap = was.gap;  // see ExplicitContact::hand_over()
+      m.gap = was.gap;  // see ExplicitContact::transfer_impact_energy()
     }
     m.gap0 = successor->at.gap - m.gap;
   }
@@ -360,7 +361,7 @@ void ContactFinder::settle_vertex(std::size_t first, bool at_start, ContactList&
     } else {
       fresh_.push_back(index);
     }
-    if (!p.facing && !was_closed(p)) corners_.push_back(index);
+    if (!p.edge_edge && !was_closed(p)) corners_.push_back(index);
     if (std::max(p.partner[0], p.partner[1]) >= 0) paired_.push_back(index);
   }
 }
@@ -382,7 +383,7 @@ void ContactFinder::cover_corners(ContactList& out) const {
           std::lower_bound(out.points.begin(), out.points.end(), tip,
                            [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
       for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
-        if (t->facing || !was_closed(*t) || !goes_on(t->edge)) continue;
+        if (t->edge_edge || !was_closed(*t) || !goes_on(t->edge)) continue;
         const double step =
             t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
         if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
@@ -464,26 +465,26 @@ bool ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   // What is more than half way through a body when it is first seen came in over another edge.
   if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
     return false;
-  p.facing = pair.share > 0.0;
+  p.edge_edge = pair.tributary > 0.0;
   p.behind = pair.behind;
   p.ahead = pair.ahead;
   set_range(p, closed);
   if (p.beyond && closed) return false;
-  if (!closed && !p.facing && !admissible(p)) return false;
+  if (!closed && !p.edge_edge && !admissible(p)) return false;
   const JointId law = springs_.law_of(pair.own, pair.edge);
   p.joint = law.value;
   p.springs = springs_.springs(law, pair.own, pair.edge,
-                               p.facing ? pair.share : springs_.corner_length(law, pair.own, pair.edge));
-  if (p.facing && springs_.per_area(law)) {
+                               p.edge_edge ? pair.tributary : springs_.corner_length(law, pair.own, pair.edge));
+  if (p.edge_edge && springs_.per_area(law)) {
     const auto length = [&](std::int32_t of) {
       const Outlines::Segment& own = o.segments[static_cast<std::size_t>(of)];
       return (x_[static_cast<std::size_t>(own.b)] - x_[static_cast<std::size_t>(own.a)]).norm();
     };
     const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
-    p.largest_share = before + after;
-    p.full_share =
+    p.largest_tributary = before + after;
+    p.full_tributary =
         std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
-    p.margin = kBoundMargin * p.largest_share / p.springs.share * std::max(p.springs.kn, p.springs.kt);
+    p.margin = kBoundMargin * p.largest_tributary / p.springs.tributary * std::max(p.springs.kn, p.springs.kt);
   }
   p.first_gap0 = std::min(p.at.gap, 0.0);
   if (was == nullptr || (!closed && was->gap < 0.0)) {
@@ -555,7 +556,7 @@ void ContactFinder::fill_with_water(ContactList& list) const {
     ContactMemory& m = list.memory[i];
     m.water = 0.0;
     const JointWater* water = setup_->model().water_in(JointId{m.joint});
-    if (water == nullptr || !p.facing || p.suppressed) continue;
+    if (water == nullptr || !p.edge_edge || p.suppressed) continue;
     // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
     // of a piece carries what a linear pressure gives it.
     const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;

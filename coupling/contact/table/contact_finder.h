@@ -25,7 +25,7 @@ class ContactFinder {
   /// other side takes its place, or passes to the next edge in line, the memory passes as well. New points start open.
   /// A share that changes while a contact stays of its kind keeps gap and stretch, and with them the traction.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
-  /// @param of        which; points of guests alone are those of the whole list but for what a corner between two
+  /// @param of        which; points of ghosts alone are those of the whole list but for what a corner between two
   /// other bodies makes of them
   void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
             ContactPairs::Of of = ContactPairs::Of::all);

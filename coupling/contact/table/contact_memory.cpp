@@ -30,11 +30,11 @@ void ContactFinder::inherit(ContactList& out) {
       p.from = index;
     };
     // One of the other side that takes the vertex's place, and the vertex itself against the next edge in line.
-    if (p.facing)
+    if (p.edge_edge)
       known_.for_vertices(
           p.edge, [&v](std::int32_t edge) { return edge == v.edge_in || edge == v.edge_out; },
           [&](std::size_t g) {
-            if (known_.facing(g)) look(g);
+            if (known_.edge_edge(g)) look(g);
           });
     known_.for_vertex(
         p.vertex, [&](std::int32_t edge) { return in_line(edge, p.edge); }, look);
@@ -43,7 +43,7 @@ void ContactFinder::inherit(ContactList& out) {
 }
 
 void ContactFinder::keep_force(const ContactMemory& old, bool divided, const ContactPoint& p, ContactMemory& m) {
-  const double given = divided ? old.share / m.share : 1.0;
+  const double given = divided ? old.tributary / m.tributary : 1.0;
   const auto resting_on = [given](double now, double was) {
     const double own = std::max(now, was);
     constexpr double kStrains = 1.01;  // shares that differ by less are the same
@@ -82,9 +82,10 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   if (m.segment < 0) m.impact = 0.0;  // a body was made anew
   // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds(). In an
   // impact a point keeps all of it.
-  if (!closed || (m.impact == 0.0 && m.facing == static_cast<std::int32_t>(p.facing) && (p.facing || !passed))) {
-    m.facing = static_cast<std::int32_t>(p.facing);
-    m.share = p.springs.share;
+  if (!closed ||
+      (m.impact == 0.0 && m.edge_edge == static_cast<std::int32_t>(p.edge_edge) && (p.edge_edge || !passed))) {
+    m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
+    m.tributary = p.springs.tributary;
     m.kn = p.springs.kn;
     m.kt = p.springs.kt;
   }
@@ -146,7 +147,7 @@ void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) con
 
 bool ContactFinder::adds(const ContactPoint& p) const {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
-  return p.from < 0 && p.facing && v.edge_in == v.edge_out;
+  return p.from < 0 && p.edge_edge && v.edge_in == v.edge_out;
 }
 
 EdgePair ContactFinder::joint_of(const ContactPoint& p, bool out) const {
@@ -231,14 +232,14 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     ContactMemory& m = list.memory[i];
-    const bool same_kind = m.facing == static_cast<std::int32_t>(p.facing);
+    const bool same_kind = m.edge_edge == static_cast<std::int32_t>(p.edge_edge);
     if (m.status == ContactStatus::open || m.impact > 0.0 ||
         (same_kind && m.kn == p.springs.kn && m.kt == p.springs.kt))
       continue;
     // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
-    if (p.facing && !same_kind && p.springs.share < std::min(m.share, 0.5 * p.largest_share)) continue;
+    if (p.edge_edge && !same_kind && p.springs.tributary < std::min(m.tributary, 0.5 * p.largest_tributary)) continue;
     // A share that has become smaller in an impact is followed from the next step on, as in sliding: see fill().
-    if (p.facing && same_kind && p.springs.share < m.share) continue;
+    if (p.edge_edge && same_kind && p.springs.tributary < m.tributary) continue;
     const bool loaded = !p.suppressed && (m.gap < 0.0 || m.bonded != 0);
     const double gap = loaded ? m.gap * m.kn / p.springs.kn : m.gap, stretch = m.stretch * m.kt / p.springs.kt;
     if (loaded) change += 0.5 * (p.springs.kn * gap * gap - m.kn * m.gap * m.gap);
@@ -247,8 +248,8 @@ double ContactFinder::adopt_kinds(ContactList& list) const {
     m.gap = gap;
     m.stretch = stretch;
     m.anchor = p.at.xi - stretch / p.at.length;
-    m.facing = static_cast<std::int32_t>(p.facing);
-    m.share = p.springs.share;
+    m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
+    m.tributary = p.springs.tributary;
     m.kn = p.springs.kn;
     m.kt = p.springs.kt;
   }

@@ -21,15 +21,15 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       box_(direction_.size()),
       first_(setup.outlines().vertices.size() + 1) {
   for (const Outlines::Edge& e : setup.outlines().edges)
-    guest_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].guest ? 1 : 0);
+    ghost_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].ghost ? 1 : 0);
   deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
 }
 
-bool ContactPairs::facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
+bool ContactPairs::edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
   const double against = -direction(a).dot(direction(b));
   if (against < kStillFaces || against > kFaces) return against > kFaces;
   bool closed = false;
-  known.for_pair(a, b, [&](std::size_t i) { closed = closed || (known.closed(i) && known.facing(i)); });
+  known.for_pair(a, b, [&](std::size_t i) { closed = closed || (known.closed(i) && known.edge_edge(i)); });
   return closed;
 }
 
@@ -41,7 +41,7 @@ bool ContactPairs::in_line(std::int32_t a, std::int32_t b) const {
   return std::min(a1, length) - std::max(a0, 0.0) < 0.5 * std::min(a1 - a0, length);
 }
 
-std::int32_t ContactPairs::facing_edge(std::int32_t vertex, std::int32_t edge) const {
+std::int32_t ContactPairs::opposing_edge(std::int32_t vertex, std::int32_t edge) const {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
   const Vec2& t = direction(edge);
   return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
@@ -62,13 +62,13 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const 
   return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
 }
 
-void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double share, double behind,
+void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind,
                         double ahead) {
   VertexEdge& p = unsorted_.emplace_back();  // made where it stays, as contact points are
   p.vertex = vertex;
   p.edge = edge;
   p.own = own;
-  p.share = share;
+  p.tributary = tributary;
   p.behind = behind;
   p.ahead = ahead;
   ++first_[static_cast<std::size_t>(vertex) + 1];
@@ -80,8 +80,8 @@ void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const Know
   const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
   if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
     return;
-  if (facing(v.edge_in, edge, known)) return;
-  list(vertex, edge, facing_edge(vertex, edge), 0.0, 0.0, 0.0);
+  if (edge_edge(v.edge_in, edge, known)) return;
+  list(vertex, edge, opposing_edge(vertex, edge), 0.0, 0.0, 0.0);
 }
 
 void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
@@ -91,13 +91,13 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
     known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
     if (!closed) return;
   }
-  if (facing(a, b, known)) {
+  if (edge_edge(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
     for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
       if (p.edge == a)
-        list(p.vertex, p.edge, b, p.share, p.behind, p.ahead);
+        list(p.vertex, p.edge, b, p.tributary, p.behind, p.ahead);
       else  // b runs against the direction
-        list(p.vertex, p.edge, a, p.share, p.ahead, p.behind);
+        list(p.vertex, p.edge, a, p.tributary, p.ahead, p.behind);
   } else {
     try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
     try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
@@ -117,7 +117,7 @@ void ContactPairs::sort() {
       // A vertex between two edges in line may face one edge with both.
       if (kept != first && std::prev(kept)->edge == begin->edge) {
         VertexEdge& same = *std::prev(kept);
-        same.share += begin->share;
+        same.tributary += begin->tributary;
         same.behind += begin->behind;
         same.ahead += begin->ahead;
       } else {
@@ -131,7 +131,7 @@ void ContactPairs::sort() {
 
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
   const auto wanted = [&](std::int32_t a, std::int32_t b) {
-    return of == Of::all || guest_[static_cast<std::size_t>(a)] != 0 || guest_[static_cast<std::size_t>(b)] != 0;
+    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
   };
   const Outlines& o = setup_->outlines();
   for (std::size_t e = 0; e < o.edges.size(); ++e) {
@@ -160,7 +160,7 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
     // Corners are tried with the edge that begins at them.
     const std::int32_t own =
-        known.facing(i) ? facing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+        known.edge_edge(i) ? opposing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
     deep_.push_back({std::min(own, edge), std::max(own, edge)});
   }
   std::sort(deep_.begin(), deep_.end());

@@ -18,7 +18,7 @@ inline constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far 
 struct VertexEdge {
   std::int32_t vertex = -1, edge = -1;
   std::int32_t own = -1;             // the edge of the vertex that faces it
-  double share = 0.0;                // of the overlap [m]; 0: a corner against an edge
+  double tributary = 0.0;            // of the overlap [m]; 0: a corner against an edge
   double behind = 0.0, ahead = 0.0;  // pieces of the overlap on either side, against and along the edge [m]
   auto operator<=>(const VertexEdge&) const = default;
 };
@@ -32,9 +32,9 @@ class ContactPairs {
 
   /// @param x      positions of the outline nodes
   /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
-  /// @param of     leave out pairs of two bodies that are not guests, which whoever asks does not need
+  /// @param of     leave out pairs of two bodies that are not ghosts, which whoever asks does not need
   /// @return pairs in order, each once; valid until the next call
-  enum class Of { all, guests };
+  enum class Of { all, ghosts };
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
@@ -44,10 +44,10 @@ class ContactPairs {
   /// other. Sides of thin blocks next to each other are as parallel, and do not.
   [[nodiscard]] bool in_line(std::int32_t a, std::int32_t b) const;
   /// Of the two edges that meet at a vertex, the one that turns towards an edge.
-  [[nodiscard]] std::int32_t facing_edge(std::int32_t vertex, std::int32_t edge) const;
+  [[nodiscard]] std::int32_t opposing_edge(std::int32_t vertex, std::int32_t edge) const;
 
  private:
-  [[nodiscard]] bool facing(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
+  [[nodiscard]] bool edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
   void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
   void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
   /// True if what is in the boxes is farther apart than half the reach.
@@ -55,7 +55,7 @@ class ContactPairs {
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
   /// Lists a pair, and counts it for its vertex.
-  void list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double share, double behind, double ahead);
+  void list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind, double ahead);
   /// Brings the pairs into order: by vertex in one pass, then the few of each vertex, with those of one edge made one.
   void sort();
 
@@ -64,12 +64,12 @@ class ContactPairs {
   double reach_ = 0.0;
   Search search_;
   EdgeOverlap overlap_;
-  std::vector<char> guest_;  // an edge: 1 if its body is a guest
+  std::vector<char> ghost_;  // an edge: 1 if its body is a ghost
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge
   std::vector<VertexEdge> pairs_, unsorted_;
-  std::vector<std::int32_t> first_;  // a vertex: its pairs, counted one further on; then its first pair
+  std::vector<std::int32_t> first_;  // per vertex: its pairs, counted one further on; then its first pair
   std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
 };
 

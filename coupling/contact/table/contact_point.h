@@ -48,7 +48,7 @@ struct ContactPoint {
   std::int32_t beside = -1;                           // of a new point: the one in that list that it begins like
   std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
   ContactGeometry at;
-  bool facing = false;                 // part of an edge-edge contact
+  bool edge_edge = false;              // part of an edge-edge contact
   double behind = 0.0, ahead = 0.0;    // of it: pieces of the overlap on either side, against and along the edge [m]
   double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
   bool suppressed = false;             // another edge, or another corner, holds what there is here
@@ -56,8 +56,8 @@ struct ContactPoint {
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // the same corner on the edges before and after, where they meet convexly
   Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
-  double largest_share = 0.0;          // that the vertex could have in an overlap per area [m]
-  double full_share = 0.0;             // that it has where the segments of both sides lie on each other [m]
+  double largest_tributary = 0.0;      // that the vertex could have in an overlap per area [m]
+  double full_tributary = 0.0;         // that it has where the segments of both sides lie on each other [m]
   double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 
@@ -98,7 +98,7 @@ void ContactPoint::visit(Visitor&& see) const {
   see("point.length", at.length);
   see("point.gap", at.gap);
   see("point.xi", at.xi);
-  see("point.facing", facing);
+  see("point.edge_edge", edge_edge);
   see("point.behind", behind);
   see("point.ahead", ahead);
   see("point.first_gap0", first_gap0);
@@ -107,11 +107,11 @@ void ContactPoint::visit(Visitor&& see) const {
   see("point.s_low", s_low);
   see("point.s_high", s_high);
   for (const std::int32_t& p : partner) see("point.partner", p);
-  see("point.share", springs.share);
+  see("point.tributary", springs.tributary);
   see("point.kn", springs.kn);
   see("point.kt", springs.kt);
-  see("point.largest_share", largest_share);
-  see("point.full_share", full_share);
+  see("point.largest_tributary", largest_tributary);
+  see("point.full_tributary", full_tributary);
   see("point.margin", margin);
   see("point.cn", cn);
   see("point.ct", ct);

@@ -46,7 +46,7 @@ class KnownContacts {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const ContactList::Brief& p = list.briefs[i];
       const ContactMemory& m = list.memory[i];
-      points_[i] = {p.vertex, p.edge, m.status != ContactStatus::open, m.facing != 0, m.gap + m.gap0};
+      points_[i] = {p.vertex, p.edge, m.status != ContactStatus::open, m.edge_edge != 0, m.gap + m.gap0};
       divided_ = divided_ || m.segment < 0;
       closed_divided_ = closed_divided_ || (m.segment < 0 && points_[i].closed);
       ++first_[static_cast<std::size_t>(p.vertex) + 1];
@@ -67,7 +67,7 @@ class KnownContacts {
   [[nodiscard]] std::int32_t vertex(std::size_t i) const { return points_[i].vertex; }
   [[nodiscard]] std::int32_t edge(std::size_t i) const { return points_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
-  [[nodiscard]] bool facing(std::size_t i) const { return points_[i].facing; }
+  [[nodiscard]] bool edge_edge(std::size_t i) const { return points_[i].edge_edge; }
   /// Gap between the bodies, whatever counts as closed [m].
   [[nodiscard]] double whole_gap(std::size_t i) const { return points_[i].whole_gap; }
   /// True if the vertex is closed against any edge.
@@ -119,14 +119,14 @@ class KnownContacts {
   /// What searches look at, close together.
   struct Brief {
     std::int32_t vertex, edge;
-    bool closed, facing;
+    bool closed, edge_edge;
     double whole_gap;
   };
   const Outlines* outlines_;
   const ContactList* list_ = nullptr;
   std::vector<Brief> points_;
   bool divided_ = false, closed_divided_ = false;
-  std::vector<std::int32_t> first_;          // a vertex: its first point, and the end
+  std::vector<std::int32_t> first_;          // per vertex: its first point, and the end
   std::vector<std::int32_t> against_first_;  // an edge: the first in against_, and the end
   std::vector<std::int32_t> against_;        // points by edge
 };

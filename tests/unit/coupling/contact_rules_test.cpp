@@ -131,13 +131,13 @@ TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) 
   const auto adopted = [&](double had, double overlap, double largest) {
     ContactList list;
     ContactPoint& p = list.points.emplace_back();
-    p.facing = true;
-    p.largest_share = largest;
+    p.edge_edge = true;
+    p.largest_tributary = largest;
     p.springs = {overlap, overlap * stiffness, overlap * stiffness};
     p.at.length = 1.0;
     ContactMemory& m = list.memory.emplace_back();
     m.status = ContactStatus::stick;
-    m.share = had;
+    m.tributary = had;
     m.kn = had * stiffness;
     m.kt = 0.5 * had * stiffness;
     m.gap = -1e-4;
@@ -148,7 +148,7 @@ TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) 
     EXPECT_NEAR(m.kn * m.gap / fn, 1.0, 1e-12);
     EXPECT_NEAR(m.kt * m.stretch / ft, 1.0, 1e-12);
     EXPECT_NEAR(change, 0.5 * (m.kn * m.gap * m.gap + m.kt * m.stretch * m.stretch) - before, 1e-12 * before);
-    return m.facing == 1;
+    return m.edge_edge == 1;
   };
   EXPECT_FALSE(adopted(0.1, 0.09, 1.0));  // less than the corner had
   EXPECT_TRUE(adopted(0.1, 0.11, 1.0));

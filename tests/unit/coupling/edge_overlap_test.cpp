@@ -91,9 +91,9 @@ TEST(EdgeOverlap, shares_are_positive_and_add_to_the_overlap) {
       EdgeOverlap overlap;
       double sum = 0.0;
       for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.a, f.b, f.t, middle)) {
-        EXPECT_GT(p.share, 0.0);
+        EXPECT_GT(p.tributary, 0.0);
         EXPECT_EQ(p.edge, f.lines.outlines.vertices[static_cast<std::size_t>(p.vertex)].body == f.a ? f.b : f.a);
-        sum += p.share;
+        sum += p.tributary;
       }
       EXPECT_NEAR(sum, f.high - f.low, 1e-14) << "seed " << seed;
     }
@@ -107,12 +107,12 @@ TEST(EdgeOverlap, pressures_with_kinks_at_vertices_pass_exactly) {
     EdgeOverlap overlap;
     const auto points = overlap.divide(f.lines.outlines, f.lines.x, f.a, f.b, f.t, true);
     double first = 0.0;
-    for (const OverlapPoint& p : points) first += p.share * f.lines.along(p, f.t);
+    for (const OverlapPoint& p : points) first += p.tributary * f.lines.along(p, f.t);
     EXPECT_NEAR(first, 0.5 * (f.high * f.high - f.low * f.low), 1e-14);
     for (const std::vector<double>* s : {&f.sa, &f.sb})
       for (const double k : *s) {
         double moment = 0.0;
-        for (const OverlapPoint& p : points) moment += p.share * std::abs(f.lines.along(p, f.t) - k);
+        for (const OverlapPoint& p : points) moment += p.tributary * std::abs(f.lines.along(p, f.t) - k);
         EXPECT_NEAR(moment, integral_of_kink(k, f.low, f.high), 2e-14) << "seed " << seed << " kink " << k;
       }
   }
@@ -125,9 +125,9 @@ TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
     EdgeOverlap overlap;
     std::map<std::int32_t, double> one, other, image;
     for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.a, f.b, f.t, true))
-      one[p.vertex] = p.share;
+      one[p.vertex] = p.tributary;
     for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.b, f.a, -f.t, true))
-      other[p.vertex] = p.share;
+      other[p.vertex] = p.tributary;
     // Mirrored in the line across t, either edge runs the other way round.
     Lines mirror;
     const auto reflected = [&](const std::int32_t edge) {
@@ -142,7 +142,7 @@ TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
     const std::int32_t a = reflected(f.a), b = reflected(f.b);
     for (const OverlapPoint& p : overlap.divide(mirror.outlines, mirror.x, a, b, f.t, true)) {
       const Outlines::Edge& e = mirror.outlines.edges[static_cast<std::size_t>(p.edge == b ? a : b)];
-      image[e.first_segment + e.end_vertex - p.vertex] = p.share;
+      image[e.first_segment + e.end_vertex - p.vertex] = p.tributary;
     }
     ASSERT_EQ(one.size(), other.size()) << "seed " << seed;
     ASSERT_EQ(one.size(), image.size()) << "seed " << seed;
@@ -162,7 +162,7 @@ TEST(EdgeOverlap, vertices_that_match_exactly_count_once) {
   std::size_t ends = 0;
   for (const OverlapPoint& p : overlap.divide(lines.outlines, lines.x, a, b, Vec2(1.0, 0.0), true)) {
     const double s = lines.along(p, Vec2(1.0, 0.0));
-    at[s] += p.share;
+    at[s] += p.tributary;
     ends += s == 0.0 || s == 1.0 ? 1U : 0U;
   }
   EXPECT_EQ(at, (std::map<double, double>{{0.0, 0.125}, {0.25, 0.375}, {0.75, 0.375}, {1.0, 0.125}}));

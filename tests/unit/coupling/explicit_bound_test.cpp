@@ -19,9 +19,9 @@ struct Small {
   }
   double bound(const ExplicitDamping& damping, std::string* binding = nullptr) {
     ByHand hand(scene.model, scene.plan.stages[0]);
-    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
-    mover.enter(hand.state);
-    return mover.stable_step(hand.state, binding);
+    CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
+    integrator.enter(hand.state);
+    return integrator.stable_step(hand.state, binding);
   }
   /// Kinetic energy after 3000 steps of `h`, over that of the start: a tiny velocity in every mode.
   double growth(const ExplicitDamping& damping, double h) {
@@ -30,10 +30,10 @@ struct Small {
     gradient << 1.0, 0.4, 0.3, -0.7;
     hand.move(0, {0.0, 0.0}, 1e-9 * gradient);
     const double before = hand.kinetic();
-    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
-    mover.enter(hand.state);
+    CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
+    integrator.enter(hand.state);
     for (int i = 0; i < 3000; ++i)
-      if (mover.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
+      if (integrator.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
     return hand.kinetic() / before;
   }
 };
@@ -113,14 +113,14 @@ TEST(ExplicitLoss, of_a_block_turned_inside_out_keeps_the_last_good_state) {
   Mat2 squeeze = Mat2::Zero();
   squeeze(0, 0) = -2000.0;  // far beyond the speed that the elastic energy could stop
   hand.move(1, {0.0, 0.0}, squeeze);
-  CentralDifference mover(*hand.setup, {.max_displacement = 10.0}, 0.05, {.mass = 5.0, .stiffness = 1e-6});
-  mover.enter(hand.state);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 10.0}, 0.05, {.mass = 5.0, .stiffness = 1e-6});
+  integrator.enter(hand.state);
   const Tick h = ticks(1e-5);
   StepReport report;
   State before = hand.state;
   for (int i = 0; i < 1000 && report.status == StepReport::Status::ok; ++i) {
     before = hand.state;
-    report = mover.step(hand.state, h);
+    report = integrator.step(hand.state, h);
   }
   EXPECT_EQ(report.status, StepReport::Status::non_finite);
   EXPECT_EQ(report.body, 1);
@@ -129,11 +129,11 @@ TEST(ExplicitLoss, of_a_block_turned_inside_out_keeps_the_last_good_state) {
   EXPECT_GT(hand.state.step, 10);
   EXPECT_EQ(state_hash(hand.state), state_hash(before));
   // The books are those of the last good state too.
-  mover.update_ledger(hand.state);
+  integrator.update_ledger(hand.state);
   EXPECT_LT(hand.state.ledger.relative_closure(), 1e-12);
   // Asked again it fails again, and again leaves everything.
   before = hand.state;
-  EXPECT_EQ(mover.step(hand.state, h).status, StepReport::Status::non_finite);
+  EXPECT_EQ(integrator.step(hand.state, h).status, StepReport::Status::non_finite);
   EXPECT_EQ(state_hash(hand.state), state_hash(before));
 }
 

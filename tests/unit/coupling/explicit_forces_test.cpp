@@ -81,10 +81,10 @@ TEST_P(Loads, traction_on_part_of_an_edge_has_its_resultant_and_its_lever) {
   }
   EXPECT_NEAR(length, 0.28 * 2.0, 1e-13);
   EXPECT_NEAR(lever, 0.28 * 2.0 * (0.27 * 2.0 - 1.0), 1e-13);
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.01}, 0.05);
-  mover.enter(hand.state);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.01}, 0.05);
+  integrator.enter(hand.state);
   const Tick h = ticks(1e-5);
-  for (int i = 0; i < 20; ++i) ASSERT_EQ(mover.step(hand.state, h).status, StepReport::Status::ok);
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(integrator.step(hand.state, h).status, StepReport::Status::ok);
   const BodyTotals t = hand.totals(hand.setup->bodies()[0]);
   EXPECT_NEAR(t.momentum.y(), 560.0 * 2e-4, 1e-12);
   EXPECT_NEAR(t.angular_momentum - cross(t.centre, t.momentum), 560.0 * -0.46 * 2e-4, 1e-9);

@@ -32,7 +32,7 @@ Drawn draw(std::mt19937_64& random) {
   if (yes()) d.law.dilation = d.law.friction * unit(random);
   if (yes()) d.law.dilation_slip = 1e-2 * unit(random);
   ContactMemory& m = d.memory;
-  m.share = 0.1 + unit(random);
+  m.tributary = 0.1 + unit(random);
   m.kn = 1e9 * (0.1 + unit(random));
   m.kt = 1e9 * (0.1 + unit(random));
   m.gap = 1e-3 * either_way();
@@ -175,7 +175,7 @@ TEST(ExplicitLaw, bond_bears_its_strength_and_not_more) {
   d.law.tensile_strength = 2e6;
   d.law.cohesion = 1e7;
   d.motion.length = 1.0;
-  d.memory.share = 0.5;
+  d.memory.tributary = 0.5;
   d.memory.kn = d.memory.kt = 1e9;
   d.memory.status = ContactStatus::stick;
   d.memory.bonded = 1;

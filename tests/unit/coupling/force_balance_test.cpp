@@ -15,9 +15,9 @@ using namespace coupling;
 
 ForceBalance::Result measured(const Scene& scene) {
   ByHand hand(scene.model, scene.plan.stages[0]);
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
-  mover.enter(hand.state);
-  return ForceBalance(*hand.setup, hand.state).measure(hand.state, mover);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05);
+  integrator.enter(hand.state);
+  return ForceBalance(*hand.setup, hand.state).measure(hand.state, integrator);
 }
 
 Scene block(const char* method) {
@@ -72,9 +72,10 @@ TEST(ForceBalance, loads_are_those_of_the_present_time) {
   for (const double t : {0.0, 0.5, 2.0}) {
     ByHand hand(scene.model, scene.plan.stages[0]);
     hand.state.time = ticks(t);
-    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
-    mover.enter(hand.state);
-    EXPECT_NEAR(ForceBalance(*hand.setup, hand.state).measure(hand.state, mover).force, 400.0 * t, 1e-9) << t << " s";
+    CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05);
+    integrator.enter(hand.state);
+    EXPECT_NEAR(ForceBalance(*hand.setup, hand.state).measure(hand.state, integrator).force, 400.0 * t, 1e-9)
+        << t << " s";
   }
 }
 

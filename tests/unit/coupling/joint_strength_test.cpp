@@ -22,7 +22,7 @@ JointLaw law() {
 }
 ContactMemory point(double share) {
   ContactMemory m;
-  m.share = share;
+  m.tributary = share;
   m.bonded = 1;
   return m;
 }

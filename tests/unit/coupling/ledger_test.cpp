@@ -47,12 +47,12 @@ double closure_of_fall(bool hide) {
   const coupling::Setup& setup = *hand.setup;
   StepControl control;
   control.max_displacement = 0.01;
-  CentralDifference mover(setup, control, 0.05);
-  if (hide) mover.add_term(std::make_unique<Hidden>());
-  mover.enter(state);
-  const Tick h = ticks(0.5 * mover.stable_step(state, nullptr));
-  for (int i = 0; i < 500; ++i) EXPECT_EQ(mover.step(state, h).status, StepReport::Status::ok);
-  mover.update_ledger(state);
+  CentralDifference integrator(setup, control, 0.05);
+  if (hide) integrator.add_term(std::make_unique<Hidden>());
+  integrator.enter(state);
+  const Tick h = ticks(0.5 * integrator.stable_step(state, nullptr));
+  for (int i = 0; i < 500; ++i) EXPECT_EQ(integrator.step(state, h).status, StepReport::Status::ok);
+  integrator.update_ledger(state);
   return state.ledger.relative_closure();
 }
 

@@ -34,11 +34,11 @@ struct Bent {
   [[nodiscard]] SwitchRules& rules() { return scene.plan.stages[0].change; }
   /// The measures with which the bar goes to the DDA; none: it stays.
   std::vector<MethodChange> look() {
-    CentralDifference mover(*hand->setup, {.max_displacement = 0.1}, 0.05);
-    mover.enter(hand->state);
+    CentralDifference integrator(*hand->setup, {.max_displacement = 0.1}, 0.05);
+    integrator.enter(hand->state);
     hand->state.rules = {};
     MethodRules rules(scene.plan.stages[0], hand->methods, *hand->setup, hand->state);
-    return rules.look(hand->state, mover);
+    return rules.look(hand->state, integrator);
   }
 };
 

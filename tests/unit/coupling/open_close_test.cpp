@@ -26,24 +26,24 @@ struct Wall {
 
 struct Fall {
   test::ByHand hand;
-  Newmark mover;
+  Newmark integrator;
   StepReport all;
 
   Fall(const Wall& wall, OpenClose::Factor factor, int steps)
       : hand(wall.scene.model, wall.scene.plan.stages[0]),
-        mover(*hand.setup, control(), 0.05, ImplicitOptions{.factor = factor}) {
-    hand.state.ledger.open(std::array{mover.enter(hand.state)});
+        integrator(*hand.setup, control(), 0.05, ImplicitOptions{.factor = factor}) {
+    hand.state.ledger.open(std::array{integrator.enter(hand.state)});
     for (int i = 0; i < steps; ++i) {
       Tick h = ticks(1e-3);
-      StepReport report = mover.step(hand.state, h);
-      for (; report.status != StepReport::Status::ok && h > 1000; report = mover.step(hand.state, h)) h /= 3;
+      StepReport report = integrator.step(hand.state, h);
+      for (; report.status != StepReport::Status::ok && h > 1000; report = integrator.step(hand.state, h)) h /= 3;
       EXPECT_EQ(report.status, StepReport::Status::ok) << report.cause;
       all.passes += report.passes;
       all.switches += report.switches;
       all.updates += report.updates;
       all.factorisations += report.factorisations;
     }
-    mover.update_ledger(hand.state);
+    integrator.update_ledger(hand.state);
   }
   static StepControl control() {
     StepControl c;
@@ -92,10 +92,10 @@ StepControl wide() {
 TEST(OpenCloseStates, blocks_that_just_touch_do_not_switch_on_round_off) {
   const test::Scene scene = courses();
   test::ByHand hand(scene.model, scene.plan.stages[0]);
-  Newmark mover(*hand.setup, wide(), 0.05);
-  (void)mover.enter(hand.state);
+  Newmark integrator(*hand.setup, wide(), 0.05);
+  (void)integrator.enter(hand.state);
   // All fall by the same in the first step: gaps between them are round-off, and only the lowest are pressed.
-  const StepReport report = mover.step(hand.state, ticks(1e-3));
+  const StepReport report = integrator.step(hand.state, ticks(1e-3));
   ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
   EXPECT_LE(report.passes, 6);
   EXPECT_LE(report.switches, 100);
@@ -109,11 +109,11 @@ TEST(KeptFactor, settled_blocks_need_no_new_one) {
   for (int i = 0; i < 40; ++i) ASSERT_EQ(settling.step(hand.state, ticks(0.02)).status, StepReport::Status::ok);
   settling.leave(hand.state);
   EXPECT_TRUE(hand.state.factored.column_start.empty());
-  Newmark mover(*hand.setup, wide(), 0.05);
-  (void)mover.enter(hand.state);
+  Newmark integrator(*hand.setup, wide(), 0.05);
+  (void)integrator.enter(hand.state);
   StepReport all;
   for (int i = 0; i < 50; ++i) {
-    const StepReport report = mover.step(hand.state, ticks(1e-3));
+    const StepReport report = integrator.step(hand.state, ticks(1e-3));
     ASSERT_EQ(report.status, StepReport::Status::ok);
     all.factorisations += report.factorisations;
     all.corrections += report.corrections;
@@ -127,8 +127,8 @@ TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
   test::ByHand hand(wall.scene.model, wall.scene.plan.stages[0]);
   StepControl control = wide();
   control.max_passes = 30;
-  Newmark mover(*hand.setup, control, 0.05);
-  (void)mover.enter(hand.state);
+  Newmark integrator(*hand.setup, control, 0.05);
+  (void)integrator.enter(hand.state);
   int kept = 0, used = 0;  // copies with a factor that the next step may use; steps that made none
   for (int i = 0; i < 20; ++i) {
     State copy = hand.state;
@@ -137,7 +137,7 @@ TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
     (void)other.enter(copy);
     copy.last_step = hand.state.last_step;  // enter() begins a stage, a restart goes on within one
     for (int k = 0; k < 6; ++k) {
-      const StepReport report = mover.step(hand.state, ticks(1e-3));
+      const StepReport report = integrator.step(hand.state, ticks(1e-3));
       (void)other.step(copy, ticks(1e-3));
       used += report.factorisations == 0 ? 1 : 0;
     }

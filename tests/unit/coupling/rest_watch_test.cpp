@@ -17,7 +17,8 @@ std::string told_of(const std::vector<std::array<double, 3>>& way, const std::ve
   scene.add("b", test::rectangle(2, 0, 3, 1));
   scene.stage("dda", Integrator::implicit, 1.0, 0.01);
   const Methods methods = standard_methods();
-  const Setup setup(scene.model, methods, initial_records(scene.model, wishes(scene.model, scene.plan.stages[0])));
+  const Setup setup(scene.model, methods,
+                    initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0])));
   RestTrace trace;
   for (std::size_t part = 0; part + 1 < way.size(); ++part) {
     EXPECT_TRUE(trace.begins_part(0.25 * static_cast<double>(part)));

@@ -102,11 +102,11 @@ TEST(RunWatch, large_columns_of_the_scheme_are_told_once) {
   for (int c = 0; c < kColumns; ++c)
     if (info(static_cast<Column>(c)).side == Side::scheme) ledger.book(static_cast<Column>(c), 0.99);
   EXPECT_TRUE(large_scheme_columns(ledger, told).empty());
-  ledger.book(Column::contact_share, -2.0);
+  ledger.book(Column::contact_tributary, -2.0);
   ledger.book(Column::step_change, 50.0);  // what the shadow term changes by: no error
   const std::vector<std::string> lines = large_scheme_columns(ledger, told);
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_NE(lines[0].find("'contact_share'"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("'contact_tributary'"), std::string::npos) << lines[0];
   ledger.book(Column::deformation_damping, 2.0);  // what regularises sliding counts among them
   const std::vector<std::string> more = large_scheme_columns(ledger, told);
   ASSERT_EQ(more.size(), 1U);
@@ -144,9 +144,9 @@ Scene ringing(const char* method) {
 /// The certified step of a scene's first stage.
 double bound_of(const Scene& scene) {
   ByHand hand(scene.model, scene.plan.stages[0]);
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
-  mover.enter(hand.state);
-  return mover.stable_step(hand.state, nullptr);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05);
+  integrator.enter(hand.state);
+  return integrator.stable_step(hand.state, nullptr);
 }
 
 TEST(RunWatch, step_above_the_bound_ends_the_run_before_numbers_do) {

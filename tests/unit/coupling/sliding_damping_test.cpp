@@ -57,7 +57,7 @@ struct Fixture {
   explicit Fixture(const std::string& method) {
     scene.add("block", {{{0, 0}, {3, 0}, {3.5, 1.2}, {0.5, 1.7}}, {}});
     Stage& stage = scene.stage(method, Integrator::implicit, 1.0, 1e-3, 0.6);
-    state.bodies = initial_records(scene.model, wishes(scene.model, stage));
+    state.bodies = initial_records(scene.model, body_requests(scene.model, stage));
     setup = std::make_unique<Setup>(scene.model, standard_methods(), state.bodies);
     state.q.assign(2 * static_cast<std::size_t>(setup->nodes()), 0.0);
     state.v = state.q;
@@ -73,7 +73,7 @@ class Damper : public testing::TestWithParam<std::string> {};
 TEST_P(Damper, matrix_is_the_mass_less_its_rigid_part) {
   Fixture f(GetParam());
   ImplicitSystem system(*f.setup);
-  system.take_masses(f.state.q, f.state.v);
+  system.compute_masses(f.state.q, f.state.v);
   DeformationDamping damper(*f.setup, system);
   const double rate = 17.0, factor = 40.0;
   damper.find(f.state.q, std::vector<double>{rate}, factor);
@@ -153,7 +153,7 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   support.block = BlockId{2};
   scene.model.point_supports.push_back(support);
   const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
-  const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  const std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
   const coupling::Setup setup(scene.model, standard_methods(), records);
   SlidingDamping damping(setup, 0.7);
   ASSERT_TRUE(damping.used());
@@ -193,7 +193,7 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   // Against cohesion only the part of friction counts: tan(30 deg) of 9 tan(30 deg) + tan(30 deg).
   scene.model.joints[0].cohesion = 9.0 * std::tan(30.0 * test::kDegree);
   ContactMemory bound = pressed(1.0, slip);
-  bound.share = 1.0;
+  bound.tributary = 1.0;
   EXPECT_NEAR(rate({bound}, 1), std::pow(0.3, 1.5), 1e-14);
   bound.failed = 1;  // its cohesion is gone
   EXPECT_NEAR(rate({bound}, 1), 1.0, 1e-14);
@@ -205,7 +205,7 @@ TEST(SlidingDamping, rate_grows_with_the_cube_of_friction_on_steep_slopes) {
   const BlockId b = scene.add("block", rectangle(0, 0, 2, 1));
   const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
   scene.model.joints.push_back(scene.model.joints[0]);
-  const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  const std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
   // Half of the force slides against each of two laws.
   const auto rate = [&](double tan_first, double tan_second) {
     scene.model.joints[0].friction = std::atan(tan_first);
@@ -240,7 +240,7 @@ TEST(SlidingDamping, cohesion_alone_brings_none) {
   scene.add("plane", rectangle(-5, -2, 9, 0), true);
   scene.add("block", rectangle(0, 0, 2, 1));
   const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
-  const std::vector<BodyRecord> records = initial_records(scene.model, wishes(scene.model, stage));
+  const std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
   const coupling::Setup setup(scene.model, standard_methods(), records);
   SlidingDamping damping(setup, 1.0);
   ContactList list;

@@ -23,9 +23,9 @@ double compliance(const Vec2& r) {
 /// lambda of the bound h^2 lambda = 4 of a scene's first stage.
 double lambda(const Scene& scene, const ExplicitDamping& damping = {}) {
   ByHand hand(scene.model, scene.plan.stages[0]);
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
-  mover.enter(hand.state);
-  const double h = mover.stable_step(hand.state, nullptr);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
+  integrator.enter(hand.state);
+  const double h = integrator.stable_step(hand.state, nullptr);
   return 4.0 / (h * h);
 }
 
@@ -46,10 +46,10 @@ TEST(StepParts, own_stiffness_of_a_rectangle_is_that_of_its_shorter_side) {
 TEST(StepParts, slow_step_resolves_half_a_radian_of_the_stiffest_slow_block) {
   Scene scene = one_block(1e8);
   State state;
-  state.bodies = initial_records(scene.model, wishes(scene.model, scene.plan.stages[0]));
-  Guests guests;
-  guests.slow = {1};
-  const coupling::Setup setup(scene.model, methods(), state.bodies, guests);
+  state.bodies = initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0]));
+  Ghosts ghosts;
+  ghosts.slow = {1};
+  const coupling::Setup setup(scene.model, methods(), state.bodies, ghosts);
   std::string binding;
   EXPECT_NEAR(slow_step(setup, &binding) * std::sqrt(12.0 * 1e8 / (kDensity * kHeight * kHeight)), 0.5, 1e-12);
   EXPECT_NE(binding.find("block 'block'"), std::string::npos) << binding;
@@ -109,10 +109,10 @@ struct OnATip {
     gradient << 1.0, 0.4, 0.3, -0.7;
     hand.move(1, {3e-10, 2e-10}, 1e-9 * gradient);
     const double before = hand.kinetic();
-    CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
-    mover.enter(hand.state);
+    CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05);
+    integrator.enter(hand.state);
     for (int i = 0; i < 3000; ++i)
-      if (mover.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
+      if (integrator.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
     return hand.kinetic() / before;
   }
 };
@@ -158,10 +158,10 @@ double growth_of(const Scene& scene, double h) {
   gradient << 1.0, 0.4, 0.3, -0.7;
   hand.move(0, {1e-9, 2e-9}, 1e-9 * gradient);
   const double before = hand.kinetic();
-  CentralDifference mover(*hand.setup, {.max_displacement = 0.1}, 0.05);
-  mover.enter(hand.state);
+  CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05);
+  integrator.enter(hand.state);
   for (int i = 0; i < 500; ++i)
-    if (mover.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
+    if (integrator.step(hand.state, ticks(h)).status != StepReport::Status::ok) return 1e300;
   return hand.kinetic() / before;
 }
 

@@ -1,4 +1,4 @@
-// What take_along() makes of a release, against the formulas by hand.
+// What limit_release() makes of a release, against the formulas by hand.
 #include "coupling/transfer/transfer_mode.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct Leaving {
 
 TEST(TakeAlong, reservoir_changes_nothing) {
   Leaving l(1.0);
-  EXPECT_EQ(take_along(TransferMode::reservoir, 1.1, l.release), 0.0);
+  EXPECT_EQ(limit_release(TransferMode::reservoir, 1.1, l.release), 0.0);
   EXPECT_EQ(l.release.kinetic_rest, 1.0);
   EXPECT_EQ(l.release.motion.Fdot(0, 0), Leaving::kX);
   EXPECT_EQ(l.release.velocity_rest[3], 0.4);
@@ -42,7 +42,7 @@ TEST(TakeAlong, strain_rates_take_the_rest_where_the_cap_lets_them) {
   const double rest = 0.1 * Leaving::deforming();
   Leaving l(rest);
   const double before = kinetic_of(l.release.shape, l.release.motion);
-  EXPECT_EQ(take_along(TransferMode::strain_rate, 1.1, l.release), 0.0);
+  EXPECT_EQ(limit_release(TransferMode::strain_rate, 1.1, l.release), 0.0);
   const double factor = std::sqrt(1.1);  // 1.049: below the cap
   EXPECT_NEAR(l.release.motion.Fdot(0, 0), factor * Leaving::kX, 1e-14);
   EXPECT_NEAR(l.release.motion.Fdot(1, 1), factor * Leaving::kY, 1e-14);
@@ -57,7 +57,7 @@ TEST(TakeAlong, cap_limits_the_strain_rates_and_leaves_the_remainder_in_the_rese
   for (const double cap : {1.0, 1.1, 1.5}) {
     Leaving l(rest);
     const double before = kinetic_of(l.release.shape, l.release.motion);
-    EXPECT_EQ(take_along(TransferMode::strain_rate, cap, l.release), 0.0);
+    EXPECT_EQ(limit_release(TransferMode::strain_rate, cap, l.release), 0.0);
     EXPECT_NEAR(l.release.motion.Fdot(0, 0), cap * Leaving::kX, 1e-14);
     const double left = rest - (cap * cap - 1.0) * Leaving::deforming();
     EXPECT_NEAR(l.release.kinetic_rest, left, 1e-14);
@@ -73,7 +73,7 @@ TEST(TakeAlong, rotational_turns_at_the_root_of_the_mean_square_spin_and_returns
     l.release.motion.Fdot(0, 1) *= sign;
     l.release.spin_squared = 1.44;
     const double before = kinetic_of(l.release.shape, l.release.motion);
-    const double booked = take_along(TransferMode::rotational, 1.1, l.release);
+    const double booked = limit_release(TransferMode::rotational, 1.1, l.release);
     const Mat2& G = l.release.motion.Fdot;
     EXPECT_NEAR(0.5 * (G(1, 0) - G(0, 1)), sign * 1.2, 1e-14);
     EXPECT_NEAR(G(0, 0), Leaving::kX, 1e-14);

@@ -112,7 +112,7 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     const coupling::Partition& sides = s.partition;
     d.line("  area {} speed {} {} strain rate {} {} substeps {}", sides.explicit_area, sides.speed.up, sides.speed.down,
            sides.strain_rate.up, sides.strain_rate.down, sides.substeps);
-    d.line("  shared contacts {} others explicit {}", sides.shared_contacts, sides.others_explicit);
+    d.line("  shared contacts {} others explicit {}", sides.shared_contacts, sides.slow_explicit);
     for (const Vec2& x : sides.explicit_region) d.line("  region {} {}", x.x(), x.y());
     d.line("  end {} {} {} {} {}", s.end.kinetic_below, s.end.force_below, s.end.hold, s.end.slip, s.end.displacement);
     const coupling::SwitchRules& change = s.change;

@@ -246,8 +246,8 @@ TEST(Partitions, are_read) {
   EXPECT_EQ(p.implicit_blocks, (std::vector<BlockId>{BlockId{1}}));
   EXPECT_EQ(p.explicit_region, (Ring{{2.0, 1.9}, {3.1, 1.9}, {3.1, 3.1}, {2.0, 3.1}}));
   EXPECT_TRUE(p.shared_contacts);
-  EXPECT_FALSE(p.others_explicit);
-  EXPECT_TRUE(read("full_case.toml", {"stage.3.shared_contacts=false", "stage.3.others=\"explicit\""})
+  EXPECT_FALSE(p.slow_explicit);
+  EXPECT_TRUE(read("full_case.toml", {"stage.3.shared_contacts=false", "stage.3.slow_blocks=\"explicit\""})
                   .plan.stages[3]
                   .subcycled());
   EXPECT_DOUBLE_EQ(p.explicit_area, 0.2);

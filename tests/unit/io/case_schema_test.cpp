@@ -208,7 +208,7 @@ const std::map<std::string, std::string> kChange = {
     {"stage[].explicit_strain_rate", "stage.3.explicit_strain_rate=0.75"},
     {"stage[].implicit_strain_rate", "stage.3.implicit_strain_rate=0.125"},
     {"stage[].substeps", "stage.3.substeps=21"},
-    {"stage[].others", "stage.3.others=\"explicit\""},
+    {"stage[].slow_blocks", "stage.3.slow_blocks=\"explicit\""},
     {"stage[].end.kinetic_below", "stage.3.end.kinetic_below=2e-3"},
     {"stage[].end.force_below", "stage.3.end.force_below=2e-3"},
     {"stage[].end.hold", "stage.3.end.hold=0.01"},
@@ -263,7 +263,7 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"point_load[].offset", {"point_load.1.start=\"runout\""}},
     {"traction[].offset", {"traction.1.start=\"runout\""}},
     {"body_acceleration[].offset", {"body_acceleration.0.start=\"runout\""}},
-    {"stage[].others", {"stage.3.shared_contacts=false"}},
+    {"stage[].slow_blocks", {"stage.3.shared_contacts=false"}},
     {"stage[].rest", {"motion.pulse.start=2.1", "stage.1.dynamics=0"}}};
 
 // The model or the plan must change, so that no key is read and forgotten.

@@ -256,7 +256,7 @@ TEST(ResumeCases, pass_through_all_that_is_remembered) {
     if (s.factored.patience.wait > 0) seen.insert("patience");
     if (s.relaxing > 0.0) seen.insert("relaxing");
     if (!s.rest.empty()) seen.insert("reservoir");
-    if (at.largest_step > 0 && !at.mover.bound.empty()) seen.insert("step within an interval");
+    if (at.largest_step > 0 && !at.integrator.bound.empty()) seen.insert("step within an interval");
   }
   const std::set<std::string> all{"slip",
                                   "stick",

@@ -16,12 +16,12 @@
 
 #include "io/live/channel.h"
 #include "io/live/crc32.h"
+#include "io/live/encode.h"
 #include "io/live/live_publisher.h"
 #include "io/live/live_reader.h"
 #include "io/live/live_sink.h"
 #include "io/live/quantise.h"
 #include "io/live/split.h"
-#include "io/live/take_apart.h"
 #include "tests/unit/io/live_strip.h"
 
 namespace scree::io {

@@ -21,7 +21,7 @@ using namespace std::string_view_literals;
 
 TEST(LiveDatagram, whole_message_has_its_channel_and_data) {
   const Bytes bytes = datagram("LC02", "SCREE_x_INFO\0abc"sv);
-  const LcmDatagram d = take_datagram_apart(bytes);
+  const LcmDatagram d = decode_datagram(bytes);
   EXPECT_EQ(d.kind, Kind::message);
   EXPECT_EQ(d.channel, "SCREE_x_INFO");
   EXPECT_EQ(std::string(d.data.begin(), d.data.end()), "abc");
@@ -29,22 +29,22 @@ TEST(LiveDatagram, whole_message_has_its_channel_and_data) {
 
 TEST(LiveDatagram, message_without_data_is_a_message) {
   const Bytes bytes = datagram("LC02", "c\0"sv);
-  const LcmDatagram d = take_datagram_apart(bytes);
+  const LcmDatagram d = decode_datagram(bytes);
   EXPECT_EQ(d.kind, Kind::message);
   EXPECT_TRUE(d.data.empty());
 }
 
 TEST(LiveDatagram, channel_may_have_63_characters_and_not_64) {
   const std::string longest(63, 'c'), too_long(64, 'c');
-  EXPECT_EQ(take_datagram_apart(datagram("LC02", longest + '\0')).kind, Kind::message);
-  EXPECT_EQ(take_datagram_apart(datagram("LC02", too_long + '\0')).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram(datagram("LC02", longest + '\0')).kind, Kind::message);
+  EXPECT_EQ(decode_datagram(datagram("LC02", too_long + '\0')).kind, Kind::garbage);
 }
 
 TEST(LiveDatagram, channel_without_an_end_and_foreign_magic_are_garbage) {
-  EXPECT_EQ(take_datagram_apart(datagram("LC02", "SCREE_x_INFO")).kind, Kind::garbage);
-  EXPECT_EQ(take_datagram_apart(datagram("LC02", "")).kind, Kind::garbage);
-  EXPECT_EQ(take_datagram_apart(datagram("LC04", "c\0data"sv)).kind, Kind::garbage);
-  EXPECT_EQ(take_datagram_apart({}).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram(datagram("LC02", "SCREE_x_INFO")).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram(datagram("LC02", "")).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram(datagram("LC04", "c\0data"sv)).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram({}).kind, Kind::garbage);
 }
 
 TEST(LiveDatagram, fragments_are_told_apart_and_only_the_first_names_a_channel) {
@@ -55,11 +55,11 @@ TEST(LiveDatagram, fragments_are_told_apart_and_only_the_first_names_a_channel) 
     return bytes;
   };
   const Bytes first = fragment(0, "SCREE_x_INFO\0abc"sv), second = fragment(1, "SCREE_x_INFO\0abc"sv);
-  EXPECT_EQ(take_datagram_apart(first).kind, Kind::fragment);
-  EXPECT_EQ(take_datagram_apart(first).channel, "SCREE_x_INFO");
-  EXPECT_EQ(take_datagram_apart(second).kind, Kind::fragment);
-  EXPECT_EQ(take_datagram_apart(second).channel, "");
-  EXPECT_EQ(take_datagram_apart(std::span(first).first(19)).kind, Kind::garbage);
+  EXPECT_EQ(decode_datagram(first).kind, Kind::fragment);
+  EXPECT_EQ(decode_datagram(first).channel, "SCREE_x_INFO");
+  EXPECT_EQ(decode_datagram(second).kind, Kind::fragment);
+  EXPECT_EQ(decode_datagram(second).channel, "");
+  EXPECT_EQ(decode_datagram(std::span(first).first(19)).kind, Kind::garbage);
 }
 
 TEST(LiveDatagram, random_bytes_stay_inside_the_datagram) {
@@ -70,7 +70,7 @@ TEST(LiveDatagram, random_bytes_stay_inside_the_datagram) {
     for (std::size_t i = 8; i < bytes.size(); ++i)
       bytes[i] = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
     bytes.resize(random() % (bytes.size() + 1));
-    const LcmDatagram d = take_datagram_apart(bytes);
+    const LcmDatagram d = decode_datagram(bytes);
     const auto* const end = bytes.data() + bytes.size();
     EXPECT_LE(d.channel.size(), 63U);
     EXPECT_TRUE(d.kind != Kind::message || d.data.data() + d.data.size() == end);

@@ -69,7 +69,7 @@ TEST_F(Results, topology_is_stored_once_for_frames_that_share_it) {
   EXPECT_EQ(rows["/VTKHDF/NumberOfCells"], 2);  // meshes
   EXPECT_EQ(rows["/VTKHDF/Connectivity"], 10 + 8);
   EXPECT_EQ(rows["/VTKHDF/CellData/block_id"], 3 + 2);
-  EXPECT_EQ(rows["/VTKHDF/CellData/stress"], 3 * 3 + 2 * 2);  // a frame
+  EXPECT_EQ(rows["/VTKHDF/CellData/stress"], 3 * 3 + 2 * 2);  // per frame
   EXPECT_EQ(rows["/VTKHDF/Points"], 5 * 8);
 }
 
@@ -113,7 +113,7 @@ TEST(ContactResults, rows_of_a_frame_are_those_it_showed) {
       coupling::ContactMemory& m = memory[i];
       m.key = {1, 0, static_cast<std::int32_t>(k), static_cast<std::int32_t>(i), 0, 2, 3};
       m.status = coupling::ContactStatus::stick;
-      m.joint = 0, m.failed = 1, m.share = x + 0.125, m.gap = -x, m.gap0 = 2.0 * x, m.fn = 3.0 * x, m.ft = -4.0 * x;
+      m.joint = 0, m.failed = 1, m.tributary = x + 0.125, m.gap = -x, m.gap0 = 2.0 * x, m.fn = 3.0 * x, m.ft = -4.0 * x;
       m.slip = 5.0 * x, m.water = 6.0 * x;
       position.insert(position.end(), {x, -x});
       normal.insert(normal.end(), {0.6, 0.8});

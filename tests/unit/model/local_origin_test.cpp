@@ -96,7 +96,7 @@ TEST(LocalOrigin, everything_moves_by_the_origin_and_nothing_else_changes) {
   for (const Vec2& at : {Vec2(5e5, 4e6), Vec2(-1e6, 1e6), Vec2(512345.678, -4123456.789), Vec2(1e9, -1e9)}) {
     const Numbers near = numbers_of(everything(Vec2(0.0, 0.0)));
     Model model = everything(at);
-    take_local_origin(model);
+    move_to_local_origin(model);
     const Numbers local = numbers_of(model);
     const Vec2 moved = at - model.origin;
     const double last_place = at.cwiseAbs().maxCoeff() * std::numeric_limits<double>::epsilon();
@@ -115,7 +115,7 @@ TEST(LocalOrigin, differences_are_exact) {
   for (const double far : {901.0, 1234.5678, 5e5 / 3.0, -4123456.789, 8.123456789e8}) {
     const Model before = everything({far, far});
     Model model = before;
-    take_local_origin(model);
+    move_to_local_origin(model);
     ASSERT_NE(model.origin, Vec2(0.0, 0.0)) << far;
     EXPECT_EQ(std::fmod(model.origin.x(), 16.0), 0.0) << "the extent is 9 m";
     const Numbers a = numbers_of(before), b = numbers_of(model);
@@ -130,7 +130,7 @@ TEST(LocalOrigin, model_that_lies_near_stays_bit_for_bit) {
        {Vec2(0.0, 0.0), Vec2(-4.0, -3.0), Vec2(0.1, 123.4), Vec2(900.0, -906.0), Vec2(-909.0, 900.0)}) {
     const Model before = everything(at);
     Model model = before;
-    take_local_origin(model);
+    move_to_local_origin(model);
     EXPECT_EQ(model.origin, Vec2(0.0, 0.0));
     const Numbers a = numbers_of(before), b = numbers_of(model);
     EXPECT_EQ(a.places, b.places);
@@ -141,7 +141,7 @@ TEST(LocalOrigin, model_that_lies_near_stays_bit_for_bit) {
 TEST(LocalOrigin, far_in_one_direction_leaves_the_other_bit_for_bit) {
   const Model before = everything({5e5, 120.3});  // a section: x of a survey, y an elevation
   Model model = before;
-  take_local_origin(model);
+  move_to_local_origin(model);
   EXPECT_NEAR(model.origin.x(), 5e5, 16.0);
   EXPECT_EQ(model.origin.y(), 0.0);
   const Numbers a = numbers_of(before), b = numbers_of(model);
@@ -154,30 +154,30 @@ TEST(LocalOrigin, far_in_one_direction_leaves_the_other_bit_for_bit) {
 
 TEST(LocalOrigin, second_call_does_nothing) {
   Model model = everything({5e5, 4e6});
-  take_local_origin(model);
+  move_to_local_origin(model);
   const Vec2 origin = model.origin;
   const Numbers once = numbers_of(model);
-  take_local_origin(model);
+  move_to_local_origin(model);
   EXPECT_EQ(model.origin, origin);
   EXPECT_EQ(numbers_of(model).places, once.places);
 }
 
 TEST(LocalOrigin, moves_add_up) {
   Model model = everything({5e5, 4e6});
-  take_local_origin(model);
+  move_to_local_origin(model);
   const Vec2 first = model.origin;
   for (Block& b : model.blocks) b.polygon = transformed(b.polygon, Vec2(0.0, 1e5), Mat2::Identity());
-  take_local_origin(model);
+  move_to_local_origin(model);
   EXPECT_EQ(model.origin.x(), first.x());
   EXPECT_NEAR(model.origin.y(), first.y() + 1e5, 16.0);
 }
 
 TEST(LocalOrigin, model_without_blocks_or_extent_stays) {
   Model model;
-  take_local_origin(model);
+  move_to_local_origin(model);
   EXPECT_EQ(model.origin, Vec2(0.0, 0.0));
   model.blocks.emplace_back();
-  take_local_origin(model);
+  move_to_local_origin(model);
   EXPECT_EQ(model.origin, Vec2(0.0, 0.0));
 }
 

@@ -1,4 +1,4 @@
-#include "io/live/take_apart.h"
+#include "io/live/encode.h"
 
 #include <algorithm>
 #include <scree/energy_v1_t.hpp>

@@ -73,11 +73,11 @@ class LiveAssembly {
   struct FrameParts {
     std::vector<std::int32_t> body;
     std::vector<AffineMap> map;
-    std::vector<double> loose;  // x, y a point [m]
+    std::vector<double> loose;  // x, y per point [m]
     std::vector<float> scalar;
   };
   /// Null when maps and loose points do not make up the mesh.
-  [[nodiscard]] std::shared_ptr<const LiveFrame> put_together(FrameParts&& parts, const header_v1_t& header) const;
+  [[nodiscard]] std::shared_ptr<const LiveFrame> decode(FrameParts&& parts, const header_v1_t& header) const;
 
   /// A thing whose pieces are still coming.
   struct Pieces {

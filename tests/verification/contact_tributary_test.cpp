@@ -217,7 +217,7 @@ TEST_P(Rocking, changes_of_kind_keep_the_force_and_book_its_energy) {
     for (const ContactMemory& m : state.contacts) {
       const auto old = before.contacts.find(m.key);
       if (m.status == ContactStatus::open || old == before.contacts.end() ||
-          old->second.status == ContactStatus::open || old->second.facing == m.facing)
+          old->second.status == ContactStatus::open || old->second.edge_edge == m.edge_edge)
         continue;
       changed = true;
       ++changes;
@@ -226,9 +226,9 @@ TEST_P(Rocking, changes_of_kind_keep_the_force_and_book_its_energy) {
           0.5 * fn * fn * (1.0 / m.kn - 1.0 / old->second.kn) + 0.5 * ft * ft * (1.0 / m.kt - 1.0 / old->second.kt);
       if (!scheme.implicit()) force_error = std::max(force_error, std::abs(-fn - (m.fn - m.fd)) / std::abs(fn));
     }
-    const double share = state.ledger[Column::contact_share];
+    const double share = state.ledger[Column::contact_tributary];
     if (changed) booked_error = std::max(booked_error, std::abs(share - before.share - expected) / std::abs(expected));
-    before.share = share;
+    before.tributary = share;
     before.contacts.clear();
     for (const ContactMemory& m : state.contacts) before.contacts[m.key] = m;
   };

@@ -1,4 +1,4 @@
-// What owns a time scheme.
+// A time integration scheme, and the report of a step.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace scree::coupling {
 
 class Control;
 
-/// What came of a step. Non-convergence is a status; the state is then what it was before.
+/// Result of a step. Non-convergence is a status; the state is then the one before the step.
 struct StepReport {
   enum class Status {
     ok,
@@ -23,7 +23,7 @@ struct StepReport {
     no_balance,    // Newton's method left a residual force
     not_definite,  // the implicit matrix could not be factorised
     refused,       // the scheme cannot do it, whatever the step
-    given_up,      // stopped from outside (Control::give_up_step)
+    given_up,      // stopped by the controller of the run (Control::give_up_step)
     non_finite     // a position or velocity is not a number
   };
   Status status = Status::ok;
@@ -44,9 +44,9 @@ struct StepReport {
   double left_work = 0.0;     // of what it left, as far as that is round-off, on the step's way [J]
 };
 
-/// What a mover knows at an instant beside the state: results of the step that led here which cannot be had from the
-/// state alone to the last bit. Forces were summed, and contacts found, before driven bodies were put exactly in place.
-struct MoverMemory {
+/// Results of the last step that cannot be recomputed from the state to the last bit, since forces were summed and
+/// contacts found before driven bodies were put exactly in place. A checkpoint holds them beside the state.
+struct IntegratorMemory {
   /// What a step bound allowed for.
   struct Bound {
     ContactKey key;
@@ -58,10 +58,11 @@ struct MoverMemory {
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
   double slow_weight = 1.0, slow_energy = 0.0;          // explicit: how often slow internal forces count, energy [J]
   // Partitioned: of the explicit and the implicit side, their ledgers, and that of the run before.
-  std::vector<MoverMemory> sides;
+  std::vector<IntegratorMemory> sides;
   std::vector<Ledger> ledgers;
-  double step_bound = 0.0;    // that the substeps keep to [s]
-  std::vector<double> apart;  // nodes of seams when the stage began: the implicit one less the explicit one [m]
+  double step_bound = 0.0;  // that the substeps keep to [s]
+  std::vector<double>
+      apart;  // nodes of interface constraints when the stage began: the implicit one less the explicit one [m]
 
   /// As State::visit().
   template <class Visitor>
@@ -69,23 +70,23 @@ struct MoverMemory {
 };
 
 /// Advances a state by whole steps. On any status but ok the state keeps every bit.
-class Mover {
+class TimeIntegrator {
  public:
-  Mover() = default;
-  Mover(const Mover&) = delete;
-  Mover& operator=(const Mover&) = delete;
-  virtual ~Mover() = default;
+  TimeIntegrator() = default;
+  TimeIntegrator(const TimeIntegrator&) = delete;
+  TimeIntegrator& operator=(const TimeIntegrator&) = delete;
+  virtual ~TimeIntegrator() = default;
   /// Takes over a state: fills what the scheme needs (contacts, accelerations).
   /// @return energy of the contact springs as found on the present outlines [J]
   virtual double enter(State& state) = 0;
-  /// Goes on within a stage where another mover of its kind stopped after a step. In place of enter().
-  virtual void resume(const State& state, const MoverMemory& memory) = 0;
+  /// Goes on within a stage where another integrator of its kind stopped after a step. In place of enter().
+  virtual void resume(const State& state, const IntegratorMemory& memory) = 0;
   /// What resume() needs.
-  [[nodiscard]] virtual MoverMemory memory() const = 0;
+  [[nodiscard]] virtual IntegratorMemory memory() const = 0;
   virtual StepReport step(State& state, Tick ticks_of_step) = 0;
   /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
   virtual void leave(State& state) = 0;
-  /// Brings the ledger's energy columns up to date (some are costly and only needed where someone looks).
+  /// Brings the ledger's energy columns up to date (some are costly, and needed only where the state is sampled).
   virtual void update_ledger(State& state) = 0;
   /// Largest stable step [s] and what binds it; infinite for implicit schemes.
   virtual double stable_step(const State& state, std::string* binding) = 0;
@@ -93,8 +94,8 @@ class Mover {
   virtual void contact_forces(const State& state, std::span<double> f) const = 0;
   /// From now on every step that is taken is checked; null: not any more. The audit must outlive the steps.
   void watch(Audit* audit) { audit_ = audit; }
-  /// Whom long steps ask whether to give up; null: nobody. It must outlive the steps.
-  virtual void heed(Control* control) { (void)control; }
+  /// Controller that long steps poll for a request to stop; null: none. It must outlive the steps.
+  virtual void set_control(Control* control) { (void)control; }
   /// False once contacts have changed by more than the last stable_step() allowed for.
   [[nodiscard]] virtual bool step_still_stable() const { return true; }
 
@@ -105,7 +106,7 @@ class Mover {
 // ---------------------------------------------------------------------------------------------------------------
 
 template <class Visitor>
-void MoverMemory::visit(Visitor&& see) const {
+void IntegratorMemory::visit(Visitor&& see) const {
   see.size("points", points);
   for (const ContactPoint& p : points) p.visit(see);
   see("stress", stress);
@@ -121,7 +122,7 @@ void MoverMemory::visit(Visitor&& see) const {
   see("slow_weight", slow_weight);
   see("slow_energy", slow_energy);
   see.size("sides", sides);
-  for (const MoverMemory& side : sides) side.visit(see);
+  for (const IntegratorMemory& side : sides) side.visit(see);
   see.size("ledgers", ledgers);
   for (const Ledger& ledger : ledgers) ledger.visit(see);
   see("step_bound", step_bound);

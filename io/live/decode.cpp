@@ -1,4 +1,4 @@
-#include "io/live/put_together.h"
+#include "io/live/decode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,14 +224,14 @@ LiveAssembly::Verdict LiveAssembly::put(state_v1_t&& in) {
   std::copy(in.scalar.begin(), in.scalar.end(), next->scalar.begin() + in.first_cell);
   if (frame_pieces_.missing > 0) return Verdict::taken;
   const std::unique_ptr<FrameParts> whole = std::move(next_frame_);
-  std::shared_ptr<const LiveFrame> frame = put_together(std::move(*whole), in.header);
+  std::shared_ptr<const LiveFrame> frame = decode(std::move(*whole), in.header);
   if (!frame) return Verdict::malformed;
   frame_ = std::move(frame);
   ++counts_.frames;
   return Verdict::taken;
 }
 
-std::shared_ptr<const LiveFrame> LiveAssembly::put_together(FrameParts&& parts, const header_v1_t& header) const {
+std::shared_ptr<const LiveFrame> LiveAssembly::decode(FrameParts&& parts, const header_v1_t& header) const {
   auto frame = std::make_shared<LiveFrame>();
   frame->header = header;
   frame->mesh = mesh_;

@@ -7,12 +7,12 @@
 
 namespace scree::coupling {
 
-/// What explicit steps change in a state and its mover, kept where the first of them begins.
-class WayBack {
+/// What explicit steps change in a state and its integrator, kept where the first of them begins.
+class StepRollback {
  public:
   /// @param far  more than one step may be taken before going back
-  void keep(const CentralDifference& mover, const State& state, bool far) {
-    mover.mark(mark_, far);
+  void keep(const CentralDifference& integrator, const State& state, bool far) {
+    integrator.mark(mark_, far);
     time_ = state.time;
     last_step_ = state.last_step;
     step_ = state.step;
@@ -24,7 +24,7 @@ class WayBack {
     sliding_ = state.sliding;
     ledger_ = state.ledger;
   }
-  void go(CentralDifference& mover, State& state) const {
+  void go(CentralDifference& integrator, State& state) const {
     state.time = time_;
     state.last_step = last_step_;
     state.step = step_;
@@ -35,7 +35,7 @@ class WayBack {
     state.damping = damping_;
     state.sliding = sliding_;
     state.ledger = ledger_;
-    mover.go_back(state, mark_);
+    integrator.go_back(state, mark_);
   }
 
  private:
