@@ -18,7 +18,7 @@
 namespace scree::io {
 namespace {
 
-constexpr auto kMost = std::chrono::milliseconds(5000);  // for the answer of a run
+constexpr auto kMost = std::chrono::milliseconds(3000);  // for the answer of a run; a server that ends waits as long
 
 struct Command {
   std::string run, text;

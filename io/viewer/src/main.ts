@@ -2,7 +2,8 @@
 import { ledger_series, Chart, closure, monitor_series, MONITOR_QUANTITIES, type Series } from "./charts";
 import { css, mapped, name_colour, type Rgb } from "./colours";
 import { bind_control, show_control, told } from "./control";
-import { chosen_of, contact_at, contact_facts, FAILED, SLIPPING, STICKING, type Chosen } from "./contacts";
+import { ContactBox } from "./contact_box";
+import { FAILED, SLIPPING, STICKING } from "./contacts";
 import { corner_values, FIELDS, frame_range, STREAM_FIELDS, STREAM_SCALARS } from "./fields";
 import { by_id } from "./elements";
 import { cell_areas, cell_at } from "./geometry";
@@ -19,14 +20,12 @@ import { ReportSource, type Frame, type FrameNote, type Mesh, type Source } from
 import { choose_theme, is_dark, on_theme } from "./theme";
 import { element, pairs, show_asked, show_events, show_found, status_of } from "./tables";
 import { prefixed, quantity, round_below, seconds, short } from "./units";
-import { FILM_RATE, start_film } from "./video";
+import { film_times, make_film } from "./video";
 
 const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
 const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
-const CONTACT_REACH = 9; // [CSS pixels] from a click to the contact that it means
 const READING = 150; // [ms] between looks of charts and facts at the instant, while playing
-const MOST_FILM = 60; // [s] of a film: a longer one is quickened
 
 const SERVED = document.body.dataset.source !== undefined;
 const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved; blocks and materials have numbers, as the stream has no names of them.";
@@ -75,7 +74,7 @@ class Page {
   private own_view = false; // the user has moved the view: it no longer follows the size of the window
   private crosses: Crosses | null = null;
   private forces: ContactLines | null = null;
-  private contact: Chosen | null = null;
+  private readonly contact_box;
   private most_bolt = 0; // axial force of the frame that is shown [N]
   private most_slip = 0; // of the frame that is shown, where the layer is [m]
   private filming = false;
@@ -90,6 +89,7 @@ class Page {
   constructor(private readonly source: Source) {
     this.run = source.run;
     this.frames = this.run.frames.list;
+    this.contact_box = new ContactBox(this.run, () => this.redraw());
     this.fields = source.live ? STREAM_FIELDS : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
     let scene: Scene | null = null;
     try {
@@ -358,7 +358,7 @@ class Page {
     on("fit", "click", () => this.fit());
     on("save", "click", () => void this.save());
     on("film", "click", () => void this.film());
-    on("contact-next", "click", () => this.next_contact());
+    on("contact-next", "click", () => this.contact_box.next(this.chosen));
     on("theme", "change", () => choose_theme(by_id<HTMLSelectElement>("theme").value));
     for (const id of ["field", "range", "factor"]) on(id, "change", () => this.choices_changed());
     on("block", "change", () => this.choose(Number(by_id<HTMLSelectElement>("block").value)));
@@ -410,7 +410,7 @@ class Page {
       up(e);
       if (moved <= 3 && this.mesh) {
         const [x, y] = scene.place(e.offsetX, e.offsetY);
-        if (this.contact_clicked(x, y)) return;
+        if (this.contact_box.clicked(x, y, this.shown.contacts || this.shown.slip ? scene.view.scale : 0)) return;
         const cell = cell_at(this.mesh, scene.position, x, y);
         this.choose(cell < 0 ? -1 : this.mesh.block[cell]!);
         if (cell >= 0) by_id("block-box").scrollIntoView({ block: "nearest" });
@@ -446,7 +446,7 @@ class Page {
       " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
       Home: () => this.seek(0), End: () => this.seek(this.frames.length - 1), "+": () => this.zoom(1.3), "=": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3),
       "0": () => this.fit(), s: () => void this.save(), S: () => void this.save(), v: () => void this.film(), V: () => void this.film(),
-      c: () => this.next_contact(), C: () => this.next_contact(),
+      c: () => this.contact_box.next(this.chosen), C: () => this.contact_box.next(this.chosen),
     };
     const act = acts[e.key];
     if (!act || (e.key === " " && target.tagName === "BUTTON")) return;
@@ -577,7 +577,7 @@ class Page {
     this.read_at = now;
     for (const chart of this.charts) chart.at(f.time);
     this.show_block_facts();
-    this.show_contact_facts();
+    this.contact_box.show(this.frame?.contacts ?? null);
   }
 
   private say(): void {
@@ -642,7 +642,7 @@ class Page {
       const slip = slip_lines(this.frame.contacts, 7 * pixel);
       this.scene.use_lines("slip", slip.ends, slip.tint);
     }
-    const chosen = diamonds(this.contact ? [this.contact.place] : [], [230, 60, 0], 9 * pixel);
+    const chosen = diamonds(this.contact_box.place, [230, 60, 0], 9 * pixel);
     this.scene.use_lines("contact", chosen.ends, chosen.tint);
     const time = this.frames[this.index]!.time;
     const places: [number, number][] = [];
@@ -800,27 +800,16 @@ class Page {
     if (!this.scene) return;
     this.play(false);
     if (this.source.live) this.set_following(false);
-    const button = by_id<HTMLButtonElement>("film");
     const before = this.index;
-    const sheet = draw_picture(this.scene.canvas, this.picture_text());
-    const film = await start_film(sheet.width, sheet.height);
-    if (!film) return this.tell("This browser cannot encode films (WebCodecs); Chrome 94, Firefox 130, Safari 16.4 or later can.");
     this.filming = true;
+    const button = by_id<HTMLButtonElement>("film");
     button.setAttribute("aria-pressed", "true");
-    const [width, height] = [sheet.width, sheet.height];
     try {
-      const steps = this.film_steps();
-      for (let k = 0; k < steps.length && this.filming; ++k) {
-        if (steps[k] !== this.index) await this.go(steps[k]!);
-        this.update_marks();
-        this.scene.render();
-        draw_picture(this.scene.canvas, this.picture_text(), sheet);
-        if (sheet.width !== width || sheet.height !== height) throw new Error("the window has changed its size");
-        await film.add(sheet);
-        button.textContent = `Stop (${Math.round((100 * k) / steps.length)} %)`;
-        if (k % 5 === 4) await new Promise((done) => setTimeout(done)); // the page answers meanwhile
-      }
-      this.hand_out(await film.end(), "film.webm");
+      const film = await make_film(this.film_steps(), (step, sheet) => this.film_picture(step, sheet), (share) => {
+        button.textContent = `Stop (${Math.round(100 * share)} %)`;
+        return this.filming;
+      });
+      this.hand_out(film, "film.webm");
       this.tell("The film is saved.");
     } catch (error) {
       this.tell(`The film cannot be made: ${error instanceof Error ? error.message : String(error)}`);
@@ -832,13 +821,17 @@ class Page {
     }
   }
 
+  private async film_picture(step: number, sheet: HTMLCanvasElement): Promise<void> {
+    if (step !== this.index) await this.go(step);
+    this.update_marks();
+    this.scene!.render();
+    draw_picture(this.scene!.canvas, this.picture_text(), sheet);
+  }
+
   /// The frame of each picture of a film.
   private film_steps(): number[] {
     const [first, last] = [this.frames[0]!.time, this.frames[this.frames.length - 1]!.time];
-    const speed = Math.max(Number(by_id<HTMLSelectElement>("speed").value), (last - first) / MOST_FILM);
-    const count = Math.max(1, Math.ceil(((last - first) / speed) * FILM_RATE));
-    const steps = Array.from({ length: count + 1 }, (_, k) => this.index_at(first + (k * speed) / FILM_RATE));
-    return [...steps, ...Array.from({ length: FILM_RATE }, () => this.frames.length - 1)]; // the end stays for a second
+    return film_times(first, last, Number(by_id<HTMLSelectElement>("speed").value)).map((t) => this.index_at(t));
   }
 
   private tell(text: string): void {
@@ -846,45 +839,6 @@ class Page {
     by_id("note").textContent = text;
     by_id("note").hidden = false;
     setTimeout(() => (by_id("note").hidden = true), 6000);
-  }
-
-  // ---------------------------------------------------------------------------------------- contact
-
-  /// @return whether a contact that is drawn was meant
-  private contact_clicked(x: number, y: number): boolean {
-    const contacts = this.frame?.contacts;
-    const at = contacts && (this.shown.contacts || this.shown.slip) ? contact_at(contacts, x, y, CONTACT_REACH / this.scene!.view.scale) : -1;
-    this.choose_contact(at < 0 ? null : chosen_of(contacts!, at));
-    if (at >= 0) by_id("contact-box").scrollIntoView({ block: "nearest" });
-    return at >= 0;
-  }
-
-  private choose_contact(contact: Chosen | null): void {
-    this.contact = contact;
-    this.show_contact_facts();
-    this.redraw();
-  }
-
-  /// The next closed contact of the chosen block, or of all.
-  private next_contact(): void {
-    const contacts = this.frame?.contacts;
-    if (!contacts) return;
-    const all = Array.from(contacts.state.keys()).filter((i) => this.chosen < 0 || contacts.blocks[3 * i] === this.chosen || contacts.blocks[3 * i + 1] === this.chosen);
-    if (all.length === 0) return this.choose_contact(null);
-    const now = this.contact ? contact_at(contacts, ...this.contact.place, Infinity, this.contact) : -1;
-    this.choose_contact(chosen_of(contacts, all[(all.indexOf(now) + 1) % all.length]!));
-  }
-
-  private show_contact_facts(): void {
-    const contacts = this.frame?.contacts;
-    const box = by_id("contact-facts");
-    if (!this.contact || !contacts) return box.replaceChildren();
-    // Blocks move a little between frames; what is farther away than a tenth of the model is another contact.
-    const [x0, y0, x1, y1] = this.run.frames.bounds;
-    const at = contact_at(contacts, ...this.contact.place, 0.1 * Math.hypot(x1 - x0, y1 - y0), this.contact);
-    if (at < 0) return pairs(box, [["State", "open at this instant"]]);
-    this.contact = chosen_of(contacts, at);
-    pairs(box, contact_facts(this.run, contacts, at));
   }
 
   // ------------------------------------------------------------------------------------------ block
