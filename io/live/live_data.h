@@ -49,14 +49,9 @@ struct LiveMesh {
 struct LiveFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
-<<<<<<< HEAD
-  std::vector<double> position;  // x, y a point [m]; not a number where it is not finite
-  std::vector<float> scalar;     // a cell
-  std::string field;             // what that is (live_field.h); empty: not known yet
-=======
   std::vector<double> position;  // x, y per point [m]; not a number where it is not finite
   std::vector<float> scalar;     // per cell
->>>>>>> main
+  std::string field;             // what that is (live_field.h); empty: not known yet
 };
 
 /// All monitors at one instant; x, y a monitor.

@@ -25,7 +25,7 @@ void take_joint_states(std::vector<double>& out, const coupling::State& state, s
   }
 }
 
-/// 0 explicit, 1 implicit a cell; in a partitioned stage that of its block, or of its half of one.
+/// 0 explicit, 1 implicit per cell; in a partitioned stage that of its block, or of its half of one.
 void take_integrators(std::vector<double>& out, const coupling::FrameView& view) {
   const std::span<const std::int32_t> block = view.mesh->cell_block;
   out.assign(block.size(), view.integrator == coupling::Integrator::explicit_ ? 0.0 : 1.0);

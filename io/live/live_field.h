@@ -1,4 +1,4 @@
-// The scalar a cell that a stream carries beside displacements: which there are, and what they are made of.
+// The scalar per cell that a stream carries beside displacements: which there are, and what they are made of.
 #pragma once
 
 #include <array>
@@ -39,16 +39,16 @@ inline constexpr std::size_t kLiveFields = 10;
 struct RawFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
-  std::vector<double> position;  // x, y a point [m]
+  std::vector<double> position;  // x, y per point [m]
   LiveField field = LiveField::speed;
-  std::vector<double> source;  // speed: velocity (x, y a point); joint: a block; integrator: a cell; else stress (xx,
-                               // yy, xy a cell)
+  std::vector<double> source;  // speed: velocity (x, y per point); joint: per block; integrator: per cell; else stress
+                               // (xx, yy, xy per cell)
 };
 
 /// Copies into `frame.source` what its field is made of.   @return false: the frame has it not, or of another mesh
 [[nodiscard]] bool take_source(RawFrame& frame, const coupling::FrameView& view);
 
-/// A value a cell.
+/// A value per cell.
 [[nodiscard]] std::vector<float> cell_values(const RawFrame& frame);
 
 }  // namespace scree::io

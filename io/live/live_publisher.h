@@ -22,17 +22,6 @@
 
 namespace scree::io {
 
-<<<<<<< HEAD
-=======
-/// A frame as the run has it: copied plainly, turned into cells' values by the sending thread.
-struct RawFrame {
-  header_v1_t header{};
-  std::shared_ptr<const LiveMesh> mesh;
-  std::vector<double> position;  // x, y per point [m]
-  std::vector<double> source;    // what the field is made of: velocity (x, y per point) or stress (xx, yy, xy per cell)
-};
-
->>>>>>> main
 /// Where a run is as something is sent of it.
 struct LivePlace {
   double time = 0.0;  // simulated [s]
