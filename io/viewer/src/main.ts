@@ -260,7 +260,7 @@ class Page {
         : SERVED ? `All ${shown} stored frames are served as they are asked for; the range of colours is that of at most 300 of them.`
         : shown < run.frames.stored ? `${shown} of the ${run.frames.stored} stored frames are in this file (scree report --size says how large it may be).`
         : `All ${shown} stored frames are in this file.`,
-      "Positions have 24 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot.",
+      "Displacements have 17 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot.",
       run.history.whole ? "" : "Histories are thinned in time.",
       run.contacts ? "Of the contact points, those that are closed are here." : "The run stored no contacts (output.contacts).",
     ].join(" ");

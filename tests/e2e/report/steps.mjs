@@ -43,7 +43,7 @@ export async function test_contacts(page, pixel) {
   for (const layer of ["crosses", "monitors", "outline"]) await page.uncheck(`#layer-${layer}`);
   await page.selectOption("#field", "joint");
   await page.selectOption("#block", "-1");
-  await show_frame(page, 0);
+  await show_frame(page, 4);
   near(await colour(page, pixel(1, 1.5)), STICKING, 2, "the block that rests");
   near(await colour(page, pixel(-6, 7.5)), [196, 198, 200], 2, "the block that falls");
   assert.match(await page.textContent("#legend"), /sticking.*slipping/);
