@@ -13,7 +13,8 @@ interface RunHead extends Head {
   run: string;
   title: string;
   version: string;
-  control: boolean;
+  field: string; // that frames carry which do not say it themselves, as those of an older server
+  control?: boolean;
   end_time: number;
   origin: [number, number];
   bounds: [number, number, number, number];
@@ -30,7 +31,7 @@ interface FrameHead extends Head {
   step: number;
   stage: string;
   integrator: string;
-  field: string;
+  field?: string;
 }
 type Pair = [number, number];
 interface RowsHead extends Head {
@@ -67,6 +68,7 @@ export class LiveSource implements Source, Stream {
   run!: Run;
   private readonly token = token();
   private takes_commands = false;
+  private carried = "";
   private asked: string | null = null; // a command without its answer
   private answered: (answer: Answer) => void = () => undefined;
   private session = -1;
@@ -181,7 +183,8 @@ export class LiveSource implements Source, Stream {
   private take_run(head: RunHead): void {
     if (!this.run) {
       this.session = head.session;
-      this.takes_commands = head.control;
+      this.takes_commands = head.control ?? false;
+      this.carried = head.field;
       this.run = {
         format: 1, written_by: head.version, title: head.title, folder: head.run, origin: head.origin,
         model: { blocks: [], materials: [], methods: [], supports: [], joints: { laws: [], lines: [], cracks: [] } },
@@ -233,7 +236,7 @@ export class LiveSource implements Source, Stream {
     if (!this.meshes.has(head.mesh) || (last && last.time === head.time && last.mesh === head.mesh)) return; // sent again after a new connection
     const arrays = unpack(bytes);
     const frame: Frame = {
-      displacement: arrays.get("displacement") as Float32Array, scalar: arrays.get("scalar") as Float32Array, scalar_field: head.field,
+      displacement: arrays.get("displacement") as Float32Array, scalar: arrays.get("scalar") as Float32Array, scalar_field: head.field ?? this.carried,
       velocity: new Float32Array(0), stress: new Float32Array(0), integrator: new Uint8Array(0), contacts: null, bolts: null,
     };
     this.grow_ranges(frame);
