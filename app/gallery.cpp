@@ -1,4 +1,3 @@
-#include "io/case/text_file.h"
 #include "io/report/gallery.h"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "io/case/text_file.h"
 #include "io/report/report.h"
 #include "io/results/atomic_file.h"
 #include "io/results/run_reader.h"

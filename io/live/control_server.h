@@ -1,5 +1,5 @@
-// The side of a run that takes commands over LCM: pause, resume, step, checkpoint, stop, rate, field. Only a run that was
-// asked to (run --control) makes one; without it a run has no socket that receives.
+// The side of a run that takes commands over LCM: pause, resume, step, checkpoint, stop, rate, field. Only a run that
+// was asked to (run --control) makes one; without it a run has no socket that receives.
 #pragma once
 
 #include <functional>
