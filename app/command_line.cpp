@@ -550,7 +550,7 @@ int dispatch(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
   for (const auto add :
        {add_run, add_resume, add_check, add_digest, add_sweep, add_fos, add_slope, add_cases, add_snapshot, add_report,
-        add_view, add_watch, add_control, add_replay, add_schema, add_completion})
+        add_gallery, add_view, add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {
