@@ -62,7 +62,8 @@ Choices choices() {
           {"scree snapshot --arrows", {"displacement", "velocity"}},
           {"scree snapshot --at", {"start", "end", "handover"}},
           {"scree cases verify", case_names()},
-          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
+          {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate", "field"}},
+          {"scree gallery", case_names()},
           {"scree sweep --on", {"local", "slurm"}},
           {"scree slope --unit", {"g", "m/s2", "cm/s2"}},
           {"scree fos --method", {"nmm", "dda"}},
@@ -278,6 +279,22 @@ void add_report(CLI::App& app, Line& line) {
   prints(command, o, line.action, report);
 }
 
+void add_gallery(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<GalleryCommand>();
+  CLI::App* command = app.add_subcommand("gallery", "write a page of many runs, and the report of each");
+  command
+      ->add_option("sources", o->sources,
+                   "run folders, or names of cases, which are run (default: all cases that are one run)")
+      ->type_name("RUN|CASE...");
+  command->add_option("--out", o->out, "folder of the page")->capture_default_str()->type_name("DIR");
+  command->add_option("--size", o->megabytes, "as of report, for each of them")
+      ->check(kNotNegative)
+      ->capture_default_str()
+      ->type_name("MB");
+  add_threads(command, o->threads);
+  prints(command, o, line.action, gallery);
+}
+
 void add_view(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ViewOptions>();
   CLI::App* command =
@@ -288,11 +305,15 @@ void add_view(CLI::App& app, Line& line) {
   command->add_option("--compare", o->compare, "a second run, to be shown beside the first")
       ->type_name("RUN2")
       ->needs(source);
-  add_live(command, o->live, "show a run that streams, on URL if one is given")->excludes(source);
+  CLI::Option* live = add_live(command, o->live, "show a run that streams, on URL if one is given")->excludes(source);
   command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
   command->add_option("--port", o->port, "port of 127.0.0.1 to serve on (default: a free one)")
       ->check(CLI::Range(1, 65535));
-  command->add_flag("--open", o->open, "open the page in the browser of the desktop (xdg-open)");
+  CLI::Option* open = command->add_flag("--open", o->open, "open the page in the browser of the desktop (xdg-open)");
+  // The words of a browser that is started can be read by every user of the machine; the token may not.
+  command->add_flag("--control", o->control, "let the page steer the run, which was started with --live --control")
+      ->needs(live)
+      ->excludes(open);
   add_set(command, o->set);
   add_load(command, line.libraries);
   carries_out(command, o, line.action, view);
@@ -321,10 +342,11 @@ void add_control(CLI::App& app, Line& line) {
   command->add_option("run", o->target, "name of the run, or URL")->required()->type_name("RUN|URL");
   command
       ->add_option("command", o->command,
-                   "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames a second")
+                   "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames a second; "
+                   "field NAME: what the frames carry, as live.field")
       ->required()
-      ->check(CLI::IsMember({"pause", "resume", "step", "checkpoint", "stop", "rate"}));
-  command->add_option("value", o->value, "N of step, HZ of rate")->type_name("[N|HZ]");
+      ->check(CLI::IsMember({"pause", "resume", "step", "checkpoint", "stop", "rate", "field"}));
+  command->add_option("value", o->value, "N of step, HZ of rate, NAME of field")->type_name("[N|HZ|NAME]");
   command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
   command->add_option("--timeout", o->timeout, "seconds to wait for the answer")
       ->check(kPositive)
@@ -530,7 +552,7 @@ int dispatch(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
   for (const auto add :
        {add_run, add_resume, add_check, add_digest, add_sweep, add_fos, add_slope, add_cases, add_snapshot, add_report,
-        add_view, add_watch, add_control, add_replay, add_schema, add_completion})
+        add_gallery, add_view, add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

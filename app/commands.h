@@ -77,11 +77,11 @@ struct WatchOptions {
 int watch(const WatchOptions& options);
 
 struct ControlOptions {
-  std::string target;           // name of a run that streams on the default URL, its folder, or a URL
-  std::string run;              // of the runs on that URL the one with this name
-  std::string command;          // pause, resume, step, checkpoint, stop, rate
-  std::optional<double> value;  // step: how many (1); rate: frames a second
-  double timeout = 10.0;        // for the answer [s]
+  std::string target;     // name of a run that streams on the default URL, its folder, or a URL
+  std::string run;        // of the runs on that URL the one with this name
+  std::string command;    // pause, resume, step, checkpoint, stop, rate, field
+  std::string value;      // step: how many (1); rate: frames a second; field: its name
+  double timeout = 10.0;  // for the answer [s]
 };
 /// kDone when it was carried out, kFailed when it was refused or could not be, kFiles when no run answers.
 int control(const ControlOptions& options);
@@ -113,6 +113,15 @@ struct ReportCommand {
 };
 /// Writes a stored run as one page of HTML.
 int report(const ReportCommand& command);
+
+struct GalleryCommand {
+  std::vector<std::string> sources;       // run folders, or names of cases, which are run; empty: all such cases
+  std::filesystem::path out = "gallery";  // folder; runs that are made stand in runs/
+  double megabytes = 5.0;                 // of each report
+  int threads = 0;                        // 0: as many as the machine has
+};
+/// Writes a page of many runs with pictures, and the report of each beside it. kFailed where one cannot be shown.
+int gallery(const GalleryCommand& command);
 
 struct SweepCommand {
   std::filesystem::path case_file, table;  // table of parameters; empty: params
@@ -183,6 +192,7 @@ struct ViewOptions {
   std::string run;                  // of the runs on that URL the one with this name; empty: the one that started last
   std::vector<std::string> set;     // of a case: key=value
   int port = 0;                     // 0: a free one
+  bool control = false;             // of a run that streams: pages may give commands
   bool open = false;                // in the browser of the desktop
 };
 /// Serves the page of a run, of a model before its run, or of a run that streams, on this machine alone, until SIGINT,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "io/live/channel.h"
 #include "io/live/control_client.h"
 #include "io/live/control_server.h"
+#include "io/live/live_field.h"
 #include "io/watch/dashboard.h"
 
 namespace scree::app {
@@ -29,18 +31,42 @@ std::optional<std::string> only_run(io::ControlClient& client, const std::string
   return std::nullopt;
 }
 
+/// The value of a command as it travels.   @param wrong  set where the text is none for this verb
+double value_of(io::ControlVerb verb, const std::string& text, std::string& wrong) {
+  using io::ControlVerb;
+  if (verb == ControlVerb::field) {
+    const auto field = io::live_field(text);
+    if (!field) {
+      wrong = fmt::format("field needs one of:");
+      for (std::size_t i = 0; i < io::kLiveFields; ++i)
+        wrong += fmt::format(" {}", io::name(static_cast<io::LiveField>(i)));
+    }
+    return field ? static_cast<double>(*field) : 0.0;
+  }
+  if (text.empty() && verb == ControlVerb::rate) {
+    wrong = "rate needs frames a second: scree control RUN rate HZ";
+    return 0.0;
+  }
+  if (text.empty()) return verb == ControlVerb::step ? 1.0 : 0.0;
+  if (verb != ControlVerb::step && verb != ControlVerb::rate) {
+    wrong = fmt::format("{} takes no value", io::name(verb));
+    return 0.0;
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == nullptr || *end != '\0')
+    wrong = fmt::format("'{}' is no number", text);
+  else
+    wrong = io::control_value_error(verb, value);
+  return value;
+}
+
 }  // namespace
 
 int control(const ControlOptions& options) {
   const io::ControlVerb verb = *io::control_verb(options.command);
-  const bool takes_value = verb == io::ControlVerb::step || verb == io::ControlVerb::rate;
-  if (verb == io::ControlVerb::rate && !options.value) {
-    complain("error: rate needs frames a second: scree control RUN rate HZ\n");
-    return kUsage;
-  }
-  const double value = options.value.value_or(verb == io::ControlVerb::step ? 1.0 : 0.0);
-  const std::string wrong_value = options.value && !takes_value ? fmt::format("{} takes no value", options.command)
-                                                                : io::control_value_error(verb, value);
+  std::string wrong_value;
+  const double value = value_of(verb, options.value, wrong_value);
   if (!wrong_value.empty()) {
     complain("error: {}\n", wrong_value);
     return kUsage;

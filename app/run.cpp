@@ -263,6 +263,7 @@ io::ControlHooks hooks(coupling::Driver& driver, const io::Checkpoints& checkpoi
     return checkpoints.last().filename().string();
   };
   hooks.on_rate = [&live](double rate) { live.set_rate(rate); };
+  hooks.on_field = [&live](io::LiveField field) { live.set_field(field); };
   hooks.on_pause = [&live](bool paused) { live.set_paused(paused); };
   hooks.note = [&log](const std::string& text) { log.note(text); };
   hooks.warn = std::move(warn);
@@ -375,7 +376,9 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   std::unique_ptr<io::LiveSink> live;
   if (c.plan.live.enabled) {
     live = std::make_unique<io::LiveSink>(
-        c.plan.live, io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance), io::LiveField::speed, options.until},
+        c.plan.live,
+        io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance),
+                    io::live_field(c.live_field).value_or(io::LiveField::speed), options.until},
         warn);
     driver.add_sink(*live);
   }

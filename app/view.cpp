@@ -12,8 +12,10 @@
 #include "coupling/plan.h"
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
+#include "io/live/control_server.h"
 #include "io/live/live_url.h"
 #include "io/results/results_sink.h"
+#include "io/serve/control_bridge.h"
 #include "io/serve/live_site.h"
 #include "io/serve/pair_site.h"
 #include "io/serve/server.h"
@@ -86,7 +88,8 @@ void open_browser(const std::string& address) {
   if (error != 0) complain("warning: xdg-open cannot be started; open the address above in a browser\n");
 }
 
-int serve(io::Site& site, const ViewOptions& options) {
+/// @param token  of pages that may give commands: behind the '#' of the address, which browsers send to nobody
+int serve(io::Site& site, const ViewOptions& options, const std::string& token = {}) {
   std::unique_ptr<io::Server> server;
   try {
     server = std::make_unique<io::Server>(site, static_cast<std::uint16_t>(options.port));
@@ -96,8 +99,9 @@ int serve(io::Site& site, const ViewOptions& options) {
   }
   stop_signal = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_view_signal);
-  say("{}\n", server->address());
-  if (options.open) open_browser(server->address());
+  const std::string address = server->address() + (token.empty() ? "" : "#token=" + token);
+  say("{}\n", address);
+  if (options.open) open_browser(address);
   server->run([] { return stop_signal != 0; });
   return kDone;
 }
@@ -113,8 +117,14 @@ int view(const ViewOptions& options) {
       complain("error: --live={}: {}\n", url, *wrong);
       return kUsage;
     }
-    io::LiveSite site(url, options.run);
-    return serve(site, options);
+    if (options.control)
+      if (const std::string no = io::control_url_error(url); !no.empty()) {
+        complain("error: --control: {}: {}\n", url, no);
+        return kUsage;
+      }
+    const std::string token = options.control ? io::new_token() : std::string();
+    io::LiveSite site(url, options.run, token);
+    return serve(site, options, token);
   }
   if (options.source.empty()) {
     complain("error: nothing to show\n  allowed: a run folder, a case file (.toml), --live\n");

@@ -19,6 +19,7 @@ namespace scree::io {
 struct Case {
   Model model;
   coupling::Plan plan;
+  std::string live_field = "speed";          // the scalar that a stream carries (live_field.h)
   std::string text;                          // of the file, byte for byte
   std::string path;                          // as it was given
   std::vector<std::string> overrides;        // the --set options

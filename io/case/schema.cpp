@@ -713,6 +713,10 @@ constexpr Key kKeys[] = {
     {"live.url", Type::text, "", kAny, "\"udpm://239.255.76.67:7667?ttl=0\"", false, "",
      "Where to: udpm:// multicast, memq:// within the process, file:// an LCM log."},
     {"live.rate", Type::number, "Hz", kFrameRate, "30.0", false, "", "Frames in a second of wall time, at most."},
+    {"live.field", Type::choice, "", kAny, "\"speed\"", false,
+     "speed|mean_stress|s1|s3|shear|sxx|syy|sxy|joint|integrator",
+     "The scalar of each cell that goes out beside displacements (live.md has their meaning); `scree control RUN "
+     "field NAME` and the page of `scree view --live --control` change it during the run."},
 
     {"run", Type::table, "", kAny, "", false, "", "How the program runs."},
     {"run.threads", Type::integer, "", kThreads, "0", false, "",

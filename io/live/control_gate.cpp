@@ -7,12 +7,15 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/live/live_field.h"
+
 namespace scree::io {
 namespace {
 
 constexpr double kTellAgain = 0.05;  // [s] at least between answers to one command
 
-constexpr std::array<std::string_view, 7> kVerbs{"who", "pause", "resume", "step", "checkpoint", "stop", "rate"};
+constexpr std::array<std::string_view, 8> kVerbs{"who",        "pause", "resume", "step",
+                                                 "checkpoint", "stop",  "rate",   "field"};
 
 }  // namespace
 
@@ -32,6 +35,10 @@ std::string control_value_error(ControlVerb verb, double value) {
   if (verb == ControlVerb::rate) {
     if (value >= 0.0 && value <= kMaxFrameRate) return {};
     return fmt::format("rate takes 0 to {:g} frames a second", kMaxFrameRate);
+  }
+  if (verb == ControlVerb::field) {
+    if (live_field(value)) return {};
+    return fmt::format("field takes the number of a field, 0 to {}", kLiveFields - 1);
   }
   return value == 0.0 ? std::string{} : fmt::format("{} takes no value", name(verb));
 }

@@ -15,10 +15,11 @@
 
 namespace scree::io {
 
-enum class ControlVerb { who, pause, resume, step, checkpoint, stop, rate };
+enum class ControlVerb { who, pause, resume, step, checkpoint, stop, rate, field };
 [[nodiscard]] std::string_view name(ControlVerb verb);
 [[nodiscard]] std::optional<ControlVerb> control_verb(std::string_view name);
-/// Whether a verb takes this value: step 1 to kMaxSteps, whole; rate 0 to kMaxFrameRate Hz; the others none (0).
+/// Whether a verb takes this value: step 1 to kMaxSteps, whole; rate 0 to kMaxFrameRate Hz; field the number of a
+/// LiveField; the others none (0).
 /// @return what is wrong; empty if nothing is
 [[nodiscard]] std::string control_value_error(ControlVerb verb, double value);
 inline constexpr double kMaxSteps = 1e9;

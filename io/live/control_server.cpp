@@ -240,6 +240,10 @@ void ControlServer::Impl::carry_out(const ControlCommand& command) {
       if (!hooks.on_rate) return answer(command, "not available", "this run streams nothing");
       hooks.on_rate(command.value);
       break;
+    case ControlVerb::field:
+      if (!hooks.on_field) return answer(command, "not available", "this run streams nothing");
+      hooks.on_field(live_field(command.value).value_or(LiveField::speed));  // the gate let no other number through
+      break;
     case ControlVerb::checkpoint:
       if (!hooks.on_checkpoint) return answer(command, "not available", "this version writes no checkpoints");
       try {

@@ -1,5 +1,5 @@
-// The side of a run that takes commands over LCM: pause, resume, step, checkpoint, stop, rate. Only a run that was
-// asked to (run --control) makes one; without it a run has no socket that receives.
+// The side of a run that takes commands over LCM: pause, resume, step, checkpoint, stop, rate, field. Only a run that
+// was asked to (run --control) makes one; without it a run has no socket that receives.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include "coupling/sink.h"
 #include "io/live/control_gate.h"
 #include "io/live/live_bus.h"
+#include "io/live/live_field.h"
 
 namespace scree::io {
 
@@ -21,6 +22,7 @@ struct ControlHooks {
   /// Whatever it throws is told to the sender, and the run goes on. Empty: checkpoints are not available.
   std::function<std::string()> on_checkpoint;
   std::function<void(double frames_a_second)> on_rate;
+  std::function<void(LiveField field)> on_field;
   std::function<void(bool paused)> on_pause;
   /// A line for the log of the run: what was carried out, and at the end what was refused.
   std::function<void(const std::string& text)> note;

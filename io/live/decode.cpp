@@ -236,6 +236,7 @@ std::shared_ptr<const LiveFrame> LiveAssembly::decode(FrameParts&& parts, const 
   frame->header = header;
   frame->mesh = mesh_;
   frame->scalar = std::move(parts.scalar);
+  if (info_) frame->field = info_->field;
   frame->position.resize(2 * mesh_->points());
   std::vector<char> done(mesh_->points(), 0);
   for (std::size_t m = 0; m < parts.body.size(); ++m) {

@@ -20,8 +20,6 @@ std::vector<std::int32_t> copied(std::span<const std::int32_t> values) { return 
 
 }  // namespace
 
-std::string_view name(LiveField field) { return field == LiveField::speed ? "speed" : "mean stress"; }
-
 LiveMesh LiveMesh::copy(const coupling::MeshView& view, std::span<const double> position) {
   LiveMesh mesh;
   mesh.id = view.id;

@@ -14,13 +14,6 @@
 
 namespace scree::io {
 
-/// The scalar a cell that a stream carries.
-enum class LiveField {
-  speed,       // mean speed of the cell's corners [m/s]
-  mean_stress  // (xx + yy) / 2, Cauchy, tension positive [Pa]
-};
-[[nodiscard]] std::string_view name(LiveField field);  // "speed", "mean stress"
-
 /// A MeshView with storage of its own. Sender and viewer add displacements to the very same start, so that only the
 /// rounding of displacements is left between their positions. Where the model had the points is for pictures alone and
 /// rounded as float32 about the middle of the mesh.
@@ -58,6 +51,7 @@ struct LiveFrame {
   std::shared_ptr<const LiveMesh> mesh;
   std::vector<double> position;  // x, y per point [m]; not a number where it is not finite
   std::vector<float> scalar;     // per cell
+  std::string field;             // what that is (live_field.h); empty: not known yet
 };
 
 /// All monitors at one instant; x, y a monitor.

@@ -22,29 +22,12 @@ double seconds_between(LivePublisher::Clock::time_point from, LivePublisher::Clo
 
 }  // namespace
 
-std::vector<float> cell_values(const RawFrame& frame, LiveField field) {
-  const LiveMesh& mesh = *frame.mesh;
-  std::vector<float> values(mesh.cells());
-  for (std::size_t c = 0; c < values.size(); ++c) {
-    double value = 0.0;
-    if (field == LiveField::mean_stress) {
-      value = 0.5 * (frame.source[3 * c] + frame.source[3 * c + 1]);
-    } else {
-      const std::int32_t first = mesh.offsets[c], last = mesh.offsets[c + 1];
-      for (std::int32_t k = first; k < last; ++k) {
-        const auto p = static_cast<std::size_t>(mesh.connectivity[static_cast<std::size_t>(k)]);
-        value +=
-            std::sqrt(frame.source[2 * p] * frame.source[2 * p] + frame.source[2 * p + 1] * frame.source[2 * p + 1]);
-      }
-      value /= std::max(1, last - first);
-    }
-    values[c] = static_cast<float>(value);
-  }
-  return values;
-}
-
 LivePublisher::LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus)
-    : session_(utime_now()), url_(std::move(url)), identity_(std::move(identity)), bus_(std::move(bus)) {
+    : session_(utime_now()),
+      url_(std::move(url)),
+      identity_(std::move(identity)),
+      bus_(std::move(bus)),
+      field_(identity_.field) {
   now_.session = session_;
   now_.topology_id = -1;
 }
@@ -213,7 +196,9 @@ void LivePublisher::send_all(Waiting& work) {
     if (kept.size() > kEventsAgain) kept.pop_front();
   }
   if (work.has_frame) {
-    LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame, identity_.field)};
+    // A viewer goes by the INFO before a frame to know what its scalar is.
+    if (std::exchange(field_, work.frame.field) != work.frame.field) send_info(work.progress);
+    LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame), {}};
     frame.header.utime = utime_now();
     std::swap(frame.position, work.frame.position);
     send_frame(frame, [this](Bytes bytes) {
@@ -284,7 +269,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
   info.reason = wire_text(progress.reason, 2000);
   info.stage_name = wire_text(progress.stage_name);
   info.integrator = wire_text(progress.integrator);
-  info.field = name(identity_.field);
+  info.field = name(field_);
   if (mesh_ && mesh_->points() > 0) {
     const auto [x0, x1] = std::minmax_element(mesh_->origin_x.begin(), mesh_->origin_x.end());
     const auto [y0, y1] = std::minmax_element(mesh_->origin_y.begin(), mesh_->origin_y.end());

@@ -16,18 +16,11 @@
 #include "io/live/channel.h"
 #include "io/live/live_bus.h"
 #include "io/live/live_data.h"
+#include "io/live/live_field.h"
 #include "io/live/wire.h"
 #include "io/results/worst_contact.h"
 
 namespace scree::io {
-
-/// A frame as the run has it: copied plainly, turned into cells' values by the sending thread.
-struct RawFrame {
-  header_v1_t header{};
-  std::shared_ptr<const LiveMesh> mesh;
-  std::vector<double> position;  // x, y per point [m]
-  std::vector<double> source;    // what the field is made of: velocity (x, y per point) or stress (xx, yy, xy per cell)
-};
 
 /// Where a run is as something is sent of it.
 struct LivePlace {
@@ -49,12 +42,9 @@ struct LiveProgress {
 /// What one INFO repeats from the start of the run.
 struct LiveIdentity {
   std::string run, title, version, case_hash;
-  LiveField field = LiveField::speed;
+  LiveField field = LiveField::speed;      // until a frame has another one
   std::array<double, 2> origin{0.0, 0.0};  // of the model [m]
 };
-
-/// Mean value a cell of a raw frame.
-[[nodiscard]] std::vector<float> cell_values(const RawFrame& frame, LiveField field);
 
 class LivePublisher {
  public:
@@ -152,6 +142,7 @@ class LivePublisher {
   std::deque<Bytes> last_events_, last_milestones_;
   header_v1_t now_{};                     // of the newest thing sent
   std::string info_stage_, info_status_;  // that the last INFO named
+  LiveField field_;                       // of the newest frame sent
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};
   Clock::time_point rate_from_{};

@@ -112,16 +112,14 @@ struct LiveSink::Impl {
 
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   take_mesh(view);
-  const auto source = who.field == LiveField::speed ? view.velocity : view.stress;
-  const std::size_t wanted = !mesh ? 0 : who.field == LiveField::speed ? 2 * mesh->points() : 3 * mesh->cells();
-  if (!mesh || view.position.size() != 2 * mesh->points() || source.size() != wanted) {
+  spare.mesh = mesh;
+  spare.field = who.field;
+  if (!mesh || view.position.size() != 2 * mesh->points() || !take_source(spare, view)) {
     publisher->skip_frame();  // a frame of some other mesh
     return;
   }
   spare.header = header(view.time, frames);
-  spare.mesh = mesh;
   spare.position.assign(view.position.begin(), view.position.end());
-  spare.source.assign(source.begin(), source.end());
   publisher->offer(spare);
 }
 
@@ -226,6 +224,8 @@ void LiveSink::set_rate(double rate) {
   impl_->frame_limit = Limiter::at_rate(rate);
   impl_->history_limit = Limiter::at_rate(rate);
 }
+
+void LiveSink::set_field(LiveField field) { impl_->who.field = field; }
 
 void LiveSink::set_paused(bool paused) {
   LiveProgress& progress = impl_->progress;

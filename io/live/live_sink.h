@@ -9,6 +9,7 @@
 #include "coupling/sink.h"
 #include "io/live/live_bus.h"
 #include "io/live/live_data.h"
+#include "io/live/live_field.h"
 
 namespace scree::io {
 
@@ -49,6 +50,8 @@ class LiveSink final : public coupling::Sink {
 
   /// Between steps: frames a second from now on, as plan.rate; viewers hear at once that the run is held or goes on.
   void set_rate(double rate);
+  /// Between steps: what frames carry from the next one on.
+  void set_field(LiveField field);
   void set_paused(bool paused);
 
   /// Of the run that has begun: in the header of every message.

@@ -12,10 +12,11 @@ namespace scree::io {
 namespace {
 
 constexpr int kBits = 11;                  // of velocities and stresses: 1 in 4000, finer than any colour
+constexpr int kPlaceBits = 16;             // of displacements and contact points: 1 in 130,000, finer than any pixel
 constexpr std::size_t kMostFrames = 2000;  // packed at all: a longer run is thinned before it is read
 constexpr std::size_t kComponents = 3;
 
-std::vector<float> floats(const std::vector<double>& values, int bits = 23) {
+std::vector<float> floats(const std::vector<double>& values, int bits) {
   std::vector<float> out;
   out.reserve(values.size());
   for (const double v : values) out.push_back(rounded(v, bits));
@@ -44,7 +45,7 @@ void add_contacts(Chunk& chunk, const StoredContacts& c, const Vec2& base) {
   for (std::size_t i = 0; i < c.state.size(); ++i) {
     if (c.state[i] == 0) continue;
     for (const std::size_t axis : {0U, 1U}) {
-      position.push_back(static_cast<float>(c.position[2 * i + axis] - base[static_cast<Eigen::Index>(axis)]));
+      position.push_back(rounded(c.position[2 * i + axis] - base[static_cast<Eigen::Index>(axis)], kPlaceBits));
       normal.push_back(rounded(c.normal[2 * i + axis], kBits));
     }
     force.insert(force.end(), {rounded(c.fn[i], kBits), rounded(c.ft[i], kBits)});
@@ -78,6 +79,9 @@ class Ranges {
       std::vector<double> u;
       for (std::size_t c = 0; c < f.cells(); ++c) u.push_back(std::abs(f.cell_displacement[2 * c + axis]));
       grow(axis == 0 ? "ux" : "uy", f, Field::displacement, u, skip);
+      std::vector<double> v;
+      for (std::size_t c = 0; c < f.cells(); ++c) v.push_back(std::abs(f.cell_velocity[2 * c + axis]));
+      grow(axis == 0 ? "vx" : "vy", f, Field::speed, v, skip);
     }
   }
 
@@ -180,7 +184,7 @@ Chunk mesh_chunk(const StoredFrame& f, const Vec2& base) {
 
 Chunk frame_chunk(const RunReader& run, const StoredFrame& f, const Vec2& base) {
   Chunk chunk;
-  chunk.add("displacement", std::span<const float>(floats(f.displacement)));
+  chunk.add("displacement", std::span<const float>(floats(f.displacement, kPlaceBits)));
   chunk.add("velocity", std::span<const float>(floats(f.velocity, kBits)));
   chunk.add("stress", std::span<const float>(floats(point_stress(f), kBits)));
   const std::vector<std::uint8_t> integrator(f.cell_integrator.begin(), f.cell_integrator.end());

@@ -9,16 +9,6 @@
 namespace scree::io {
 namespace {
 
-/// The name of a script or a style in a security policy: 'sha256-...' of its bytes.
-std::string policy_hash(std::string_view text) {
-  const std::string digits = sha256(text);
-  const auto value = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
-  std::vector<std::uint8_t> bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
-    bytes.push_back(static_cast<std::uint8_t>(16U * value(digits[i]) + value(digits[i + 1])));
-  return "'sha256-" + base64(bytes) + "'";
-}
-
 std::string head(const std::string& title, const std::string& more) {
   std::string out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   out += more;
@@ -33,6 +23,15 @@ std::string licences() {
 }
 
 }  // namespace
+
+std::string policy_hash(std::string_view text) {
+  const std::string digits = sha256(text);
+  const auto value = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    bytes.push_back(static_cast<std::uint8_t>(16U * value(digits[i]) + value(digits[i + 1])));
+  return "'sha256-" + base64(bytes) + "'";
+}
 
 std::string html_text(std::string_view text) {
   std::string out;

@@ -26,6 +26,8 @@ struct PageParts {
 /// Two served pages side by side, left/ and right/, with their titles.
 [[nodiscard]] std::string pair_page(const std::string& left, const std::string& right);
 
+/// The name of a script or a style in a security policy: 'sha256-...' of its bytes.
+[[nodiscard]] std::string policy_hash(std::string_view text);
 /// Text for HTML: & < > " ' as entities.
 [[nodiscard]] std::string html_text(std::string_view text);
 /// JSON that cannot end or open an element of HTML: '<', '>', '&' as \u003c, \u003e, \u0026 (they stand in strings

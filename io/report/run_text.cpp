@@ -59,8 +59,12 @@ Json model_json(const RunReader& run, const Vec2& base) {
   for (const StoredSupport& s : run.supports())
     supports.push_back(
         {static_cast<float>(s.point.x() - base.x()), static_cast<float>(s.point.y() - base.y()), s.fix_x, s.fix_y});
+  Json waters = Json::array();
+  for (const StoredWater& w : run.waters())
+    if (!w.line.empty()) waters.push_back({{"line", ring_json(w.line, base)}, {"joints", w.joints}});
   return {{"blocks", std::move(blocks)},
           {"supports", std::move(supports)},
+          {"water", std::move(waters)},
           {"materials", std::move(materials)},
           {"methods", run.methods()},
           {"joints", {{"laws", std::move(laws)}, {"lines", lines(joints.lines)}, {"cracks", lines(joints.cracks)}}}};

@@ -19,6 +19,7 @@
 #include "io/results/summary.h"
 #include "io/results/supports_writer.h"
 #include "io/results/vtkhdf_writer.h"
+#include "io/results/water_writer.h"
 #include "io/results/xdmf_writer.h"
 #include "model/check.h"
 
@@ -192,6 +193,7 @@ void ResultsSink::make_files(h5::File file, const std::array<TableMark, 2>& tabl
   write_model(files_->file, model);
   write_joints(files_->file, model);
   write_supports(files_->file, model);
+  write_water(files_->file, model);
   write_stages(files_->file, plan);
 }
 

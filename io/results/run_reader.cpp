@@ -345,6 +345,25 @@ std::vector<StoredSupport> RunReader::supports() const {
   return supports;
 }
 
+std::vector<StoredWater> RunReader::waters() const {
+  const h5::File& file = data_->file;
+  if (!has_child(file, "/", "water")) return {};
+  std::vector<StoredWater> waters(h5::read<double>(file, "/water/unit_weight").size());
+  const auto line_of = [&](std::int32_t line) -> StoredWater& {
+    if (line < 0 || static_cast<std::size_t>(line) >= waters.size())
+      throw FileError(file.path(), "/water names a line that is not there; the file is damaged");
+    return waters[static_cast<std::size_t>(line)];
+  };
+  const auto point_line = h5::read<std::int32_t>(file, "/water/point_line");
+  const auto point = h5::read<double>(file, "/water/point", 0, static_cast<std::int64_t>(point_line.size()));
+  for (std::size_t i = 0; i < point_line.size(); ++i)
+    line_of(point_line[i]).line.emplace_back(point[2 * i], point[2 * i + 1]);
+  const auto joint_line = h5::read<std::int32_t>(file, "/water/joint_line");
+  const auto joint = h5::read<std::int32_t>(file, "/water/joint", 0, static_cast<std::int64_t>(joint_line.size()));
+  for (std::size_t i = 0; i < joint_line.size(); ++i) line_of(joint_line[i]).joints.push_back(joint[i]);
+  return waters;
+}
+
 bool RunReader::has_contacts() const { return has_child(data_->file, "/", "contacts"); }
 
 StoredContacts RunReader::contacts(std::size_t frame) const {

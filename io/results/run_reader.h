@@ -105,6 +105,12 @@ struct StoredSupport {
   bool fix_x = true, fix_y = true;
 };
 
+/// A piezometric line, level beyond its ends.
+struct StoredWater {
+  std::vector<Vec2> line;            // [m], in the model, from left to right
+  std::vector<std::int32_t> joints;  // laws that it fills; empty: all
+};
+
 /// Contact points of one frame, an entry a point of each.
 struct StoredContacts {
   std::vector<double> position, normal;   // x, y per point: of the corner [m]; of the edge, outward of its block
@@ -159,6 +165,8 @@ class RunReader {
   [[nodiscard]] StoredJoints joints() const;
   /// Point supports; none in runs from before they were stored. Blocks held whole: StoredBlock::held.
   [[nodiscard]] std::vector<StoredSupport> supports() const;
+  /// Piezometric lines; none in runs from before they were stored.
+  [[nodiscard]] std::vector<StoredWater> waters() const;
   /// Whether the run stored its contact points (output.contacts).
   [[nodiscard]] bool has_contacts() const;
   /// Contact points of a frame.   @pre has_contacts()   @throws FileError when there is no such frame

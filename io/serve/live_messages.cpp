@@ -26,7 +26,7 @@ SharedBytes message_of(const Json& head, const Chunk* chunk = nullptr) {
 }  // namespace
 
 SharedBytes run_message(const info_v1_t& info, const std::array<double, 2>& base, std::size_t blocks,
-                        std::size_t materials) {
+                        std::size_t materials, bool control) {
   Json bounds = Json::array();
   for (const std::size_t i : {0U, 1U, 2U, 3U}) bounds.push_back(info.bounds[i] - base[i % 2]);
   return message_of({{"kind", "run"},
@@ -39,7 +39,8 @@ SharedBytes run_message(const info_v1_t& info, const std::array<double, 2>& base
                      {"origin", {info.origin[0] + base[0], info.origin[1] + base[1]}},
                      {"bounds", std::move(bounds)},
                      {"blocks", blocks},
-                     {"materials", materials}});
+                     {"materials", materials},
+                     {"control", control}});
 }
 
 SharedBytes mesh_message(std::int64_t session, const LiveMesh& mesh, const std::array<double, 2>& base) {
@@ -78,7 +79,8 @@ SharedBytes frame_message(const LiveFrame& frame, const std::string& stage, cons
                      {"time", frame.header.time},
                      {"step", frame.header.step},
                      {"stage", stage},
-                     {"integrator", integrator}},
+                     {"integrator", integrator},
+                     {"field", frame.field}},
                     &chunk);
 }
 
@@ -130,6 +132,16 @@ SharedBytes status_message(const info_v1_t& info, double silent) {
 SharedBytes waiting_message(const std::string& url, const std::string& run, const std::string& trouble) {
   return message_of(
       {{"kind", "status"}, {"session", -1}, {"status", "waiting"}, {"url", url}, {"run", run}, {"trouble", trouble}});
+}
+
+SharedBytes answer_message(const std::string& command, const std::string& result, const std::string& reason,
+                           const std::string& state) {
+  return message_of({{"kind", "answer"},
+                     {"session", -1},
+                     {"command", command},
+                     {"result", result},
+                     {"reason", reason},
+                     {"state", state}});
 }
 
 SharedBytes events_message(std::int64_t session, const std::vector<event_v1_t>& events) {

@@ -16,9 +16,9 @@ namespace scree::io {
 // A message is a u32 (little endian), so many bytes of JSON {"kind": ..., "session": ..., ...}, and the bytes of a
 // Chunk, which are none but for meshes and frames. Positions are counted from `base`, beside the origin of the run [m].
 
-/// "run": what does not change while a session lasts.
+/// "run": what does not change while a session lasts.   @param control  pages that know the token may give commands
 [[nodiscard]] SharedBytes run_message(const info_v1_t& info, const std::array<double, 2>& base, std::size_t blocks,
-                                      std::size_t materials);
+                                      std::size_t materials, bool control);
 /// "mesh": arrays as in a report.
 [[nodiscard]] SharedBytes mesh_message(std::int64_t session, const LiveMesh& mesh, const std::array<double, 2>& base);
 /// "frame": displacements of the points since the model, and the scalar of the cells.   @pre frame.mesh
@@ -31,6 +31,9 @@ namespace scree::io {
 [[nodiscard]] SharedBytes status_message(const info_v1_t& info, double silent);
 /// "status" while nothing has been heard.   @param trouble  why nothing can be heard; empty: nothing streams
 [[nodiscard]] SharedBytes waiting_message(const std::string& url, const std::string& run, const std::string& trouble);
+/// "answer": what became of a command that a page gave, whatever the session.
+[[nodiscard]] SharedBytes answer_message(const std::string& command, const std::string& result,
+                                         const std::string& reason, const std::string& state);
 /// "events": all that are kept, oldest first.
 [[nodiscard]] SharedBytes events_message(std::int64_t session, const std::vector<event_v1_t>& events);
 

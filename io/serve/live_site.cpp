@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/live/live_reader.h"
+#include "io/serve/control_bridge.h"
 #include "io/serve/live_messages.h"
 #include "io/serve/stored_site.h"
 
@@ -20,7 +21,7 @@ constexpr auto kRetry = 2s;    // between attempts to listen
 constexpr auto kSlow = 200ms;  // between two looks at what people read: rows, status, events
 constexpr std::size_t kEvents = 300;
 
-enum Place : std::size_t { kRun, kMesh, kFrame, kRows, kStatus, kEventList, kPlaces };
+enum Place : std::size_t { kRun, kMesh, kFrame, kRows, kStatus, kEventList, kAnswer, kPlaces };
 
 std::size_t one_more_than_largest(const std::vector<std::int32_t>& values) {
   return values.empty() ? 0
@@ -36,7 +37,7 @@ struct LiveSite::Data {
   }
 
   void publish(Place place, SharedBytes message) {
-    if (slots[place].message && *slots[place].message == *message) return;
+    if (place != kAnswer && slots[place].message && *slots[place].message == *message) return;
     slots[place].message = std::move(message);
     ++slots[place].version;
     changed = true;
@@ -79,7 +80,7 @@ struct LiveSite::Data {
       mesh = frame->mesh;
       blocks = std::max(blocks, one_more_than_largest(mesh->block));
       materials = std::max(materials, one_more_than_largest(mesh->material));
-      publish(kRun, run_message(info, base, blocks, materials));
+      publish(kRun, run_message(info, base, blocks, materials, bridge != nullptr));
       publish(kMesh, mesh_message(session, *mesh, base));
     }
     const auto known = stages.find(frame->header.stage);
@@ -122,6 +123,8 @@ struct LiveSite::Data {
   bool refresh() {
     changed = false;
     listen();
+    if (bridge)
+      if (const auto answer = bridge->answer()) publish(kAnswer, *answer);
     const std::optional<info_v1_t> info = reader ? reader->info() : std::nullopt;
     const bool slow = Clock::now() >= next_slow;
     if (slow) next_slow = Clock::now() + kSlow;
@@ -138,6 +141,7 @@ struct LiveSite::Data {
   std::string url, run, trouble;
   bool retries = true;
   std::unique_ptr<LiveReader> reader;
+  std::unique_ptr<ControlBridge> bridge;  // null: pages give no commands
   std::array<Slot, kPlaces> slots;
   bool changed = false;
   std::int64_t session = -1, heard_count = 0;
@@ -150,7 +154,8 @@ struct LiveSite::Data {
   Clock::time_point next_try{}, next_slow{}, heard = Clock::now();
 };
 
-LiveSite::LiveSite(std::string url, std::string run) : data_(std::make_unique<Data>()) {
+LiveSite::LiveSite(std::string url, std::string run, const std::string& token) : data_(std::make_unique<Data>()) {
+  if (!token.empty()) data_->bridge = std::make_unique<ControlBridge>(url, token);
   data_->retries = !url.starts_with("file:");
   data_->url = std::move(url);
   data_->run = std::move(run);
@@ -167,6 +172,10 @@ LiveSite::~LiveSite() = default;
 
 std::optional<Resource> LiveSite::find(std::string_view path) {
   return page_resource(path, data_->run.empty() ? "Scree live" : data_->run, "live");
+}
+bool LiveSite::take(std::string_view text) {
+  const std::optional<info_v1_t> info = data_->reader ? data_->reader->info() : std::nullopt;
+  return data_->bridge && data_->bridge->take(text, info ? info->run : std::string());
 }
 bool LiveSite::refresh() { return data_->refresh(); }
 std::span<const Slot> LiveSite::slots() const { return data_->slots; }

@@ -9,19 +9,22 @@
 
 namespace scree::io {
 
-/// Paths: / (the page), /viewer.js, /viewer.css. Slots: run, mesh, frame, rows, status, events (live_messages.h). Of
+/// Paths: / (the page), /viewer.js, /viewer.css. Slots: run, mesh, frame, rows, status, events, answer
+/// (live_messages.h). Of
 /// several runs that of LiveReader; where another begins, everything begins anew. Where there is no network, or the
 /// connection fails, it is tried again every two seconds.
 class LiveSite final : public Site {
  public:
-  /// @param run  name of the run to follow; empty: the one that started last
+  /// @param run    name of the run to follow; empty: the one that started last
+  /// @param token  of pages that may give commands (ControlBridge); empty: none may
   /// @throws std::invalid_argument for a URL that check_live_url refuses for a receiver
-  LiveSite(std::string url, std::string run);
+  LiveSite(std::string url, std::string run, const std::string& token = {});
   /// On a connection that a run of this program uses (memq).
   LiveSite(std::shared_ptr<LiveBus> bus, std::string run);
   ~LiveSite() override;
 
   [[nodiscard]] std::optional<Resource> find(std::string_view path) override;
+  bool take(std::string_view text) override;
   bool refresh() override;
   [[nodiscard]] std::span<const Slot> slots() const override;
 

@@ -163,6 +163,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
     }
     const std::string text = beast::buffers_to_string(buffer_.data());
     buffer_.consume(buffer_.size());
+    if (text != "n" && shared_->site.take(text)) return read();
     if (text != "n" || ahead_ == 0) {
       ++shared_->counts.refused;
       socket_.async_close(websocket::close_code::policy_error, [self = shared_from_this()](Failure) {});

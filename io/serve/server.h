@@ -33,7 +33,7 @@ struct ServerCounts {
 /// Pages may load scripts, styles and data from here alone, and run no script that stands in them.
 /// /live is a WebSocket where the site has slots. A viewer has one message on its way and none that waits: when that
 /// has gone, the newest version of the next slot follows. It sends "n" for each paced message that it has taken; of
-/// those, two may be on their way. Any other message of a viewer ends the connection.
+/// those, two may be on their way. Any other message of a viewer that the site does not take ends the connection.
 /// Everything happens on the thread that calls run().
 class Server {
  public:

@@ -41,6 +41,12 @@ class Site {
   /// @throws std::exception where it is there and cannot be given: viewers are told what()
   [[nodiscard]] virtual std::optional<Resource> find(std::string_view path) = 0;
 
+  /// A text that a viewer has sent.   @return false: it is none that the site takes, which ends the connection
+  [[nodiscard]] virtual bool take(std::string_view text) {
+    (void)text;
+    return false;
+  }
+
   /// Called often by the thread of the server.   @return true: a slot has changed
   virtual bool refresh() { return false; }
   /// Of a stream; empty: there is none. Slots stay what they are, their messages change in refresh() only.

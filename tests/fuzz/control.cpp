@@ -39,9 +39,11 @@ std::vector<Input> seeds() {
   std::vector<Input> out;
   Input all;
   std::int64_t sequence = kNow;
-  for (const auto verb : {io::ControlVerb::who, io::ControlVerb::pause, io::ControlVerb::resume, io::ControlVerb::step,
-                          io::ControlVerb::checkpoint, io::ControlVerb::stop, io::ControlVerb::rate}) {
-    const double value = verb == io::ControlVerb::step || verb == io::ControlVerb::rate ? 3.0 : 0.0;
+  for (const auto verb :
+       {io::ControlVerb::who, io::ControlVerb::pause, io::ControlVerb::resume, io::ControlVerb::step,
+        io::ControlVerb::checkpoint, io::ControlVerb::stop, io::ControlVerb::rate, io::ControlVerb::field}) {
+    const double value =
+        verb == io::ControlVerb::step || verb == io::ControlVerb::rate || verb == io::ControlVerb::field ? 3.0 : 0.0;
     const io::Bytes bytes = io::encode_command(kSession, {verb, value, sequence += 100'000, 5});
     Input one = message(0, 1, bytes);
     all.insert(all.end(), one.begin(), one.end());

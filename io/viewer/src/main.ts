@@ -90,7 +90,7 @@ class Page {
     this.run = source.run;
     this.frames = this.run.frames.list;
     this.contact_box = new ContactBox(this.run, () => this.redraw());
-    this.fields = source.live ? STREAM_FIELDS.filter((f) => !STREAM_SCALARS.includes(f) || f.id === "speed") : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
+    this.fields = source.live ? STREAM_FIELDS : FIELDS.filter((f) => f.id !== "joint" || this.run.contacts);
     let scene: Scene | null = null;
     try {
       scene = new Scene(by_id<HTMLCanvasElement>("view"), this.run.model.blocks.length);
@@ -192,7 +192,7 @@ class Page {
     const live = this.source.live;
     if (!live || !STREAM_SCALARS.includes(this.field) || this.newest_scalar() === this.field.id) return;
     if (live.can_control()) live.command(`field ${this.field.id}`);
-    else this.tell(`The stream carries ${this.newest_scalar()}.`);
+    else this.tell(`The stream carries ${this.newest_scalar()}. It carries what this page asks for with scree run --live --control and scree view --live --control.`);
   }
 
   private newest_scalar(): string {
@@ -260,7 +260,7 @@ class Page {
         : SERVED ? `All ${shown} stored frames are served as they are asked for; the range of colours is that of at most 300 of them.`
         : shown < run.frames.stored ? `${shown} of the ${run.frames.stored} stored frames are in this file (scree report --size says how large it may be).`
         : `All ${shown} stored frames are in this file.`,
-      "Positions have 24 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot.",
+      "Displacements have 17 significant bits, velocities and stresses 12. Stress is recovered at the corners of elements, as in scree snapshot.",
       run.history.whole ? "" : "Histories are thinned in time.",
       run.contacts ? "Of the contact points, those that are closed are here." : "The run stored no contacts (output.contacts).",
     ].join(" ");

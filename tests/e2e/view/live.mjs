@@ -34,6 +34,13 @@ async function test_pixels(page) {
   near(await colour(page, pixel(0, 1.5)), RESTING, 1, "the block that rests");
   await page.selectOption("#field", "speed");
   assert.match(await page.textContent("#legend"), /speed \[/);
+  // The replay carries speed, and nobody can ask it for stress: what is not there is grey, and said.
+  await page.selectOption("#field", "s1");
+  assert.match(await page.textContent("#legend"), /σ₁.*not in this frame/);
+  assert.match(await page.textContent("#note"), /The stream carries speed.*--control/);
+  await drawn(page);
+  near(await colour(page, pixel(0, 1.5)), [0xe7, 0xe6, 0xe3], 1, "a field that is not there");
+  await page.selectOption("#field", "speed");
   await page.click("#follow");
 }
 
@@ -134,11 +141,67 @@ async function test_run(server, page) {
   return again;
 }
 
+/// A page that has the token steers the run; one without it does not, whatever it sends.
+async function test_control() {
+  const live = start(scree, "run", case_file, "--live", "--control", "--quiet", "--out", `${scratch}/steered`, "--set", "stage.runout.duration=1000", "--set", "output.every=0.01");
+  const server = await view(scree, "--live", "--control");
+  const token = server.text.match(/#token=([0-9a-f]{32})\n/)?.[1];
+  assert.ok(token, `view --control says "${server.text}"`);
+  const watcher = await open_page(server.address, own(server.address));
+  const page = await open_page(`${server.address}#token=${token}`, own(server.address));
+  assert.equal(page.url(), server.address, "the token stays in the address bar");
+  assert.equal(await watcher.isVisible("#control-box"), false);
+  await until(page, () => document.getElementById("control-box").offsetHeight > 0);
+  // What the stream carries is what the page asks for.
+  for (const [field, label] of [["s3", /σ₃/], ["joint", /joint state/], ["integrator", /time integrator/]]) {
+    const begin = Date.now();
+    await page.selectOption("#field", field);
+    await until(page, (f) => document.getElementById("note").textContent.startsWith(`field ${f}: done`), field);
+    await until(page, () => !document.getElementById("legend").textContent.includes("not in this frame"));
+    console.log(`field ${field}: shown after ${Date.now() - begin} ms`);
+    assert.match(await page.textContent("#legend"), label);
+  }
+  // Paused, the run stands still; a step is a step.
+  await page.click("#run-pause");
+  await until(page, () => /paused/.test(document.getElementById("subtitle").textContent));
+  const steps = async () => Number((await page.textContent("#found")).match(/Steps([\d ]+)Step cuts/)[1].replaceAll(" ", ""));
+  await pause(1500); // what people read comes once a second
+  const before = await steps();
+  await page.click("#run-step");
+  await until(page, () => document.getElementById("note").textContent.startsWith("step 1: done"));
+  await until(page, (n) => Number(document.getElementById("found").textContent.match(/Steps([\d ]+)Step cuts/)[1].replaceAll(" ", "")) === n, before + 1);
+  // Without the token nothing happens, and the connection ends.
+  for (const text of ["resume", `${"0".repeat(32)} resume`, `${token.slice(1)} resume`, `${token} format`]) {
+    const code = await watcher.evaluate((text) => new Promise((done) => {
+      const socket = new WebSocket(new URL("live", location.href.replace("http", "ws")));
+      socket.onopen = () => socket.send(text);
+      socket.onclose = (e) => done(e.code);
+    }), text);
+    assert.equal(code, 1008, text);
+  }
+  await page.click("#run-checkpoint");
+  await until(page, () => /^checkpoint: done, checkpoint/.test(document.getElementById("note").textContent));
+  assert.equal(await steps(), before + 1, "a paused run goes on");
+  await page.click("#run-pause");
+  await until(page, () => /running/.test(document.getElementById("subtitle").textContent));
+  page.on("dialog", (d) => d.accept());
+  await page.click("#run-stop");
+  await wait(() => live.code !== null, "the run ends");
+  assert.equal(live.code, 130, live.text);
+  await until(page, () => document.getElementById("run-pause").disabled);
+  assert.deepEqual(faults, []);
+  await watcher.close();
+  await page.close();
+  assert.equal(await end(server), 0);
+}
+
 try {
   const server = await view(scree, "--live");
   const page = await test_replay(server);
   const again = await test_run(server, page);
   assert.equal(await end(again), 0);
+  await page.close();
+  await test_control();
   console.log("view --live: fine");
 } finally {
   end_all();

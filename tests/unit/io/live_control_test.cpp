@@ -156,6 +156,9 @@ TEST(ControlGate, values_that_a_command_does_not_take_are_refused) {
     EXPECT_FALSE(control_value_error(ControlVerb::rate, rate).empty()) << rate;
   EXPECT_TRUE(control_value_error(ControlVerb::rate, 0.0).empty());
   EXPECT_FALSE(control_value_error(ControlVerb::pause, 1.0).empty());
+  for (const double field : {-1.0, 0.5, 10.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(control_value_error(ControlVerb::field, field).empty()) << field;
+  EXPECT_TRUE(control_value_error(ControlVerb::field, 9.0).empty());
   ControlGate gate(kSession);
   EXPECT_FALSE(gate.take(command(ControlVerb::step, kNow, 1.5), kNow, 0.0).command);
   EXPECT_EQ(gate.counts().malformed, 1);
@@ -187,6 +190,7 @@ struct Stepper {
     ControlHooks hooks;
     hooks.session = [] { return kSession; };
     hooks.on_rate = [this](double rate) { tell("rate " + std::to_string(static_cast<int>(rate))); };
+    hooks.on_field = [this](LiveField field) { tell("field " + std::string(name(field))); };
     hooks.on_pause = [this](bool paused) { tell(paused ? "paused" : "running"); };
     if (checkpoints)
       hooks.on_checkpoint = [this]() -> std::string {
@@ -320,14 +324,15 @@ TEST(ControlServer, checkpoint_that_fails_is_told_and_the_run_goes_on) {
   EXPECT_GE(run.steps, at + 5);
 }
 
-TEST(ControlServer, stop_ends_a_paused_run_and_rate_reaches_its_hook) {
+TEST(ControlServer, stop_ends_a_paused_run_and_rate_and_field_reach_their_hooks) {
   Stepper run;
   ASSERT_TRUE(run.end_of(run.ask(ControlVerb::rate, 7.0)));
+  ASSERT_TRUE(run.end_of(run.ask(ControlVerb::field, static_cast<double>(LiveField::s3))));
   ASSERT_TRUE(run.end_of(run.ask(ControlVerb::pause)));
   EXPECT_EQ(run.end_of(run.ask(ControlVerb::stop))->result, "done");
   run.thread.join();
-  EXPECT_EQ(run.happened, (std::vector<std::string>{"rate 7", "paused", "running"}));
-  EXPECT_EQ(run.server->counts().passed, 3);
+  EXPECT_EQ(run.happened, (std::vector<std::string>{"rate 7", "field s3", "paused", "running"}));
+  EXPECT_EQ(run.server->counts().passed, 4);
 }
 
 TEST(ControlServer, end_of_the_run_answers_what_is_waiting) {

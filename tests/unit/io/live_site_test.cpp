@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "io/live/live_field.h"
+#include "io/serve/control_bridge.h"
 #include "tests/unit/io/live_strip.h"
 
 namespace scree::io::test {
@@ -51,7 +53,7 @@ Message decoded(const Slot& slot) {
   return out;
 }
 
-enum Place : std::size_t { run_slot, mesh_slot, frame_slot, rows_slot, status_slot, events_slot };
+enum Place : std::size_t { run_slot, mesh_slot, frame_slot, rows_slot, status_slot, events_slot, answer_slot };
 
 /// Looks as a server does until something holds.
 template <class Holds>
@@ -73,14 +75,14 @@ bool refreshed_with(LiveSite& site, LiveSink& sink, const FrameView& frame, Hold
   });
 }
 bool all_known(std::span<const Slot> slots) {
-  return std::all_of(slots.begin(), slots.end(), [](const Slot& s) { return s.version > 0; });
+  return std::all_of(slots.begin(), slots.begin() + answer_slot, [](const Slot& s) { return s.version > 0; });
 }
 
 TEST(LiveSite, waits_until_something_streams) {
   LiveSite site(memory_bus(), "late <b>");
   EXPECT_TRUE(site.refresh());
   const std::span<const Slot> slots = site.slots();
-  ASSERT_EQ(slots.size(), 6U);
+  ASSERT_EQ(slots.size(), 7U);
   EXPECT_TRUE(slots[run_slot].first && slots[mesh_slot].first && slots[frame_slot].paced);
   const Json status = decoded(slots[status_slot]).head;
   EXPECT_EQ(status["status"], "waiting");
@@ -112,7 +114,7 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
   const Json run = decoded(site.slots()[run_slot]).head;
   EXPECT_EQ(run["title"], "a strip");
   EXPECT_EQ(run["run"], "trip");
-  EXPECT_EQ(run["field"], "speed");
+  EXPECT_EQ(run["control"], false);
   EXPECT_EQ(run["blocks"], 10);
   EXPECT_EQ(run["materials"], 2);
   const double x0 = run["origin"][0].get<double>() - 7.0, y0 = run["origin"][1].get<double>() + 3.0;  // the base
@@ -125,6 +127,7 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
   EXPECT_EQ(mesh.head["mesh"], frame.head["mesh"]);
   EXPECT_EQ(mesh.head["methods"], (Json{"nmm", "dda"}));
   EXPECT_EQ(frame.head["stage"], "only");
+  EXPECT_EQ(frame.head["field"], "speed");
   EXPECT_DOUBLE_EQ(frame.head["time"], 0.25);
   const auto& origin = mesh.arrays.at("origin");
   const auto& displacement = frame.arrays.at("displacement");
@@ -145,6 +148,70 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
   EXPECT_EQ(decoded(site.slots()[status_slot]).head["status"], "running");
   sink.end({}, strip.frame);
   EXPECT_TRUE(refreshed(site, [](auto slots) { return decoded(slots[status_slot]).head["status"] == "done"; }));
+}
+
+TEST(LiveSite, frames_name_the_field_that_they_carry_from_the_first_on) {
+  const auto bus = memory_bus();
+  LiveSite site(bus, "");
+  Strip strip(6);
+  LiveSink sink(plan_at(1000.0).live, {"trip"}, {}, bus);
+  sink.begin(model_with_monitors(0), plan_at(1000.0));
+  ASSERT_TRUE(refreshed_with(site, sink, strip.frame, [](auto slots) { return slots[frame_slot].version > 0; }));
+  for (const LiveField field : {LiveField::sxx, LiveField::speed, LiveField::mean_stress}) {
+    sink.set_field(field);
+    ASSERT_TRUE(refreshed_with(site, sink, strip.frame, [&](auto slots) {
+      return decoded(slots[frame_slot]).head["field"] == name(field);
+    })) << name(field);
+    // Frames of that name have its numbers.
+    RawFrame raw;
+    raw.mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(strip.mesh));
+    raw.field = field;
+    ASSERT_TRUE(take_source(raw, strip.frame));
+    const std::vector<float> values = cell_values(raw);
+    EXPECT_EQ(decoded(site.slots()[frame_slot]).arrays.at("scalar"), std::vector<double>(values.begin(), values.end()));
+  }
+  sink.end({}, strip.frame);
+}
+
+TEST(LiveSite, takes_no_texts_without_a_token) {
+  LiveSite site(memory_bus(), "");
+  for (const char* text : {"", "pause", " pause", "0 pause"}) EXPECT_FALSE(site.take(text)) << text;
+}
+
+// ------------------------------------------------------------------------------------------------- commands
+
+TEST(ControlBridge, takes_commands_with_the_token_alone) {
+  const std::string token = new_token();
+  EXPECT_EQ(token.size(), 32U);
+  EXPECT_EQ(token.find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_NE(token, new_token());
+  ControlBridge bridge("udpm://239.255.76.67:7667?ttl=0", token);
+  const std::string other(32, '0');
+  for (const std::string& text : {std::string(),        token,
+                                  std::string("pause"), "pause " + token,
+                                  other + " pause",     token.substr(1) + " pause",
+                                  token + "0 pause",    token + " pause 1",
+                                  token + " who",       token + " step 0",
+                                  token + " step x",    token + " step 1 2",
+                                  token + " field",     token + " field colour",
+                                  token + " rate",      token + " rate -1",
+                                  token + " paus",      token + "  pause",
+                                  token + " step nan",  token + " rm -rf"})
+    EXPECT_FALSE(bridge.take(text, "")) << text;
+  EXPECT_FALSE(bridge.answer());
+  EXPECT_TRUE(bridge.take(token + " step 3", ""));
+  std::optional<SharedBytes> answer;
+  for (int i = 0; i < 500 && !answer; ++i) {
+    answer = bridge.answer();
+    std::this_thread::sleep_for(10ms);
+  }
+  ASSERT_TRUE(answer);
+  const Json told = decoded({1, *answer}).head;
+  EXPECT_EQ(told["kind"], "answer");
+  EXPECT_EQ(told["command"], "step 3");
+  EXPECT_EQ(told["result"], "failed");
+  EXPECT_EQ(told["reason"], "no run is heard yet");
+  EXPECT_FALSE(bridge.answer()) << "told once";
 }
 
 TEST(LiveSite, another_mesh_and_another_session_take_the_place_of_the_first) {

@@ -111,16 +111,61 @@ TEST(LiveQuantise, not_finite_numbers_spoil_only_themselves) {
   EXPECT_TRUE(std::isfinite(quantise(all_huge, all_huge).scale));
 }
 
-TEST(LiveCellValues, both_fields_are_means_of_the_cell) {
+TEST(LiveCellValues, fields_are_those_of_the_cell) {
   Strip strip(2);
   RawFrame raw;
   raw.mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(strip.mesh));
   raw.source = std::vector<double>(strip.origin.size(), 0.0);
   raw.source[0] = 3.0;  // corner 0 belongs to the first cell alone
   raw.source[1] = 4.0;
-  EXPECT_EQ(cell_values(raw, LiveField::speed), (std::vector<float>{1.25F, 0.0F}));
+  EXPECT_EQ(cell_values(raw), (std::vector<float>{1.25F, 0.0F}));
   raw.source = strip.stress;
-  EXPECT_EQ(cell_values(raw, LiveField::mean_stress), (std::vector<float>{250.0F, -250.0F}));
+  raw.field = LiveField::mean_stress;
+  EXPECT_EQ(cell_values(raw), (std::vector<float>{250.0F, -250.0F}));
+  // By hand: a circle of Mohr with its middle at -1 and a radius of 5.
+  raw.source = {2.0, -4.0, 4.0, 0.0, 0.0, 0.0};
+  const auto first = [&](LiveField field) {
+    raw.field = field;
+    return cell_values(raw)[0];
+  };
+  EXPECT_EQ(first(LiveField::s1), 4.0F);
+  EXPECT_EQ(first(LiveField::s3), -6.0F);
+  EXPECT_EQ(first(LiveField::shear), 5.0F);
+  EXPECT_EQ(first(LiveField::sxx), 2.0F);
+  EXPECT_EQ(first(LiveField::syy), -4.0F);
+  EXPECT_EQ(first(LiveField::sxy), 4.0F);
+}
+
+TEST(LiveCellValues, joint_states_are_the_worst_of_a_blocks_closed_contacts) {
+  Strip strip(6);  // three cells a block
+  RawFrame raw;
+  raw.mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(strip.mesh));
+  raw.field = LiveField::joint;
+  using Status = coupling::ContactStatus;
+  const auto add = [&](std::int32_t p, std::int32_t e, Status status, std::int32_t failed) {
+    coupling::ContactMemory c;
+    c.key.block_p = p, c.key.block_e = e;
+    c.status = status, c.failed = failed;
+    strip.state.contacts.push_back(c);
+    EXPECT_TRUE(take_source(raw, strip.frame));
+    return cell_values(raw);
+  };
+  EXPECT_EQ(add(0, 1, Status::open, 1), std::vector<float>(6, 0.0F)) << "open contacts say nothing";
+  EXPECT_EQ(add(0, 1, Status::stick, 1), std::vector<float>(6, 1.0F));
+  EXPECT_EQ(add(1, 99, Status::slip, 0), (std::vector<float>{1, 1, 1, 2, 2, 2})) << "block 99 has no cells";
+  EXPECT_EQ(add(99, 0, Status::slip, 1), (std::vector<float>{3, 3, 3, 2, 2, 2}));
+  EXPECT_EQ(add(0, 1, Status::stick, 0), (std::vector<float>{3, 3, 3, 2, 2, 2}));
+}
+
+TEST(LiveCellValues, names_and_numbers_of_fields_fit) {
+  for (std::size_t i = 0; i < kLiveFields; ++i) {
+    const auto field = static_cast<LiveField>(i);
+    EXPECT_EQ(live_field(name(field)), field);
+    EXPECT_EQ(live_field(static_cast<double>(i)), field);
+  }
+  EXPECT_FALSE(live_field("colour"));
+  for (const double wrong : {-1.0, 0.5, static_cast<double>(kLiveFields), std::nan("")})
+    EXPECT_FALSE(live_field(wrong));
 }
 
 // --- the whole way ------------------------------------------------------------------------------------------------

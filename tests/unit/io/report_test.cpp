@@ -10,7 +10,9 @@
 
 #include "io/report/chunk.h"
 #include "io/report/frames.h"
+#include "io/report/gallery.h"
 #include "io/report/page.h"
+#include "io/report/run_text.h"
 #include "io/viewer/bundle.h"
 #include "tests/unit/io/results_run.h"
 
@@ -138,9 +140,9 @@ TEST_F(Results, report_frames_hold_positions_speeds_and_stresses) {
     ASSERT_EQ(mesh.at("origin").size(), f.position.size());
     ASSERT_EQ(mesh.at("cells").size(), f.connectivity.size());
     for (std::size_t k = 0; k < f.position.size(); ++k) {
-      // float32 of numbers up to 10 m.
+      // float32 of numbers up to 10 m; 17 significant bits of the displacement.
       EXPECT_NEAR(mesh.at("origin")[k] + frame.at("displacement")[k] + base[static_cast<Eigen::Index>(k % 2)],
-                  f.position[k], 2e-6);
+                  f.position[k], 2e-6 + std::abs(f.displacement[k]) / 131072.0);
       EXPECT_NEAR(frame.at("velocity")[k], f.velocity[k], std::abs(f.velocity[k]) / 4096.0);
     }
     for (std::size_t c = 0; c < f.cells(); ++c) {
@@ -252,6 +254,54 @@ TEST(Report, point_supports_return_from_the_results) {
   EXPECT_EQ(supports[0].point, Vec2(4.0, 0.5));
   EXPECT_FALSE(supports[0].fix_x);
   EXPECT_TRUE(supports[0].fix_y);
+}
+
+TEST(Report, water_returns_from_the_results) {
+  const Scratch scratch;
+  SmallRun small;
+  small.model.joints.resize(2);
+  small.model.waters.push_back({{{0.0, 1.5}, {4.0, 2.5}}, 9810.0, {JointId{1}}});
+  small.model.waters.push_back({{{-1.0, 0.5}, {2.0, 0.5}, {3.0, 0.75}}, 10e3, {}});
+  {
+    ResultsSink sink(RunFolder::create(scratch.path() / "run", false), provenance());
+    small.play(sink);
+  }
+  const RunReader run(scratch.path() / "run");
+  const std::vector<StoredWater> waters = run.waters();
+  ASSERT_EQ(waters.size(), 2U);
+  EXPECT_EQ(waters[0].line, small.model.waters[0].line);
+  EXPECT_EQ(waters[0].joints, std::vector<std::int32_t>{1});
+  EXPECT_EQ(waters[1].line, small.model.waters[1].line);
+  EXPECT_TRUE(waters[1].joints.empty()) << "all";
+  const RunText text(run, scratch.path() / "run", "1");
+  const auto page = nlohmann::json::parse(text.text());
+  const Vec2 base = text.base();
+  EXPECT_EQ(page["model"]["water"][0]["joints"], nlohmann::json({1}));
+  EXPECT_NEAR(page["model"]["water"][1]["line"][4].get<double>(), 3.0 - base.x(), 1e-6);
+  EXPECT_NEAR(page["model"]["water"][1]["line"][5].get<double>(), 0.75 - base.y(), 1e-6);
+}
+
+TEST(Report, gallery_has_a_card_a_run_and_its_text_stays_text) {
+  const Scratch scratch;
+  SmallRun small;
+  small.model.title = "</title><script>x</script> slope & wall";
+  {
+    ResultsSink sink(RunFolder::create(scratch.path() / "run", false), provenance());
+    small.play(sink);
+  }
+  GalleryCard card = gallery_card(scratch.path() / "run", scratch.path() / "run.png", "run.html");
+  card.name = "run <1>";
+  EXPECT_EQ(from_base64(card.picture).at(1), 'P');
+  EXPECT_EQ(card.facts[0].second, "done");
+  const GalleryCard broken{"broken", "", "", "", {}, "run.vtkhdf <i>cannot</i> be read"};
+  const std::string html = gallery_page({card, broken}, "0.1.0");
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("<i>"), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;x&lt;/script&gt; slope &amp; wall"), std::string::npos);
+  EXPECT_NE(html.find("href=\"run.html\""), std::string::npos);
+  EXPECT_NE(html.find("alt=\"The blocks of run &lt;1&gt; at the end"), std::string::npos);
+  EXPECT_NE(html.find("cannot&lt;/i&gt; be read"), std::string::npos);
+  EXPECT_THROW((void)gallery_card(scratch.path() / "none", scratch.path() / "n.png", ""), FileError);
 }
 
 TEST(Report, hostile_text_stays_text) {

@@ -513,8 +513,8 @@ std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-TEST(Server, lives_on_after_four_thousand_damaged_requests) {
-  constexpr int kRequests = 4000;
+TEST(Server, lives_on_after_ten_thousand_damaged_requests) {
+  constexpr int kRequests = 10000;
   SmallSite site(2);
   site.versions = 1;
   ServerLimits limits;
