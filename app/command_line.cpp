@@ -64,6 +64,11 @@ Choices choices() {
           {"scree cases verify", case_names()},
           {"scree control", {"pause", "resume", "step", "checkpoint", "stop", "rate"}},
           {"scree sweep --on", {"local", "slurm"}},
+          {"scree slope --unit", {"g", "m/s2", "cm/s2"}},
+          {"scree fos --method", {"nmm", "dda"}},
+          {"scree fos --integrator", {"explicit", "implicit"}},
+          {"scree fos --strength", {"peak", "as-is"}},
+          {"scree fos --back-analysis", {"phi", "c"}},
           {"scree sweep --emit", {"snakemake", "gnu-parallel"}},
           {"scree completion", {"bash", "zsh", "fish"}}};
 }
@@ -155,6 +160,10 @@ void add_run(CLI::App& app, Line& line) {
   add_threads(command, o->threads);
   add_until(command, o->until, "");
   add_set(command, o->set);
+  command
+      ->add_option("--start-from", o->start_from,
+                   "begin with the stage after the end of another run of the case, which may have fewer stages")
+      ->type_name("RUN");
   command->add_flag("--audit", o->audit,
                     "check every step: contact laws and geometry, balance, energy; end where one is wrong");
   command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
@@ -390,6 +399,106 @@ void add_sweep(CLI::App& app, Line& line) {
   });
 }
 
+void add_slope(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<SlopeCommand>();
+  CLI::App* command = app.add_subcommand(
+      "slope", "pseudo-static factor of safety, Newmark's sliding block, regressions, response spectra of records");
+  const CLI::Range angle(0.001, 90.0);
+  command->add_option("--dip", o->dip, "of the plane [deg]")->check(angle);
+  command->add_option("--friction", o->friction, "friction angle of the plane [deg]")->check(CLI::Range(0.0, 89.9));
+  command->add_option("--cohesion", o->cohesion, "of the plane [Pa]")->check(kNotNegative);
+  command->add_option("--weight", o->weight, "of the block, a metre of thickness [N/m]")->check(kPositive);
+  command->add_option("--length", o->length, "of the plane under it [m]")->check(kPositive);
+  command->add_option("--uplift", o->uplift, "force of water on the plane [N/m]")->check(kNotNegative);
+  command->add_option("--thrust", o->thrust, "horizontal force of water behind the block [N/m]")->check(kNotNegative);
+  command->add_option("--height", o->height, "of a slope whose plane leaves at the toe [m]")->check(kPositive);
+  command->add_option("--face", o->face, "angle of its face [deg]")->check(angle);
+  command->add_option("--unit-weight", o->unit_weight, "of its rock [N/m3]")->check(kPositive)->capture_default_str();
+  command->add_option("--crack", o->crack, "depth of its tension crack, in the top [m]")->check(kNotNegative);
+  command->add_option("--water", o->water, "depth of the water in the crack [m]")->check(kNotNegative);
+  command->add_option("--kh", o->k_h, "horizontal coefficient, of ground that accelerates into the slope")
+      ->check(CLI::Range(-10.0, 10.0));
+  command->add_option("--kv", o->k_v, "vertical coefficient, of ground that accelerates downwards")
+      ->check(CLI::Range(-10.0, 0.999));
+  command->add_option("--yield", o->yield, "critical acceleration [g], in place of that of the slope")
+      ->check(kPositive);
+  command->add_option("--record", o->records, "recorded acceleration: .AT2, or two columns")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command->add_option("--unit", o->unit, "of records that do not say theirs: g, m/s2 or cm/s2")
+      ->check(CLI::IsMember({"g", "m/s2", "cm/s2"}));
+  CLI::Option* scale = command->add_option("--scale", o->scale, "factor on the records")->check(kPositive);
+  command
+      ->add_option("--pga", o->pga, "peak that the records are scaled to; without records that of the regressions [g]")
+      ->check(kPositive)
+      ->excludes(scale);
+  command->add_option("--magnitude", o->magnitude, "moment magnitude, for the regressions")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--arias", o->arias, "Arias intensity, for the regressions without records [m/s]")
+      ->check(kPositive);
+  command->add_option("--damping", o->damping, "of the response spectra, fraction of critical")
+      ->check(CLI::Range(0.0, 0.99))
+      ->capture_default_str();
+  command->add_option("--spectrum", o->spectrum, "write the response spectra (CSV)")->type_name("FILE");
+  command->add_option("--json", o->json, "write all numbers as JSON; -: print them in place of the table")
+      ->type_name("FILE");
+  prints(command, o, line.action, slope);
+}
+
+void add_fos(CLI::App& app, Line& line) {
+  const auto o = std::make_shared<FosCommand>();
+  o->words = line.words;
+  CLI::App* command =
+      app.add_subcommand("fos", "factor of safety of a case, by reduction of the strength of its joints");
+  command->add_option("case", o->case_file, "case file (TOML)")->required();
+  command->add_option("--out", o->out, "folder of the search (default runs/<case folder>-fos)")->type_name("DIR");
+  command->add_option("--on", o->joints, "joint laws that are reduced (default: all); * stands for any characters")
+      ->delimiter(',')
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("LAW,...");
+  command->add_option("--method", o->method, "nmm or dda, after the stage to rest (default: as that)");
+  command->add_option("--integrator", o->integrator, "explicit or implicit (default: as the stage to rest)")
+      ->check(CLI::IsMember({"explicit", "implicit"}));
+  command
+      ->add_option("--strength", o->strength,
+                   "peak: residual strengths are those of the peak; as-is: joints weaken as they say (default: peak, "
+                   "then as-is where that differs)")
+      ->check(CLI::IsMember({"peak", "as-is"}));
+  command->add_option("--tolerance", o->tolerance, "width of the bracket")
+      ->check(CLI::Range(1e-4, 1.0))
+      ->capture_default_str();
+  command->add_option("--least", o->least, "smallest factor that is tried")
+      ->check(CLI::Range(1e-3, 1.0))
+      ->capture_default_str();
+  command->add_option("--most", o->most, "largest factor that is tried")
+      ->check(CLI::Range(1.0, 1e3))
+      ->capture_default_str();
+  command->add_option("--time", o->time, "longest simulated time that a run may take to decide [s]")->check(kPositive);
+  command->add_option("--limit", o->limit, "displacement that decides [m]")->check(kPositive);
+  command->add_option("--kh", o->k_h, "pseudo-static coefficient: gravity has so much of its size along x, too")
+      ->check(CLI::Range(-10.0, 10.0));
+  command
+      ->add_option("--back-analysis", o->back,
+                   "phi or c: change it alone, and tell the value with which the slope just stands")
+      ->check(CLI::IsMember({"phi", "c"}));
+  command->add_option("--jobs", o->jobs, "runs at a time (default: cores / threads of a run)")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--threads-per-run", o->threads, "threads of a run")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--json", o->json, "write the answer as JSON; -: print it in place of the table")
+      ->type_name("FILE");
+  add_set(command, o->set);
+  command->add_flag("--quiet", o->quiet, "print nothing but the answer, errors and warnings");
+  add_load(command, line.libraries);
+  carries_out(command, o, line.action, [&line](FosCommand& c) {
+    c.load = line.libraries;
+    return fos(c);
+  });
+}
+
 void add_schema(CLI::App& app, Line& line) {
   const auto markdown = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("schema", "every key of a case file");
@@ -417,8 +526,9 @@ int dispatch(int argc, char** argv) {
   Line line;
   line.words.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) line.text += (i > 0 ? " " : "") + std::string(argv[i]);
-  for (const auto add : {add_run, add_resume, add_check, add_digest, add_sweep, add_cases, add_snapshot, add_report,
-                         add_view, add_watch, add_control, add_replay, add_schema, add_completion})
+  for (const auto add :
+       {add_run, add_resume, add_check, add_digest, add_sweep, add_fos, add_slope, add_cases, add_snapshot, add_report,
+        add_view, add_watch, add_control, add_replay, add_schema, add_completion})
     add(app, line);
 
   if (argc == 1) {

@@ -16,12 +16,13 @@ struct RunOptions {
   std::filesystem::path out;  // empty: runs/<name of the case>
   std::string name;           // in the stream; empty: that of the run folder
   bool overwrite = false, quiet = false;
-  bool audit = false;               // check every step
-  std::optional<std::string> live;  // stream; an empty text keeps the case's URL
-  bool control = false;             // take commands over it
-  int threads = 0;                  // 0: as the case says, else as many as the machine has
-  std::optional<double> until;      // [s]
-  std::vector<std::string> set;     // key=value
+  bool audit = false;                // check every step
+  std::optional<std::string> live;   // stream; an empty text keeps the case's URL
+  bool control = false;              // take commands over it
+  int threads = 0;                   // 0: as the case says, else as many as the machine has
+  std::optional<double> until;       // [s]
+  std::vector<std::string> set;      // key=value
+  std::filesystem::path start_from;  // run folder from whose end it goes on; empty: it begins
   std::string command_line;
 };
 int run(const RunOptions& options);
@@ -131,6 +132,47 @@ struct SweepCommand {
 /// Makes the runs of a sweep and their table. kDone where all runs are done, kFailed where some are not, kInterrupted
 /// where it was stopped.
 int sweep(const SweepCommand& command);
+
+struct SlopeCommand {
+  std::optional<double> dip, friction;     // of the plane [deg]
+  std::optional<double> weight, length;    // of a block [N/m], of its plane [m]
+  double cohesion = 0.0;                   // [Pa]
+  double uplift = 0.0, thrust = 0.0;       // of water on a block [N/m]
+  std::optional<double> height, face;      // of a slope with a face [m], [deg]
+  double unit_weight = 25e3;               // of its rock [N/m3]
+  double crack = 0.0, water = 0.0;         // depth of a tension crack, and of the water in it [m]
+  double k_h = 0.0, k_v = 0.0;             // pseudo-static
+  std::optional<double> yield, pga;        // [g]
+  std::optional<double> magnitude, arias;  // [-], [m/s]
+  std::vector<std::filesystem::path> records;
+  std::string unit;                      // of records that do not say theirs
+  double scale = 1.0;                    // of records
+  double damping = 0.05;                 // of spectra
+  std::filesystem::path json, spectrum;  // files; json may be "-"; empty: none
+};
+/// Prints pseudo-static, Newmark's and regression numbers of a slope, and facts and spectra of records.
+int slope(const SlopeCommand& command);
+
+struct FosCommand {
+  std::filesystem::path case_file, out;  // empty out: runs/<name of the case>-fos
+  std::vector<std::string> joints;       // laws that are reduced; empty: all
+  std::string method, integrator;        // empty: as the stage to rest
+  std::string strength;                  // peak or as-is; empty: peak, and as-is where that differs
+  std::string back;                      // phi or c: what alone is changed; empty: all strengths
+  double tolerance = 0.01;               // width of the bracket
+  double least = 0.1, most = 10.0;       // factors tried at all
+  std::optional<double> time, limit;     // of the dynamic stage [s], displacement that decides [m]
+  double k_h = 0.0;                      // pseudo-static [g]
+  std::size_t jobs = 0;                  // runs at a time; 0: as many as cores allow
+  int threads = 1;                       // of a run
+  std::vector<std::string> set, load;    // of all runs
+  std::filesystem::path json;            // file, or "-"; empty: only that in the folder
+  bool quiet = false;
+  std::vector<std::string> words;  // of the command line
+};
+/// Finds the factor of safety of a case. kDone where it is found, or shown not to lie between the bounds;
+/// kNotConverged where runs stay undecided; kInterrupted where it was stopped.
+int fos(const FosCommand& command);
 
 struct ViewOptions {
   std::string source;               // run folder, or case file (.toml); empty with `live`

@@ -64,6 +64,25 @@ io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std:
   return run;
 }
 
+coupling::Checkpoint end_of_run(const std::filesystem::path& run, const io::Case& c, const RunOptions& options) {
+  const io::FoundCheckpoint found = io::newest_checkpoint(io::RunFolder::reopen(run), SCREE_VERSION, warn);
+  const io::RunRecord& was = found.stored.run;
+  const auto refuse = [&](const std::string& why) { throw io::FileError(run, "cannot be started from: " + why); };
+  const auto settings = [](std::vector<std::string> set) {
+    std::erase_if(set, [](const std::string& option) { return option.starts_with("reduction.factor="); });
+    return set;
+  };
+  if (was.case_text != c.text) refuse("it is a run of another case file");
+  if (settings(was.overrides) != settings(options.set)) refuse("it has other --set options than this run");
+  if (record_of(c, options, {}).file_digests != was.file_digests) refuse("a file that its case names has changed");
+  const coupling::Checkpoint& end = found.stored.checkpoint;
+  const auto stage = static_cast<std::size_t>(end.state.stage);
+  if (!end.ended && end.state.time < end.stage_end)
+    refuse("its last checkpoint is within a stage, " + place_of(end.state));
+  if (stage + 1 >= c.plan.stages.size()) refuse("no stage of this run comes after its last one");
+  return end;
+}
+
 std::string place_of(const coupling::State& state) {
   return fmt::format("t = {:.6g} s, step {}", seconds(state.time), state.step);
 }
@@ -98,8 +117,8 @@ int resume(const ResumeOptions& options) {
   as.command_line = run.command_line;
   if (!options.quiet)
     say("going on with {} from {}: {}\n", options.run.string(), from.path.filename().string(), place_of(state));
-  return carry_out(
-      c, as, options.name.empty() ? run.name : options.name, [&] { return std::move(open); }, &from);
+  return carry_out(c, as, options.name.empty() ? run.name : options.name, [&] { return std::move(open); },
+                   {&from, nullptr});
 }
 
 }  // namespace scree::app

@@ -268,11 +268,15 @@ int run(const RunOptions& options) {
   };
   const std::filesystem::path folder = std::filesystem::absolute(out).lexically_normal();
   const std::string folder_name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-  return carry_out(c, options, options.name.empty() ? folder_name : options.name, open_folder, nullptr);
+  std::optional<coupling::Checkpoint> begin;
+  if (!options.start_from.empty()) begin = end_of_run(options.start_from, c, options);
+  return carry_out(c, options, options.name.empty() ? folder_name : options.name, open_folder,
+                   {nullptr, begin ? &*begin : nullptr});
 }
 
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
-              const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from) {
+              const std::function<OpenFolder()>& open_folder, const Beginning& beginning) {
+  const io::FoundCheckpoint* from = beginning.resumed;
   if (!options.quiet) tell_meshes(c.model, c.plan);
   c.plan.audit = options.audit;
   if (!take_stream(c.plan.live, options)) return kUsage;
@@ -316,6 +320,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
                               from);
   driver.set_keeper(checkpoints);
   if (from != nullptr) driver.continue_from(from->stored.checkpoint);
+  if (beginning.after != nullptr) driver.continue_from(*beginning.after);
   driver.add_sink(results);
   driver.add_sink(log);
   std::unique_ptr<Progress> progress;

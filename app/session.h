@@ -19,16 +19,26 @@ struct OpenFolder {
   std::unique_ptr<io::FolderLock> lock;
 };
 
+/// Where a run begins; both null: at the start.
+struct Beginning {
+  const io::FoundCheckpoint* resumed = nullptr;  // of the run itself
+  const coupling::Checkpoint* after = nullptr;   // at the end of another one: results begin with what follows
+};
+
 /// Carries a case out, from the start or from a checkpoint, and says what came of it.
-/// @param open_folder  called once everything else is known to be in order   @param from  null: from the start
+/// @param open_folder  called once everything else is known to be in order
 /// @return exit code
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
-              const std::function<OpenFolder()>& open_folder, const io::FoundCheckpoint* from);
+              const std::function<OpenFolder()>& open_folder, const Beginning& beginning);
 
 /// Names of the methods that cases may use.
 [[nodiscard]] std::vector<std::string> method_names();
 /// Name of a case: of its file, or of its folder where the file is called case.toml.
 [[nodiscard]] std::string case_name(const std::filesystem::path& case_file);
+/// The end of a run of the same case, to go on from: with the same file and files that it names, and the same options
+/// but for reduction.factor.   @throws FileError where it is none, or has not ended well
+[[nodiscard]] coupling::Checkpoint end_of_run(const std::filesystem::path& run, const io::Case& c,
+                                              const RunOptions& options);
 /// What checkpoints say of a run.   @throws FileError where a file that the case names cannot be read
 [[nodiscard]] io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name);
 /// "t = 0.5 s, step 120".

@@ -7,7 +7,8 @@
 namespace scree::app {
 
 bool computes(std::string_view command) {
-  return command == "run" || command == "resume" || command == "cases" || command == "digest" || command == "sweep";
+  return command == "run" || command == "resume" || command == "cases" || command == "digest" || command == "sweep" ||
+         command == "fos";
 }
 
 void let_threads_sleep(char** argv) {

@@ -93,6 +93,15 @@ struct SwitchRules {
   Back back;
 };
 
+/// Strengths of joint laws that a stage divides by a factor (coupling/bodies/joint_laws.h).
+struct StrengthPlan {
+  enum class Part { all, friction, cohesion };  // friction: tan phi, tan psi; cohesion: that and tensile strength
+  std::vector<JointId> joints;                  // empty: none
+  Part part = Part::all;
+  double from = 1.0, to = 1.0;  // factor where the stage begins, and where its duration is over
+  [[nodiscard]] bool used() const { return !joints.empty(); }
+};
+
 struct Stage {
   std::string name;
   std::string method;  // for blocks that no rule names
@@ -122,6 +131,7 @@ struct Stage {
   Partition partition;
   EndRules end;
   SwitchRules change;
+  StrengthPlan strength;
   StepControl control;
   /// Steps of two sizes, all of them explicit.
   [[nodiscard]] bool subcycled() const { return integrator == Integrator::partitioned && partition.slow_explicit; }

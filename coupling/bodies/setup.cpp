@@ -56,7 +56,7 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
 
 Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts,
              Clocks clocks)
-    : model_(&model), ghosts_touch_(ghosts.touch), clocks_(std::move(clocks)) {
+    : model_(&model), ghosts_touch_(ghosts.touch), clocks_(std::move(clocks)), laws_(model.joints) {
   std::map<PoolKey, std::int32_t> pool_of_key;
   for (std::size_t i = 0; i < records.size(); ++i) pool_of_key.emplace(key_of(model, records[i], ghosts, i), 0);
   for (auto& [key, index] : pool_of_key) {

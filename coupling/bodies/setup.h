@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/bodies/clocks.h"
+#include "coupling/bodies/joint_laws.h"
 #include "coupling/bodies/methods.h"
 #include "coupling/state.h"
 #include "model/pool.h"
@@ -81,6 +82,10 @@ class Setup {
         Clocks clocks = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
+  /// The joint laws with the strengths that they have now.
+  [[nodiscard]] const JointLaws& laws() const { return laws_; }
+  /// Between two steps only: whoever asks for a strength sees the new one from then on.
+  void divide_strength(const StrengthPlan& plan, double factor) { laws_.divide(plan, factor); }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
   /// Pools whose forces and energies are this setup's: all but those of ghosts.
@@ -150,6 +155,7 @@ class Setup {
   std::vector<std::vector<char>> counted_;
   bool ghosts_touch_;
   Clocks clocks_;
+  JointLaws laws_;
   Outlines outlines_;
 };
 

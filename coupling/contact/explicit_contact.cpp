@@ -27,7 +27,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
     : setup_(&setup),
       finder_(setup, detection),
       friction_check_(setup),
-      friction_evolution_(setup.model().joints),
+      friction_evolution_(setup.laws().all()),
       checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
   for (ContactList* list : {&now_, &before_, &ahead_}) {
@@ -35,7 +35,6 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
     list->memory.reserve(expected);
     list->briefs.reserve(expected);
   }
-  for (const JointLaw& law : setup.model().joints) tan_friction_.push_back(std::tan(law.friction));
   left_.reserve(expected);
   kept_.reserve(expected);
   trial_.reserve(expected);
@@ -52,7 +51,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
     ContactMemory& m = now_.memory[i];
     const auto joint = static_cast<std::size_t>(m.joint);
-    explicit_law(setup_->model().joints[joint], tan_friction_[joint], motion_of(now_.points[i]), m);
+    explicit_law(setup_->laws()[joint], setup_->laws().tan_friction(joint), motion_of(now_.points[i]), m);
   }
   if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
@@ -76,7 +75,7 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
         then.slip = was.slip;
         then.friction_change = was.friction_change;
       }
-      const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+      const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
       audit_law(*setup_, then, m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn, m.ft, allowed,
                 audit);
     } else if (!p.suppressed && !p.beyond) {
@@ -189,7 +188,7 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     ContactMemory& m = list.memory[i];
     // The stretch that a spring would have here, also for one that opens now.
     trial_[i] = (p.at.xi - m.anchor) * p.at.length;
-    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
     PointMotion motion = motion_of(p);
     motion.per_time = 1.0 / h;
     // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
@@ -206,7 +205,7 @@ void ExplicitContact::respond(double h, std::span<const double> v, ContactList& 
     // Stages to rest have no velocities of their own.
     if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
       finder_.begin_impact(p, -row_rate(setup_->outlines(), p, gap_row(p.at), v), m);
-    explicit_law(law, tan_friction_[static_cast<std::size_t>(m.joint)], motion, m);
+    explicit_law(law, setup_->laws().tan_friction(static_cast<std::size_t>(m.joint)), motion, m);
     opened_[i] = m.gap0 - gap0;
     if (m.status == ContactStatus::open)
       m.impact = 0.0;

@@ -74,13 +74,12 @@ class ExplicitContact {
   FrictionEvolution friction_evolution_;
   bool checks_friction_;
   ContactList now_, before_, ahead_;
-  double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<double> tan_friction_;  // per joint law
-  std::vector<Half> left_;            // a point of before_
-  std::vector<char> kept_;            // 1: the point of before_ goes on in now_
-  std::vector<double> trial_;         // stretch before return mapping, a point of the list at hand
-  std::vector<double> anchor_;        // before closed points take the stiffness of a new kind
-  std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
+  double clear_ = 0.0;          // while nothing is near: how far nodes may still move before something can be [m]
+  std::vector<Half> left_;      // a point of before_
+  std::vector<char> kept_;      // 1: the point of before_ goes on in now_
+  std::vector<double> trial_;   // stretch before return mapping, a point of the list at hand
+  std::vector<double> anchor_;  // before closed points take the stiffness of a new kind
+  std::vector<double> opened_;  // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

@@ -28,7 +28,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       options_(options),
       finder_(setup, detection),
       friction_check_(setup),
-      friction_evolution_(setup.model().joints),
+      friction_evolution_(setup.laws().all()),
       system_(setup),
       contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor),
       sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),

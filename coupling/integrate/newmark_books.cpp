@@ -119,7 +119,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     m.fd = t.fn - spring_force(t, m);
     linear[i] = 0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
                 (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
-    const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+    const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
     if (m.bonded != 0 && t.status == ContactStatus::open) mark_failed(law, m);
     double slip = 0.0;
     if (t.status == ContactStatus::slip) {

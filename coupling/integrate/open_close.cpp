@@ -132,7 +132,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
 }
 
 const JointLaw& OpenClose::law_of(std::size_t i) const {
-  return setup_->model().joints[static_cast<std::size_t>(list_->memory[i].joint)];
+  return setup_->laws()[static_cast<std::size_t>(list_->memory[i].joint)];
 }
 
 double OpenClose::stretch_before(std::size_t i) const {

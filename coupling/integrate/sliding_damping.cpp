@@ -30,8 +30,7 @@ SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {
   steep_.assign(n, 0.0);
   rate_.assign(n, 0.0);
   const Model& model = setup.model();
-  joints_ = &model.joints;
-  for (const JointLaw& law : model.joints) tan_friction_.push_back(std::tan(law.friction));
+  laws_ = &setup.laws();
   if (fraction == 0.0) return;
   std::vector<char> exempt(model.blocks.size(), 0);
   for (const PointSupport& s : model.point_supports) exempt[s.block.index()] = 1;
@@ -58,7 +57,7 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
     double slides = 0.0, mu = 0.0;
     if (m.slide.last.slip != 0.0F) {
       const auto joint = static_cast<std::size_t>(m.joint);
-      const Strength now = strength((*joints_)[joint], tan_friction_[joint], m);
+      const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), m);
       slides = m.fn * sliding_part(now, m);
       mu = now.coefficient;
     }

@@ -44,8 +44,7 @@ class SlidingDamping {
   [[nodiscard]] static double sliding_part(const Strength& now, const ContactMemory& m);
 
   bool used_ = false;
-  const std::vector<JointLaw>* joints_ = nullptr;
-  std::vector<double> tan_friction_;    // of a joint law
+  const JointLaws* laws_ = nullptr;
   std::vector<double> most_;            // per body: 2 xi w_1, or 0 where it is exempt [1/s]
   std::vector<double> slipping_, all_;  // per body: normal forces of its contacts [N]
   std::vector<double> steep_;           // per body: cubes of friction, weighted by slipping_ [N]

@@ -24,7 +24,6 @@ namespace scree::coupling {
 namespace {
 
 // Of Checkpoint::rule_changes.
-constexpr std::size_t kRuleKinds = 2;
 constexpr int kMethodRule = 0, kSideRule = 1;
 
 /// True if a multiple of `every` lies after `before`, and not after `now`.
@@ -327,6 +326,7 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
 }
 
 void Driver::begin_moving(const Stage& stage, bool new_mesh) {
+  if (stage.strength.used()) set_strength(stage, state_.time);
   integrator_ = make_integrator(stage);
   const double springs = state_.ledger[Column::contact_springs];
   // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.

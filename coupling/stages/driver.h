@@ -129,6 +129,8 @@ class Driver {
   /// One step, by as many attempts as it takes; and what is looked at after it.
   /// Finds anew how long steps may be, where that is due or a step has made it doubtful.
   void bound_step(const Stage& stage, bool due);
+  /// Joints have the strengths that the stage gives them at a time.
+  void set_strength(const Stage& stage, Tick time);
   /// One attempt of the integrator.   @param cap  of its length   @param h  its length
   [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
   /// A sentence on an attempt that was refused.
@@ -151,6 +153,8 @@ class Driver {
   void sample(bool frame);
   /// Hands the last state to the sinks.
   void finish(const RunEnd& result);
+
+  static constexpr std::size_t kRuleKinds = 2;  // of Checkpoint::rule_changes, a stage
 
   const Model* model_;
   const Plan* plan_;

@@ -117,10 +117,17 @@ void Driver::bound_step(const Stage& stage, bool due) {
   if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
 }
 
+void Driver::set_strength(const Stage& stage, Tick time) {
+  const double part =
+      static_cast<double>(time - state_.stage_begin.back()) / static_cast<double>(std::max<Tick>(stage.duration, 1));
+  setup_->divide_strength(stage.strength, strength_factor(stage.strength, part));
+}
+
 StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
   const bool implicit = stage.has_implicit_steps();
   if (implicit) cap = std::min(cap, step_of_fastest());
   h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
+  if (stage.strength.used()) set_strength(stage, state_.time + h);
   const double begin = wall();
   const StepReport report = integrator_->step(state_, h);
   (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;

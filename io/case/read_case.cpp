@@ -41,6 +41,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   out.plan = read_plan(root, out.model, methods);
   check_times(root, out.model, out.plan);
   check_meshes(root, out.model, out.plan);
+  read_reduction(root, methods, out.model, out.plan);
   out.resolved = to_toml(document);
   move_to_local_origin(out.model);  // last: errors above name the coordinates of the file
   for (coupling::Stage& stage : out.plan.stages)

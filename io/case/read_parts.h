@@ -61,6 +61,10 @@ void read_stage_rules(const Section& s, const Model& model, coupling::Stage& sta
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 
+/// [reduction]: other stages in place of those after the rest, joints without weakening, no motions.
+/// @param methods  names of those that exist   @pre all else has been read and checked
+void read_reduction(const Section& root, std::span<const std::string> methods, Model& model, coupling::Plan& plan);
+
 /// Names of materials, blocks and so on, in the order of their ids.
 template <class T>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<T>& items) {

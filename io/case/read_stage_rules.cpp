@@ -39,6 +39,24 @@ void read_end(const Section& s, coupling::Stage& stage) {
                   "use force_below");
 }
 
+void read_strength(const Section& s, const Model& model, coupling::Stage& stage) {
+  if (!s.has("strength")) return;
+  if (stage.integrator == coupling::Integrator::partitioned)
+    throw s.error("strength", "partitioned stages have the strengths of the model",
+                  "strength in explicit and implicit stages", "remove it, or set another integrator");
+  const Section r = s.table("strength");
+  stage.strength.to = r.number("factor");
+  if (!r.has("from")) r.settle("from", stage.strength.to);
+  stage.strength.from = r.number("from");
+  const std::vector<std::string> known = names_of(model.joints);
+  std::vector<char> chosen(known.size(), r.has("joints") ? 0 : 1);
+  if (r.has("joints"))
+    for (std::size_t i = 0; i < r.texts("joints").size(); ++i)
+      for (const std::int32_t j : find_names(r, "joints", i, "joint", known)) chosen[static_cast<std::size_t>(j)] = 1;
+  for (std::size_t j = 0; j < chosen.size(); ++j)
+    if (chosen[j] != 0) stage.strength.joints.emplace_back(static_cast<std::int32_t>(j));
+}
+
 /// Why a block can have one method only; empty: it can have both.
 std::string obstacle(const coupling::Stage& stage, const Model& model, BlockId block) {
   if (model.support_of(block) != nullptr) return "is held whole";
@@ -117,6 +135,7 @@ void read_switch(const Section& s, const Model& model, coupling::Stage& stage) {
 
 void read_stage_rules(const Section& s, const Model& model, coupling::Stage& stage) {
   read_end(s, stage);
+  read_strength(s, model, stage);
   read_switch(s, model, stage);
 }
 

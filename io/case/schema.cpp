@@ -33,6 +33,7 @@ constexpr Range kPasses{.low = 1.0, .high = 1000.0};
 constexpr Range kFrameRate{.low = 0.0, .high = 1000.0, .low_open = true};
 constexpr Range kThreads{.low = 0.0, .high = 1024.0};
 constexpr Range kCoordinate{.low = -1e9, .high = 1e9};
+constexpr Range kCoefficient{.low = -10.0, .high = 10.0};
 constexpr Range kStart{.low = 0.0, .high = 1e6};
 constexpr Range kTime{.low = 1e-12, .high = 1e6};  // one tick to 11 days: sums of stages stay within 64-bit ticks
 
@@ -492,6 +493,15 @@ constexpr Key kKeys[] = {
      "Slip of a joint: the largest between two blocks, less what it was as the stage began."},
     {"stage[].end.displacement", Type::number, "m", kPositive, "", false, "",
      "Displacement of a block since the stage began, by its centre of mass."},
+    {"stage[].strength", Type::table, "", kAny, "", false, "",
+     "Joint laws lose strength during the stage, or have less throughout: weathering, reduction. Not in partitioned "
+     "stages. The next stage has the strengths of the model again, unless it says otherwise."},
+    {"stage[].strength.factor", Type::number, "", kPositive, "", true, "",
+     "tan phi, cohesion, tensile strength and tan psi, peak and residual, are divided by it where the stage ends."},
+    {"stage[].strength.from", Type::number, "", kPositive, "(factor)", false, "",
+     "The same where the stage begins; between the two the factor grows by equal ratios."},
+    {"stage[].strength.joints", Type::names, "", kAny, "(all)", false, "",
+     "Names of the joint laws; * stands for any characters."},
     {"stage[].switch", Type::table, "", kAny, "", false, "",
      "Blocks change between the NMM and the DDA during the stage, each by its own motion; every change is an event. "
      "Not held blocks, onefold covers, other methods and blocks with cracks (unless cracks = false)."},
@@ -528,6 +538,35 @@ constexpr Key kKeys[] = {
     {"stage[].method_of[].triangle", Type::choice, "", kAny, "\"own\"", false, "own|model",
      "Of onefold covers: a triangle around each block, or one around the whole model, whose stars all the blocks have "
      "in the same places (thesis 7.3.1). Motion and stress are the same but for round-off."},
+
+    {"reduction", Type::table, "", kAny, "", false, "",
+     "Reduction of the strength of joints: what `scree fos` sets in its runs. The leading stages with rest stay, or "
+     "one is made; in place of the others come static steps in which the factor grows, static steps to balance, and a "
+     "dynamic stage. Motions and loads of later stages are left out."},
+    {"reduction.factor", Type::number, "", kPositive, "(the stages to rest alone)", false, "",
+     "tan phi, cohesion, tensile strength and tan psi, peak and residual, are divided by it in the end."},
+    {"reduction.start", Type::number, "", kPositive, "1.0", false, "", "The factor in the stages to rest."},
+    {"reduction.joints", Type::names, "", kAny, "(all)", false, "",
+     "Names of the joint laws that are reduced; * stands for any characters."},
+    {"reduction.what", Type::choice, "", kAny, "\"all\"", false, "all|friction|cohesion",
+     "Which strengths are divided; friction: tan phi and tan psi alone; cohesion: cohesion and tensile strength "
+     "alone."},
+    {"reduction.strength", Type::choice, "", kAny, "\"peak\"", false, "peak|as-is",
+     "peak: residual strengths of these laws are set to their peaks, as limit equilibrium assumes, and friction does "
+     "not change with motion; as-is: they weaken as they say."},
+    {"reduction.method", Type::name, "", kAny, "(that of the last stage to rest)", false, "",
+     "Method of the stages after the rest, for all blocks."},
+    {"reduction.integrator", Type::choice, "", kAny, "(that of the last stage to rest)", false, "explicit|implicit",
+     "Time integration of the stages after the rest."},
+    {"reduction.dt", Type::number, "s", kTime, "(two traverses of a pressure wave through the free blocks)", false, "",
+     "Static step, implicit."},
+    {"reduction.hold", Type::number, "s", kTime, "5.0", false, "", "Duration of the dynamic stage, at most."},
+    {"reduction.limit", Type::number, "m", kPositive, "(5e-3 of the root of the smallest free block's area)", false, "",
+     "Displacement of a block that ends a stage: it has failed where it accelerates."},
+    {"reduction.rest_force", Type::number, "", kSafety, "1e-5", false, "",
+     "As stage.rest_force, for a last stage to rest that has none."},
+    {"reduction.k_h", Type::number, "", kCoefficient, "0.0", false, "",
+     "Pseudo-static coefficient: gravity has k_h times its size along x, from the start."},
 
     {"output", Type::table, "", kAny, "", false, "",
      "What is written and how often. Nothing here changes the steps: what is due is written at the first step at or "

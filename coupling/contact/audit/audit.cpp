@@ -103,7 +103,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
 }
 
 void audit_law(const Setup& setup, const ContactMemory& m, double fn, double ft, double tolerance, Audit& audit) {
-  const JointLaw& law = setup.model().joints[static_cast<std::size_t>(m.joint)];
+  const JointLaw& law = setup.laws()[static_cast<std::size_t>(m.joint)];
   const auto name = [&] { return contact_name(setup.model(), m.key); };
   audit.check(std::max(0.0, -fn - tension_limit(law, m)), tolerance, [&] {
     return fmt::format("{}: a pull of {:.3g} N, and it bears {:.3g} N", name(), -fn, tension_limit(law, m));

@@ -52,7 +52,6 @@ void close_window(double stretch, SlideMemory& s) {
 FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
   const Model& model = setup.model();
   stiffness_.reserve(setup.bodies().size());  // so that steps need not allocate
-  for (const JointLaw& law : model.joints) tan_friction_.push_back(std::tan(law.friction));
   for (const Body& b : setup.bodies()) {
     const Block& block = model.blocks[b.block.index()];
     const Material& rock = model.materials[block.material.index()];
@@ -106,9 +105,10 @@ double FrictionCheck::period(const ContactPoint& p) {
 
 void FrictionCheck::follow(double h, const ContactPoint& p, double slip, ContactMemory& m) {
   const auto joint = static_cast<std::size_t>(m.joint);
-  const double limit = m.status == ContactStatus::open
-                           ? 0.0
-                           : strength(setup_->model().joints[joint], tan_friction_[joint], m).friction_limit(m.fn);
+  const double limit =
+      m.status == ContactStatus::open
+          ? 0.0
+          : strength(setup_->laws()[joint], setup_->laws().tan_friction(joint), m).friction_limit(m.fn);
   if (!std::isfinite(limit)) return;
   SlideMemory& s = m.slide;
   if (s.length == 0.0F) s.length = static_cast<float>(std::max(period(p), h));

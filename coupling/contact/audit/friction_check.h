@@ -75,8 +75,7 @@ class FrictionCheck {
   const Setup* setup_;
   const ContactList* list_ = nullptr;
   std::vector<Inertia> bodies_;
-  std::vector<double> tan_friction_;  // of a joint law
-  std::vector<double> stiffness_;     // of a body: tangential, of its closed contacts [N/m]
+  std::vector<double> stiffness_;  // of a body: tangential, of its closed contacts [N/m]
   bool summed_ = false;
 };
 

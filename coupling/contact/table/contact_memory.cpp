@@ -55,7 +55,7 @@ void ContactFinder::keep_force(const ContactMemory& old, bool divided, const Con
 }
 
 void ContactFinder::set_gap0(bool known, const ContactPoint& p, ContactMemory& m) const {
-  const double opened = opened_by_slip(setup_->model().joints[static_cast<std::size_t>(m.joint)], m.slip),
+  const double opened = opened_by_slip(setup_->laws()[static_cast<std::size_t>(m.joint)], m.slip),
                above = p.at.gap - opened;
   if (!known || m.gap < 0.0)
     m.gap0 = p.first_gap0;
@@ -93,7 +93,7 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   if (at_start && old == nullptr && !p.beyond && std::abs(p.at.gap) <= touching_) {
     m.gap0 = p.at.gap;
     m.status = ContactStatus::stick;  // closed, without force
-    m.bonded = setup_->model().joints[static_cast<std::size_t>(m.joint)].tensile_strength > 0.0 ? 1 : 0;
+    m.bonded = setup_->laws()[static_cast<std::size_t>(m.joint)].tensile_strength > 0.0 ? 1 : 0;
     m.segment = part;
     m.anchor = p.at.xi;
     return;
@@ -178,7 +178,7 @@ bool ContactFinder::is_divided(const ContactPoint& p) const {
 }
 
 void ContactFinder::bond_like(const ContactMemory& beside, ContactMemory& m) const {
-  const JointLaw& law = setup_->model().joints[static_cast<std::size_t>(m.joint)];
+  const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
   m.bonded = beside.bonded;
   if (m.kn * m.gap > tension_limit(law, m)) m.bonded = 0;
 }

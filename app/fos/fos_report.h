@@ -1,0 +1,31 @@
+// The answer of `scree fos` as text, JSON, CSV and pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/fos/fos_run.h"
+#include "model/model.h"
+
+namespace scree::app {
+
+/// What was asked, for people.
+struct FosTitle {
+  std::string title, case_file;
+  std::string strength = "peak";   // or as-is
+  std::string what = "all";        // strengths divided: all, friction, cohesion
+  std::string method, integrator;  // of the runs
+  std::vector<JointLaw> laws;      // that are divided
+  double tolerance = 0.01, least = 0.1, most = 10.0;
+  double limit = 0.0, hold = 0.0, k_h = 0.0;  // [m], [s], [g]
+};
+
+[[nodiscard]] std::string fos_text(const FosTitle& title, const FosAnswer& answer);
+[[nodiscard]] std::string fos_json(const FosTitle& title, const FosAnswer& answer);
+/// A row a run: factor, verdict, displacement, acceleration, time, mode.
+[[nodiscard]] std::string fos_csv(const FosAnswer& answer);
+/// Draws displacement over F, and the runs at both ends of the bracket.   @throws FileError
+void draw_fos(const FosFolder& folder, const FosTitle& title, const FosAnswer& answer);
+
+}  // namespace scree::app

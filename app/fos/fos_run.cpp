@@ -1,0 +1,176 @@
+#include "app/fos/fos_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/fos/trial_pool.h"
+#include "app/sweep/run_results.h"
+
+namespace scree::app {
+namespace {
+
+constexpr double kFirstTilt = 0.05, kLastTilt = 1.6, kTiltWidth = 0.01;  // of k_h
+
+class Search {
+ public:
+  Search(const FosFolder& folder, const FosRecord& record, double limit, const Vec2& gravity,
+         const FosSettings& settings)
+      : folder_(&folder), record_(&record), limit_(limit), gravity_(gravity), settings_(&settings) {
+    hooks_.stop = settings.stop;
+  }
+
+  FosAnswer run() {
+    for (const double start : {1.0, record_->least}) {
+      const WantedRun rest = rest_run(start);
+      if (!make({rest})) return answer_;
+      const RunOutcome outcome = outcome_of(*folder_, *record_, rest);
+      answer_.cpu += run_costs(folder_->run(rest.name)).cpu_seconds;
+      answer_.start = start;
+      if (outcome.state == RunOutcome::State::done) {
+        note(fmt::format("at rest with its strengths divided by {:g}", start));
+        bracket(rest.name, start);
+        return answer_;
+      }
+      answer_.why = outcome.reason;
+      note(fmt::format("not at rest with its strengths divided by {:g}: {}", start, outcome.reason));
+      if (start == record_->least) break;
+    }
+    answer_.status = FosAnswer::Status::fails_at_least;
+    answer_.at_least = failure_to_rest(folder_->run(rest_run(record_->least).name), limit_, gravity_);
+    if (!tilt()) answer_.status = FosAnswer::Status::interrupted;
+    return answer_;
+  }
+
+ private:
+  void note(const std::string& text) const {
+    if (settings_->note) settings_->note(text);
+  }
+  [[nodiscard]] std::vector<std::string> options(double start) const {
+    std::vector<std::string> set = record_->set;
+    set.push_back(fmt::format("reduction.start={:.9g}", start));
+    set.push_back(fmt::format("reduction.what=\"{}\"", record_->what));
+    return set;
+  }
+  [[nodiscard]] WantedRun rest_run(double start) const {
+    return {start == 1.0 ? "rest" : fmt::format("rest-{:g}", start), options(start), {}};
+  }
+  [[nodiscard]] WantedRun trial(double factor, const std::string& rest, double start) const {
+    WantedRun run{trial_name(factor), options(start), rest};
+    run.set.push_back(fmt::format("reduction.factor={:.9g}", factor));
+    return run;
+  }
+  /// @return false where it was stopped
+  [[nodiscard]] bool make(const std::vector<WantedRun>& runs) const {
+    return make_trials(*folder_, *record_, runs, settings_->jobs, settings_->threads, hooks_);
+  }
+
+  TrialResult look_at(double factor, const std::string& run) {
+    TrialResult r = trial_result(folder_->run(run), {limit_, record_->tolerance, factor, gravity_});
+    answer_.cpu += r.cpu;
+    note(fmt::format("F = {:<9.6g} {:<9} {}", factor, name(r.verdict), r.why));
+    return r;
+  }
+
+  void bracket(const std::string& rest, double start) {
+    FosSearch search({record_->least, record_->most, record_->tolerance}, start);
+    for (;;) {
+      const std::vector<double> factors = search.next();
+      if (factors.empty()) break;
+      std::vector<WantedRun> runs;
+      for (const double f : factors) runs.push_back(trial(f, rest, start));
+      if (!make(runs)) return;  // interrupted
+      std::map<double, Trial> results;
+      for (std::size_t i = 0; i < factors.size(); ++i) {
+        TrialResult r = look_at(factors[i], runs[i].name);
+        results[factors[i]] = {r.verdict, r.acceleration};
+        answer_.runs[factors[i]] = std::move(r);
+      }
+      search.take(results);
+    }
+    answer_.stands = search.stands();
+    answer_.fails = search.fails();
+    answer_.inconsistent = search.inconsistent();
+    answer_.status = search.state() == FosSearch::State::found     ? FosAnswer::Status::found
+                     : search.state() == FosSearch::State::at_most ? FosAnswer::Status::stable_at_most
+                                                                   : FosAnswer::Status::undecided;
+  }
+
+  /// Which way what fails moves along x: +1 or -1.
+  [[nodiscard]] double direction() const {
+    double sum = 0.0;
+    for (const BlockMotion& m : answer_.at_least->motions) sum += m.area * m.displacement.x();
+    return sum < 0.0 ? -1.0 : 1.0;
+  }
+
+  /// Finds the horizontal acceleration that holds what strength does not.   @return false where it was stopped
+  [[nodiscard]] bool tilt() {
+    const double against = -direction();
+    double fails = 0.0, stands = std::numeric_limits<double>::infinity();
+    const auto try_all = [&](const std::vector<double>& tilts) {
+      std::vector<WantedRun> runs;
+      for (const double k : tilts) {
+        runs.push_back({fmt::format("k-{:.6g}", k), options(1.0), {}});
+        runs.back().set.push_back(fmt::format("reduction.k_h={:.9g}", against * k));
+      }
+      if (!make(runs)) return false;
+      for (std::size_t i = 0; i < tilts.size(); ++i) {
+        const bool rests = outcome_of(*folder_, *record_, runs[i]).state == RunOutcome::State::done;
+        answer_.cpu += run_costs(folder_->run(runs[i].name)).cpu_seconds;
+        note(fmt::format("k_h = {:<9.6g} {}", against * tilts[i], rests ? "stands" : "fails"));
+        (rests ? stands : fails) = rests ? std::min(stands, tilts[i]) : std::max(fails, tilts[i]);
+      }
+      return true;
+    };
+    for (double k = kFirstTilt; std::isinf(stands) && k <= kLastTilt; k *= 4.0)
+      if (!try_all({k, 2.0 * k})) return false;
+    if (std::isinf(stands)) return true;
+    if (fails > stands) fails = 0.0;  // too much of it throws the slope over the other way
+    while (stands - fails > kTiltWidth)
+      if (const double w = (stands - fails) / 3.0; !try_all({fails + w, stands - w})) return false;
+    answer_.k_h = against * stands;
+    answer_.k_h_fails = against * fails;
+    return true;
+  }
+
+  const FosFolder* folder_;
+  const FosRecord* record_;
+  double limit_;
+  Vec2 gravity_;
+  const FosSettings* settings_;
+  TrialPoolHooks hooks_;
+  FosAnswer answer_;
+};
+
+}  // namespace
+
+const TrialResult* FosAnswer::failure() const {
+  if (at_least) return &*at_least;
+  const auto found = runs.find(fails);
+  return found == runs.end() ? nullptr : &found->second;
+}
+
+std::string_view name(FosAnswer::Status status) {
+  switch (status) {
+    case FosAnswer::Status::found:
+      return "found";
+    case FosAnswer::Status::undecided:
+      return "undecided";
+    case FosAnswer::Status::fails_at_least:
+      return "fails at the least factor";
+    case FosAnswer::Status::stable_at_most:
+      return "stable at the largest factor";
+    case FosAnswer::Status::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+FosAnswer search_factor(const FosFolder& folder, const FosRecord& record, double limit, const Vec2& gravity,
+                        const FosSettings& settings) {
+  return Search(folder, record, limit, gravity, settings).run();
+}
+
+}  // namespace scree::app

@@ -1,0 +1,56 @@
+// The search for a factor of safety: runs to rest, runs at factors, and what they come to.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/fos/fos_folder.h"
+#include "app/fos/fos_search.h"
+#include "app/fos/trial_verdict.h"
+
+namespace scree::app {
+
+/// How a search is carried out; nothing of it changes the answer.
+struct FosSettings {
+  std::size_t jobs = 1;                          // runs at a time
+  int threads = 1;                               // of a run
+  std::function<void(const std::string&)> note;  // lines for people; empty: none
+  std::function<bool()> stop;                    // true: end
+};
+
+struct FosAnswer {
+  enum class Status {
+    found,           // between stands and fails
+    undecided,       // runs between the two have no verdict
+    fails_at_least,  // it does not come to rest with the largest strength: strength does not govern
+    stable_at_most,  // it stands with the smallest strength
+    interrupted
+  };
+  Status status = Status::interrupted;
+  double stands = 0.0, fails = 0.0;    // the bracket; fails infinite: no run failed
+  std::map<double, TrialResult> runs;  // by factor; the run to rest is not among them
+  double start = 1.0;                  // factor of the run to rest
+  bool inconsistent = false;           // a larger factor stood than one that failed
+  /// Where it fails at the least factor: horizontal acceleration, in g, positive along x, with which it stands, and the
+  /// largest without (absolute values); empty: not looked for, or none up to 1.6.
+  std::optional<double> k_h, k_h_fails;
+  std::string why;                      // of a run to rest that failed
+  std::optional<TrialResult> at_least;  // how it fails at the least factor
+  double cpu = 0.0;                     // of all processes [s]
+
+  [[nodiscard]] double factor() const { return 0.5 * (stands + fails); }
+  /// The run that failed at the smallest factor, that to rest at the least factor included; null: none.
+  [[nodiscard]] const TrialResult* failure() const;
+};
+[[nodiscard]] std::string_view name(FosAnswer::Status status);
+
+/// Carries out, or goes on with, the search of a folder.
+/// @param limit    displacement that decides [m]   @param gravity [m/s2]
+/// @throws FileError
+[[nodiscard]] FosAnswer search_factor(const FosFolder& folder, const FosRecord& record, double limit,
+                                      const Vec2& gravity, const FosSettings& settings);
+
+}  // namespace scree::app

@@ -1,0 +1,169 @@
+"""`scree fos` against limit equilibrium (tests/support/limit_analysis.py): factors, modes, and what it says where there is no factor.
+
+usage: fos_runs.py SCREE GROUP [WORK]     groups: quick, modes, answers, resume, full (the closed forms by NMM, explicit steps and Goodman and Bray's columns)
+"""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import fos_cases  # noqa: E402
+import limit_analysis  # noqa: E402
+
+SCREE = os.path.abspath(sys.argv[1])
+failures = []
+work = None
+
+
+def expect(condition, text):
+    print("  %s %s" % ("ok  " if condition else "FAIL", text), flush=True)
+    if not condition:
+        failures.append(text)
+
+
+def written(name, text):
+    folder = os.path.join(work, name)
+    os.makedirs(folder, exist_ok=True)
+    path = os.path.join(folder, "case.toml")
+    with open(path, "w") as f:
+        f.write(text)
+    return path
+
+
+def fos(name, text, *options, code=0):
+    """Answer of a search as JSON, with the processor time of all its processes."""
+    path = written(name, text)
+    before = os.times()
+    run = subprocess.run([SCREE, "fos", path, "--out", os.path.join(work, name, "fos"), "--json", "-", "--quiet", *options], capture_output=True, text=True)
+    after = os.times()
+    if run.returncode != code:
+        expect(False, "%s: exit code %d, wanted %d\n%s" % (name, run.returncode, code, run.stderr))
+        return {}
+    answer = json.loads(run.stdout) if run.stdout.startswith("{") else {}
+    answer["cpu"] = after.children_user + after.children_system - before.children_user - before.children_system
+    return answer
+
+
+def near(name, made, bound, *options, mode=None):
+    text, reference = made
+    a = fos(name, text, "--strength", "peak", *options)
+    found = a.get("fos") or 0.0
+    expect(abs(found - reference) <= bound * reference,
+           "%-34s F %.4f, reference %.4f, %+.2f %% (%.1f %% allowed), %s, %d runs, %.1f s CPU" % (name, found, reference, 100 * (found / reference - 1), 100 * bound,
+                                                                                         a.get("mode"), len(a.get("runs", [])), a["cpu"]))
+    if mode:
+        expect(a.get("mode") == mode, "%-34s %s, wanted %s" % (name, a.get("mode"), mode))
+    return a
+
+
+def quick():
+    near("plane dry", fos_cases.plane_slope(), 0.01, mode="slides")
+    near("plane with cohesion", fos_cases.plane_slope(phi=30.0, c=30e3), 0.01)
+    near("plane, tension crack and water", fos_cases.plane_slope(phi=32.0, c=40e3, crack=5.0, water=4.0), 0.01)
+    h = limit_analysis.culmann_height(20e3, 25.0, fos_cases.DENSITY * fos_cases.GRAVITY, 70.0)
+    near("Culmann, three quarters of H_c", fos_cases.plane_slope(height=0.75 * h, face=70.0, dip=47.5, phi=25.0, c=20e3), 0.01)
+    near("two wedges", fos_cases.two_wedges(), 0.01, mode="slides")
+
+
+def full():
+    for method, integrator in (("nmm", "implicit"), ("dda", "explicit"), ("nmm", "explicit")):
+        how = {"method": method, "integrator": integrator}
+        if method == "nmm":
+            how["cover"] = 4.0
+        what = "%s %s: " % (method, integrator)
+        near(what + "plane dry", fos_cases.plane_slope(**how), 0.01)
+        near(what + "plane with cohesion", fos_cases.plane_slope(phi=30.0, c=30e3, **how), 0.01)
+        near(what + "crack and water", fos_cases.plane_slope(phi=32.0, c=40e3, crack=5.0, water=4.0, **how), 0.01)
+        near(what + "two wedges", fos_cases.two_wedges(**how), 0.01)
+    near("columns of Goodman and Bray", fos_cases.published_columns(), 0.01, mode="topples")
+
+
+def answers():
+    # below one: it fails as it is
+    near("weaker than it needs", fos_cases.plane_slope(phi=30.0), 0.01)
+    # strength does not govern: a block that topples whatever its friction; k_h = tan(dip) - b/h makes it stand
+    text, _ = fos_cases.block_on_plane(1.0, 3.0, 30.0, 40.0)
+    a = fos("topples whatever its friction", text, "--strength", "peak")
+    expect(a.get("status") == "fails at the least factor", "no bracket: %s" % a.get("status"))
+    k = (a.get("load_factor_k_h") or {}).get("stands")
+    angle = limit_analysis.rad(30.0) - limit_analysis.math.atan(1.0 / 3.0)
+    expect(k is not None and abs(abs(k) - limit_analysis.math.tan(angle)) <= 0.012 and k > 0.0, "load factor on k_h: %s, by hand %.4f" % (k, limit_analysis.math.tan(angle)))
+    # stable at the largest factor: a block on level ground
+    text, _ = fos_cases.block_on_plane(2.0, 1.0, 0.0, 30.0)
+    a = fos("block on level ground", text, "--strength", "peak")
+    expect(a.get("status") == "stable at the largest factor" and a.get("stands") == 10.0, "stable at F_max: %s" % a.get("status"))
+    # undecided: too little time to tell
+    text, _ = fos_cases.plane_slope()
+    a = fos("too little time", text, "--strength", "peak", "--time", "0.02", "--limit", "0.05", code=4)
+    expect(a.get("status") == "undecided", "undecided: %s" % a.get("status"))
+    # back-analysis: friction with which a slope just stands
+    a = fos("back-analysis", fos_cases.plane_slope(phi=40.0)[0], "--strength", "peak", "--back-analysis", "phi")
+    phi = a["joints"][0].get("at_limit", {}).get("friction_deg", 0.0)
+    expect(abs(phi - 35.0) <= 0.2, "back-analysis: phi %.2f, by hand 35" % phi)
+    # as-is: joints that lose cohesion point by point
+    text, reference = fos_cases.plane_slope(phi=30.0, c=30e3)
+    a = fos("as-is", text, "--strength", "as-is")
+    expect(a.get("fos") and a["fos"] <= reference * 1.01, "as-is strength: F %s, peak %.4f" % (a.get("fos"), reference))
+
+
+def resume():
+    text, _ = fos_cases.plane_slope(phi=30.0, c=30e3)
+    whole = fos("whole", text, "--strength", "peak")
+    path, out = written("killed", text), os.path.join(work, "killed", "fos")
+    command = [SCREE, "fos", path, "--out", out, "--json", "-", "--quiet", "--strength", "peak"]
+    for kills in range(3):
+        p = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        time.sleep(0.35 + 0.5 * kills)
+        os.killpg(p.pid, signal.SIGKILL)
+        p.wait()
+    last = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    whole.pop("cpu")
+    last["case"] = whole["case"]
+    expect(last == whole, "a search that was killed three times has the same answer, to the last figure")
+    for name in ("stable.png", "failed.png", "fos.svg", "fos.csv", "result.json"):
+        expect(os.path.getsize(os.path.join(out, name)) > 0, name)
+    for factor in (whole["stands"], whole["fails"]):
+        folder = os.path.join(out, "F-%.6g" % factor)
+        expect(os.path.exists(os.path.join(folder, "run.xmf")) and os.path.exists(os.path.join(folder, "run.vtkhdf")), "run folder of F = %g" % factor)
+    other = subprocess.run(command + ["--tolerance", "0.02"], capture_output=True, text=True)
+    expect(other.returncode == 5 and "tolerance" in other.stderr, "another question in the same folder is refused: %s" % other.stderr.strip())
+
+
+def modes():
+    """Ten cases whose mode is known."""
+
+    def mode(name, text, wanted, *options):
+        a = fos(name, text, "--strength", "peak", "--tolerance", "0.05", *options)
+        expect(a.get("mode") == wanted, "%-44s %s, wanted %s (F %s, %s)" % (name, a.get("mode"), wanted, a.get("fos"), a.get("status")))
+
+    c = fos_cases
+    mode("block on a plane", c.block_on_plane(4.0, 2.0, 30.0, 40.0)[0], "slides")
+    mode("wedge behind a face, with cohesion", c.plane_slope(phi=30.0, c=30e3)[0], "slides")
+    mode("two wedges on a broken plane", c.two_wedges()[0], "slides")
+    mode("block on a plane under k_h", c.block_on_plane(4.0, 2.0, 20.0, 40.0)[0], "slides", "--kh", "-0.1")
+    mode("slender block on a steep plane", c.block_on_plane(1.0, 3.0, 30.0, 40.0)[0], "topples")
+    mode("slender block under k_h", c.block_on_plane(1.0, 3.0, 10.0, 40.0)[0], "topples", "--kh", "-0.3")
+    mode("columns on a stepped base", c.columns([2.0, 4.0, 6.0, 4.0], 2.0, 2.6, 2.4, 0.6, 25.0, 42.0, 3)[0], "topples")
+    mode("block under a roof", c.hanging_block()[0], "falls")
+    ledge = [(-6.0, -1.0), (0.0, -1.0), (0.0, 6.0), (-3.0, 6.0), (-3.0, 0.0), (-6.0, 0.0)]
+    law = {"friction_deg": 30.0, "cohesion": 30e3, "tensile_strength": 30e3}
+    mode("block bonded to a wall above the ground", c.case("block on a wall", ledge, [("block", [(0.0, 3.0), (0.4, 3.0), (0.4, 6.0), (0.0, 6.0)])], {"bond": law}), "slides")
+    mode("prop that carries nothing any more", c.case("block between walls", [(-5, -6), (5, -6), (5, 4), (1, 4), (2, 0), (2, -5), (-2, -5), (-2, 0), (-1, 4), (-5, 4)],
+                                                        [("block", [(-1.75, 1.0), (1.75, 1.0), (1.25, 3.0), (-1.25, 3.0)])], {"wall": {"friction_deg": 40.0}}), "falls")
+
+
+if __name__ == "__main__":
+    work = sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp(prefix="scree-fos-")
+    limit_analysis.check()
+    for group in sys.argv[2].split(","):
+        {"quick": quick, "full": full, "answers": answers, "resume": resume, "modes": modes}[group]()
+    if len(sys.argv) <= 3:
+        shutil.rmtree(work)
+    if failures:
+        sys.exit("%d failed" % len(failures))
