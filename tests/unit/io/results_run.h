@@ -104,12 +104,12 @@ struct SmallRun {
     mesh.methods = {"dda"};  // counted anew in each mesh
     use(2);
   }
-  /// The base in 30 cells with points of their own: more numbers than stand in run.xmf.
+  /// The base in 40 cells with points of their own: more numbers than stand in run.xmf.
   void use_many() {
     offsets = {0}, connectivity.clear(), block.clear();
     std::vector<double> points;
-    for (std::int32_t c = 0; c < 30; ++c) {
-      const double x = c / 3.0, y = (c + 1) / 3.0;
+    for (std::int32_t c = 0; c < 40; ++c) {
+      const double x = c / 4.0, y = (c + 1) / 4.0;
       points.insert(points.end(), {x, -2, y, -2, y, 0, x, 0});
       for (std::int32_t i = 0; i < 4; ++i) connectivity.push_back(4 * c + i);
       offsets.push_back(4 * (c + 1));

@@ -339,7 +339,9 @@ TEST_F(Results, xmf_holds_short_arrays_itself_and_refers_to_what_stays_the_same)
       const XmfArray& a = arrays[13 * k + i];
       const bool of_mesh = i == 0 || (i >= 4 && i < 9);
       EXPECT_EQ(a.path.empty(), !of_mesh) << i;
-      if (of_mesh) EXPECT_EQ(rows.at(a.path), std::atoll(a.dimensions.c_str())) << a.path;
+      if (of_mesh) {
+        EXPECT_EQ(rows.at(a.path), std::atoll(a.dimensions.c_str())) << a.path;
+      }
     }
   }
 }
@@ -362,7 +364,7 @@ TEST_F(Results, xmf_refers_to_windows_of_long_arrays) {
   for (const DatasetNote& d : reader.datasets()) ++made[d.name.substr(0, d.name.rfind('/'))];
   EXPECT_EQ(made["/xdmf/Points/0"], 3);
   EXPECT_EQ(made["/xdmf/CellData/stress/0"], 3);
-  EXPECT_EQ(made["/xdmf/CellData/principal_stress/0"], 0) << "60 numbers";
+  EXPECT_EQ(made["/xdmf/CellData/principal_stress/0"], 0) << "80 numbers";
   EXPECT_EQ(made["/xdmf/CellData/block_id/0"], 1);
   EXPECT_EQ(made["/xdmf/topology"], 1);
   for (std::size_t k = 0; k < 3; ++k) {
