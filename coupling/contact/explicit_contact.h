@@ -119,12 +119,12 @@ class ExplicitContact {
   bool in_place_ = false;  // the last step was: before_ is of no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
-  bool can_undo_ = false;             // left_list_ is of the instant left
-  double clear_ = 0.0;                // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<Vec2> v_left_, v_;      // of outline nodes, of the step at the instant left and where it arrives
-  std::vector<Left> left_;            // a point of the instant left
-  std::vector<Left> left_first_;      // of those that others may depend on
-  struct Weakened {                   // what its friction was taken from
+  bool can_undo_ = false;         // left_list_ is of the instant left
+  double clear_ = 0.0;            // while nothing is near: how far nodes may still move before something can be [m]
+  std::vector<Vec2> v_left_, v_;  // of outline nodes, of the step at the instant left and where it arrives
+  std::vector<Left> left_;        // a point of the instant left
+  std::vector<Left> left_first_;  // of those that others may depend on
+  struct Weakened {               // what its friction was taken from
     double slip, friction_change;
   };
   std::vector<Weakened> weakened_;  // a point of the instant left

@@ -198,7 +198,8 @@ void CentralDifference::add_terms(const State& state) {
     bolts_ = bolts.get();
     add_term(std::move(bolts));
   }
-  if (auto edges = dashpots(*setup_, state); !edges.empty()) add_term(std::make_unique<ViscousEdges>(*setup_, std::move(edges)));
+  if (auto edges = dashpots(*setup_, state); !edges.empty())
+    add_term(std::make_unique<ViscousEdges>(*setup_, std::move(edges)));
 }
 
 void CentralDifference::resume(const State& state, const IntegratorMemory& memory) {

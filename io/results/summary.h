@@ -18,9 +18,10 @@ namespace scree::io {
 ///   reason, final_time, end_time, state_hash (16 hexadecimal digits), stage, steps, cuts, open_close_passes,
 ///   newton_iterations, contact_switches, factorisations, factor_updates (rank 1 each), corrections (solutions with a
 ///   factor of another matrix), block_iterations (of them with an incomplete factor of blocks), incomplete_factors,
-///   local_passes (of clusters of bodies), fallbacks (from blocks to a complete factor), audit {checks, worst} (of audited runs), wall_seconds {explicit, implicit, output,
-///   total}, cpu_seconds, threads, peak_memory_bytes, blocks_count, elements, unknowns, element_steps_per_second,
-///   contacts, ledger {columns {energy {...}, work {...}, dissipated {...}, scheme {...}}, energy, closure, moved,
+///   local_passes (of clusters of bodies), fallbacks (from blocks to a complete factor), audit {checks, worst} (of
+///   audited runs), wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes,
+///   blocks_count, elements, unknowns, element_steps_per_second, contacts, ledger {columns {energy {...}, work {...},
+///   dissipated {...}, scheme {...}}, energy, closure, moved,
 ///           relative_closure (0 where what moved is next to nothing), last_places (Ledger::last_places),
 ///           relative_closure_of ("the energy moved" or "next to nothing"), passed, passed_closure, gain
 ///           (Ledger::passed and gain), scheme_share = max |scheme column| / moved, scheme_passed_share = the same of

@@ -80,8 +80,8 @@ TEST(SupportPressure, wall_moves_in_as_lame_says_at_every_part_released) {
   const RunEnd end = run.run();
   ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
   ASSERT_EQ(look.inward.size(), 6U);
-  const double whole = kStress * kIn * (1.0 + kPoisson) / kYoung *
-                       ((1.0 - 2.0 * kPoisson) * kIn * kIn + kOut * kOut) / (kOut * kOut - kIn * kIn);
+  const double whole = kStress * kIn * (1.0 + kPoisson) / kYoung * ((1.0 - 2.0 * kPoisson) * kIn * kIn + kOut * kOut) /
+                       (kOut * kOut - kIn * kIn);
   std::printf("inward %.6f %.6f of %.6f m: %.4f %.4f of Lame\n", look.inward[3], look.inward[5], whole,
               look.inward[3] / (0.5 * whole), look.inward[5] / whole);
   EXPECT_LT(std::abs(look.inward[1]), 1e-3 * whole);

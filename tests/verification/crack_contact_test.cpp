@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, CrackSliding, testing::Values(Integrator::expl
 TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
   for (const Integrator kind : {Integrator::explicit_, Integrator::implicit}) {
     Cracked cracked(30.0, rectangle(-0.5, -0.5, 0.5, 0.5), {{Vec2(-0.3, 0.05), Vec2(0.35, -0.02)}});
-    coupling::Stage& stage = cracked.stage(
-        kind, 4e-3, kind == Integrator::implicit ? std::optional<double>(1e-5) : std::nullopt, 0.12);
+    coupling::Stage& stage =
+        cracked.stage(kind, 4e-3, kind == Integrator::implicit ? std::optional<double>(1e-5) : std::nullopt, 0.12);
     ByHand hand(cracked.scene.model, stage);
     // The upper half against the lower one, and a spin.
     for (std::int32_t k = 0; k < hand.setup->nodes(); ++k) {

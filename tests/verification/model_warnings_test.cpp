@@ -1,7 +1,8 @@
 // Warnings of stiffnesses and sizes that are worlds apart, and of joints without a law.
+#include "coupling/stages/model_warnings.h"
+
 #include <gtest/gtest.h>
 
-#include "coupling/stages/model_warnings.h"
 #include "coupling/stages/plan_warnings.h"
 #include "tests/support/scene.h"
 
