@@ -470,7 +470,7 @@ int check(const CheckOptions& options) {
   for (const std::string& text : warnings) say("  warning: {}\n", text);
   if (!options.picture.empty()) {
     try {
-      io::draw_model(c.model, {.names = options.names}, options.picture);
+      io::draw_model(c.model, {.names = options.names, .width = 1680, .window = {}}, options.picture);
     } catch (const io::FileError& e) {
       complain("error: {}\n", e.what());
       return kFiles;

@@ -124,6 +124,7 @@ class Checker {
 
   [[nodiscard]] static std::optional<Value> default_of(const Key& key, Place place) {
     if (key.type == Type::table) {
+      if (key.fallback.starts_with('(')) return std::nullopt;  // it acts where it is given, whatever it holds
       bool has_defaults = false;
       for (const Key& inner : schema()) {  // a table that asks for something, or has nothing to show, is there or not
         if (parent_of(inner.path) != key.path) continue;

@@ -664,7 +664,7 @@ constexpr Key kKeys[] = {
      "Of onefold covers: a triangle around each block, or one around the whole model, whose stars all the blocks have "
      "in the same places (thesis 7.3.1). Motion and stress are the same but for round-off."},
 
-    {"reduction", Type::table, "", kAny, "", false, "",
+    {"reduction", Type::table, "", kAny, "(no reduction)", false, "",
      "Reduction of the strength of joints: what `scree fos` sets in its runs. The leading stages with rest stay, or "
      "one is made; in place of the others come static steps in which the factor grows, static steps to balance, and a "
      "dynamic stage. Motions and loads of later stages are left out."},

@@ -238,7 +238,9 @@ TEST(Drawing, damage_is_told_with_its_line) {
       if (*c.problem != '\0') ADD_FAILURE() << c.text;
     } catch (const DrawingError& e) {
       EXPECT_TRUE(holds(e.what(), c.problem)) << e.what();
-      if (c.row > 0) EXPECT_EQ(e.row, c.row) << e.what();
+      if (c.row > 0) {
+        EXPECT_EQ(e.row, c.row) << e.what();
+      }
       EXPECT_FALSE(e.hint.empty());
     }
 }

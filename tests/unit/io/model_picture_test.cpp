@@ -93,7 +93,7 @@ TEST(ModelPicture, shows_laws_supports_loads_and_water_in_their_colours) {
     EXPECT_GT(bare.count(distinct_colour(4)), 500);
     EXPECT_LT(bare.count(support) + bare.count(load) + bare.count(water), 60);
   }
-  draw_model(read_text(kSlope + kHeld).model, {.names = true}, file);
+  draw_model(read_text(kSlope + kHeld).model, {.names = true, .width = 1680, .window = {}}, file);
   const Pixels all(file);
   EXPECT_GT(all.count(support), 800);
   EXPECT_GT(all.count(load), 300);
@@ -105,7 +105,7 @@ TEST(ModelPicture, is_drawn_in_every_format_and_refuses_others) {
   const Model model = read_text(kSlope + kHeld).model;
   for (const char* ending : {".pdf", ".svg"}) {
     const std::filesystem::path file = temporary(ending);
-    draw_model(model, {.names = true}, file);
+    draw_model(model, {.names = true, .width = 1680, .window = {}}, file);
     EXPECT_GT(std::filesystem::file_size(file), 5000u);
     std::filesystem::remove(file);
   }

@@ -25,6 +25,7 @@ Model everything(const Vec2& at) {
   m.blocks[1].polygon = {{p(8, 0), p(9, 0), p(8.5, 1.0 / 3.0)}, {}};
   m.block_supports.push_back({BlockId{1}, MotionId{0}});
   m.point_supports.push_back({BlockId{0}, p(0, 6), true, false, 1e6});
+  m.edge_supports.push_back({{BlockId{0}, {0, 3}, 0.25, 0.5}, Mat2::Identity(), 1e7});
   m.monitors.push_back({"crest", BlockId{0}, p(8, 6)});
   m.motions.emplace_back(std::vector{0.0, 1.0}, std::vector{0.0, 2.0}, Vec2(1.0, 0.0));
   m.initial_velocities.push_back({BlockId{0}, Vec2(3.0, 4.0), 5.0});
@@ -39,7 +40,13 @@ Model everything(const Vec2& at) {
   bolt.toe = at + Vec2(1.5, 0.25);
   bolt.stiffness = 1e6;
   m.bolts.push_back(bolt);
-  m.waters.push_back({{p(-3, 2), p(5, 3), p(40, 4)}, 9810.0, {JointId{0}}});
+  m.waters.push_back({{p(-3, 2), p(5, 3), p(40, 4)},
+                      9810.0,
+                      {JointId{0}},
+                      {{BlockId{0}, {0, 1}, 0.0, 0.5}},
+                      {{StageId{0}, {p(-3, 1), p(40, 2)}}}});
+  m.joint_sets.emplace_back();
+  m.joint_sets[0].total_length = 12.0;
   m.joint_lines.push_back({p(0, 3), p(4, 4), JointId{0}, JointLine::Kind::arc, 2});
   m.cracks.push_back({p(1, 3), p(2, 4), JointId{0}, BlockId{0}});
   m.cutting = CuttingReport{.crack_length = 1.5, .area = 48.0, .least_area = 0.2, .least_edge = 0.1, .snap = 1e-8};
@@ -59,8 +66,8 @@ struct Numbers {
 // The bindings name every member, so that a new one does not compile here before it is said to move or not to.
 Numbers numbers_of(const Model& model) {
   const auto& [title, plane, gravity, origin, materials, joints, default_joint, blocks, block_supports, point_supports,
-               monitors, motions, initial_velocities, functions, point_loads, tractions, body_accelerations,
-               viscous_edges, bolts, waters, joint_lines, cracks, cutting] = model;
+               edge_supports, monitors, motions, initial_velocities, functions, point_loads, tractions,
+               body_accelerations, viscous_edges, bolts, waters, joint_lines, cracks, joint_sets, cutting] = model;
   Numbers n;
   n.other(gravity);
   for (const auto& [name, density, young, poisson, in_situ] : materials) {
@@ -79,6 +86,8 @@ Numbers numbers_of(const Model& model) {
   for (const auto& [block, motion] : block_supports) n.others.push_back(block.value + motion.value);
   for (const auto& [block, point, fix_x, fix_y, stiffness] : point_supports)
     n.places.push_back(point), n.others.push_back(stiffness.value_or(0.0));
+  for (const auto& [span, held, bedding] : edge_supports)
+    n.other(span), n.other(held), n.others.push_back(bedding.value_or(0.0));
   for (const auto& [name, block, point] : monitors) n.places.push_back(point);
   for (const GroundMotion& motion : motions) n.other(motion.displacement(0.5));
   for (const auto& [block, velocity, spin] : initial_velocities) n.other(velocity), n.others.push_back(spin);
@@ -91,13 +100,17 @@ Numbers numbers_of(const Model& model) {
     n.places.insert(n.places.end(), {bolt.head, bolt.toe});
     n.others.push_back(bolt.stiffness);
   }
-  for (const auto& [line, unit_weight, of] : waters)
+  for (const auto& [line, unit_weight, of, faces, levels] : waters) {
     n.places.insert(n.places.end(), line.begin(), line.end()), n.others.push_back(unit_weight);
+    for (const EdgeSpan& face : faces) n.other(face);
+    for (const auto& [stage, lowered] : levels) n.places.insert(n.places.end(), lowered.begin(), lowered.end());
+  }
   for (const auto& [from, to, joint, kind, source] : joint_lines) n.places.insert(n.places.end(), {from, to});
+  for (const SetStatistics& set : joint_sets) n.others.push_back(set.total_length);
   for (const auto& [from, to, joint, block] : cracks) n.places.insert(n.places.end(), {from, to});
-  const auto& [count, lines, cracks_kept, crack_length, cracks_trimmed, trimmed_length, slivers_joined, slivers_left,
-               area, least_area, least_edge, least_angle, snap, least_width] = *cutting;
-  n.others.insert(n.others.end(), {crack_length, area, least_area, least_edge, snap});
+  const auto& [count, lines, cracks_kept, crack_length, cracks_trimmed, trimmed_length, ends_extended, extended_length,
+               slivers_joined, slivers_left, area, least_area, least_edge, least_angle, snap, least_width] = *cutting;
+  n.others.insert(n.others.end(), {crack_length, extended_length, area, least_area, least_edge, snap});
   return n;
 }
 
