@@ -32,7 +32,8 @@ struct EdgeEnds {
                                                   double tolerance);
 
 /// Parts of the outlines of all blocks that lie on the straight piece a -> b and face no other block's edge there: the
-/// free faces of a model that blocks were cut from, by block, ring, edge. Parts as in edges_on_line().
+/// free faces of a model that blocks were cut from, by block, ring, edge, then along a -> b. Parts as in
+/// edges_on_line().
 /// @param tolerance [m], > 0      @pre |b - a| > tolerance
 [[nodiscard]] std::vector<EdgeSpan> free_edges_on_line(const Model& model, const Vec2& a, const Vec2& b,
                                                        double tolerance);

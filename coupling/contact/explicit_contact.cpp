@@ -30,7 +30,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
       friction_evolution_(setup.laws().all()),
       checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
-  for (ContactList* list : {&now_, &before_, &ahead_}) {
+  for (ContactList* list : {&now_, &before_, &ahead_, &left_list_}) {
     list->points.reserve(expected);
     list->memory.reserve(expected);
     list->briefs.reserve(expected);

@@ -65,6 +65,8 @@ std::optional<Command> command_of(const std::vector<std::string>& words) {
     if (words[1].empty() || *end != '\0') return {};
   } else if (*verb == ControlVerb::step) {
     out.value = 1.0;
+  } else if (*verb == ControlVerb::rate) {
+    return {};  // 0 would be a rate too
   }
   if (!control_value_error(*verb, out.value).empty()) return {};
   return out;

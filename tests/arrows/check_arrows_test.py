@@ -23,6 +23,7 @@ FORBIDDEN = {
 }
 FORBIDDEN_INSIDE = {
     "io/text": ["io/case", "io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
+    "io/drawing": ["io/case", "io/results", "io/pictures"],
     "io/case": ["io/results", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
     "io/results": ["io/case", "io/pictures", "io/checkpoint", "io/live", "io/watch"],
     "io/pictures": ["io/case", "io/checkpoint", "io/live", "io/watch", "io/report", "io/serve"],

@@ -42,6 +42,7 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   constexpr std::size_t kFew = 1000;
   changed_.reserve(std::min(expected, kFew));
   shift_.reserve(std::min(expected, kFew));
+  of_vertex_.reserve(std::min(expected, kFew));
   made_.points.reserve(std::min(expected, kFew));
   made_.memory.reserve(std::min(expected, kFew));
   made_.briefs.reserve(std::min(expected, kFew));

@@ -22,7 +22,13 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       first_(setup.outlines().vertices.size() + 1) {
   for (const Outlines::Edge& e : setup.outlines().edges)
     ghost_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].ghost ? 1 : 0);
-  deep_.reserve(2 * setup.outlines().vertices.size());  // so that steps need not allocate
+  // So that steps need not allocate.
+  const std::size_t expected = 2 * setup.outlines().vertices.size();
+  deep_.reserve(expected);
+  pairs_.reserve(expected);
+  unsorted_.reserve(expected);
+  place_.reserve(expected);
+  seen_.reserve(expected);
 }
 
 bool ContactPairs::edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const {

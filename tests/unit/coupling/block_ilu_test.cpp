@@ -202,7 +202,7 @@ TEST(BlockIlu, makes_conjugate_residuals_meet_the_dense_solution) {
   ConjugateResiduals residuals;
   for (const int n : {2, 20, 80})
     for (const double friction : {0.0, 0.6}) {
-      const System s(n, drawn_pairs(n, 2 * n, random), 100.0, friction, random);
+      const System s(n, drawn_pairs(n, 2 * n, random), 10.0, friction, random);
       BlockIlu ilu;
       ASSERT_TRUE(ilu.factorise(s.blocks, s.unit));
       const Eigen::VectorXd b = s.drawn_side(random);

@@ -164,16 +164,19 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   };
   const double most =
       2.0 * 0.7 * lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b));
-  const auto rate = [&](std::vector<ContactMemory> memory, std::int32_t body) {
+  const auto rate_of = [&](SlidingDamping& of, std::vector<ContactMemory> memory, std::int32_t body) {
     ContactList list;
     list.memory = std::move(memory);
     list.points.resize(list.memory.size());
     for (ContactPoint& p : list.points) p.node = std::array<std::int32_t, 3>{node_of(body), node_of(0), node_of(0)};
-    damping.begin();
-    damping.count(setup.outlines(), list);
-    (void)damping.find();
-    EXPECT_EQ(damping.rates()[0], 0.0);  // the plane is held
-    return damping.rates()[static_cast<std::size_t>(body)] / most;
+    of.begin();
+    of.count(setup.outlines(), list);
+    (void)of.find();
+    EXPECT_EQ(of.rates()[0], 0.0);  // the plane is held
+    return of.rates()[static_cast<std::size_t>(body)] / most;
+  };
+  const auto rate = [&](std::vector<ContactMemory> memory, std::int32_t body) {
+    return rate_of(damping, std::move(memory), body);
   };
   using enum ContactStatus;
   EXPECT_EQ(rate({pressed(1.0, stick), pressed(1.0, stick)}, 1), 0.0);
@@ -192,11 +195,13 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   EXPECT_NEAR(rate({back}, 1), 1.0, 1e-14);
   // Against cohesion only the part of friction counts: tan(30 deg) of 9 tan(30 deg) + tan(30 deg).
   scene.model.joints[0].cohesion = 9.0 * std::tan(30.0 * test::kDegree);
+  const coupling::Setup with_cohesion(scene.model, standard_methods(), records);
+  SlidingDamping cohesive(with_cohesion, 0.7);
   ContactMemory bound = pressed(1.0, slip);
   bound.tributary = 1.0;
-  EXPECT_NEAR(rate({bound}, 1), std::pow(0.3, 1.5), 1e-14);
+  EXPECT_NEAR(rate_of(cohesive, {bound}, 1), std::pow(0.3, 1.5), 1e-14);
   bound.failed = 1;  // its cohesion is gone
-  EXPECT_NEAR(rate({bound}, 1), 1.0, 1e-14);
+  EXPECT_NEAR(rate_of(cohesive, {bound}, 1), 1.0, 1e-14);
 }
 
 TEST(SlidingDamping, rate_grows_with_the_cube_of_friction_on_steep_slopes) {

@@ -310,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"blocks = [\"wall\"], method = \"dda\"", "blocks = [\"wall\", \"wall\"], method = \"dda\"",
                "stage.0.method_of.0.blocks.1", "has a method already"},
         Change{"max_passes = 6", "max_passes = 6.5", "stage.1.max_passes", "wrong type"},
-        Change{"name = \"runout\"", "name = \"shaking\"", "stage.1.name", "same name"},
+        Change{"name = \"settling\"", "name = \"shaking\"", "stage.2.name", "same name"},
         Change{"url = \"memq://\"", "url = \"tcpq://127.0.0.1:7700\"", "live.url", "not supported"},
         Change{"enabled = true", "enabled = \"yes\"", "live.enabled", "wrong type"},
         Change{"[run]", "[[run]]", "run", "wrong type"}));
@@ -335,7 +335,7 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "cover_size = 0.5", "");
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
-  EXPECT_EQ(e.line, 184) << e.what();
+  EXPECT_EQ(e.line, 197) << e.what();
   EXPECT_TRUE(holds(e.problem, "\"far wall\"")) << e.what();  // the others have a size of their own
 }
 

@@ -76,7 +76,7 @@ TEST(Motions, begin_with_the_first_stage_after_the_leading_rest) {
 
 TEST(Loads, pressure_pushes_into_the_block_and_traction_is_as_given) {
   const Model& m = full_model();
-  ASSERT_EQ(m.tractions.size(), 2u);
+  ASSERT_GE(m.tractions.size(), 2u);
   EXPECT_EQ(m.tractions[0].span.edge, (OutlineEdge{0, 2}));  // the top of the slider, from (2, 2) to (1, 2)
   EXPECT_NEAR(m.tractions[0].span.s0, 0.25, 1e-15);
   EXPECT_NEAR(m.tractions[0].span.s1, 0.75, 1e-15);

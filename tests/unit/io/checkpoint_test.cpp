@@ -253,7 +253,7 @@ TEST(ResumeCases, pass_through_all_that_is_remembered) {
     if (!s.v_before.empty()) seen.insert("lagging velocity");
     if (!s.damping.empty()) seen.insert("damping");
     if (!s.factored.value.empty()) seen.insert("factor");
-    if (s.factored.patience.wait > 0) seen.insert("patience");
+    if (s.factored.choice.block_work > 0.0) seen.insert("choice of the solver");
     if (s.relaxing > 0.0) seen.insert("relaxing");
     if (!s.rest.empty()) seen.insert("reservoir");
     if (at.largest_step > 0 && !at.integrator.bound.empty()) seen.insert("step within an interval");
@@ -270,7 +270,7 @@ TEST(ResumeCases, pass_through_all_that_is_remembered) {
                                   "lagging velocity",
                                   "damping",
                                   "factor",
-                                  "patience",
+                                  "choice of the solver",
                                   "relaxing",
                                   "reservoir",
                                   "step within an interval"};
@@ -327,7 +327,7 @@ TEST(ResumeCases, name_their_files) {
   EXPECT_TRUE(resume_case("kept").files.empty());
   const std::vector<std::string> methods{"dda", "nmm"};
   const Case all = read_case(fs::path(SCREE_SOURCE_DIR) / "tests/unit/io/full_case.toml", {}, methods);
-  EXPECT_EQ(all.files.size(), 4U);
+  EXPECT_EQ(all.files.size(), 5U);  // a record, traces, an outline, loads and a drawing
 }
 
 // --- files ---

@@ -1,4 +1,4 @@
-// No case of the library is warned of before it runs.
+// No case of the library is warned of before it runs, but for what is so on purpose.
 #include <filesystem>
 
 #include "coupling/stages/plan_warnings.h"
@@ -13,8 +13,11 @@ TEST(Warnings, none_in_the_case_library) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".toml" || name == "expected.toml") continue;
     const Case c = read_case(entry.path(), {}, kMethods);
-    for (const std::string& text : coupling::plan_warnings(c.model, c.plan))
+    for (const std::string& text : coupling::plan_warnings(c.model, c.plan)) {
+      // Miller's bar lies on springs that are as good as none, beside joints of rock.
+      if (entry.path().parent_path().filename() == "miller" && text.starts_with("stiffness ratio 5.2e+06")) continue;
       ADD_FAILURE() << entry.path() << ": " << text;
+    }
     ++cases;
   }
   EXPECT_GE(cases, 20);

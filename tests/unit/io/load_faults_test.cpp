@@ -52,7 +52,7 @@ const WrongLoad kWrong[] = {
      "one section for each"},
     {"load_edge_number", ".toml", 23, 8, "traction.0.edge", "7", "4 edges", "0 to 3", "first corner"},
     {"load_edge_of_domain", ".toml", 14, 8, "traction.0.edge", "0", "cut from the domain", "on = ", "with on"},
-    {"load_twice", ".toml", 25, 12, "traction.0.pressure", "1000.0", "both given", "either traction or pressure",
+    {"load_twice", ".toml", 25, 12, "traction.0.pressure", "1000.0", "both given", "one of traction, pressure",
      "pushes"},
     {"load_nowhere", ".toml", 21, 1, "traction.0.on", "", "which part of the outline", "either on or edge", "on = [["},
     {"load_acceleration_held", ".toml", 23, 21, "body_acceleration.0.blocks.1", "base", "held whole", "free",

@@ -196,10 +196,11 @@ TEST(FreeEdges, a_face_is_free_beside_a_shorter_block) {
   const auto spans = free_edges_on_line(m, {0, 1}, {3, 1}, 1e-6);
   ASSERT_EQ(spans.size(), 2u);
   EXPECT_NEAR(total(m, spans), 2.0, 1e-9);
-  // Edge 2 runs from (3, 1) to (0, 1).
-  EXPECT_NEAR(spans[0].s0 * 3.0, 0.0, 1e-9);
-  EXPECT_NEAR(spans[0].s1 * 3.0, 0.8, 1e-9);
-  EXPECT_NEAR(spans[1].s0 * 3.0, 1.8, 1e-9);
+  // Edge 2 runs from (3, 1) to (0, 1). Parts of one edge come in the order of a -> b.
+  EXPECT_NEAR(spans[0].s0 * 3.0, 1.8, 1e-9);
+  EXPECT_NEAR(spans[0].s1 * 3.0, 3.0, 1e-9);
+  EXPECT_NEAR(spans[1].s0 * 3.0, 0.0, 1e-9);
+  EXPECT_NEAR(spans[1].s1 * 3.0, 0.8, 1e-9);
 }
 
 TEST(FreeEdges, water_presses_on_what_looks_out) {
