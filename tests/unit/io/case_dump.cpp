@@ -82,8 +82,15 @@ void dump_loads(Dump& d, const Model& m) {
     for (const BlockId b : x.blocks) d.line("  of {}", b.value);
   }
   for (const ViscousEdge& x : m.viscous_edges) {
-    d.line("viscous");
+    d.line("viscous {} {}", x.motion.value, x.upgoing);
     dump_span(d, x.span);
+  }
+  for (const Bolt& x : m.bolts) {
+    d.line("bolt {} {} {} stage {} plate {}", x.name, Dump::of(x.head), Dump::of(x.toe), x.stage.value, x.plate);
+    d.line("  bar {} {} {} {}", x.stiffness, x.yield, x.rupture_strain, x.pretension);
+    d.line("  bond {} {} {} {}", x.bond_length, x.bond_stiffness, x.bond_strength, x.segment);
+    d.line("  shear {} {} {}", x.shear_stiffness, x.shear_strength, x.rupture_shear);
+    d.line("  {} nodes, {} crossings", x.nodes.size(), x.crossings.size());
   }
   for (const EdgeSupport& x : m.edge_supports) {
     d.line("held {} {} {} bedding {}", x.held(0, 0), x.held(0, 1), x.held(1, 1), Dump::of(x.bedding));
@@ -151,6 +158,7 @@ std::string dump(const Case& c) {
   dump_water(d, c.model);
   if (c.drawing) d.line("drawing {} {} {}", c.drawing->unit, c.drawing->tolerance, c.drawing->join);
   dump_plan(d, c.plan);
+  d.line("live field {}", c.live_field);
   return d.out;
 }
 

@@ -181,6 +181,23 @@ const std::map<std::string, std::string> kChange = {
     {"body_acceleration[].blocks", "body_acceleration.0.blocks=[\"slider\"]"},
     {"viscous_edge[].block", "viscous_edge.0.block=\"ledge\""},
     {"viscous_edge[].on", "viscous_edge.1.on=[[1.25, 1.25], [1.25, 1.75]]"},
+    {"bolt[].name", "bolt.0.name=\"other\""},
+    {"bolt[].head", "bolt.0.head=[1.15, 1.9]"},
+    {"bolt[].toe", "bolt.0.toe=[1.12, 0.4]"},
+    {"bolt[].stage", "bolt.0.stage=\"settling\""},
+    {"bolt[].spacing", "bolt.0.spacing=2"},
+    {"bolt[].axial_stiffness", "bolt.0.axial_stiffness=2e7"},
+    {"bolt[].yield", "bolt.0.yield=2e5"},
+    {"bolt[].rupture_strain", "bolt.0.rupture_strain=0.2"},
+    {"bolt[].pretension", "bolt.0.pretension=\"10 kN\""},
+    {"bolt[].plate", "bolt.0.plate=false"},
+    {"bolt[].bond_length", "bolt.0.bond_length=1.2"},
+    {"bolt[].bond_stiffness", "bolt.0.bond_stiffness=2e8"},
+    {"bolt[].bond_strength", "bolt.0.bond_strength=2e5"},
+    {"bolt[].segment", "bolt.0.segment=0.05"},
+    {"bolt[].shear_stiffness", "bolt.0.shear_stiffness=2e7"},
+    {"bolt[].shear_strength", "bolt.0.shear_strength=2e5"},
+    {"bolt[].rupture_shear", "bolt.0.rupture_shear=0.2"},
     {"viscous_edge[].motion", "viscous_edge.0.motion=\"pulse\""},
     {"viscous_edge[].motion_is", "viscous_edge.0.motion_is=\"upgoing\""},
     {"viscous_edge[].edge", "viscous_edge.0.edge=2"},
@@ -272,6 +289,7 @@ const std::map<std::string, std::string> kChange = {
     {"live.enabled", "live.enabled=false"},
     {"live.url", "live.url=\"file:///tmp/log\""},
     {"live.rate", "live.rate=1"},
+    {"live.field", "live.field=\"s1\""},
     {"run.threads", "run.threads=1"},
     {"run.max_closure", "run.max_closure=1e-5"},
     {"run.max_passed_closure", "run.max_passed_closure=1e-5"},
@@ -288,6 +306,10 @@ const std::map<std::string, std::string> kChange = {
     {"stage[].sliding_damping", "stage.0.sliding_damping=0.5"}};
 // What a change needs beside it to make sense.
 const char* const kWeakening = "joint.plane.velocity_weakening={fast_friction_deg=0, velocity=1, slip=0.1}";
+const char* const kBolt =
+    "bolt=[{name=\"bar\", head=[1.1, 1.9], toe=[1.1, 0.4], axial_stiffness=1e7, yield=1e5, rupture_strain=0.1, "
+    "bond_length=1.5, bond_stiffness=1e8, bond_strength=1e5, shear_stiffness=1e7, shear_strength=1e5, "
+    "rupture_shear=0.1}]";
 const char* const kReduction = "reduction={factor=1.1}";
 const std::string kOnLedge =
     "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // wherever the outline of the domain is
@@ -296,6 +318,23 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"joint.NAME.velocity_weakening.velocity", {kWeakening}},
     {"joint.NAME.velocity_weakening.slip", {kWeakening}},
     {"block[].name", {"support.1.blocks=[\"wall\"]"}},
+    {"bolt[].name", {kBolt}},
+    {"bolt[].head", {kBolt}},
+    {"bolt[].toe", {kBolt}},
+    {"bolt[].stage", {kBolt}},
+    {"bolt[].spacing", {kBolt}},
+    {"bolt[].axial_stiffness", {kBolt}},
+    {"bolt[].yield", {kBolt}},
+    {"bolt[].rupture_strain", {kBolt}},
+    {"bolt[].pretension", {kBolt}},
+    {"bolt[].plate", {kBolt}},
+    {"bolt[].bond_length", {kBolt}},
+    {"bolt[].bond_stiffness", {kBolt}},
+    {"bolt[].bond_strength", {kBolt}},
+    {"bolt[].segment", {kBolt}},
+    {"bolt[].shear_stiffness", {kBolt}},
+    {"bolt[].shear_strength", {kBolt}},
+    {"bolt[].rupture_shear", {kBolt}},
     {"viscous_edge[].motion_is", {"viscous_edge.0.motion=\"pulse\""}},
     {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
     {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}", kOnLedge}},
