@@ -100,7 +100,7 @@ TEST(BlockChoice, run_that_goes_on_from_a_copy_has_the_same_bits) {
   Steps run(scene, Factor::chosen);
   int by_blocks = 0, complete = 0;
   for (int i = 0; i < 12; ++i) {
-    // Steps of 1 s are too long for single precision: they fall back, and the steps after them hold to that.
+    // A long step now and then, which takes more iterations.
     const double dt = i % 4 == 1 ? 0.05 : 1e-3;
     State copy = run.hand.state;
     Newmark other(*run.hand.setup, wide(), 0.05);
