@@ -250,7 +250,12 @@ void File::hold(bool tables) const {
   H5AC_cache_config_t config;
   config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Fget_mdc_config(id(), &config), path_, "set up HDF5");
-  config.evictions_enabled = !tables;
+  // What is held is never given back, so a long run holds its tables only while they are few.
+  constexpr std::size_t kFew = 128 * 1024;  // [bytes], as HDF5 counts
+  std::size_t most = 0, clean = 0, now = 0;
+  int entries = 0;
+  check(H5Fget_mdc_size(id(), &most, &clean, &now, &entries), path_, "set up HDF5");
+  config.evictions_enabled = !tables || now > kFew;
   check(H5Fset_mdc_config(id(), &config), path_, "set up HDF5");
 }
 

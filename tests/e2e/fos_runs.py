@@ -132,7 +132,7 @@ def resume():
         folder = os.path.join(out, "F-%.6g" % factor)
         expect(os.path.exists(os.path.join(folder, "run.xmf")) and os.path.exists(os.path.join(folder, "run.vtkhdf")), "run folder of F = %g" % factor)
     other = subprocess.run(command + ["--tolerance", "0.02"], capture_output=True, text=True)
-    expect(other.returncode == 5 and "tolerance" in other.stderr, "another question in the same folder is refused: %s" % other.stderr.strip())
+    expect(other.returncode == 5 and "another search" in other.stderr and "--out" in other.stderr, "another question in the same folder is refused: %s" % other.stderr.strip())
 
 
 def modes():

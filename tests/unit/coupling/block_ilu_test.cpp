@@ -200,6 +200,9 @@ TEST(BlockIlu, says_where_a_pivot_fails) {
 TEST(BlockIlu, makes_conjugate_residuals_meet_the_dense_solution) {
   std::mt19937_64 random(56);
   ConjugateResiduals residuals;
+  // Springs ten times as stiff as a block. At a hundred times, in directions drawn at random, the factor of single
+  // precision no longer leads to a solution within 200 iterations for 80 blocks with friction: such passes fall back to
+  // a complete one.
   for (const int n : {2, 20, 80})
     for (const double friction : {0.0, 0.6}) {
       const System s(n, drawn_pairs(n, 2 * n, random), 10.0, friction, random);
