@@ -316,6 +316,18 @@ int run(const RunOptions& options) {
                    {nullptr, begin ? &*begin : nullptr});
 }
 
+/// What a run folder says of the program, the case and the command that made it.
+static io::Provenance provenance_of(const io::Case& c, const RunOptions& options, int threads) {
+  io::Provenance provenance;
+  provenance.version = SCREE_VERSION;
+  provenance.commit = SCREE_COMMIT;
+  provenance.case_text = c.text;
+  provenance.command_line = options.command_line;
+  provenance.overrides = options.set;
+  provenance.threads = threads;
+  return provenance;
+}
+
 int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
               const std::function<OpenFolder()>& open_folder, const Beginning& beginning) {
   const io::FoundCheckpoint* from = beginning.resumed;
@@ -333,13 +345,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   for (const coupling::Stage& s : c.plan.stages) end_time += seconds(s.duration);
   if (options.until) end_time = std::min(end_time, *options.until);
 
-  io::Provenance provenance;
-  provenance.version = SCREE_VERSION;
-  provenance.commit = SCREE_COMMIT;
-  provenance.case_text = c.text;
-  provenance.command_line = options.command_line;
-  provenance.overrides = options.set;
-  provenance.threads = threads;
+  const io::Provenance provenance = provenance_of(c, options, threads);
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   coupling::Driver driver(c.model, c.plan, methods);
   Signals signals(!options.quiet);
