@@ -33,10 +33,10 @@ struct Decision {
 };
 
 /// Stable: the dynamic stage ended by its rule of balance. Failed: the fastest block keeps accelerating (v t >= 1.5 d,
-/// where constant acceleration has 2 d; v and d beyond the speed with which the stage began), and either has gone the limit, or the time is over and its
-/// acceleration is above 0.3 (1 - F_s) g, F_s = 1/(1 + tolerance/factor) the margin that the search resolves. A run
-/// that could not be carried on is failed where a block has gone the limit or touches nothing that leads to a support,
-/// else undecided.
+/// where constant acceleration has 2 d; v and d beyond the speed with which the stage began), and either has gone the
+/// limit, or the time is over and its acceleration is above 0.3 (1 - F_s) g, F_s = 1/(1 + tolerance/factor) the margin
+/// that the search resolves. A run that could not be carried on is failed where a block has gone the limit or touches
+/// nothing that leads to a support, else undecided.
 /// @param folder  of a run of [reduction] with a factor that has ended   @throws FileError
 [[nodiscard]] TrialResult trial_result(const std::filesystem::path& folder, const Decision& decision);
 
