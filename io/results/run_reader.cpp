@@ -345,6 +345,22 @@ std::vector<StoredSupport> RunReader::supports() const {
   return supports;
 }
 
+std::vector<StoredEdgeSupport> RunReader::edge_supports() const {
+  const h5::File& file = data_->file;
+  if (!has_child(file, "/", "supports") || !has_child(file, "/supports", "line")) return {};
+  const auto line = h5::read<double>(file, "/supports/line");
+  const auto count = static_cast<std::int64_t>(line.size() / 4);
+  const auto held = h5::read<double>(file, "/supports/line_held", 0, count);
+  std::vector<StoredEdgeSupport> out;
+  for (std::size_t i = 0; i + 3 < line.size(); i += 4) {
+    StoredEdgeSupport s{{line[i], line[i + 1]}, {line[i + 2], line[i + 3]}, Mat2::Identity()};
+    const std::size_t k = 3 * (i / 4);
+    s.held << held[k], held[k + 2], held[k + 2], held[k + 1];
+    out.push_back(s);
+  }
+  return out;
+}
+
 std::vector<StoredWater> RunReader::waters() const {
   const h5::File& file = data_->file;
   if (!has_child(file, "/", "water")) return {};
@@ -396,9 +412,11 @@ StoredContacts RunReader::contacts(std::size_t frame) const {
   return c;
 }
 
+bool RunReader::has_bolts() const { return has_child(data_->file, "/", "bolt_nodes"); }
+
 StoredBolts RunReader::bolts(std::size_t frame) const {
+  if (!has_bolts()) return {};
   const h5::File& file = data_->file;
-  if (!has_child(file, "/", "bolt_nodes")) return {};
   const std::string g = "/bolt_nodes/";
   const std::int64_t first = entry(file, g + "frames/first", static_cast<std::int64_t>(frame)),
                      count = entry(file, g + "frames/count", static_cast<std::int64_t>(frame));

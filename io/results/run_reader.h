@@ -105,6 +105,12 @@ struct StoredSupport {
   bool fix_x = true, fix_y = true;
 };
 
+/// A stretch of an outline that is held.
+struct StoredEdgeSupport {
+  Vec2 from, to;                 // [m], in the model; the block lies to their left
+  Mat2 held = Mat2::Identity();  // projector on the directions that are held
+};
+
 /// A piezometric line, level beyond its ends.
 struct StoredWater {
   std::vector<Vec2> line;            // [m], in the model, from left to right
@@ -165,12 +171,15 @@ class RunReader {
   [[nodiscard]] StoredJoints joints() const;
   /// Point supports; none in runs from before they were stored. Blocks held whole: StoredBlock::held.
   [[nodiscard]] std::vector<StoredSupport> supports() const;
+  /// Held stretches of outlines; none in runs from before they were stored.
+  [[nodiscard]] std::vector<StoredEdgeSupport> edge_supports() const;
   /// Piezometric lines; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredWater> waters() const;
   /// Whether the run stored its contact points (output.contacts).
   [[nodiscard]] bool has_contacts() const;
   /// Contact points of a frame.   @pre has_contacts()   @throws FileError when there is no such frame
   [[nodiscard]] StoredContacts contacts(std::size_t frame) const;
+  [[nodiscard]] bool has_bolts() const;
   /// Bolts of a frame; none where the model has none.   @throws FileError when there is no such frame
   [[nodiscard]] StoredBolts bolts(std::size_t frame) const;
   [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]

@@ -299,7 +299,7 @@ class Page {
     const entries: [Layer, string][] = [["outline", "outlines of the blocks"]];
     entries.push(["original", "original outline"]);
     if (!live) entries.push(["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
-    if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
+    if (this.run.model.supports.length + (this.run.model.edges ?? []).length > 0) entries.push(["supports", "supports"]);
     if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
     if ((this.run.model.water ?? []).length > 0) entries.push(["water", "water levels"]);
     if (this.run.bolts) entries.push(["bolts", "bolts and their forces"]);

@@ -45,6 +45,7 @@ export interface Run {
     materials: { name: string; density: number; young: number; poisson: number }[];
     methods: string[];
     supports: [number, number, boolean, boolean][]; // x, y, held along x, along y
+    edges?: [number, number, number, number, boolean][]; // held stretches of outlines, rock to their left; held along both axes, else across alone
     water?: { line: number[]; joints: number[] }[]; // piezometric lines x, y, x, y, ...; joint laws that they fill
     joints: { laws: Law[]; lines: Piece[]; cracks: Piece[] };
   };
