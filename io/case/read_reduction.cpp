@@ -21,7 +21,9 @@ constexpr double kLeastSteps = 20.0;    // of the stage that reduces
 constexpr double kSettleSteps = 400.0;  // static steps within which balance is found, or not
 constexpr double kBalanced = 1e-6;      // unbalanced force at rest, of the largest force
 constexpr double kLimit = 5e-3;         // displacement that decides, of the root area of the smallest free block
-constexpr double kTraverses = 2.0;      // of a pressure wave through the free blocks, in a static step
+constexpr double kSettleWay =
+    4.0;  // limits, that blocks may move until balance is found: joints of many blocks take up slip
+constexpr double kTraverses = 2.0;  // of a pressure wave through the free blocks, in a static step
 
 /// What the settings that are left out follow from.
 struct Scale {
@@ -185,6 +187,7 @@ void read_reduction(const Section& root, std::span<const std::string> methods, M
     add("reduction", steps * dt * (implicit ? 1.0 : 4.0), start);
     Stage& settling = add("settling", kSettleSteps * dt, factor);
     settling.end.force_below = kBalanced;
+    settling.end.displacement = kSettleWay * limit;
     Stage& hold = add("hold", r.number("hold"), factor);
     hold.rest = false;
     if (implicit) hold.dt = std::min(dt, r.number("hold") / 200.0);
