@@ -95,7 +95,7 @@ constexpr Key kKeys[] = {
      "Growth of xy with depth."},
     {"material.NAME.initial_stress.level", Type::number, "m", kCoordinate, "", false, "",
      "y from which depth counts. Needed with a gradient."},
-    {"material.NAME.rock_strength", Type::table, "", kAny, "", false, "",
+    {"material.NAME.rock_strength", Type::table, "", kAny, "(none: not compared)", false, "",
      "Strength of the rock that the stress in its blocks is compared with: Mohr-Coulomb by cohesion and friction_deg, "
      "or Hoek and Brown (2002) by ucs, gsi and mi. Blocks stay elastic whatever it says; runs, `scree fos` and "
      "pictures tell where the stress is above it."},
