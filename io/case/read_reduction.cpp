@@ -113,7 +113,7 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
   return s;
 }
 
-/// What depends on later stages is left out: motions, and loads that have not begun.
+/// What depends on later stages is left out: motions, loads that have not begun, bolts that are not installed yet.
 void drop_later(Model& model, std::size_t kept) {
   for (BlockSupport& s : model.block_supports) s.motion = {};
   model.motions.clear();
@@ -126,6 +126,7 @@ void drop_later(Model& model, std::size_t kept) {
   drop(model.point_loads);
   drop(model.tractions);
   drop(model.body_accelerations);
+  std::erase_if(model.bolts, [kept](const Bolt& b) { return b.stage.valid() && b.stage.index() >= kept; });
   for (TimeFunction& f : model.functions)
     if (f.stage.valid() && f.stage.index() >= kept) {
       f = TimeFunction{};  // nothing has it any more

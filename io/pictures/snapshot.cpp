@@ -13,6 +13,7 @@
 #include "io/pictures/frame_marks.h"
 #include "io/pictures/plot_area.h"
 #include "io/pictures/recovered_stress.h"
+#include "io/results/rock_use.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -63,7 +64,8 @@ void smooth(Scene& s) {
 
 void prepare(Scene& s, std::size_t index) {
   s.frame = s.run.frame(index);
-  s.values = cell_values(s.frame, s.options.field);
+  s.values = s.options.field == Field::utilisation ? cell_utilisation(s.frame, s.run.materials())
+                                                   : cell_values(s.frame, s.options.field);
   if (s.options.smooth && info(s.options.field).is_signed) smooth(s);
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
@@ -354,8 +356,8 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",   "syy",    "sxy",
-                                               "s1",           "s3",    "block", "method", "material"};
+  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",    "syy",      "sxy",        "s1",
+                                               "s3",           "block", "method", "material", "utilisation"};
   return kNames;
 }
 

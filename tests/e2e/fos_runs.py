@@ -1,6 +1,6 @@
 """`scree fos` against limit equilibrium (tests/support/limit_analysis.py): factors, modes, and what it says where there is no factor.
 
-usage: fos_runs.py SCREE GROUP [WORK]     groups: quick, bolts, jointed, modes, answers, resume, full (a table of every closed form by DDA and NMM, implicit and explicit steps)
+usage: fos_runs.py SCREE GROUP [WORK]     groups: quick, bolts, rock, jointed, modes, answers, resume, full (a table of every closed form by DDA and NMM, implicit and explicit steps)
 """
 
 import json
@@ -182,6 +182,28 @@ def answers():
     expect(a.get("fos") and a["fos"] <= reference * 1.01, "as-is strength: F %s, peak %.4f" % (a.get("fos"), reference))
 
 
+def rock():
+    """Stress against the strength of the rock, by hand. A block of height h on smooth level ground has the mean stress s1 = 0, s3 = -rho g h/2 in the DDA."""
+    text, _ = fos_cases.block_on_plane(4.0, 10.0, 0.0, 1e-3)
+    s3 = fos_cases.DENSITY * fos_cases.GRAVITY * 5.0
+    c, phi = 20e3, limit_analysis.rad(30.0)
+    by_hand = 0.5 * s3 / (c * math.cos(phi) + 0.5 * s3 * math.sin(phi))
+    a = fos("rock Mohr-Coulomb", text.replace("poisson = 0.2", "poisson = 0.2\nrock_strength = { cohesion = 20e3, friction_deg = 30.0 }"), "--strength", "peak")
+    worst = (a.get("rock_at_rest") or [{}])[0]
+    expect(worst.get("block") == "block" and abs(worst["utilisation"] / by_hand - 1.0) <= 1e-3, "Mohr-Coulomb: %s, by hand %.6f" % (worst.get("utilisation"), by_hand))
+    expect(by_hand > 1.0 and abs(worst.get("area_above_m2", 0.0) - 40.0) <= 0.01, "all of the block is above it: %s m2" % worst.get("area_above_m2"))
+    picture = os.path.join(work, "rock Mohr-Coulomb", "fos", "rock-strength.png")
+    expect(os.path.exists(picture) and os.path.getsize(picture) > 10000, "rock-strength.png")
+    # intact rock, m_i 10: 2 r = ucs sqrt(m (p - r)/ucs + 1), a quadratic for the radius r about p = s3/2
+    ucs, m, p = 300e3, 10.0, 0.5 * s3
+    r = (-m * ucs + math.sqrt((m * ucs) ** 2 + 16.0 * (m * ucs * p + ucs**2))) / 8.0
+    a = fos("rock Hoek-Brown", text.replace("poisson = 0.2", "poisson = 0.2\nrock_strength = { ucs = 300e3, gsi = 100.0, mi = 10.0 }"), "--strength", "peak")
+    worst = (a.get("rock_at_rest") or [{}])[0]
+    expect(abs(worst.get("utilisation", 0.0) * r / p - 1.0) <= 1e-3, "Hoek and Brown: %s, by hand %.6f" % (worst.get("utilisation"), p / r))
+    told = subprocess.run([SCREE, "report", os.path.join(work, "rock Mohr-Coulomb", "fos", "rest"), "--out", os.path.join(work, "report.html")], capture_output=True, text=True)
+    expect(told.returncode == 0 and "stress is above the strength in 1 of 1 blocks" in open(os.path.join(work, "report.html")).read(), "the page of the run says so %s" % told.stderr)
+
+
 def resume():
     text, _ = fos_cases.plane_slope(phi=30.0, c=30e3)
     whole = fos("whole", text, "--strength", "peak")
@@ -261,7 +283,7 @@ if __name__ == "__main__":
     work = sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp(prefix="scree-fos-")
     limit_analysis.check()
     for group in sys.argv[2].split(","):
-        {"quick": quick, "full": full, "bolts": bolts, "jointed": jointed, "answers": answers, "resume": resume, "modes": modes}[group]()
+        {"quick": quick, "full": full, "bolts": bolts, "rock": rock, "jointed": jointed, "answers": answers, "resume": resume, "modes": modes}[group]()
     if len(sys.argv) <= 3:
         shutil.rmtree(work)
     if failures:
