@@ -80,6 +80,7 @@ class Search {
       const std::vector<double> factors = search.next();
       if (factors.empty()) break;
       std::vector<WantedRun> runs;
+      runs.reserve(factors.size());
       for (const double f : factors) runs.push_back(trial(f, rest, start));
       if (!make(runs)) return;  // interrupted
       std::map<double, Trial> results;
