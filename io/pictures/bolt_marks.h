@@ -10,4 +10,7 @@ namespace scree::io {
 /// and those without force as thin lines.
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts);
 
+/// A bolt of 14 pt for a legend, its left end at (x, y).
+void draw_bolt_sample(const Canvas& canvas, double x, double y);
+
 }  // namespace scree::io

@@ -10,7 +10,7 @@ namespace scree::io {
 
 namespace {
 
-constexpr std::array<FieldInfo, 10> kInfo{{{"displacement", "m", false},
+constexpr std::array<FieldInfo, 11> kInfo{{{"displacement", "m", false},
                                            {"speed", "m/s", false},
                                            {"stress σxx", "Pa", true},
                                            {"stress σyy", "Pa", true},
@@ -19,7 +19,8 @@ constexpr std::array<FieldInfo, 10> kInfo{{{"displacement", "m", false},
                                            {"smaller principal stress σ₃", "Pa", true},
                                            {"block", "", false},
                                            {"method", "", false},
-                                           {"material", "", false}}};
+                                           {"material", "", false},
+                                           {"stress over rock strength", "1", false}}};
 
 constexpr double kCovered = 0.99;  // of the area, by the range of a stress
 
@@ -69,6 +70,8 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
       return numbers(frame.method);
     case Field::material:
       return numbers(frame.material);
+    case Field::utilisation:
+      break;  // it takes the materials: cell_utilisation
   }
   return {};
 }

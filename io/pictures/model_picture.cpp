@@ -231,6 +231,7 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
     draw_water(canvas, area, model, marks);
     draw_supports(canvas, area, model, marks);
     draw_loads(canvas, area, model, marks);
+    draw_bolts(canvas, area, model, marks);
     if (options.names) draw_block_names(canvas, area, model);
     draw_monitors(canvas, area, model, model.monitors.size() <= 12 || options.names, marks);
     cairo_restore(canvas.get());

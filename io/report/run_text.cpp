@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/results/rock_use.h"
 #include "io/results/run_folder.h"
 
 namespace scree::io {
@@ -209,6 +210,9 @@ RunText::RunText(const RunReader& run, const std::filesystem::path& run_folder, 
                  {"found", found_json(run_folder)}};
   data_->page["events"] = Json::array();
   for (const StoredEvent& e : run.events()) data_->page["events"].push_back({e.time, e.kind, e.text});
+  if (run.times().empty()) return;
+  if (const std::string rock = rock_use_text(rock_use(run, run.times().size() - 1)); !rock.empty())
+    data_->page["events"].push_back({run.times().back(), "rock_strength", rock});
 }
 
 RunText::~RunText() = default;

@@ -1,6 +1,7 @@
 #include "io/results/run_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "coupling/sink.h"
@@ -53,6 +54,16 @@ std::vector<StoredMaterial> read_materials(const h5::File& file) {
   const auto young = column("young"), density = column("density"), poisson = column("poisson");
   std::vector<StoredMaterial> materials;
   for (std::size_t m = 0; m < names.size(); ++m) materials.push_back({names[m], young[m], density[m], poisson[m]});
+  if (!file.has("/materials/mohr_coulomb") || !file.has("/materials/hoek_brown")) return materials;
+  const auto rows = static_cast<std::int64_t>(names.size());
+  const auto mohr = h5::read<double>(file, "/materials/mohr_coulomb", 0, rows),
+             hoek = h5::read<double>(file, "/materials/hoek_brown", 0, rows);
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (!std::isnan(mohr[3 * m]))
+      materials[m].strength = MohrCoulombStrength{mohr[3 * m], mohr[3 * m + 1], mohr[3 * m + 2]};
+    if (!std::isnan(hoek[4 * m]))
+      materials[m].strength = HoekBrownStrength{hoek[4 * m], hoek[4 * m + 1], hoek[4 * m + 2], hoek[4 * m + 3]};
+  }
   return materials;
 }
 

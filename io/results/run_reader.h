@@ -10,6 +10,7 @@
 
 #include "io/results/worst_contact.h"
 #include "model/geometry.h"
+#include "model/rock_strength.h"
 
 namespace scree::io {
 
@@ -74,6 +75,7 @@ struct StoredMaterial {
   double young = 0.0;    // [Pa]
   double density = 0.0;  // [kg/m3]
   double poisson = 0.0;
+  std::optional<RockStrength> strength{};  // of the rock
 };
 
 struct StoredBlock {
