@@ -57,7 +57,7 @@ cmake --build embed/build >>embed.log 2>&1 || { cat embed.log; fail 'the example
 
 # A method from a shared library, with a key of its own: it runs, resumes, is told of by schema, and wrong ones are refused.
 load=(--load embed/build/librigid_method.so)
-"$scree" schema "${load[@]}" | grep -q 'inertia_factor' || fail 'schema does not tell the keys of a loaded method'
+"$scree" schema "${load[@]}" | grep 'inertia_factor' >/dev/null || fail 'schema does not tell the keys of a loaded method'
 "$scree" check embed/rigid.toml "${load[@]}" | grep -q "stage 'fall': rigid" || fail 'check does not know a loaded method'
 for factor in 1 2; do
   "$scree" run embed/rigid.toml "${load[@]}" --set method.rigid.inertia_factor=$factor --set stage.0.duration=0.1 \
