@@ -21,9 +21,8 @@ constexpr double kLeastSteps = 20.0;    // of the stage that reduces
 constexpr double kSettleSteps = 400.0;  // static steps within which balance is found, or not
 constexpr double kBalanced = 1e-6;      // unbalanced force at rest, of the largest force
 constexpr double kLimit = 5e-3;         // displacement that decides, of the root area of the smallest free block
-constexpr double kSettleWay =
-    4.0;  // limits, that blocks may move until balance is found: joints of many blocks take up slip
-constexpr double kTraverses = 2.0;  // of a pressure wave through the free blocks, in a static step
+constexpr double kSettleWay = 4.0;      // limits, that a block may move until balance is found: joints take up slip
+constexpr double kTraverses = 2.0;      // of a pressure wave through the free blocks, in a static step
 
 /// What the settings that are left out follow from.
 struct Scale {

@@ -218,8 +218,8 @@ constexpr Key kKeys[] = {
     {"drawing", Type::table, "", kAny, "", false, "",
      "A section drawing. Sections of the case take lines, rings and points from its layers: domain.outline_layer, "
      "domain.holes_layer, domain.region.layer, domain.trace.layer, water.layer, monitor.layer, bolt.layer. Names of "
-     "layers know no "
-     "case, and * in them stands for any characters. `scree check` prints what was read and what was left out."},
+     "layers know no case, and * in them stands for any characters. `scree check` prints what was read and what was "
+     "left out."},
     {"drawing.file", Type::text, "", kAny, "", true, "",
      "DXF of text, R12 to 2018: LINE, LWPOLYLINE and POLYLINE with bulges, ARC, CIRCLE, ELLIPSE, SPLINE, POINT, and "
      "INSERT of blocks of these. Or, with the ending csv, txt or dat, columns x, y and the name of the layer, in the "

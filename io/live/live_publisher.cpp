@@ -6,10 +6,11 @@
 #include <cmath>
 #include <exception>
 #include <scree/info_v1_t.hpp>
+#include <scree/part_v1_t.hpp>
 #include <utility>
 
 #include "io/live/encode.h"
-#include "io/live/parts.h"
+#include "io/live/send_pieces.h"
 #include "io/live/signals_blocked.h"
 
 namespace scree::io {
@@ -221,7 +222,7 @@ void LivePublisher::send_all(Waiting& work) {
     if (bus_) ++frames_sent_;
   }
   if (work.detail)
-    send_parts(work.detail->header, seal(work.detail->data), [this](Bytes bytes) {
+    send_pieces<part_v1_t>(work.detail->header, seal(work.detail->data), [this](Bytes bytes) {
       send(LiveKind::detail, bytes);
       last_detail_.push_back(std::move(bytes));
     });
@@ -253,7 +254,7 @@ void LivePublisher::send_again() {
 void LivePublisher::send_topology() {
   if (!model_.empty()) {
     std::int64_t number = 0;  // it stays what it is
-    send_parts(header_now(number), model_, [this](const Bytes& bytes) { send(LiveKind::model, bytes); });
+    send_pieces<part_v1_t>(header_now(number), model_, [this](const Bytes& bytes) { send(LiveKind::model, bytes); });
   }
   if (!mesh_) return;
   if (encoded_mesh_.empty()) encoded_mesh_ = encode_mesh(*mesh_);

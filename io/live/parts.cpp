@@ -6,20 +6,6 @@
 
 namespace scree::io {
 
-void send_parts(const header_v1_t& header, const Bytes& whole, const Send& send) {
-  part_v1_t out{};
-  out.header = header;
-  out.total = static_cast<std::int32_t>(whole.size());
-  out.chunks = chunks_for(out.total);
-  for (out.chunk = 0; out.chunk < out.chunks; ++out.chunk) {
-    out.first = split_at(out.total, out.chunk, out.chunks);
-    const std::int32_t last = split_at(out.total, out.chunk + 1, out.chunks);
-    out.size = last - out.first;
-    out.data.assign(whole.begin() + out.first, whole.begin() + last);
-    send(seal(out));
-  }
-}
-
 bool PartAssembly::put(part_v1_t&& part, std::size_t most) {
   if (part.total <= 0 || static_cast<std::size_t>(part.total) > most || part.chunks != chunks_for(part.total) ||
       part.chunk < 0 || part.chunk >= part.chunks || part.first != split_at(part.total, part.chunk, part.chunks) ||

@@ -1,17 +1,13 @@
 // Large things in pieces: MODEL and DETAIL.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <scree/part_v1_t.hpp>
 #include <vector>
 
-#include "io/live/encode.h"
+#include "io/live/wire.h"
 
 namespace scree::io {
-
-/// part_v1_t messages of an encoded thing.
-void send_parts(const header_v1_t& header, const Bytes& whole, const Send& send);
 
 /// Puts the pieces of one thing after the other together. Pieces of one number are the same bytes each time they are
 /// sent, so what one sending lost the next one fills in.

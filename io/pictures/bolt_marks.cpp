@@ -6,7 +6,6 @@
 namespace scree::io {
 namespace {
 constexpr double kThin = 0.7, kWide = 2.6, kRim = 0.8;  // [pt]
-constexpr Colour kBoltInk{0.75, 0.1, 0.45};
 }  // namespace
 
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts) {

@@ -6,28 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "io/results/stored_cells.h"
+
 namespace scree::io {
-namespace {
-
-/// Area, and middle of the points, of a cell now.
-std::pair<double, Vec2> extent_of(const StoredFrame& f, std::size_t cell) {
-  const auto first = static_cast<std::size_t>(f.offsets[cell]), end = static_cast<std::size_t>(f.offsets[cell + 1]);
-  const auto at = [&](std::size_t i) {
-    const auto p = static_cast<std::size_t>(f.connectivity[i]);
-    return Vec2(f.position[2 * p], f.position[2 * p + 1]);
-  };
-  double twice = 0.0;
-  Vec2 sum = Vec2::Zero();
-  for (std::size_t i = first; i < end; ++i) {
-    const Vec2 a = at(i), b = at(i + 1 < end ? i + 1 : first);
-    twice += a.x() * b.y() - b.x() * a.y();
-    sum += a;
-  }
-  return {0.5 * std::abs(twice), sum / static_cast<double>(end - first)};
-}
-
-}  // namespace
-
 std::vector<double> cell_utilisation(const StoredFrame& frame, const std::vector<StoredMaterial>& materials) {
   std::vector<double> out(frame.cells(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t c = 0; c < out.size(); ++c) {
@@ -45,13 +26,12 @@ std::vector<RockUse> rock_use(const RunReader& run, std::size_t frame) {
     const auto b = static_cast<std::size_t>(f.block[c]);
     if (run.blocks()[b].held || std::isnan(use[c])) continue;
     RockUse& r = all[b];
-    const auto [area, middle] = extent_of(f, c);
-    if (use[c] > 1.0) r.area += area;
+    if (use[c] > 1.0) r.area += std::abs(cell_area(f, c));
     if (!r.block.empty() && !(use[c] > r.utilisation)) continue;
     r = {run.blocks()[b].name,
          run.materials()[static_cast<std::size_t>(f.material[c])].name,
          use[c],
-         middle + run.origin(),
+         cell_middle(f, c) + run.origin(),
          f.principal[2 * c],
          f.principal[2 * c + 1],
          r.area};

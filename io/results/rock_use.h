@@ -26,8 +26,8 @@ struct RockUse {
 /// @param frame  of the run   @throws FileError
 [[nodiscard]] std::vector<RockUse> rock_use(const RunReader& run, std::size_t frame);
 
-/// "stress 1.37 of the strength of 'rock' in block 'b-3' at (12.1, 30.2) m: s1 .. Pa, s3 .. Pa; ..."; empty: no
-/// strength is known.
+/// "rock: stress is above the strength in 2 of 9 blocks, 14.5 m2, at most 1.37 of the strength of 'rock' in block 'b-3'
+/// at (12.1, 30.2) m, s1 .. Pa, s3 .. Pa"; empty: no material has a strength.
 [[nodiscard]] std::string rock_use_text(const std::vector<RockUse>& use);
 
 }  // namespace scree::io

@@ -59,29 +59,26 @@ class Server:
         """Sends bytes, says that no more come, and gives all that is answered until the connection ends or time is up."""
         if isinstance(request, str):
             request = request.encode("latin-1")
-        out = b""
         with socket.create_connection(("127.0.0.1", self.port), timeout=wait) as s:
-            try:
-                s.sendall(request)
-                s.shutdown(socket.SHUT_WR)
-                while part := s.recv(65536):
-                    out += part
-            except OSError:
-                pass
-        return out
+            return self.rest(s, request)
 
     def talk(self, frames, wait=1.0):
         """Opens the WebSocket, sends bytes once it is open, and waits until the server ends it."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=wait) as s:
             s.sendall(self.upgrade().encode())
-            out = s.recv(4096)
-            try:
-                s.sendall(frames)
-                s.shutdown(socket.SHUT_WR)
-                while part := s.recv(65536):
-                    out += part
-            except OSError:
-                pass
+            return s.recv(4096) + self.rest(s, frames)
+
+    @staticmethod
+    def rest(s, bytes_):
+        """Sends bytes, says that no more come, and gives what arrives until the connection ends or time is up."""
+        out = b""
+        try:
+            s.sendall(bytes_)
+            s.shutdown(socket.SHUT_WR)
+            while part := s.recv(65536):
+                out += part
+        except OSError:
+            pass
         return out
 
     def memory(self):

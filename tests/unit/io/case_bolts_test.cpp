@@ -26,6 +26,16 @@ axial_stiffness = "100 MN"
 
 Bolt bolt_of(const std::string& keys) { return read_text(kText + keys).model.bolts.at(0); }
 
+TEST(Bolts, those_of_later_stages_are_no_part_of_a_factor_of_safety) {
+  std::string text = kText;
+  text.replace(text.find("duration"), 0, "rest = true, ");
+  const auto bolts = [&text](const std::string& stage) {
+    return read_text(text + "stage = \"" + stage + "\"\n[reduction]\nfactor = 1.5\n").model.bolts.size();
+  };
+  EXPECT_EQ(bolts("first"), 1U);
+  EXPECT_EQ(bolts("bolting"), 0U);
+}
+
 TEST(Bolts, numbers_of_one_bolt_are_divided_by_the_spacing) {
   const Bolt b = bolt_of(
       "name = \"b\"\nstage = \"bolting\"\nspacing = \"2 m\"\nyield = \"300 kN\"\npretension = \"50 kN\"\n"

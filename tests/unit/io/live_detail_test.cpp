@@ -12,6 +12,7 @@
 #include "io/live/decode.h"
 #include "io/live/live_model.h"
 #include "io/live/parts.h"
+#include "io/live/send_pieces.h"
 #include "tests/unit/io/live_strip.h"
 
 namespace scree::io::test {
@@ -212,7 +213,7 @@ TEST(LiveDetail, parts_come_together_in_any_order_and_once) {
   std::vector<part_v1_t> parts;
   header_v1_t header{};
   header.sequence = 4;
-  send_parts(header, whole, [&](const Bytes& bytes) {
+  send_pieces<part_v1_t>(header, whole, [&](const Bytes& bytes) {
     EXPECT_LE(bytes.size(), kMaxMessage);
     parts.push_back(*unseal<part_v1_t>(bytes));
   });
