@@ -240,7 +240,8 @@ void add_snapshot(CLI::App& app, Line& line) {
   command->add_option(
       "--at", o->at,
       "start, end, handover (first frame of the last stage), a stage by name, a frame number, or a time such as 1.5s");
-  command->add_option("--field", o->field, "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material");
+  command->add_option("--field", o->field,
+                      "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material, utilisation");
   command->add_option("--range", o->range, "ends of the colours, in SI units (default: of the values)")
       ->expected(2)
       ->type_name("LOW HIGH");

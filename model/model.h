@@ -14,6 +14,7 @@
 #include "model/ids.h"
 #include "model/joint_water.h"
 #include "model/loads.h"
+#include "model/rock_strength.h"
 #include "model/time_function.h"
 
 namespace scree {
@@ -24,6 +25,7 @@ struct Material {
   double young = 0.0;    // [Pa], > 0
   double poisson = 0.0;  // 0 <= nu < 0.5
   std::optional<InitialStress> initial_stress{};
+  std::optional<RockStrength> rock_strength{};  // what its stress is compared with; blocks stay elastic
 };
 
 /// Coulomb law of a joint with springs at each contact point, and the strength that failure or slip takes from it.

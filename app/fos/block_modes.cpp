@@ -109,6 +109,7 @@ std::vector<BlockMotion> block_motions(const io::RunReader& run, std::size_t fro
     m.displacement = mean(after.position, points[b]) - centre;
     m.rotation = rotation(before.position, after.position, points[b]);
     m.speed = mean(after.velocity, points[b]).norm();
+    m.first_speed = mean(before.velocity, points[b]).norm();
     m.area = moments(blocks[b].polygon).area;
     for (const std::size_t i : points[b]) m.radius = std::max(m.radius, (at(before.position, i) - centre).norm());
     const auto id = static_cast<std::int32_t>(b);

@@ -21,6 +21,7 @@ struct BlockMotion {
   double slip = 0.0;            // largest at its contacts: how much it has grown [m]
   double gap = 0.0;             // largest opening at its contacts that were closed [m]
   double speed = 0.0;           // of its centroid, at the later frame [m/s]
+  double first_speed = 0.0;     // the same at the earlier frame
   double area = 0.0;            // [m2]
   bool touches = true;          // at the later frame
   Mode mode = Mode::stands;

@@ -101,6 +101,19 @@ Json json_of(double factor, const TrialResult& r) {
           {"blocks", std::move(blocks)}};
 }
 
+Json json_of(const std::vector<io::RockUse>& use) {
+  Json out = Json::array();
+  for (const io::RockUse& r : use)
+    out.push_back({{"block", r.block},
+                   {"material", r.material},
+                   {"utilisation", r.utilisation},
+                   {"at_m", {r.at.x(), r.at.y()}},
+                   {"s1_pa", r.s1},
+                   {"s3_pa", r.s3},
+                   {"area_above_m2", r.area}});
+  return out;
+}
+
 }  // namespace
 
 std::string fos_text(const FosTitle& t, const FosAnswer& a) {
@@ -120,6 +133,9 @@ std::string fos_text(const FosTitle& t, const FosAnswer& a) {
   if (a.inconsistent)
     out += "  warning: a run stood at a larger factor than one that failed; the lowest bracket is told\n";
   out += back_analysis(t, a);
+  if (!a.rock_at_rest.empty()) out += "  at rest, " + io::rock_use_text(a.rock_at_rest) + "\n";
+  if (!a.rock_at_limit.empty())
+    out += fmt::format("  at F = {:.6g}, {}\n", a.stands, io::rock_use_text(a.rock_at_limit));
   out += fmt::format("  {:>10}  {:<9} {:>12} {:>12} {:>8}  {}\n", "F", "verdict", "moved [m]", "a [m/s2]", "in [s]",
                      "mode");
   for (const auto& [factor, r] : a.runs)
@@ -160,6 +176,8 @@ std::string fos_json(const FosTitle& t, const FosAnswer& a) {
     j["at_limit"] = {{"friction_deg", std::atan(std::tan(law.friction) / f) / kDegree},
                      {"cohesion_pa", law.cohesion / c}};
   }
+  if (!a.rock_at_rest.empty()) out["rock_at_rest"] = json_of(a.rock_at_rest);
+  if (!a.rock_at_limit.empty()) out["rock_at_limit"] = json_of(a.rock_at_limit);
   out["runs"] = Json::array();
   for (const auto& [factor, r] : a.runs) out["runs"].push_back(json_of(factor, r));
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -202,6 +220,10 @@ void draw_fos(const FosFolder& folder, const FosTitle& t, const FosAnswer& a) {
   };
   draw(a.stands, "stable.png");
   draw(a.fails, "failed.png");
+  if (a.rock_at_limit.empty()) return;
+  how.arrows = io::Arrows::none;
+  how.field = io::Field::utilisation;
+  draw(a.stands, "rock-strength.png");
 }
 
 }  // namespace scree::app

@@ -80,6 +80,7 @@ class Search {
       const std::vector<double> factors = search.next();
       if (factors.empty()) break;
       std::vector<WantedRun> runs;
+      runs.reserve(factors.size());
       for (const double f : factors) runs.push_back(trial(f, rest, start));
       if (!make(runs)) return;  // interrupted
       std::map<double, Trial> results;
@@ -96,6 +97,13 @@ class Search {
     answer_.status = search.state() == FosSearch::State::found     ? FosAnswer::Status::found
                      : search.state() == FosSearch::State::at_most ? FosAnswer::Status::stable_at_most
                                                                    : FosAnswer::Status::undecided;
+    answer_.rock_at_rest = rock_at_end(rest);
+    if (answer_.runs.contains(answer_.stands)) answer_.rock_at_limit = rock_at_end(trial_name(answer_.stands));
+  }
+
+  [[nodiscard]] std::vector<io::RockUse> rock_at_end(const std::string& run) const {
+    const io::RunReader reader(folder_->run(run));
+    return reader.times().empty() ? std::vector<io::RockUse>{} : io::rock_use(reader, reader.times().size() - 1);
   }
 
   /// Which way what fails moves along x: +1 or -1.

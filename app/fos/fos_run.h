@@ -10,6 +10,7 @@
 #include "app/fos/fos_folder.h"
 #include "app/fos/fos_search.h"
 #include "app/fos/trial_verdict.h"
+#include "io/results/rock_use.h"
 
 namespace scree::app {
 
@@ -39,7 +40,10 @@ struct FosAnswer {
   std::optional<double> k_h, k_h_fails;
   std::string why;                      // of a run to rest that failed
   std::optional<TrialResult> at_least;  // how it fails at the least factor
-  double cpu = 0.0;                     // of all processes [s]
+  /// Where the stress is above the strength of the rock: at rest, and in the run that stands at the largest factor;
+  /// empty where no material has a strength.
+  std::vector<io::RockUse> rock_at_rest, rock_at_limit;
+  double cpu = 0.0;  // of all processes [s]
 
   [[nodiscard]] double factor() const { return 0.5 * (stands + fails); }
   /// The run that failed at the smallest factor, that to rest at the least factor included; null: none.

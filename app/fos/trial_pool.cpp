@@ -46,7 +46,7 @@ bool make_trials(const FosFolder& folder, const FosRecord& record, const std::ve
                  int threads, const TrialPoolHooks& hooks) {
   struct Started {
     Clock::time_point since;
-    bool goes_on;
+    bool goes_on = false;
   };
   ProcessPool processes;
   std::map<std::size_t, Started> started;

@@ -12,7 +12,8 @@
 namespace scree::app {
 namespace {
 
-constexpr double kAccelerates = 1.5;  // v t over d; 2 for constant acceleration, 1 for a steady creep
+constexpr double kAccelerates = 1.5;  // gain in speed times t over the way it adds; 2 for constant acceleration
+constexpr double kGains = 0.02;       // of its first speed, that what accelerates gains at least
 constexpr const char* kDetached =
     "no path of closed contacts";  // of a block that has come off: coupling/stages/driver.h
 constexpr double kOfMargin = 0.3;  // acceleration of a failure, over (1 - F_s) g
@@ -51,11 +52,13 @@ void decide(const Decision& d, bool balanced, double seconds, TrialResult& out) 
     return;
   }
   out.fastest = fastest->name;
-  const double way = fastest->displacement.norm();
-  out.acceleration = fastest->speed / seconds;
+  // Implicit static steps leave no speed. Explicit ones leave that of a slide that never slowed down: what counts is
+  // the gain over it. A steady creep gains nothing.
+  const double way = fastest->displacement.norm(), first = fastest->first_speed, gain = fastest->speed - first;
+  out.acceleration = std::max(0.0, gain) / seconds;
   const double gone = farthest(out.motions);
   const double least = kOfMargin * (1.0 - 1.0 / (1.0 + d.tolerance / d.factor)) * d.gravity.norm();
-  const bool accelerates = fastest->speed * seconds >= kAccelerates * way && fastest->speed > 0.0;
+  const bool accelerates = gain > kGains * first && gain * seconds >= kAccelerates * (way - first * seconds);
   if (balanced) {
     out.verdict = Verdict::stable;
     out.why = "at rest";
@@ -70,7 +73,7 @@ void decide(const Decision& d, bool balanced, double seconds, TrialResult& out) 
   out.why =
       fmt::format("block '{}' creeps: {:.3g} m in {:.3g} s, {:.2g} m/s", fastest->name, way, seconds, fastest->speed);
   if (accelerates)
-    out.needed = std::sqrt(2.0 * d.limit / out.acceleration);
+    out.needed = (std::sqrt(first * first + 2.0 * d.limit * out.acceleration) - first) / out.acceleration;
   else if (fastest->speed > 0.0)
     out.needed = seconds + (d.limit - way) / fastest->speed;
 }

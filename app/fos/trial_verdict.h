@@ -15,7 +15,7 @@ struct TrialResult {
   Verdict verdict = Verdict::undecided;
   std::string why;                   // for people
   double displacement = 0.0;         // largest of a block since the strengths began to fall [m]
-  double acceleration = 0.0;         // of the fastest block in the dynamic stage, at its end speed over time [m/s2]
+  double acceleration = 0.0;         // of the fastest block in the dynamic stage, gain in speed over time [m/s2]
   double time = 0.0;                 // simulated, of the dynamic stage [s]
   double needed = 0.0;               // time that an undecided run would take, as it moved so far [s]; 0: unknown
   double cpu = 0.0;                  // of the process [s]
@@ -32,11 +32,11 @@ struct Decision {
   Vec2 gravity{0.0, -9.81};
 };
 
-/// Stable: the dynamic stage ended by its rule of balance. Failed: the farthest block keeps accelerating (v t >= 1.5 d
-/// from rest, where constant acceleration has 2 d), and either has gone the limit, or the time is over and its
-/// acceleration is above 0.3 (1 - F_s) g, F_s = 1/(1 + tolerance/factor) the margin that the search resolves. A run
-/// that could not be carried on is failed where a block has gone the limit or touches nothing that leads to a support,
-/// else undecided.
+/// Stable: the dynamic stage ended by its rule of balance. Failed: the fastest block keeps accelerating (v t >= 1.5 d,
+/// where constant acceleration has 2 d; v and d beyond the speed with which the stage began), and either has gone the
+/// limit, or the time is over and its acceleration is above 0.3 (1 - F_s) g, F_s = 1/(1 + tolerance/factor) the margin
+/// that the search resolves. A run that could not be carried on is failed where a block has gone the limit or touches
+/// nothing that leads to a support, else undecided.
 /// @param folder  of a run of [reduction] with a factor that has ended   @throws FileError
 [[nodiscard]] TrialResult trial_result(const std::filesystem::path& folder, const Decision& decision);
 

@@ -103,7 +103,7 @@ void BlockSystem::sum_row(std::int32_t body) {
   matrix_.clear_row(body);
   double* own = matrix_.block(matrix_.diagonal(body));
   const double* value =
-      &A_[static_cast<std::size_t>(system_->pattern().column_start[static_cast<std::size_t>(kBlockSide * body)])];
+      &A_[static_cast<std::size_t>(system_->pattern().column_start[kBlockSide * static_cast<std::size_t>(body)])];
   for (int c = 0; c < kBlockSide; ++c)
     for (int r = c; r < kBlockSide; ++r) own[kBlockSide * c + r] = own[kBlockSide * r + c] = *value++;
   const auto b = static_cast<std::size_t>(body);
@@ -148,7 +148,7 @@ double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<cons
   double sum = 0.0;
   for (const std::int32_t body : bodies_[unit]) {
     if (body < 0) break;
-    const double* of_body = &x[static_cast<std::size_t>(kBlockSide * body)];
+    const double* of_body = &x[kBlockSide * static_cast<std::size_t>(body)];
     for (int k = 0; k < kBlockSide; ++k) sum += h[k] * of_body[k];
     h += kBlockSide;
   }
@@ -156,7 +156,7 @@ double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<cons
 }
 
 void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, double* sum) const {
-  const auto first = static_cast<std::size_t>(kBlockSide * body);
+  const auto first = kBlockSide * static_cast<std::size_t>(body);
   const double *of_body = &x[first], *value = &A_[static_cast<std::size_t>(system_->pattern().column_start[first])];
   for (int c = 0; c < kBlockSide; ++c) {
     sum[c] -= *value++ * of_body[c];

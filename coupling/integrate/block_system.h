@@ -65,7 +65,7 @@ class BlockSystem {
   void subtract_own(std::int32_t body, std::span<const double> x, double* sum) const;
   /// Adds a force along a row to one of its bodies.   @param own  Incidence::own
   void add_force(std::size_t row, std::int32_t own, double force, double* sum) const {
-    const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row] + own)];
+    const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row]) + static_cast<std::size_t>(own)];
     for (int k = 0; k < kBlockSide; ++k) sum[k] += force * h[k];
   }
 

@@ -77,7 +77,7 @@ std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
   };
   for (const BoltRows& rows : acting_bolts(setup, state)) {
     const Bolt& bolt = setup.model().bolts[static_cast<std::size_t>(rows.bolt)];
-    const auto add = [&](std::vector<std::size_t> which, double k) {
+    const auto add = [&](const std::vector<std::size_t>& which, double k) {
       BoltSpring s;
       for (const std::size_t r : which) {
         s.rows.push_back(rows.row[r]);

@@ -56,6 +56,7 @@ void OpenClose::accept(KeptFactor& kept) {
       kept.value.clear();
       if (cholesky_.factored()) cholesky_.set_pattern(system_->pattern());
       made_ = false;
+      kept.patience = patience_;  // a kept factor that failed in this step may have made it longer
       return;
     }
   }

@@ -447,7 +447,10 @@ std::unique_ptr<TimeIntegrator> Driver::make_integrator(const Stage& stage) {
 
 void Driver::observe() {
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
-  observer_ = std::make_unique<Observer>(*setup_, state_, mesh_, plan_->output.contacts);
+  const auto contacts = plan_->output.contacts ? Observer::Contacts::all
+                        : plan_->live.enabled  ? Observer::Contacts::now_and_then
+                                               : Observer::Contacts::none;
+  observer_ = std::make_unique<Observer>(*setup_, state_, mesh_, contacts);
   stats_.elements = static_cast<std::int64_t>(observer_->mesh().cell_block.size());
   fast_elements_ = 0.0;
   if (stage.subcycled() || stage.integrator == Integrator::partitioned)
@@ -613,7 +616,7 @@ void Driver::finish(const RunEnd& result) {
   enter(Phase::output);
   complete_ledger();
   show_mesh();
-  FrameView last = observer_->frame(state_, stats_);
+  FrameView last = observer_->frame(state_, stats_, true);
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   last.stage_name = stage.name;
   last.integrator = shown_integrator(stage);

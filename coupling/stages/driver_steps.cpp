@@ -129,7 +129,7 @@ StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
   h = next_step(state_.stage_begin.back(), stage_end_, state_.time, stage.dt ? ticks(*stage.dt) : 0, cap);
   if (stage.strength.used()) set_strength(stage, state_.time + h);
   const double begin = wall();
-  const StepReport report = integrator_->step(state_, h);
+  StepReport report = integrator_->step(state_, h);
   (implicit ? stats_.wall_implicit : stats_.wall_explicit) += wall() - begin;
   count(report);
   return report;

@@ -38,6 +38,7 @@ std::vector<std::string> stiffness_warnings(const Model& model) {
   std::vector<Thing> things;
   std::set<std::size_t> used;
   for (const Block& b : model.blocks) used.insert(b.material.index());
+  things.reserve(used.size() + 3 * model.joints.size());
   for (const std::size_t m : used)
     things.push_back({fmt::format("Young's modulus of '{}'", model.materials[m].name), model.materials[m].young});
   const std::vector<double> sizes = sizes_of(model);

@@ -14,7 +14,7 @@ void put(const Vec2& x, std::size_t at, std::vector<double>& out) {
 
 }  // namespace
 
-Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, bool contacts)
+Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, Contacts contacts)
     : setup_(&setup), contacts_(contacts), bolts_(setup, state) {
   offsets_.assign(1, 0);
   std::vector<std::vector<const Body*>> of_pool(setup.pools());
@@ -108,7 +108,7 @@ void Observer::find_stress(std::size_t p, std::span<const double> q) {
                 stress.begin() + 3 * static_cast<std::ptrdiff_t>(c));
 }
 
-FrameView Observer::frame(const State& state, const RunStats& stats) {
+FrameView Observer::frame(const State& state, const RunStats& stats, bool last) {
   const std::span<const double> q(state.q), v(state.v);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     put(scree::coupling::position(points_[i], q), i, position_);
@@ -127,11 +127,19 @@ FrameView Observer::frame(const State& state, const RunStats& stats) {
   f.state = &state;
   f.stats = &stats;
   f.bolts = bolts_.look(state);
-  if (contacts_) {
+  if (contacts_due(last)) {
+    const auto begin = std::chrono::steady_clock::now();
     see_contacts(state);
     f.contacts = &contact_view_;
+    const auto end = std::chrono::steady_clock::now();
+    contacts_at_ = end + kShare * (end - begin);
   }
   return f;
+}
+
+bool Observer::contacts_due(bool last) const {
+  if (contacts_ != Contacts::now_and_then) return contacts_ == Contacts::all;
+  return last || std::chrono::steady_clock::now() >= contacts_at_;
 }
 
 void Observer::see_contacts(const State& state) {

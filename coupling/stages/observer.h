@@ -1,6 +1,7 @@
 // Turns a state into the views that sinks see: mesh, points, stresses, monitors.
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "coupling/bodies/setup.h"
@@ -11,12 +12,16 @@ namespace scree::coupling {
 
 class Observer {
  public:
-  /// @param contacts  frames show the contact points
-  Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, bool contacts = false);
+  /// Which frames show the contact points. now_and_then is for a stream, which no run may wait for: as often as finding
+  /// them takes no more than one part in kShare of the time on the wall.
+  enum class Contacts { none, now_and_then, all };
+  static constexpr int kShare = 400;
+  Observer(const Setup& setup, const State& state, std::uint32_t mesh_id, Contacts contacts = Contacts::none);
 
   [[nodiscard]] const MeshView& mesh() const { return view_; }
   /// Fills positions, velocities and stresses; valid until the next call.
-  FrameView frame(const State& state, const RunStats& stats);
+  /// @param last  nothing comes after it: contacts show unless there are none
+  FrameView frame(const State& state, const RunStats& stats, bool last = false);
   HistoryView history(const State& state, const RunStats& stats);
 
  private:
@@ -26,9 +31,11 @@ class Observer {
   void find_stress(std::size_t p, std::span<const double> q);
   void recover_stress(const State& state);
   void see_contacts(const State& state);
+  [[nodiscard]] bool contacts_due(bool last) const;
 
   const Setup* setup_;
-  bool contacts_;
+  Contacts contacts_;
+  std::chrono::steady_clock::time_point contacts_at_{};  // when they may be found again, where now and then
   std::vector<Row> points_;
   std::vector<std::int32_t> offsets_, connectivity_, cell_block_, cell_material_, cell_method_;
   std::vector<char> cell_explicit_;

@@ -23,8 +23,7 @@ struct BodyRequest {
                                                      std::span<const char> other_method = {});
 
 /// Records of all blocks at rest in their model shape.
-[[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model,
-                                                      const std::vector<BodyRequest>& body_requests);
+[[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<BodyRequest>& request);
 
 /// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go

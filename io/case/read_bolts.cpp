@@ -62,13 +62,40 @@ void check_bond(const Section& s, const Bolt& bolt) {
         "lower it, or lengthen the bond");
 }
 
-Bolt read_bolt(const Section& s, const std::vector<std::string>& stages, std::size_t number) {
-  Bolt bolt;
-  bolt.name = s.has("name") ? s.text("name") : fmt::format("bolt#{}", number);
-  bolt.head = s.point("head");
-  bolt.toe = s.point("toe");
-  if (!(bolt.length() > 0.0))
-    throw s.error("toe", "it is where the head is", "another point", "give the two ends of the bolt");
+/// Name, head and toe of the bolts of a section: one, or those that a layer of the drawing holds.
+std::vector<Bolt> drawn_bolts(const Section& s, const DrawnLayers& drawing, std::size_t number) {
+  std::vector<Bolt> out;
+  for (const char* key : {"head", "toe"})
+    if (s.has("layer") == s.has(key))
+      throw s.error(
+          key, s.has(key) ? fmt::format("{} and layer are both given", key) : fmt::format("the bolt has no {}", key),
+          "either head and toe, or layer", "write head = [x, y] and toe = [x, y]");
+  if (!s.has("layer")) {
+    Bolt& bolt = out.emplace_back();
+    bolt.name = s.has("name") ? s.text("name") : fmt::format("bolt#{}", number);
+    bolt.head = s.point("head");
+    bolt.toe = s.point("toe");
+    if (!(bolt.length() > 0.0))
+      throw s.error("toe", "it is where the head is", "another point", "give the two ends of the bolt");
+    return out;
+  }
+  for (const DrawnLine* line : drawing.lines(s, "layer", "bolts")) {
+    if (line->points.size() != 2 || line->closed || !((line->points[1] - line->points[0]).norm() > 0.0))
+      throw CaseError(drawing.file(), {line->row, 1},
+                      {fmt::format("a {} of {} points is no bolt", line->entity, line->points.size()), "", "",
+                       "a line of two points that differ, from head to toe",
+                       "draw each bolt as one straight line, or take this off the layer"});
+    Bolt& bolt = out.emplace_back();
+    bolt.name = s.has("name") ? fmt::format("{}-{}", s.text("name"), out.size())
+                              : fmt::format("bolt#{}", number + out.size() - 1);
+    bolt.head = line->points[0];
+    bolt.toe = line->points[1];
+  }
+  return out;
+}
+
+/// @param bolt  with its name, head and toe
+Bolt read_bolt(const Section& s, const std::vector<std::string>& stages, Bolt bolt) {
   if (s.has("stage")) bolt.stage = StageId{find_name(s, "stage", "stage", stages)};
   const double spacing = s.number("spacing");
   bolt.stiffness = s.number("axial_stiffness") / spacing;
@@ -87,31 +114,33 @@ Bolt read_bolt(const Section& s, const std::vector<std::string>& stages, std::si
 }
 
 /// What a bolt that holds nothing would hide.
-void check_blocks(const Section& s, const Model& model, const Bolt& bolt) {
+void check_blocks(const Section& s, const char* place, const Model& model, const Bolt& bolt) {
   const auto held = [&](const Bolt::Node& n) { return model.support_of(n.block) != nullptr; };
   if (std::all_of(bolt.nodes.begin(), bolt.nodes.end(), held))
-    throw s.error("head", "all blocks that the bolt holds are held whole already", "a bolt that holds a free block",
+    throw s.error(place, "all blocks that the bolt holds are held whole already", "a bolt that holds a free block",
                   "move the bolt, or remove it");
 }
 
 }  // namespace
 
-void read_bolts(const Section& root, Model& model) {
+void read_bolts(const Section& root, const DrawnLayers& drawing, Model& model) {
   std::vector<std::string> stages;
   for (const Section& stage : root.list("stage")) stages.push_back(stage.text("name"));
   std::set<std::string> names;
-  for (const Section& s : root.list("bolt")) {
-    Bolt bolt = read_bolt(s, stages, model.bolts.size() + 1);
+  const auto add = [&](const Section& s, Bolt bolt) {
+    const char* place = s.has("layer") ? "layer" : "head";
     if (!names.insert(bolt.name).second)
-      throw s.error("name", "two bolts have the same name", "a name for each bolt",
+      throw s.error(s.has("name") ? "name" : place, "two bolts have the same name", "a name for each bolt",
                     "choose another name, or leave it out");
     if (const std::string wrong = lay_out(model, bolt); !wrong.empty())
-      throw s.error("head", fmt::format("bolt {}: {}", in_quotes(bolt.name), wrong),
+      throw s.error(place, fmt::format("bolt {}: {}", in_quotes(bolt.name), wrong),
                     "a line from its head to its toe, both in or on blocks", "compare head and toe with the blocks");
-    check_blocks(s, model, bolt);
+    check_blocks(s, place, model, bolt);
     check_bond(s, bolt);
     model.bolts.push_back(std::move(bolt));
-  }
+  };
+  for (const Section& s : root.list("bolt"))
+    for (Bolt& bolt : drawn_bolts(s, drawing, model.bolts.size() + 1)) add(s, read_bolt(s, stages, std::move(bolt)));
 }
 
 }  // namespace scree::io

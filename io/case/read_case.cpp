@@ -37,7 +37,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   read_motions(root, file.parent_path(), out.model);
   read_supports(root, out.model);
   read_loads(root, out.model);
-  read_bolts(root, out.model);
+  read_bolts(root, drawing, out.model);
   read_water(root, drawing, out.model);
   read_monitors(root, drawing, out.model);
   out.plan = read_plan(root, out.model, methods);

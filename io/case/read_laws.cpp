@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "coupling/contact/law/friction_laws.h"
@@ -132,10 +133,48 @@ InitialStress initial_stress(const Section& s) {
   return stress;
 }
 
+MohrCoulombStrength mohr_coulomb(const Section& s) {
+  for (const char* key : {"cohesion", "friction_deg"})
+    if (!s.has(key))
+      throw s.error(key, "a Mohr-Coulomb strength needs cohesion and friction_deg", "both [Pa], [deg]",
+                    fmt::format("add {} = ...", key));
+  const double cohesion = s.number("cohesion"),
+               tan_friction = std::tan(s.number("friction_deg") * std::numbers::pi / 180.0);
+  const double apex = tan_friction > 0.0 ? cohesion / tan_friction : std::numeric_limits<double>::infinity();
+  const double tension = s.has("tension") ? s.number("tension") : apex;
+  if (tension > apex * (1.0 + 1e-12))
+    throw s.error("tension", "the envelope of cohesion and friction_deg ends before the tension",
+                  fmt::format("0 <= value <= {:g}, cohesion / tan(friction_deg) [Pa]", apex),
+                  "leave it out to have that value");
+  return {cohesion, std::atan(tan_friction), std::min(tension, apex)};
+}
+
+RockStrength rock_strength(const Section& s) {
+  const auto any = [&s](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (s.has(key)) return key;
+    return static_cast<const char*>(nullptr);
+  };
+  const char *mohr = any({"cohesion", "friction_deg", "tension"}), *hoek = any({"ucs", "gsi", "mi"});
+  if (mohr != nullptr && hoek != nullptr)
+    throw s.error(hoek, "the rock has a strength of Mohr-Coulomb and one of Hoek and Brown", "one of the two",
+                  "keep cohesion, friction_deg and tension, or ucs, gsi, mi and d");
+  if (mohr == nullptr && hoek == nullptr)
+    throw s.error("cohesion", "the rock_strength says nothing", "cohesion and friction_deg, or ucs, gsi and mi",
+                  "add cohesion = ... and friction_deg = ...");
+  if (mohr != nullptr) return mohr_coulomb(s);
+  for (const char* key : {"ucs", "gsi", "mi"})
+    if (!s.has(key))
+      throw s.error(key, "a strength of Hoek and Brown needs ucs, gsi and mi", "all three; d is 0 where it is left out",
+                    fmt::format("add {} = ...", key));
+  return HoekBrownStrength::of_rock_mass(s.number("ucs"), s.number("gsi"), s.number("mi"), s.number("d"));
+}
+
 Material material(const Section::Named& named) {
   const Section& s = named.section;
   Material m{named.name, s.number("density"), s.number("young"), s.number("poisson")};
   if (s.has("initial_stress")) m.initial_stress = initial_stress(s.table("initial_stress"));
+  if (s.has("rock_strength")) m.rock_strength = rock_strength(s.table("rock_strength"));
   return m;
 }
 

@@ -49,7 +49,7 @@ void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
 /// Bolts, laid out in the blocks.   @pre read_blocks, read_supports
-void read_bolts(const Section& root, Model& model);
+void read_bolts(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Water in joints.   @pre read_laws
 void read_water(const Section& root, const DrawnLayers& drawing, Model& model);
 /// How a stage represents blocks, damps and comes to rest; what does not go together is refused.

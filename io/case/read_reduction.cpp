@@ -21,6 +21,7 @@ constexpr double kLeastSteps = 20.0;    // of the stage that reduces
 constexpr double kSettleSteps = 400.0;  // static steps within which balance is found, or not
 constexpr double kBalanced = 1e-6;      // unbalanced force at rest, of the largest force
 constexpr double kLimit = 5e-3;         // displacement that decides, of the root area of the smallest free block
+constexpr double kSettleWay = 4.0;      // limits, that a block may move until balance is found: joints take up slip
 constexpr double kTraverses = 2.0;      // of a pressure wave through the free blocks, in a static step
 
 /// What the settings that are left out follow from.
@@ -111,7 +112,7 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
   return s;
 }
 
-/// What depends on later stages is left out: motions, and loads that have not begun.
+/// What depends on later stages is left out: motions, loads that have not begun, bolts that are not installed yet.
 void drop_later(Model& model, std::size_t kept) {
   for (BlockSupport& s : model.block_supports) s.motion = {};
   model.motions.clear();
@@ -124,6 +125,7 @@ void drop_later(Model& model, std::size_t kept) {
   drop(model.point_loads);
   drop(model.tractions);
   drop(model.body_accelerations);
+  std::erase_if(model.bolts, [kept](const Bolt& b) { return b.stage.valid() && b.stage.index() >= kept; });
   for (TimeFunction& f : model.functions)
     if (f.stage.valid() && f.stage.index() >= kept) {
       f = TimeFunction{};  // nothing has it any more
@@ -185,6 +187,7 @@ void read_reduction(const Section& root, std::span<const std::string> methods, M
     add("reduction", steps * dt * (implicit ? 1.0 : 4.0), start);
     Stage& settling = add("settling", kSettleSteps * dt, factor);
     settling.end.force_below = kBalanced;
+    settling.end.displacement = kSettleWay * limit;
     Stage& hold = add("hold", r.number("hold"), factor);
     hold.rest = false;
     if (implicit) hold.dt = std::min(dt, r.number("hold") / 200.0);

@@ -16,6 +16,8 @@ constexpr Range kPositive{.low = 0.0, .low_open = true};
 constexpr Range kNotNegative{.low = 0.0};
 constexpr Range kFraction{.low = 0.0, .high = 1.0};
 constexpr Range kPoisson{.low = 0.0, .high = 0.5, .high_open = true};
+constexpr Range kGsi{.low = 0.0, .high = 100.0, .low_open = true};
+constexpr Range kDisturbance{.low = 0.0, .high = 1.0};
 constexpr Range kFriction{.low = 0.0, .high = 90.0, .high_open = true};
 constexpr Range kTurn{.low = -360.0, .high = 360.0};
 constexpr Range kHalfTurn{.low = 0.0, .high = 180.0};
@@ -93,6 +95,24 @@ constexpr Key kKeys[] = {
      "Growth of xy with depth."},
     {"material.NAME.initial_stress.level", Type::number, "m", kCoordinate, "", false, "",
      "y from which depth counts. Needed with a gradient."},
+    {"material.NAME.rock_strength", Type::table, "", kAny, "(none: not compared)", false, "",
+     "Strength of the rock that the stress in its blocks is compared with: Mohr-Coulomb by cohesion and friction_deg, "
+     "or Hoek and Brown (2002) by ucs, gsi and mi. Blocks stay elastic whatever it says; runs, `scree fos` and "
+     "pictures tell where the stress is above it."},
+    {"material.NAME.rock_strength.cohesion", Type::number, "Pa", kPositive, "", false, "",
+     "Mohr-Coulomb: cohesion. Goes with friction_deg."},
+    {"material.NAME.rock_strength.friction_deg", Type::number, "deg", kFriction, "", false, "",
+     "Mohr-Coulomb: friction angle."},
+    {"material.NAME.rock_strength.tension", Type::number, "Pa", kNotNegative, "(cohesion / tan(friction_deg))", false,
+     "", "Mohr-Coulomb: tensile strength, at most where the envelope ends."},
+    {"material.NAME.rock_strength.ucs", Type::number, "Pa", kPositive, "", false, "",
+     "Hoek and Brown: uniaxial compressive strength of the intact rock. Goes with gsi and mi."},
+    {"material.NAME.rock_strength.gsi", Type::number, "", kGsi, "", false, "",
+     "Hoek and Brown: geological strength index; 100: intact rock."},
+    {"material.NAME.rock_strength.mi", Type::number, "", kPositive, "", false, "",
+     "Hoek and Brown: constant of the intact rock, 4 (claystone) to 33 (granite)."},
+    {"material.NAME.rock_strength.d", Type::number, "", kDisturbance, "0.0", false, "",
+     "Hoek and Brown: disturbance by blasting and unloading, 0 to 1."},
 
     {"joint", Type::named_tables, "", kAny, "", false, "",
      "A Coulomb law of block edges; blocks refer to it by NAME. Where two edges touch that have different laws, the "
@@ -197,8 +217,9 @@ constexpr Key kKeys[] = {
 
     {"drawing", Type::table, "", kAny, "", false, "",
      "A section drawing. Sections of the case take lines, rings and points from its layers: domain.outline_layer, "
-     "domain.holes_layer, domain.region.layer, domain.trace.layer, water.layer, monitor.layer. Names of layers know no "
-     "case, and * in them stands for any characters. `scree check` prints what was read and what was left out."},
+     "domain.holes_layer, domain.region.layer, domain.trace.layer, water.layer, monitor.layer, bolt.layer. Names of "
+     "layers know no case, and * in them stands for any characters. `scree check` prints what was read and what was "
+     "left out."},
     {"drawing.file", Type::text, "", kAny, "", true, "",
      "DXF of text, R12 to 2018: LINE, LWPOLYLINE and POLYLINE with bulges, ARC, CIRCLE, ELLIPSE, SPLINE, POINT, and "
      "INSERT of blocks of these. Or, with the ending csv, txt or dat, columns x, y and the name of the layer, in the "
@@ -427,9 +448,13 @@ constexpr Key kKeys[] = {
      "its "
      "toe, tie to the rock. Its numbers are those of one bolt; `spacing` says how far apart they stand."},
     {"bolt[].name", Type::name, "", kAny, "(bolt#1, bolt#2, ...)", false, "", "Name in results and messages."},
-    {"bolt[].head", Type::point, "m", kCoordinate, "", true, "",
-     "Where the bar begins, on the outline of a block or inside one, where the model starts."},
-    {"bolt[].toe", Type::point, "m", kCoordinate, "", true, "", "Where it ends."},
+    {"bolt[].layer", Type::name, "", kAny, "", false, "",
+     "Layer of the drawing; each of its lines, of two points, is a bolt from the head, where it was begun, to the toe. "
+     "They are named NAME-1, NAME-2, ... where name is given."},
+    {"bolt[].head", Type::point, "m", kCoordinate, "", false, "",
+     "Where the bar begins, on the outline of a block or inside one, where the model starts. Either head and toe, or "
+     "layer."},
+    {"bolt[].toe", Type::point, "m", kCoordinate, "", false, "", "Where it ends."},
     {"bolt[].stage", Type::name, "", kAny, "(the first)", false, "",
      "Name of the stage that it is installed with, in the blocks as they stand then. It has its pretension at once, "
      "and "

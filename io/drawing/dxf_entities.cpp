@@ -27,7 +27,7 @@ struct Type {
   std::vector<int> codes, needed;
 };
 const std::vector<Type>& types() {
-  static const std::vector<Type> all{
+  static const std::vector<Type> kAll{
       {"LINE", {8, 67, 10, 20, 30, 11, 21, 31}, {10, 20, 11, 21}},
       {"LWPOLYLINE", {8, 67, 90, 70, 38, 10, 20, 42, 210, 220, 230}, {90}},
       {"POLYLINE", {8, 67, 66, 70, 10, 20, 30, 210, 220, 230}, {}},
@@ -40,7 +40,7 @@ const std::vector<Type>& types() {
       {"POINT", {8, 67, 10, 20, 30}, {10, 20}},
       {"INSERT", {8, 67, 2, 10, 20, 30, 41, 42, 43, 50, 70, 71, 44, 45, 210, 220, 230}, {2, 10, 20}},
   };
-  return all;
+  return kAll;
 }
 const Type* type_of(std::string_view name) {
   for (const Type& t : types())

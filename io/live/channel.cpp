@@ -19,7 +19,7 @@ bool allowed(char c) {
 
 std::string_view name(LiveKind kind) {
   constexpr std::array<std::string_view, kLiveKinds.size() + kControlKinds.size()> names{
-      "INFO", "TOPO", "STATE", "HIST", "ENERGY", "EVENT", "CTRL", "ACK"};
+      "INFO", "TOPO", "STATE", "HIST", "ENERGY", "EVENT", "MODEL", "DETAIL", "CTRL", "ACK"};
   return names[static_cast<std::size_t>(kind)];
 }
 

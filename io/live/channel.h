@@ -8,10 +8,10 @@
 
 namespace scree::io {
 
-enum class LiveKind { info, topo, state, hist, energy, event, ctrl, ack };
+enum class LiveKind { info, topo, state, hist, energy, event, model, detail, ctrl, ack };
 /// What a run streams.
-inline constexpr std::array kLiveKinds{LiveKind::info, LiveKind::topo,   LiveKind::state,
-                                       LiveKind::hist, LiveKind::energy, LiveKind::event};
+inline constexpr std::array kLiveKinds{LiveKind::info,   LiveKind::topo,  LiveKind::state, LiveKind::hist,
+                                       LiveKind::energy, LiveKind::event, LiveKind::model, LiveKind::detail};
 /// What is asked of a run, and its answers.
 inline constexpr std::array kControlKinds{LiveKind::ctrl, LiveKind::ack};
 [[nodiscard]] std::string_view name(LiveKind kind);  // INFO, TOPO, ...

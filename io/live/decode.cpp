@@ -4,6 +4,7 @@
 #include <cmath>
 #include <scree/mesh_v1_t.hpp>
 
+#include "io/live/live_model.h"
 #include "io/live/quantise.h"
 #include "io/live/split.h"
 
@@ -68,8 +69,8 @@ void LiveAssembly::forget() {
   counts_ = counts;
 }
 
-template <class Message>
-bool LiveAssembly::take_as(std::span<const std::uint8_t> bytes, std::int64_t utime) {
+template <class Message, class Put>
+bool LiveAssembly::take_by(std::span<const std::uint8_t> bytes, std::int64_t utime, const Put& put) {
   std::optional<Message> message = unseal<Message>(bytes);
   // At most one of a kind in a microsecond.
   const auto possible = [utime](const header_v1_t& h) {
@@ -110,6 +111,10 @@ bool LiveAssembly::take(std::string_view channel, std::span<const std::uint8_t> 
       return take_as<energy_v1_t>(bytes, utime);
     case LiveKind::event:
       return take_as<event_v1_t>(bytes, utime);
+    case LiveKind::model:
+      return take_by<part_v1_t>(bytes, utime, [this](part_v1_t&& in) { return put_model(std::move(in)); });
+    case LiveKind::detail:
+      return take_by<part_v1_t>(bytes, utime, [this](part_v1_t&& in) { return put_detail(std::move(in)); });
     case LiveKind::ctrl:
     case LiveKind::ack:
       break;  // not for viewers
@@ -259,6 +264,28 @@ std::shared_ptr<const LiveFrame> LiveAssembly::decode(FrameParts&& parts, const 
     next += 2;
   }
   return next == parts.loose.size() ? frame : nullptr;
+}
+
+LiveAssembly::Verdict LiveAssembly::put_model(part_v1_t&& in) {
+  if (!model_parts_.put(std::move(in), kMaxMesh)) return Verdict::malformed;
+  const std::optional<Bytes> whole = model_parts_.take();
+  if (!whole) return Verdict::taken;
+  std::optional<model_v1_t> model = unseal<model_v1_t>(*whole, kMaxMesh);
+  if (!model || !holds_together(*model)) return Verdict::malformed;
+  model_ = std::make_shared<const model_v1_t>(std::move(*model));
+  return Verdict::taken;
+}
+
+LiveAssembly::Verdict LiveAssembly::put_detail(part_v1_t&& in) {
+  if (!mesh_ || mesh_->id != in.header.topology_id) return Verdict::early;
+  const header_v1_t header = in.header;
+  if (!detail_parts_.put(std::move(in), kMaxMesh)) return Verdict::malformed;
+  const std::optional<Bytes> whole = detail_parts_.take();
+  if (!whole) return Verdict::taken;
+  std::optional<detail_v1_t> detail = unseal<detail_v1_t>(*whole, kMaxMesh);
+  if (!detail || !holds_together(*detail, *mesh_)) return Verdict::malformed;
+  detail_ = std::make_shared<const LiveDetail>(LiveDetail{header, std::move(*detail)});
+  return Verdict::taken;
 }
 
 LiveAssembly::Verdict LiveAssembly::put(hist_v1_t&& in) {

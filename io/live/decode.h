@@ -7,6 +7,7 @@
 #include <scree/event_v1_t.hpp>
 #include <scree/hist_v1_t.hpp>
 #include <scree/info_v1_t.hpp>
+#include <scree/model_v1_t.hpp>
 #include <scree/state_v1_t.hpp>
 #include <scree/topo_v1_t.hpp>
 #include <set>
@@ -14,6 +15,8 @@
 #include "io/live/affine_map.h"
 #include "io/live/channel.h"
 #include "io/live/live_data.h"
+#include "io/live/live_detail.h"
+#include "io/live/parts.h"
 #include "io/live/wire.h"
 
 namespace scree::io {
@@ -52,6 +55,9 @@ class LiveAssembly {
   [[nodiscard]] std::shared_ptr<const LiveHistory> history() const { return history_; }
   [[nodiscard]] std::shared_ptr<const LiveMesh> mesh() const { return mesh_; }
   [[nodiscard]] std::shared_ptr<const LiveFrame> frame() const { return frame_; }
+  [[nodiscard]] std::shared_ptr<const model_v1_t> model() const { return model_; }
+  /// Of the present mesh.
+  [[nodiscard]] std::shared_ptr<const LiveDetail> detail() const { return detail_; }
   /// Events since the last call, each once, in order of arrival.
   [[nodiscard]] std::vector<event_v1_t> take_events();
   [[nodiscard]] const LiveCounts& counts() const { return counts_; }
@@ -60,10 +66,16 @@ class LiveAssembly {
   enum class Verdict { taken, malformed, early };
 
   template <class Message>
-  bool take_as(std::span<const std::uint8_t> bytes, std::int64_t utime);
+  bool take_as(std::span<const std::uint8_t> bytes, std::int64_t utime) {
+    return take_by<Message>(bytes, utime, [this](Message&& message) { return put(std::move(message)); });
+  }
+  template <class Message, class Put>
+  bool take_by(std::span<const std::uint8_t> bytes, std::int64_t utime, const Put& put);
   Verdict put(info_v1_t&& message);
   Verdict put(topo_v1_t&& in);
   Verdict put(state_v1_t&& in);
+  Verdict put_model(part_v1_t&& in);
+  Verdict put_detail(part_v1_t&& in);
   Verdict put(hist_v1_t&& in);
   Verdict put(energy_v1_t&& message);
   Verdict put(event_v1_t&& message);
@@ -97,6 +109,9 @@ class LiveAssembly {
   std::shared_ptr<const LiveMesh> mesh_;
   std::shared_ptr<const LiveFrame> frame_;
   std::shared_ptr<const LiveHistory> history_;
+  std::shared_ptr<const model_v1_t> model_;
+  std::shared_ptr<const LiveDetail> detail_;
+  PartAssembly model_parts_, detail_parts_;
   Pieces mesh_pieces_, frame_pieces_, history_pieces_;
   std::vector<Bytes> mesh_bytes_;  // a piece
   std::unique_ptr<FrameParts> next_frame_;

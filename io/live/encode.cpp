@@ -10,7 +10,7 @@
 
 #include "io/live/affine_map.h"
 #include "io/live/quantise.h"
-#include "io/live/split.h"
+#include "io/live/send_pieces.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -55,17 +55,7 @@ Bytes encode_mesh(const LiveMesh& mesh) {
 }
 
 void send_mesh(const header_v1_t& header, const Bytes& mesh, const Send& send) {
-  topo_v1_t out{};
-  out.header = header;
-  out.total = static_cast<std::int32_t>(mesh.size());
-  out.chunks = chunks_for(out.total);
-  for (out.chunk = 0; out.chunk < out.chunks; ++out.chunk) {
-    out.first = split_at(out.total, out.chunk, out.chunks);
-    const std::int32_t last = split_at(out.total, out.chunk + 1, out.chunks);
-    out.size = last - out.first;
-    out.data.assign(mesh.begin() + out.first, mesh.begin() + last);
-    send(seal(out));
-  }
+  send_pieces<topo_v1_t>(header, mesh, send);
 }
 
 void send_frame(const LiveFrame& frame, const Send& send) {

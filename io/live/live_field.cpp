@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, kLiveFields> kNames{"speed", "mean_stress
 void take_joint_states(std::vector<double>& out, const coupling::State& state, std::span<const std::int32_t> cells) {
   std::int32_t most = -1;
   for (const std::int32_t block : cells) most = std::max(most, block);
-  out.assign(static_cast<std::size_t>(most + 1), 0.0);
+  out.assign(static_cast<std::size_t>(most) + 1, 0.0);  // of no cells: most is -1, and this 0
   for (const coupling::ContactMemory& c : state.contacts) {
     if (c.status == coupling::ContactStatus::open) continue;
     const double rank = c.status == coupling::ContactStatus::stick ? 1.0 : c.failed != 0 ? 3.0 : 2.0;

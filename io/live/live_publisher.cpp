@@ -6,9 +6,11 @@
 #include <cmath>
 #include <exception>
 #include <scree/info_v1_t.hpp>
+#include <scree/part_v1_t.hpp>
 #include <utility>
 
 #include "io/live/encode.h"
+#include "io/live/send_pieces.h"
 #include "io/live/signals_blocked.h"
 
 namespace scree::io {
@@ -70,6 +72,15 @@ void LivePublisher::offer(RawFrame& frame) {
   wake_.notify_one();
 }
 
+void LivePublisher::offer(LiveDetail detail) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.detail = std::move(detail);
+    fresh_ = true;
+  }
+  wake_.notify_one();
+}
+
 void LivePublisher::offer(LiveHistory history) {
   {
     const std::lock_guard lock(mutex_);
@@ -118,7 +129,7 @@ void LivePublisher::offer(Bytes event, bool milestone) {
 
 bool LivePublisher::idle() {
   const std::lock_guard lock(mutex_);
-  return !waiting_.has_frame && !waiting_.history && !waiting_.energy && waiting_.events.empty();
+  return !waiting_.has_frame && !waiting_.detail && !waiting_.history && !waiting_.energy && waiting_.events.empty();
 }
 
 std::optional<std::string> LivePublisher::take_warning() {
@@ -141,6 +152,7 @@ void LivePublisher::run() {
         work.mesh = waiting_.mesh;
         std::swap(work.frame, waiting_.frame);
         work.has_frame = std::exchange(waiting_.has_frame, false);
+        work.detail = std::exchange(waiting_.detail, std::nullopt);
         work.history = std::exchange(waiting_.history, std::nullopt);
         work.energy = std::exchange(waiting_.energy, std::nullopt);
         work.events.clear();
@@ -163,7 +175,7 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.mesh != mesh_) {
     mesh_ = work.mesh;
     encoded_mesh_.clear();
-    last_frame_.clear();  // of the mesh before
+    last_frame_.clear(), last_detail_.clear();  // of the mesh before
     keyframe_at_ = now;
   }
   now_.time = work.progress.time;
@@ -182,6 +194,7 @@ void LivePublisher::send_all(Waiting& work) {
 
   if (keyframe_due) send_topology();
   if (work.has_frame) last_frame_.clear();
+  if (work.detail) last_detail_.clear();
   if (work.history) last_history_.clear();
   if (work.energy) last_energy_.clear();
   if (keyframe_due) {
@@ -208,6 +221,11 @@ void LivePublisher::send_all(Waiting& work) {
     std::swap(frame.position, work.frame.position);  // the buffer goes round
     if (bus_) ++frames_sent_;
   }
+  if (work.detail)
+    send_pieces<part_v1_t>(work.detail->header, seal(work.detail->data), [this](Bytes bytes) {
+      send(LiveKind::detail, bytes);
+      last_detail_.push_back(std::move(bytes));
+    });
   if (work.history)
     send_history(*work.history, [this](Bytes bytes) {
       send(LiveKind::hist, bytes);
@@ -226,6 +244,7 @@ void LivePublisher::send_again() {
     send(kind, bytes);
   };
   for (Bytes& bytes : last_frame_) again(LiveKind::state, bytes);
+  for (Bytes& bytes : last_detail_) again(LiveKind::detail, bytes);
   for (Bytes& bytes : last_history_) again(LiveKind::hist, bytes);
   if (!last_energy_.empty()) again(LiveKind::energy, last_energy_);
   for (Bytes& bytes : last_milestones_) again(LiveKind::event, bytes);
@@ -233,6 +252,10 @@ void LivePublisher::send_again() {
 }
 
 void LivePublisher::send_topology() {
+  if (!model_.empty()) {
+    std::int64_t number = 0;  // it stays what it is
+    send_pieces<part_v1_t>(header_now(number), model_, [this](const Bytes& bytes) { send(LiveKind::model, bytes); });
+  }
   if (!mesh_) return;
   if (encoded_mesh_.empty()) encoded_mesh_ = encode_mesh(*mesh_);
   send_mesh(header_now(topology_sequence_), encoded_mesh_, [this](const Bytes& bytes) { send(LiveKind::topo, bytes); });

@@ -16,6 +16,7 @@
 #include "io/live/channel.h"
 #include "io/live/live_bus.h"
 #include "io/live/live_data.h"
+#include "io/live/live_detail.h"
 #include "io/live/live_field.h"
 #include "io/live/wire.h"
 #include "io/results/worst_contact.h"
@@ -65,12 +66,15 @@ class LivePublisher {
   ~LivePublisher() { finish(); }
   LivePublisher(const LivePublisher&) = delete;
   LivePublisher& operator=(const LivePublisher&) = delete;
+  /// What MODEL carries.   @param model  an encoded model_v1_t   @pre before start()
+  void set_model(Bytes model) { model_ = std::move(model); }
   void start();
   void finish();
 
   /// Each replaces what is still waiting of its kind.
   void offer(std::shared_ptr<const LiveMesh> mesh);
   void offer(RawFrame& frame);  // swapped: `frame` comes back with a buffer to use again
+  void offer(LiveDetail detail);
   void offer(LiveHistory history);
   void offer(const header_v1_t& header, const coupling::Ledger& ledger);
   void offer_energy(Bytes energy);  // an energy_v1_t
@@ -103,6 +107,7 @@ class LivePublisher {
     std::shared_ptr<const LiveMesh> mesh;
     RawFrame frame;
     bool has_frame = false;
+    std::optional<LiveDetail> detail;
     std::optional<LiveHistory> history;
     std::optional<Bytes> energy;
     std::vector<Event> events;
@@ -137,7 +142,8 @@ class LivePublisher {
   bool gave_up_ = false, complained_ = false;
   std::shared_ptr<const LiveMesh> mesh_;
   Bytes encoded_mesh_;
-  std::vector<Bytes> last_frame_, last_history_;  // messages, to be sent again
+  Bytes model_;
+  std::vector<Bytes> last_frame_, last_detail_, last_history_;  // messages, to be sent again
   Bytes last_energy_;
   std::deque<Bytes> last_events_, last_milestones_;
   header_v1_t now_{};                     // of the newest thing sent

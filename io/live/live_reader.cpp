@@ -91,6 +91,16 @@ std::shared_ptr<const LiveFrame> LiveReader::frame() const {
   return impl_->assembly.frame();
 }
 
+std::shared_ptr<const model_v1_t> LiveReader::model() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->assembly.model();
+}
+
+std::shared_ptr<const LiveDetail> LiveReader::detail() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->assembly.detail();
+}
+
 std::vector<event_v1_t> LiveReader::take_events() {
   const std::lock_guard lock(impl_->mutex);
   return impl_->assembly.take_events();

@@ -37,6 +37,8 @@ class LiveReader {
   [[nodiscard]] std::shared_ptr<const LiveHistory> history() const;
   [[nodiscard]] std::shared_ptr<const LiveMesh> mesh() const;
   [[nodiscard]] std::shared_ptr<const LiveFrame> frame() const;
+  [[nodiscard]] std::shared_ptr<const model_v1_t> model() const;
+  [[nodiscard]] std::shared_ptr<const LiveDetail> detail() const;
   /// Events since the last call; of those not fetched the newest LiveAssembly::kMaxEvents.
   [[nodiscard]] std::vector<event_v1_t> take_events();
   [[nodiscard]] LiveCounts counts() const;

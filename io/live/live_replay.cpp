@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "io/live/live_model.h"
 #include "io/live/live_publisher.h"
 #include "io/results/file_error.h"
 #include "io/results/run_reader.h"
@@ -63,7 +64,9 @@ struct LiveReplay::Impl {
   std::shared_ptr<const LiveMesh> mesh;
   std::int32_t stage = 0;
   std::size_t next_event = 0, next_row = 0;  // of what was not sent yet
-  std::int64_t frames = 0, histories = 0, ledgers = 0, events_sent = 0;
+  std::int64_t frames = 0, details = 0, histories = 0, ledgers = 0, events_sent = 0;
+  Clock::time_point detail_at{};  // the next contacts, stresses and bolts may go
+  bool new_mesh = true;           // none have gone of this mesh
   std::unique_ptr<LivePublisher> publisher;
 };
 
@@ -84,6 +87,7 @@ void LiveReplay::Impl::offer_mesh(const StoredFrame& frame) {
   view.methods = reader.methods();
   mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(view, frame.position));
   publisher->offer(mesh);
+  new_mesh = true;
 }
 
 void LiveReplay::Impl::offer_frame(const StoredFrame& frame) {
@@ -93,6 +97,12 @@ void LiveReplay::Impl::offer_frame(const StoredFrame& frame) {
   raw.position = frame.position;
   raw.source = frame.velocity;
   publisher->offer(raw);
+  // As a run sends it, so seldom that it takes no more than its share of the network.
+  if (Clock::now() < detail_at && !new_mesh) return;
+  new_mesh = false;
+  LiveDetail detail{header(frame.time, details), live_detail(reader, frame, mesh->base)};
+  detail_at = Clock::now() + wall(size_of(detail.data) / kDetailRate);
+  publisher->offer(std::move(detail));
 }
 
 void LiveReplay::Impl::offer_histories(double until) {
@@ -191,6 +201,7 @@ ReplayCounts LiveReplay::run(double speed, const std::function<bool()>& stop,
   r.progress.end_time = r.reader.end_time();
   r.mesh = nullptr;
   r.next_event = r.next_row = 0;
+  r.publisher->set_model(seal(live_model(r.reader)));
   r.publisher->offer(r.progress);
   r.publisher->start();
 

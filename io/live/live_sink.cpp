@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "io/live/encode.h"
+#include "io/live/live_model.h"
 #include "io/live/live_publisher.h"
 
 namespace scree::io {
@@ -91,6 +92,8 @@ struct LiveSink::Impl {
   }
   void set_end(double plan_end) { progress.end_time = until ? std::min(*until, plan_end) : plan_end; }
   void take_frame(const coupling::FrameView& view);
+  /// Contacts, stress and bolts of a frame that was taken.   @param always  also where it is not due
+  void take_detail(const coupling::FrameView& view, bool always);
 
   LiveUrl url;
   LiveIdentity who;
@@ -98,16 +101,17 @@ struct LiveSink::Impl {
   Warn warn;
   std::shared_ptr<LiveBus> bus;
   Limiter frame_limit, history_limit, progress_limit;
+  Limiter detail_limit{Limiter::Clock::duration::zero()};
   std::shared_ptr<const LiveMesh> mesh;
   std::vector<std::string> monitors, blocks;  // names
   LiveProgress progress;
   std::pair<double, const coupling::RunStats*> now{0.0, nullptr};  // after the last step
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  std::int64_t frames = 0, histories = 0, ledgers = 0, events = 0;  // sequences
-  std::optional<LiveHistory> last_history;                          // newer than what was offered
-  RawFrame spare;                                                   // a buffer for the next frame
-  std::unique_ptr<LivePublisher> publisher;                         // last: its thread ends first
+  std::int64_t frames = 0, details = 0, histories = 0, ledgers = 0, events = 0;  // sequences
+  std::optional<LiveHistory> last_history;                                       // newer than what was offered
+  RawFrame spare;                                                                // a buffer for the next frame
+  std::unique_ptr<LivePublisher> publisher;                                      // last: its thread ends first
 };
 
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
@@ -121,6 +125,16 @@ void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   spare.header = header(view.time, frames);
   spare.position.assign(view.position.begin(), view.position.end());
   publisher->offer(spare);
+}
+
+void LiveSink::Impl::take_detail(const coupling::FrameView& view, bool always) {
+  // A frame without its contact points would seem to have none.
+  const bool whole = view.contacts != nullptr || view.state == nullptr || view.state->contacts.empty();
+  if (!mesh || !whole || !(always || detail_limit.due())) return;
+  LiveDetail detail{header(view.time, details), live_detail(view, mesh->base)};
+  detail_limit.rest(std::chrono::duration_cast<Limiter::Clock::duration>(
+      std::chrono::duration<double>(size_of(detail.data) / kDetailRate)));
+  publisher->offer(std::move(detail));
 }
 
 LiveSink::LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus)
@@ -141,6 +155,7 @@ void LiveSink::begin(const Model& model, const coupling::Plan& plan) {
   for (const coupling::Stage& stage : plan.stages) end += stage.duration;
   impl_->set_end(seconds(end));
   impl_->publisher = std::make_unique<LivePublisher>(impl_->url, impl_->who, impl_->bus);
+  impl_->publisher->set_model(seal(live_model(model)));
   impl_->publisher->offer(impl_->progress);
   impl_->publisher->start();
 }
@@ -163,6 +178,7 @@ void LiveSink::frame(const coupling::FrameView& frame) {
     if (frame.state != nullptr) progress.contact = worst_contact(*frame.state, impl_->blocks);
     impl_->publisher->offer(progress);
     impl_->take_frame(frame);
+    impl_->take_detail(frame, new_stage);
     impl_->frame_limit.rest(kShare * (cpu_time() - before));
   } else {
     impl_->publisher->skip_frame();
@@ -213,6 +229,7 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->step = last.step;
   impl_->stage = last.stage;
   impl_->take_frame(last);
+  impl_->take_detail(last, true);
   if (impl_->last_history) impl_->publisher->offer(std::move(*impl_->last_history));
   if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
   impl_->publisher->offer(impl_->progress);  // last: viewers leave when they hear of the end

@@ -4,11 +4,14 @@
 #include <chrono>
 #include <scree/ack_v1_t.hpp>
 #include <scree/ctrl_v1_t.hpp>
+#include <scree/detail_v1_t.hpp>
 #include <scree/energy_v1_t.hpp>
 #include <scree/event_v1_t.hpp>
 #include <scree/hist_v1_t.hpp>
 #include <scree/info_v1_t.hpp>
 #include <scree/mesh_v1_t.hpp>
+#include <scree/model_v1_t.hpp>
+#include <scree/part_v1_t.hpp>
 #include <scree/state_v1_t.hpp>
 #include <scree/topo_v1_t.hpp>
 
@@ -65,6 +68,9 @@ template <> std::string_view layout<state_v1_t>()  { return "H" "44444" "4n4a4a4
 template <> std::string_view layout<hist_v1_t>()   { return "H" "44" "nsa8a8a8a8a8a8a" "4"; }
 template <> std::string_view layout<energy_v1_t>() { return "H" "nsasa8a" "88888" "4"; }
 template <> std::string_view layout<event_v1_t>()  { return "H" "ss" "4ss8888" "4"; }
+template <> std::string_view layout<part_v1_t>()   { return "H" "444" "4" "n1a" "4"; }
+template <> std::string_view layout<model_v1_t>()  { return "nsa4a1a" "nsb8b8b8b" "nsc8c8c8c" "n8d8d8d8d4d1d" "n8e8e1e1e" "n8f8f8f8f1f" "n8g8g4g" "n4h4h" "4" "4"; }
+template <> std::string_view layout<detail_v1_t>() { return "88" "n4a4a4a4a4a4a4a4a4a4a1a" "n4b4b4b" "n4c4c4c4c" "4"; }
 template <> std::string_view layout<ctrl_v1_t>()   { return "H" "8s8" "4"; }
 template <> std::string_view layout<ack_v1_t>()    { return "H" "8ssss" "4"; }
 // clang-format on
@@ -75,7 +81,7 @@ bool fits(std::string_view layout, std::span<const std::uint8_t> body) {
   std::vector<std::uint32_t> counts;
   for (std::size_t i = 0; i < layout.size(); ++i) {
     const char field = layout[i];
-    const bool array = i + 1 < layout.size() && layout[i + 1] >= 'a' && layout[i + 1] <= 'd';
+    const bool array = i + 1 < layout.size() && layout[i + 1] >= 'a' && layout[i + 1] <= 'h';
     if (field == 'H') {
       if (!walker.skip(kHeader)) return false;
     } else if (field == 'n') {

@@ -4,10 +4,12 @@
 #include <cmath>
 
 namespace scree::io {
+namespace {
+constexpr double kThin = 0.7, kWide = 2.6, kRim = 0.8;  // [pt]
+}  // namespace
 
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts) {
-  constexpr double kThin = 0.7, kWide = 2.6, kRim = 0.8;  // [pt]
-  const Colour ink{0.75, 0.1, 0.45}, rim{1.0, 1.0, 1.0, 0.8};
+  const Colour rim{1.0, 1.0, 1.0, 0.8};
   double largest = 0.0;
   for (const double f : bolts.force) largest = std::max(largest, std::abs(f));
   for (const bool on_rim : {true, false})
@@ -17,8 +19,10 @@ void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& b
       const double width = kThin + part * (kWide - kThin);
       canvas.line(area.px(bolts.position[2 * k]), area.py(bolts.position[2 * k + 1]),
                   area.px(bolts.position[2 * k + 2]), area.py(bolts.position[2 * k + 3]), on_rim ? width + kRim : width,
-                  on_rim ? rim : ink);
+                  on_rim ? rim : kBoltInk);
     }
 }
+
+void draw_bolt_sample(const Canvas& canvas, double x, double y) { canvas.line(x, y, x + 14.0, y, kWide, kBoltInk); }
 
 }  // namespace scree::io

@@ -10,4 +10,10 @@ namespace scree::io {
 /// and those without force as thin lines.
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts);
 
+/// The colour of bolts in every picture.
+inline constexpr Colour kBoltInk{0.75, 0.1, 0.45};
+
+/// A bolt of 14 pt for a legend, its left end at (x, y).
+void draw_bolt_sample(const Canvas& canvas, double x, double y);
+
 }  // namespace scree::io

@@ -10,7 +10,7 @@ namespace scree::io {
 
 namespace {
 
-constexpr std::array<FieldInfo, 10> kInfo{{{"displacement", "m", false},
+constexpr std::array<FieldInfo, 11> kInfo{{{"displacement", "m", false},
                                            {"speed", "m/s", false},
                                            {"stress σxx", "Pa", true},
                                            {"stress σyy", "Pa", true},
@@ -19,7 +19,8 @@ constexpr std::array<FieldInfo, 10> kInfo{{{"displacement", "m", false},
                                            {"smaller principal stress σ₃", "Pa", true},
                                            {"block", "", false},
                                            {"method", "", false},
-                                           {"material", "", false}}};
+                                           {"material", "", false},
+                                           {"stress over rock strength", "1", false}}};
 
 constexpr double kCovered = 0.99;  // of the area, by the range of a stress
 
@@ -69,6 +70,8 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
       return numbers(frame.method);
     case Field::material:
       return numbers(frame.material);
+    case Field::utilisation:
+      break;  // it takes the materials: cell_utilisation
   }
   return {};
 }
@@ -88,28 +91,6 @@ double stress_value(const std::array<double, 3>& stress, Field field) {
     default:
       return mean - radius;
   }
-}
-
-Vec2 cell_middle(const StoredFrame& frame, std::size_t cell) {
-  Vec2 sum = Vec2::Zero();
-  for (auto i = static_cast<std::size_t>(frame.offsets[cell]); i < static_cast<std::size_t>(frame.offsets[cell + 1]);
-       ++i) {
-    const auto p = static_cast<std::size_t>(frame.connectivity[i]);
-    sum += Vec2(frame.position[2 * p], frame.position[2 * p + 1]);
-  }
-  return sum / static_cast<double>(frame.offsets[cell + 1] - frame.offsets[cell]);
-}
-
-double cell_area(const StoredFrame& frame, std::size_t cell) {
-  double twice = 0.0;
-  const auto first = static_cast<std::size_t>(frame.offsets[cell]),
-             end = static_cast<std::size_t>(frame.offsets[cell + 1]);
-  for (std::size_t i = first; i < end; ++i) {
-    const auto a = static_cast<std::size_t>(frame.connectivity[i]);
-    const auto b = static_cast<std::size_t>(frame.connectivity[i + 1 < end ? i + 1 : first]);
-    twice += frame.position[2 * a] * frame.position[2 * b + 1] - frame.position[2 * b] * frame.position[2 * a + 1];
-  }
-  return 0.5 * twice;
 }
 
 std::pair<double, double> colour_range(const StoredFrame& frame, Field field, const std::vector<double>& values,

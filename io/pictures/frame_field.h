@@ -8,6 +8,7 @@
 
 #include "io/pictures/snapshot.h"
 #include "io/results/run_reader.h"
+#include "io/results/stored_cells.h"
 
 namespace scree::io {
 
@@ -37,9 +38,6 @@ struct FieldInfo {
 /// (stress); zero for the others.
 [[nodiscard]] double rounding_of(Field field, const StoredFrame& frame, const std::vector<StoredMaterial>& materials);
 
-/// Mean of a cell's points now [m].
-[[nodiscard]] Vec2 cell_middle(const StoredFrame& frame, std::size_t cell);
-
 /// A vector at a place [m].
 struct Arrow {
   Vec2 at, vector;
@@ -52,8 +50,5 @@ struct Arrow {
 /// Edges (two points each) that only one cell of a block has: its outline. Edges are matched by where their points
 /// were in the model, so cells need not share points.
 [[nodiscard]] std::vector<std::pair<std::int64_t, std::int64_t>> outline_edges(const StoredFrame& frame);
-
-/// Signed area of a cell now [m2].
-[[nodiscard]] double cell_area(const StoredFrame& frame, std::size_t cell);
 
 }  // namespace scree::io

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/pictures/bolt_marks.h"
 #include "model/edge_selection.h"
 
 namespace scree::io {
@@ -73,6 +74,17 @@ void arrow(const Canvas& canvas, const Vec2& from, const Vec2& to, const Colour&
   cairo_fill(canvas.get());
 }
 
+/// On the page: from the head over where the bond begins to the toe.
+void bolt_mark(const Canvas& canvas, const Vec2& head, const Vec2& bond, const Vec2& toe, bool plate) {
+  constexpr double kThin = 0.9, kWide = 2.4, kPlate = 3.0;  // [pt]
+  canvas.line(head.x(), head.y(), toe.x(), toe.y(), kThin, kBoltInk);
+  if ((toe - bond).norm() > 0.0) canvas.line(bond.x(), bond.y(), toe.x(), toe.y(), kWide, kBoltInk);
+  if (!plate || !((toe - head).norm() > 0.0)) return;
+  const Vec2 along = (toe - head).normalized(), across(-along.y() * kPlate, along.x() * kPlate);
+  canvas.line(head.x() - across.x(), head.y() - across.y(), head.x() + across.x(), head.y() + across.y(), 1.6,
+              kBoltInk);
+}
+
 void monitor_mark(const Canvas& canvas, double x, double y) {
   cairo_t* c = canvas.get();
   cairo_new_sub_path(c);
@@ -131,6 +143,8 @@ std::string meaning_of(Mark mark) {
       return "line of water";
     case Mark::monitor:
       return "monitor";
+    case Mark::bolt:
+      return "bolt, the bonded length wide";
     case Mark::crack:
       break;
   }
@@ -165,6 +179,9 @@ void draw_sample(const Canvas& canvas, Mark mark, double x, double y) {
       break;
     case Mark::water:
       canvas.line(x, y, x + 16.0, y, 1.2, kWater);
+      break;
+    case Mark::bolt:
+      bolt_mark(canvas, {x, y}, {x + 8.0, y}, {x + 16.0, y}, true);
       break;
     case Mark::monitor:
       monitor_mark(canvas, x + 8.0, y);
@@ -216,6 +233,15 @@ void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, 
     const PageSpan span = on_page(area, model, e.span);
     along(span, kPitch, [&](const Vec2& x) { viscous_mark(canvas, x, span.n); });
     marks.insert(Mark::viscous);
+  }
+}
+
+void draw_bolts(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks) {
+  const auto on_page = [&area](const Vec2& p) { return Vec2(area.px(p.x()), area.py(p.y())); };
+  for (const Bolt& b : model.bolts) {
+    const double free = b.length() > 0.0 ? 1.0 - b.bond_length / b.length() : 1.0;
+    bolt_mark(canvas, on_page(b.head), on_page(b.head + free * (b.toe - b.head)), on_page(b.toe), b.plate);
+    marks.insert(Mark::bolt);
   }
 }
 

@@ -10,7 +10,19 @@
 namespace scree::io {
 
 /// Kinds of marks that a picture holds, for its legend.
-enum class Mark { held_block, fixed_edge, roller, point_support, traction, point_load, viscous, water, monitor, crack };
+enum class Mark {
+  held_block,
+  fixed_edge,
+  roller,
+  point_support,
+  traction,
+  point_load,
+  viscous,
+  water,
+  monitor,
+  crack,
+  bolt
+};
 /// What a mark means: "held edge".
 [[nodiscard]] std::string meaning_of(Mark mark);
 /// Draws a mark at the left of a line of a legend, 16 pt wide, its middle at (x + 8, y).
@@ -20,6 +32,8 @@ void draw_sample(const Canvas& canvas, Mark mark, double x, double y);
 void draw_supports(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks);
 /// Arrows of tractions and point loads, the largest of either about 26 pt long; viscous edges.
 void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks);
+/// Bolts from head to toe, the bonded length wide, a plate as a stroke across the head.
+void draw_bolts(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks);
 /// Lines of water with their sign, and monitors with their names.
 void draw_water(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks);
 void draw_monitors(const Canvas& canvas, const PlotArea& area, const Model& model, bool names, std::set<Mark>& marks);

@@ -158,6 +158,7 @@ std::vector<Entry> legend_of(const Canvas& canvas, const Model& model, const std
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     if (model.support_of(BlockId{static_cast<std::int32_t>(i)}) == nullptr)
       materials.insert(model.blocks[i].material.index());
+  out.reserve(materials.size());
   for (const std::size_t m : materials)
     out.push_back({[&canvas, m](double x, double y) {
                      canvas.box(x + 1.0, y - 4.0, 14.0, 8.0, tint(m));
@@ -231,6 +232,7 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
     draw_water(canvas, area, model, marks);
     draw_supports(canvas, area, model, marks);
     draw_loads(canvas, area, model, marks);
+    draw_bolts(canvas, area, model, marks);
     if (options.names) draw_block_names(canvas, area, model);
     draw_monitors(canvas, area, model, model.monitors.size() <= 12 || options.names, marks);
     cairo_restore(canvas.get());
@@ -238,8 +240,8 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
   draw_section(Canvas(kWidth, area.y + area.h, 64));
   const std::size_t columns = 3, entries = legend_of(ruler, model, laws, marks).size(),
                     motions = std::min(model.motions.size(), kMostMotions);
-  const double below = area.y + area.h + kAxis,
-               legend_height = kRow * static_cast<double>((entries + columns - 1) / columns) + 6.0;
+  const std::size_t rows = (entries + columns - 1) / columns;
+  const double below = area.y + area.h + kAxis, legend_height = kRow * static_cast<double>(rows) + 6.0;
   const Canvas canvas(kWidth, below + legend_height + kMotion * static_cast<double>(motions) + kEdge, options.width,
                       format);
   draw_section(canvas);
@@ -256,8 +258,8 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
   TextStyle style = kTickText;
   style.up = 0.5;
   for (std::size_t i = 0; i < legend.size(); ++i) {
-    const double x = area.x + kColumn * static_cast<double>(i % columns),
-                 y = below + 4.0 + kRow * static_cast<double>(i / columns);
+    const std::size_t column = i % columns, row = i / columns;
+    const double x = area.x + kColumn * static_cast<double>(column), y = below + 4.0 + kRow * static_cast<double>(row);
     legend[i].sample(x, y);
     canvas.text(x + 21.0, y, canvas.fitted(legend[i].text, kColumn - 26.0, style), style);
   }

@@ -16,16 +16,34 @@ constexpr std::size_t kEnough = 5;  // cells for a plane
 constexpr double kFlat = 1e-3;      // of its extent: patches as thin as this have no plane
 constexpr std::size_t kComponents = 3;
 
-/// Points that are one: of a block, at one place in the model and now.
+constexpr std::size_t kAlone = static_cast<std::size_t>(-1);
+
+/// Cells that are a block each, as those of the DDA: nothing is to be recovered there, whatever their number.
+std::vector<char> alone_in(const StoredFrame& f) {
+  std::vector<std::int32_t> cells(1, 0);
+  for (const std::int32_t block : f.block) {
+    const auto b = static_cast<std::size_t>(block);
+    if (b >= cells.size()) cells.resize(b + 1, 0);
+    ++cells[b];
+  }
+  std::vector<char> alone;
+  alone.reserve(f.cells());
+  for (const std::int32_t block : f.block) alone.push_back(cells[static_cast<std::size_t>(block)] == 1 ? 1 : 0);
+  return alone;
+}
+
+/// Points that are one: of a block, at one place in the model and now; kAlone where a block has one cell.
 std::vector<std::size_t> nodes_of(const StoredFrame& f, std::size_t& count) {
+  const std::vector<char> alone = alone_in(f);
   double extent = 0.0;
   for (const double x : f.position) extent = std::isfinite(x) ? std::max(extent, std::abs(x)) : extent;
   const double grid = std::max(1e-8 * extent, 1e-300);
   const auto spot = [grid](double x) { return std::isfinite(x) ? std::llround(x / grid) : 0LL; };
   std::map<std::tuple<std::int32_t, long long, long long, long long, long long>, std::size_t> known;
-  std::vector<std::size_t> node(f.connectivity.size());
+  std::vector<std::size_t> node(f.connectivity.size(), kAlone);
   for (std::size_t c = 0; c < f.cells(); ++c)
-    for (auto i = static_cast<std::size_t>(f.offsets[c]); i < static_cast<std::size_t>(f.offsets[c + 1]); ++i) {
+    for (auto i = static_cast<std::size_t>(f.offsets[c]);
+         alone[c] == 0 && i < static_cast<std::size_t>(f.offsets[c + 1]); ++i) {
       const auto p = static_cast<std::size_t>(f.connectivity[i]);
       const double x = f.position[2 * p], y = f.position[2 * p + 1];
       const auto key = std::tuple(f.block[c], spot(x - f.displacement[2 * p]), spot(y - f.displacement[2 * p + 1]),
@@ -42,7 +60,8 @@ class Recovery {
     for (std::size_t c = 0; c < f_->cells(); ++c) {
       middle_.push_back(cell_middle(*f_, c));
       area_.push_back(std::abs(cell_area(*f_, c)));
-      for (const std::size_t n : corners(c)) cells_[n].push_back(c);
+      for (const std::size_t n : corners(c))
+        if (n != kAlone) cells_[n].push_back(c);
     }
     for (std::vector<std::size_t>& around : cells_)
       around.erase(std::unique(around.begin(), around.end()), around.end());
@@ -51,6 +70,7 @@ class Recovery {
   [[nodiscard]] std::vector<double> corners() const {
     std::vector<Vec2> place(nodes_, Vec2::Zero());
     for (std::size_t i = 0; i < node_.size(); ++i) {
+      if (node_[i] == kAlone) continue;
       const auto p = static_cast<std::size_t>(f_->connectivity[i]);
       place[node_[i]] = Vec2(f_->position[2 * p], f_->position[2 * p + 1]);
     }
@@ -58,7 +78,10 @@ class Recovery {
     for (std::size_t n = 0; n < nodes_; ++n) at[n] = value(n, place[n]);
     std::vector<double> out;
     out.reserve(kComponents * node_.size());
-    for (const std::size_t n : node_) out.insert(out.end(), at[n].begin(), at[n].end());
+    for (std::size_t c = 0; c < f_->cells(); ++c)
+      for (auto i = static_cast<std::size_t>(f_->offsets[c]); i < static_cast<std::size_t>(f_->offsets[c + 1]); ++i)
+        for (std::size_t k = 0; k < kComponents; ++k)
+          out.push_back(node_[i] == kAlone ? stress(c, k) : at[node_[i]][k]);
     return out;
   }
 

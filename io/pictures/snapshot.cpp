@@ -13,6 +13,7 @@
 #include "io/pictures/frame_marks.h"
 #include "io/pictures/plot_area.h"
 #include "io/pictures/recovered_stress.h"
+#include "io/results/rock_use.h"
 #include "model/check.h"
 
 namespace scree::io {
@@ -63,7 +64,8 @@ void smooth(Scene& s) {
 
 void prepare(Scene& s, std::size_t index) {
   s.frame = s.run.frame(index);
-  s.values = cell_values(s.frame, s.options.field);
+  s.values = s.options.field == Field::utilisation ? cell_utilisation(s.frame, s.run.materials())
+                                                   : cell_values(s.frame, s.options.field);
   if (s.options.smooth && info(s.options.field).is_signed) smooth(s);
   for (const std::int32_t b : s.frame.block) s.held.push_back(s.run.blocks()[static_cast<std::size_t>(b)].held ? 1 : 0);
   if (s.named()) return;
@@ -309,8 +311,9 @@ void draw_legend(const Canvas& canvas, const PlotArea& area, const std::vector<E
   }
 }
 
-/// The sign of stress and the length of arrows at the lower left; what hatching and grey lines mean at the lower right.
-void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowMarks& arrows) {
+/// The sign of stress and the length of arrows at the lower left; what hatching, bolts and grey lines mean at the lower
+/// right.
+void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const ArrowMarks& arrows, bool bolts) {
   TextStyle style = kTickText;
   style.across = 1.0, style.up = 0.5;
   double x = area.x + area.w;
@@ -328,6 +331,13 @@ void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const 
   canvas.text(x, y, moved, style);
   x -= canvas.text_width(moved, style) + 4.0;
   canvas.line(x - 14.0, y, x, y, 0.6, {0.6, 0.6, 0.6});
+  if (bolts) {
+    const std::string bolt = "bolt, wide as its force";
+    x -= 26.0;
+    canvas.text(x, y, bolt, style);
+    x -= canvas.text_width(bolt, style) + 4.0;
+    draw_bolt_sample(canvas, x - 14.0, y);
+  }
   if (std::find(s.held.begin(), s.held.end(), 1) == s.held.end()) return;
   x -= 26.0;
   canvas.text(x, y, held, style);
@@ -354,8 +364,8 @@ void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",   "syy",    "sxy",
-                                               "s1",           "s3",    "block", "method", "material"};
+  static const std::vector<std::string> kNames{"displacement", "speed", "sxx",    "syy",      "sxy",        "s1",
+                                               "s3",           "block", "method", "material", "utilisation"};
   return kNames;
 }
 
@@ -395,14 +405,15 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   draw_model_outlines(canvas, area, s);
   draw_cells(canvas, area, s);
   draw_edges(canvas, area, s);
-  draw_bolts(canvas, area, run.bolts(static_cast<std::size_t>(s.frame.index)));
+  const StoredBolts bolts = run.bolts(static_cast<std::size_t>(s.frame.index));
+  draw_bolts(canvas, area, bolts);
   if (options.labels) draw_labels(canvas, area, s);
   const ArrowMarks arrows = arrow_marks(area, s);
   arrows.draw(canvas, area);
   cairo_restore(canvas.get());
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h),
             axis_label('x', run.origin().x()), axis_label('y', run.origin().y()), false);
-  draw_key(canvas, area, s, arrows);
+  draw_key(canvas, area, s, arrows, !bolts.bolt.empty());
   draw_title(canvas, area, s);
   if (s.named())
     draw_legend(canvas, area, legend, names);

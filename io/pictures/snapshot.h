@@ -14,7 +14,7 @@
 
 namespace scree::io {
 
-enum class Field { displacement, speed, sxx, syy, sxy, s1, s3, block, method, material };
+enum class Field { displacement, speed, sxx, syy, sxy, s1, s3, block, method, material, utilisation };
 /// Names as above, in that order.
 [[nodiscard]] const std::vector<std::string>& field_names();
 [[nodiscard]] std::optional<Field> field_named(std::string_view name);

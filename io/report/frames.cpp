@@ -61,6 +61,19 @@ void add_contacts(Chunk& chunk, const StoredContacts& c, const Vec2& base) {
   chunk.add("c.state", std::span<const std::uint8_t>(state));
 }
 
+/// The nodes of the bolts that are installed.
+void add_bolts(Chunk& chunk, const StoredBolts& bolts, const Vec2& base) {
+  std::vector<float> position, force;
+  for (std::size_t i = 0; i < bolts.bolt.size(); ++i) {
+    for (const std::size_t axis : {0U, 1U})
+      position.push_back(rounded(bolts.position[2 * i + axis] - base[static_cast<Eigen::Index>(axis)], kPlaceBits));
+    force.push_back(rounded(bolts.force[i], kBits));
+  }
+  chunk.add("b.position", std::span<const float>(position));
+  chunk.add("b.force", std::span<const float>(force));
+  chunk.add("b.bolt", std::span<const std::int32_t>(bolts.bolt));
+}
+
 /// The ranges of all fields that have numbers, grown frame by frame.
 class Ranges {
  public:
@@ -190,6 +203,7 @@ Chunk frame_chunk(const RunReader& run, const StoredFrame& f, const Vec2& base) 
   const std::vector<std::uint8_t> integrator(f.cell_integrator.begin(), f.cell_integrator.end());
   chunk.add("integrator", std::span<const std::uint8_t>(integrator));
   if (run.has_contacts()) add_contacts(chunk, run.contacts(static_cast<std::size_t>(f.index)), base);
+  if (run.has_bolts()) add_bolts(chunk, run.bolts(static_cast<std::size_t>(f.index)), base);
   return chunk;
 }
 

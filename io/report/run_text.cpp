@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/results/rock_use.h"
 #include "io/results/run_folder.h"
 
 namespace scree::io {
@@ -59,11 +60,20 @@ Json model_json(const RunReader& run, const Vec2& base) {
   for (const StoredSupport& s : run.supports())
     supports.push_back(
         {static_cast<float>(s.point.x() - base.x()), static_cast<float>(s.point.y() - base.y()), s.fix_x, s.fix_y});
+  Json edges = Json::array();
+  for (const StoredEdgeSupport& s : run.edge_supports()) {
+    Json edge = Json::array();
+    for (const Vec2& p : {s.from, s.to})
+      for (const Eigen::Index axis : {0, 1}) edge.push_back(static_cast<float>(p[axis] - base[axis]));
+    edge.push_back(s.held.trace() > 1.5);  // both directions
+    edges.push_back(std::move(edge));
+  }
   Json waters = Json::array();
   for (const StoredWater& w : run.waters())
     if (!w.line.empty()) waters.push_back({{"line", ring_json(w.line, base)}, {"joints", w.joints}});
   return {{"blocks", std::move(blocks)},
           {"supports", std::move(supports)},
+          {"edges", std::move(edges)},
           {"water", std::move(waters)},
           {"materials", std::move(materials)},
           {"methods", run.methods()},
@@ -195,10 +205,14 @@ RunText::RunText(const RunReader& run, const std::filesystem::path& run_folder, 
                  {"stages", stages_json(run)},
                  {"history", history_json(run, base, data_->history)},
                  {"contacts", run.has_contacts()},
+                 {"bolts", run.has_bolts()},
                  {"asked", asked_json(run)},
                  {"found", found_json(run_folder)}};
   data_->page["events"] = Json::array();
   for (const StoredEvent& e : run.events()) data_->page["events"].push_back({e.time, e.kind, e.text});
+  if (run.times().empty()) return;
+  if (const std::string rock = rock_use_text(rock_use(run, run.times().size() - 1)); !rock.empty())
+    data_->page["events"].push_back({run.times().back(), "rock_strength", rock});
 }
 
 RunText::~RunText() = default;

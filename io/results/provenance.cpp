@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 
 #include "coupling/sink.h"
 #include "io/results/h5_series.h"
@@ -69,6 +70,25 @@ void write_provenance(const h5::File& file, const Provenance& provenance) {
   h5::write(file, group + "/library_version", versions, {"none", "their versions"});
 }
 
+/// Of materials that have one; a row without numbers for the others.
+void write_rock_strengths(const h5::File& file, const std::vector<Material>& materials) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> mohr, hoek;
+  bool any = false;
+  for (const Material& m : materials) {
+    const auto* c = m.rock_strength ? std::get_if<MohrCoulombStrength>(&*m.rock_strength) : nullptr;
+    const auto* h = m.rock_strength ? std::get_if<HoekBrownStrength>(&*m.rock_strength) : nullptr;
+    any = any || m.rock_strength;
+    for (const double x : {c ? c->cohesion : kNone, c ? c->friction : kNone, c ? c->tension : kNone}) mohr.push_back(x);
+    for (const double x : {h ? h->ucs : kNone, h ? h->mb : kNone, h ? h->s : kNone, h ? h->a : kNone})
+      hoek.push_back(x);
+  }
+  if (!any) return;
+  h5::write<double>(file, "/materials/mohr_coulomb", 3, mohr,
+                    {"Pa, rad, Pa", "rock strength: cohesion, friction angle, tension"});
+  h5::write<double>(file, "/materials/hoek_brown", 4, hoek, {"Pa, 1, 1, 1", "rock strength: ucs, m_b, s, a"});
+}
+
 void write_model(const h5::File& file, const Model& model) {
   file.attribute("/", "title", model.title);
   file.attribute("/", "origin", std::array{model.origin.x(), model.origin.y()});
@@ -104,6 +124,7 @@ void write_model(const h5::File& file, const Model& model) {
   h5::write<double>(file, "/materials/density", 1, density, {"kg/m3", "density"});
   h5::write<double>(file, "/materials/young", 1, young, {"Pa", "Young's modulus"});
   h5::write<double>(file, "/materials/poisson", 1, poisson, {"1", "Poisson's ratio"});
+  write_rock_strengths(file, model.materials);
 }
 
 void write_stages(const h5::File& file, const coupling::Plan& plan) {

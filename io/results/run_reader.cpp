@@ -1,6 +1,7 @@
 #include "io/results/run_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "coupling/sink.h"
@@ -53,6 +54,16 @@ std::vector<StoredMaterial> read_materials(const h5::File& file) {
   const auto young = column("young"), density = column("density"), poisson = column("poisson");
   std::vector<StoredMaterial> materials;
   for (std::size_t m = 0; m < names.size(); ++m) materials.push_back({names[m], young[m], density[m], poisson[m]});
+  if (!file.has("/materials/mohr_coulomb") || !file.has("/materials/hoek_brown")) return materials;
+  const auto rows = static_cast<std::int64_t>(names.size());
+  const auto mohr = h5::read<double>(file, "/materials/mohr_coulomb", 0, rows),
+             hoek = h5::read<double>(file, "/materials/hoek_brown", 0, rows);
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (!std::isnan(mohr[3 * m]))
+      materials[m].strength = MohrCoulombStrength{mohr[3 * m], mohr[3 * m + 1], mohr[3 * m + 2]};
+    if (!std::isnan(hoek[4 * m]))
+      materials[m].strength = HoekBrownStrength{hoek[4 * m], hoek[4 * m + 1], hoek[4 * m + 2], hoek[4 * m + 3]};
+  }
   return materials;
 }
 
@@ -345,6 +356,22 @@ std::vector<StoredSupport> RunReader::supports() const {
   return supports;
 }
 
+std::vector<StoredEdgeSupport> RunReader::edge_supports() const {
+  const h5::File& file = data_->file;
+  if (!has_child(file, "/", "supports") || !has_child(file, "/supports", "line")) return {};
+  const auto line = h5::read<double>(file, "/supports/line");
+  const auto count = static_cast<std::int64_t>(line.size() / 4);
+  const auto held = h5::read<double>(file, "/supports/line_held", 0, count);
+  std::vector<StoredEdgeSupport> out;
+  for (std::size_t i = 0; i + 3 < line.size(); i += 4) {
+    StoredEdgeSupport s{{line[i], line[i + 1]}, {line[i + 2], line[i + 3]}, Mat2::Identity()};
+    const std::size_t k = 3 * (i / 4);
+    s.held << held[k], held[k + 2], held[k + 2], held[k + 1];
+    out.push_back(s);
+  }
+  return out;
+}
+
 std::vector<StoredWater> RunReader::waters() const {
   const h5::File& file = data_->file;
   if (!has_child(file, "/", "water")) return {};
@@ -396,9 +423,11 @@ StoredContacts RunReader::contacts(std::size_t frame) const {
   return c;
 }
 
+bool RunReader::has_bolts() const { return has_child(data_->file, "/", "bolt_nodes"); }
+
 StoredBolts RunReader::bolts(std::size_t frame) const {
+  if (!has_bolts()) return {};
   const h5::File& file = data_->file;
-  if (!has_child(file, "/", "bolt_nodes")) return {};
   const std::string g = "/bolt_nodes/";
   const std::int64_t first = entry(file, g + "frames/first", static_cast<std::int64_t>(frame)),
                      count = entry(file, g + "frames/count", static_cast<std::int64_t>(frame));

@@ -10,6 +10,7 @@
 
 #include "io/results/worst_contact.h"
 #include "model/geometry.h"
+#include "model/rock_strength.h"
 
 namespace scree::io {
 
@@ -74,6 +75,7 @@ struct StoredMaterial {
   double young = 0.0;    // [Pa]
   double density = 0.0;  // [kg/m3]
   double poisson = 0.0;
+  std::optional<RockStrength> strength{};  // of the rock
 };
 
 struct StoredBlock {
@@ -103,6 +105,12 @@ struct StoredJoints {
 struct StoredSupport {
   Vec2 point;  // [m], in the model
   bool fix_x = true, fix_y = true;
+};
+
+/// A stretch of an outline that is held.
+struct StoredEdgeSupport {
+  Vec2 from, to;                 // [m], in the model; the block lies to their left
+  Mat2 held = Mat2::Identity();  // projector on the directions that are held
 };
 
 /// A piezometric line, level beyond its ends.
@@ -165,12 +173,15 @@ class RunReader {
   [[nodiscard]] StoredJoints joints() const;
   /// Point supports; none in runs from before they were stored. Blocks held whole: StoredBlock::held.
   [[nodiscard]] std::vector<StoredSupport> supports() const;
+  /// Held stretches of outlines; none in runs from before they were stored.
+  [[nodiscard]] std::vector<StoredEdgeSupport> edge_supports() const;
   /// Piezometric lines; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredWater> waters() const;
   /// Whether the run stored its contact points (output.contacts).
   [[nodiscard]] bool has_contacts() const;
   /// Contact points of a frame.   @pre has_contacts()   @throws FileError when there is no such frame
   [[nodiscard]] StoredContacts contacts(std::size_t frame) const;
+  [[nodiscard]] bool has_bolts() const;
   /// Bolts of a frame; none where the model has none.   @throws FileError when there is no such frame
   [[nodiscard]] StoredBolts bolts(std::size_t frame) const;
   [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]

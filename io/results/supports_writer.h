@@ -1,4 +1,4 @@
-// The point supports of a model in the results file.
+// The supports of a model in the results file.
 #pragma once
 
 #include "io/results/h5.h"
@@ -6,7 +6,8 @@
 
 namespace scree::io {
 
-/// Writes /supports: points that springs tie to where they were at the start; tables without rows where there are none.
+/// Writes /supports: points that springs tie to where they were at the start, and stretches of outlines that are held;
+/// tables without rows where there are none.
 /// Blocks that are held whole are in /blocks/held.     @throws FileError
 void write_supports(const h5::File& file, const Model& model);
 

@@ -84,6 +84,115 @@ SharedBytes frame_message(const LiveFrame& frame, const std::string& stage, cons
                     &chunk);
 }
 
+namespace {
+
+Json float_json(double value) { return std::isfinite(value) ? Json(static_cast<float>(value)) : Json(nullptr); }
+
+Json lines_json(const model_v1_t& m, bool cracks, const std::array<double, 2>& base) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < m.crack.size(); ++i)
+    if ((m.crack[i] != 0) == cracks)
+      out.push_back({static_cast<float>(m.line_x0[i] - base[0]), static_cast<float>(m.line_y0[i] - base[1]),
+                     static_cast<float>(m.line_x1[i] - base[0]), static_cast<float>(m.line_y1[i] - base[1]),
+                     m.line_law[i]});
+  return out;
+}
+
+Json water_json(const model_v1_t& m, const std::array<double, 2>& base) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < m.water_line.size(); ++i) {
+    if (i == 0 || m.water_line[i] != m.water_line[i - 1]) {
+      Json joints = Json::array();
+      for (std::size_t k = 0; k < m.water_law.size(); ++k)
+        if (m.law_line[k] == m.water_line[i]) joints.push_back(m.water_law[k]);
+      out.push_back({{"line", Json::array()}, {"joints", std::move(joints)}});
+    }
+    out.back()["line"].push_back(static_cast<float>(m.water_x[i] - base[0]));
+    out.back()["line"].push_back(static_cast<float>(m.water_y[i] - base[1]));
+  }
+  return out;
+}
+
+/// Stress of the cells as xx, yy, xy a point: the mean of the cells that have it as a corner.
+std::vector<float> point_stress(const detail_v1_t& d, const LiveMesh& mesh) {
+  std::vector<float> sum(3 * mesh.points(), 0.0F), cells(mesh.points(), 0.0F);
+  for (std::size_t c = 0; c < d.xx.size(); ++c)
+    for (std::int32_t k = mesh.offsets[c]; k < mesh.offsets[c + 1]; ++k) {
+      const auto p = static_cast<std::size_t>(mesh.connectivity[static_cast<std::size_t>(k)]);
+      sum[3 * p] += d.xx[c], sum[3 * p + 1] += d.yy[c], sum[3 * p + 2] += d.xy[c];
+      cells[p] += 1.0F;
+    }
+  for (std::size_t p = 0; p < cells.size(); ++p)
+    for (std::size_t k = 0; k < 3; ++k) sum[3 * p + k] /= std::max(1.0F, cells[p]);
+  return sum;
+}
+
+}  // namespace
+
+SharedBytes model_message(std::int64_t session, const model_v1_t& m, const std::array<double, 2>& base) {
+  Json blocks = Json::array(), materials = Json::array(), laws = Json::array(), supports = Json::array(),
+       edges = Json::array();
+  for (std::size_t i = 0; i < m.block.size(); ++i)
+    blocks.push_back({{"name", m.block[i]}, {"material", m.block_material[i]}, {"held", m.held[i] != 0}});
+  for (std::size_t i = 0; i < m.material.size(); ++i)
+    materials.push_back(
+        {{"name", m.material[i]}, {"density", m.density[i]}, {"young", m.young[i]}, {"poisson", m.poisson[i]}});
+  for (std::size_t i = 0; i < m.law.size(); ++i)
+    laws.push_back({{"name", m.law[i]},
+                    {"friction_deg", m.friction_deg[i]},
+                    {"cohesion", m.cohesion[i]},
+                    {"tensile_strength", float_json(m.tensile_strength[i])}});
+  for (std::size_t i = 0; i < m.fix_x.size(); ++i)
+    supports.push_back({static_cast<float>(m.support_x[i] - base[0]), static_cast<float>(m.support_y[i] - base[1]),
+                        m.fix_x[i] != 0, m.fix_y[i] != 0});
+  for (std::size_t i = 0; i < m.edge_fixed.size(); ++i)
+    edges.push_back({static_cast<float>(m.edge_x0[i] - base[0]), static_cast<float>(m.edge_y0[i] - base[1]),
+                     static_cast<float>(m.edge_x1[i] - base[0]), static_cast<float>(m.edge_y1[i] - base[1]),
+                     m.edge_fixed[i] != 0});
+  return message_of(
+      {{"kind", "model"},
+       {"session", session},
+       {"blocks", std::move(blocks)},
+       {"materials", std::move(materials)},
+       {"supports", std::move(supports)},
+       {"edges", std::move(edges)},
+       {"water", water_json(m, base)},
+       {"joints",
+        {{"laws", std::move(laws)}, {"lines", lines_json(m, false, base)}, {"cracks", lines_json(m, true, base)}}},
+       {"bolts", m.bolts}});
+}
+
+SharedBytes detail_message(const LiveDetail& detail, const LiveMesh& mesh, const std::array<double, 2>& base) {
+  const detail_v1_t& d = detail.data;
+  std::vector<float> position, normal, force, node;
+  std::vector<std::int32_t> blocks;
+  const auto add = [&](std::vector<float>& out, float x, float y) {
+    out.push_back(static_cast<float>(d.base[0] + static_cast<double>(x) - base[0]));
+    out.push_back(static_cast<float>(d.base[1] + static_cast<double>(y) - base[1]));
+  };
+  for (std::size_t i = 0; i < d.state.size(); ++i) {
+    add(position, d.x[i], d.y[i]);
+    normal.insert(normal.end(), {d.nx[i], d.ny[i]});
+    force.insert(force.end(), {d.fn[i], d.ft[i]});
+    blocks.insert(blocks.end(), {d.corner[i], d.edge[i], d.law[i]});
+  }
+  for (std::size_t i = 0; i < d.bolt.size(); ++i) add(node, d.node_x[i], d.node_y[i]);
+  Chunk chunk;
+  chunk.add("c.position", std::span<const float>(position));
+  chunk.add("c.normal", std::span<const float>(normal));
+  chunk.add("c.force", std::span<const float>(force));
+  chunk.add("c.slip", std::span<const float>(d.slip));
+  chunk.add("c.blocks", std::span<const std::int32_t>(blocks));
+  chunk.add("c.state", std::span<const std::uint8_t>(d.state));
+  if (d.cells > 0) chunk.add("stress", std::span<const float>(point_stress(d, mesh)));
+  chunk.add("b.position", std::span<const float>(node));
+  chunk.add("b.force", std::span<const float>(d.node_force));
+  chunk.add("b.bolt", std::span<const std::int32_t>(d.bolt));
+  return message_of(
+      {{"kind", "detail"}, {"session", detail.header.session}, {"mesh", mesh.id}, {"time", detail.header.time}},
+      &chunk);
+}
+
 SharedBytes rows_message(std::int64_t session, const LiveHistory* history, const energy_v1_t* energy,
                          const std::array<double, 2>& base) {
   Json out{{"kind", "rows"}, {"session", session}};

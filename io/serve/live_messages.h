@@ -5,10 +5,12 @@
 #include <scree/energy_v1_t.hpp>
 #include <scree/event_v1_t.hpp>
 #include <scree/info_v1_t.hpp>
+#include <scree/model_v1_t.hpp>
 #include <string>
 #include <vector>
 
 #include "io/live/live_data.h"
+#include "io/live/live_detail.h"
 #include "io/serve/site.h"
 
 namespace scree::io {
@@ -24,6 +26,13 @@ namespace scree::io {
 /// "frame": displacements of the points since the model, and the scalar of the cells.   @pre frame.mesh
 [[nodiscard]] SharedBytes frame_message(const LiveFrame& frame, const std::string& stage,
                                         const std::string& integrator);
+/// "model": names, and what is drawn over blocks, as run.json of a stored run has them (RunText).
+[[nodiscard]] SharedBytes model_message(std::int64_t session, const model_v1_t& model,
+                                        const std::array<double, 2>& base);
+/// "detail": contacts, stress of the points and bolts of an instant, arrays as in a frame of a report.
+/// @pre the stress is that of the mesh
+[[nodiscard]] SharedBytes detail_message(const LiveDetail& detail, const LiveMesh& mesh,
+                                         const std::array<double, 2>& base);
 /// "rows": monitors and the ledger at their newest instants.   @param history,energy  null: not known
 [[nodiscard]] SharedBytes rows_message(std::int64_t session, const LiveHistory* history, const energy_v1_t* energy,
                                        const std::array<double, 2>& base);

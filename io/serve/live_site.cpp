@@ -21,7 +21,7 @@ constexpr auto kRetry = 2s;    // between attempts to listen
 constexpr auto kSlow = 200ms;  // between two looks at what people read: rows, status, events
 constexpr std::size_t kEvents = 300;
 
-enum Place : std::size_t { kRun, kMesh, kFrame, kRows, kStatus, kEventList, kAnswer, kPlaces };
+enum Place : std::size_t { kRun, kMesh, kFrame, kRows, kStatus, kEventList, kAnswer, kModel, kDetail, kPlaces };
 
 std::size_t one_more_than_largest(const std::vector<std::int32_t>& values) {
   return values.empty() ? 0
@@ -32,8 +32,8 @@ std::size_t one_more_than_largest(const std::vector<std::int32_t>& values) {
 
 struct LiveSite::Data {
   Data() {
-    slots[kRun].first = slots[kMesh].first = true;
-    slots[kFrame].paced = true;
+    slots[kRun].first = slots[kMesh].first = slots[kModel].first = true;
+    slots[kFrame].paced = slots[kDetail].paced = true;
   }
 
   void publish(Place place, SharedBytes message) {
@@ -47,7 +47,7 @@ struct LiveSite::Data {
   void forget(std::int64_t its_session) {
     session = its_session;
     stages.clear(), events.clear();
-    mesh.reset(), frame.reset();
+    mesh.reset(), frame.reset(), model.reset(), detail.reset();
     blocks = materials = 0;
   }
 
@@ -88,6 +88,19 @@ struct LiveSite::Data {
         known != stages.end() ? known->second
                               : std::pair("stage " + std::to_string(frame->header.stage + 1), std::string());
     publish(kFrame, frame_message(*frame, stage, integrator));
+  }
+
+  void take_detail() {
+    if (!mesh) return;
+    if (const auto newest = reader->model(); newest && newest != model) {
+      model = newest;
+      publish(kModel, model_message(session, *model, base));
+    }
+    const std::shared_ptr<const LiveDetail> newest = reader->detail();
+    if (!newest || newest == detail || newest->header.session != session || newest->header.topology_id != mesh->id)
+      return;
+    detail = newest;
+    publish(kDetail, detail_message(*detail, *mesh, base));
   }
 
   void take_rest(const info_v1_t& info) {
@@ -134,6 +147,7 @@ struct LiveSite::Data {
     }
     take_info(*info);
     take_frame(*info);
+    take_detail();
     if (slow) take_rest(*info);
     return changed;
   }
@@ -150,6 +164,8 @@ struct LiveSite::Data {
   std::vector<event_v1_t> events;                                      // by sequence
   std::shared_ptr<const LiveMesh> mesh;                                // as published
   std::shared_ptr<const LiveFrame> frame;
+  std::shared_ptr<const model_v1_t> model;
+  std::shared_ptr<const LiveDetail> detail;
   std::size_t blocks = 0, materials = 0;
   Clock::time_point next_try{}, next_slow{}, heard = Clock::now();
 };

@@ -9,7 +9,7 @@
 
 namespace scree::io {
 
-/// Paths: / (the page), /viewer.js, /viewer.css. Slots: run, mesh, frame, rows, status, events, answer
+/// Paths: / (the page), /viewer.js, /viewer.css. Slots: run, mesh, frame, rows, status, events, answer, model, detail
 /// (live_messages.h). Of
 /// several runs that of LiveReader; where another begins, everything begins anew. Where there is no network, or the
 /// connection fails, it is tried again every two seconds.

@@ -11,8 +11,8 @@ fail() { echo "package.sh: $*" >&2; exit 1; }
 cmake --install "$build" --prefix "$work/usr" >"$work/install.log"
 scree=$work/usr/bin/scree
 cd "$work"
-"$scree" --version | grep -q '^[0-9]' || fail 'no version'
-"$scree" cases list | grep -q '^incline' || fail 'the installed command does not find the case library'
+"$scree" --version | grep '^[0-9]' >/dev/null || fail 'no version'
+"$scree" cases list | grep '^incline' >/dev/null || fail 'the installed command does not find the case library'
 strings=$("$scree" cases list | wc -l)
 [ "$strings" -ge 10 ] || fail "only $strings cases"
 "$scree" cases verify sdof >/dev/null || fail 'a case of the installed library fails'
@@ -57,8 +57,8 @@ cmake --build embed/build >>embed.log 2>&1 || { cat embed.log; fail 'the example
 
 # A method from a shared library, with a key of its own: it runs, resumes, is told of by schema, and wrong ones are refused.
 load=(--load embed/build/librigid_method.so)
-"$scree" schema "${load[@]}" | grep -q 'inertia_factor' || fail 'schema does not tell the keys of a loaded method'
-"$scree" check embed/rigid.toml "${load[@]}" | grep -q "stage 'fall': rigid" || fail 'check does not know a loaded method'
+"$scree" schema "${load[@]}" | grep 'inertia_factor' >/dev/null || fail 'schema does not tell the keys of a loaded method'
+"$scree" check embed/rigid.toml "${load[@]}" | grep "stage 'fall': rigid" >/dev/null || fail 'check does not know a loaded method'
 for factor in 1 2; do
   "$scree" run embed/rigid.toml "${load[@]}" --set method.rigid.inertia_factor=$factor --set stage.0.duration=0.1 \
     --out rigid.$factor --quiet || fail 'a loaded method does not run'

@@ -19,5 +19,6 @@ ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback inte
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 OMP_NUM_THREADS=1 "$scree" run "$source/tests/e2e/report/case.toml" --out "$work/run" --quiet 2>/dev/null || fail "the run to replay"
-CHROMIUM=$chromium MODULES=$modules node "$source/tests/e2e/view/live.mjs" "$scree" "$work/run" "$source/tests/e2e/live/two_stages.toml" "$work" ||
+OMP_NUM_THREADS=1 "$scree" run "$source/tests/e2e/view/marks.toml" --out "$work/marks" --quiet 2>/dev/null || fail "the run with bolts"
+CHROMIUM=$chromium MODULES=$modules node "$source/tests/e2e/view/live.mjs" "$scree" "$work/run" "$source/tests/e2e/live/two_stages.toml" "$work" "$work/marks" ||
   fail "the page, above"

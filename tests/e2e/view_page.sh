@@ -35,3 +35,6 @@ chromium=$(command -v chromium || command -v chromium-browser || true)
 [ -n "$chromium" ] || { echo "skipped: no Chromium here"; exit 77; }
 viewer_modules "$source" "$build"
 CHROMIUM=$chromium MODULES=$modules node "$source/tests/e2e/view/stored.mjs" "$scree" "$out/run" "$out/other" "$case_file"
+OMP_NUM_THREADS=1 "$scree" run "$source/tests/e2e/view/marks.toml" --out "$out/marks" --quiet 2>/dev/null
+"$scree" report "$out/marks" --out "$out/marks.html" >/dev/null
+CHROMIUM=$chromium MODULES=$modules node "$source/tests/e2e/view/layers.mjs" "$out/marks.html" ${SCREE_PICTURES:-}

@@ -48,6 +48,22 @@ def plane_slope(height=20.0, face=60.0, dip=35.0, phi=40.0, c=0.0, crack=0.0, wa
     return case("plane failure", base, [("wedge", corners)], {"plane": law}, extra=extra, **how), f
 
 
+def anchored_plane(phi=30.0, dip=35.0, pull=1e6, active=True, **how):
+    """A plane that needs its anchor, which crosses it at 50 degrees: one that is stretched to `pull` [N] and yields to no more, or a bar without
+    pretension that yields at it. A bar's capacity is not divided by F. @return case, factor, factor where the capacity is divided too"""
+    text, _ = plane_slope(phi=phi, dip=dip, **how)
+    x, y, angle, reach = 9.0, 9.0 * math.tan(la.rad(60.0)), dip - 50.0, 22.0
+    toe = (x + reach * math.cos(la.rad(angle)), y + reach * math.sin(la.rad(angle)))
+    # a pull per slip: small for the anchor, so that it keeps its pull; large for the bar, so that it yields before the slope has gone the limit
+    stiff = 2e8 if active else 8e9
+    text += '[[bolt]]\nname = "anchor"\nhead = [%.10g, %.10g]\ntoe = [%.10g, %.10g]\naxial_stiffness = %g\n' % (x, y, toe[0], toe[1], stiff)
+    text += ("pretension = %g\n" % pull if active else "") + "yield = %.10g\n" % (pull * 1.000001)
+    weight = DENSITY * GRAVITY * la.face_block(20.0, 60.0, dip, 0.0, 0.0)[1]
+    s, k, t = math.sin(la.rad(dip)), math.cos(la.rad(dip)), math.tan(la.rad(phi))
+    across, along = pull * math.sin(la.rad(50.0)), pull * math.cos(la.rad(50.0))
+    return text, (weight * k + across) * t / (weight * s - along), ((weight * k + across) * t + along) / (weight * s)
+
+
 def block_on_plane(width, height, dip, phi, c=0.0, **how):
     """A rectangle on a plane; it slides towards -x. @return case, factor"""
     s, k = math.sin(la.rad(dip)), math.cos(la.rad(dip))

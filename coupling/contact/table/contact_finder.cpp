@@ -234,6 +234,12 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
 }
 
+bool ContactFinder::reentrant(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  return v.edge_in != v.edge_out && !o.edges[static_cast<std::size_t>(v.edge_in)].convex_end;
+}
+
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
   if ((to.edge_edge && !in_impact(from)) || to.beyond) return false;
   const Outlines& o = setup_->outlines();
@@ -241,7 +247,7 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
                        &b = o.edges[static_cast<std::size_t>(to.edge)];
   // Over a convex corner: where both gaps are equal.
   if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
-    return from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
+    return !reentrant(from) && from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
   }
   // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
   const auto off = [](const ContactPoint& p) { return p.at.xi < 0.0 || p.at.xi > 1.0; };
@@ -441,13 +447,13 @@ void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) cons
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
   // one (shortest path, [Qu2013] 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in
   // along a joint that goes on over the next block, it is as deep there as it was before, and does not run against the
-  // side.
+  // side. A convex corner in a reentrant one touches both of its sides, and each carries.
   for (const std::int32_t index : paired_)
     for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
       if (other <= index) continue;
       const auto i = static_cast<std::size_t>(index);
       const auto j = static_cast<std::size_t>(other);
-      if (list.points[i].beyond || list.points[j].beyond) continue;
+      if (list.points[i].beyond || list.points[j].beyond || reentrant(list.points[i])) continue;
       if (list.memory[i].bonded != 0 && list.memory[j].bonded != 0) continue;  // it has grown to both
       suppress_one(at_start, i, j, list);
     }

@@ -131,6 +131,8 @@ class ContactFinder {
   [[nodiscard]] bool complete_made(const ContactList& list);
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
+  /// True for a point at the reentrant corner of its body: the two edges that meet there are two contacts.
+  [[nodiscard]] bool reentrant(const ContactPoint& p) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
   /// Of points of one vertex: the one that a closed corner passes to, if any.

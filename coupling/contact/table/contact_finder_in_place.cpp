@@ -178,7 +178,7 @@ void ContactFinder::splice(ContactList& list) {
     if (shift[c] < 0) move_stretch(c);
   for (std::size_t c = 0; c < changed_.size(); ++c)
     for (std::int32_t k = 0; k < changed_[c].count; ++k) {
-      const auto from = static_cast<std::size_t>(changed_[c].first + k),
+      const auto from = static_cast<std::size_t>(changed_[c].first) + static_cast<std::size_t>(k),
                  to = static_cast<std::size_t>(changed_[c].begin + shift[c] + k);
       list.points[to] = made_.points[from];
       list.memory[to] = made_.memory[from];

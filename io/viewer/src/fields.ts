@@ -42,12 +42,26 @@ export const FIELDS: Field[] = [
 
 export const NO_VALUE = 3e38; // drawn in grey: this frame has not that field
 
+/// A field of a stream at cell c from what DETAIL brings: stress and contacts, of the frame's instant or a little before it.
+function of_detail(field: Field, m: Mesh, f: Frame, c: number): number {
+  if (field.id === "joint") return f.contacts ? block_rank(f.contacts, m.block[c]!) : NO_VALUE;
+  const at = field.id === "mean_stress" ? mean : field.unit === "Pa" ? field.point : undefined;
+  if (!at || f.stress.length === 0) return NO_VALUE;
+  const [first, end] = [m.offsets[c]!, m.offsets[c + 1]!];
+  let sum = 0;
+  for (let i = first; i < end; ++i) sum += at(f, m.cells[i]!) / (end - first);
+  return sum;
+}
+
 /// Those of a stream: its frames have displacements, and the one scalar a cell that was asked for (io/live/live_field.h), which a name tells.
 export const STREAM_SCALARS: Field[] = [
   ...FIELDS.filter((f) => f.id === "speed"),
   { id: "mean_stress", label: "mean stress", unit: "Pa", kind: "signed" } as Field,
   ...FIELDS.filter((f) => ["s1", "s3", "shear", "sxx", "syy", "sxy", "joint", "integrator"].includes(f.id)),
-].map(({ point: _, ...f }) => ({ ...f, cell: (_m: Mesh, frame: Frame, c: number) => (frame.scalar_field === f.id ? frame.scalar![c]! : NO_VALUE) }));
+].map(({ point, ...f }) => ({ ...f, cell: (m: Mesh, frame: Frame, c: number) => (frame.scalar_field === f.id ? frame.scalar![c]! : of_detail({ ...f, point }, m, frame, c)) }));
+
+/// Whether a frame of a stream has a field.
+export const has_field = (field: Field, m: Mesh, f: Frame): boolean => !STREAM_SCALARS.includes(field) || m.block.length === 0 || field.cell!(m, f, 0) < NO_VALUE / 2;
 
 export const STREAM_FIELDS: Field[] = [
   ...FIELDS.filter((f) => ["displacement", "ux", "uy"].includes(f.id)), ...STREAM_SCALARS, ...FIELDS.filter((f) => ["method", "material", "block"].includes(f.id)),

@@ -177,10 +177,24 @@ export function original_outline(run: Run): Float32Array {
   return Float32Array.from(ends);
 }
 
-/// Point supports as engineers draw them: a triangle below (held along y) or beside (held along x alone) the point, with a ground line where it is
+/// Supports as engineers draw them. Held stretches of outlines: hatching outside, off the line where the stretch may slide. Points: a triangle below (held along y) or beside (held along x alone) the point, with a ground line where it is
 /// held along both axes and a gap above that line where it may roll.   @param size  of a triangle [m]
 export function support_marks(run: Run, colour: Rgb, size: number): LineSet {
   const lines = new Builder();
+  for (const [x0, y0, x1, y1, fixed] of run.model.edges ?? []) {
+    const length = Math.hypot(x1 - x0, y1 - y0);
+    if (!(length > 0)) continue;
+    const [ax, ay] = [(x1 - x0) / length, (y1 - y0) / length];
+    const place = (along: number, out: number): [number, number] => [x0 + along * ax + out * ay, y0 + along * ay - out * ax];
+    const ground = fixed ? 0 : 0.35 * size; // rollers stand off the ground
+    lines.add(x0, y0, x1, y1, colour);
+    if (!fixed) lines.add(...place(0, ground), ...place(length, ground), colour);
+    const ticks = Math.min(400, Math.max(1, Math.round(length / (0.8 * size))));
+    for (let i = 0; i < ticks; ++i) {
+      const at = ((i + 0.5) * length) / ticks;
+      lines.add(...place(at, ground), ...place(at - 0.35 * size, ground + 0.35 * size), colour);
+    }
+  }
   for (const [x, y, fix_x, fix_y] of run.model.supports) {
     // Along the support (a, down or left) and across it (b).
     const place = (a: number, b: number): [number, number] => (fix_y ? [x + b * size, y - a * size] : [x - a * size, y + b * size]);

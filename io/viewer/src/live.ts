@@ -2,7 +2,7 @@
 // that one can go back in time; what came before the page was opened is not known.
 import { token, type Answer } from "./control";
 import { STREAM_FIELDS, STREAM_SCALARS } from "./fields";
-import { KEPT_BYTES, mesh_of, unpack, type Frame, type FrameNote, type Mesh, type Run, type Source, type Stream } from "./source";
+import { KEPT_BYTES, mesh_of, over_blocks, unpack, type Block, type Frame, type FrameNote, type Mesh, type Run, type Source, type Stream } from "./source";
 import { seconds, short } from "./units";
 
 interface Head {
@@ -20,6 +20,19 @@ interface RunHead extends Head {
   bounds: [number, number, number, number];
   blocks: number;
   materials: number;
+}
+interface ModelHead extends Head {
+  blocks: Omit<Block, "rings">[];
+  materials: Run["model"]["materials"];
+  supports: Run["model"]["supports"];
+  edges: Run["model"]["edges"];
+  water: Run["model"]["water"];
+  joints: Run["model"]["joints"];
+  bolts: number;
+}
+interface DetailHead extends Head {
+  mesh: number;
+  time: number;
 }
 interface MeshHead extends Head {
   mesh: number;
@@ -59,6 +72,7 @@ interface Status extends Head {
 }
 
 const RETRY = 500; // [ms] between attempts to connect
+const NAMES = 1500; // [ms] that names are waited for once there is a picture: they come every second
 const SILENCE = 3; // [s] after which people are told; INFO comes every second
 
 const text = new TextDecoder();
@@ -79,6 +93,9 @@ export class LiveSource implements Source, Stream {
   private frames: Frame[] = [];
   private bytes = 0;
   private rows = new Map<string, number[]>();
+  private models_come = 0;
+  private detail: (Pick<Frame, "contacts" | "bolts" | "stress"> & DetailHead) | null = null; // the newest
+  private shown = false; // the page has been given this source
   private changed: (thinned: boolean) => void = () => undefined;
   private ready: (source: LiveSource) => void = () => undefined;
 
@@ -105,6 +122,10 @@ export class LiveSource implements Source, Stream {
   command(text: string): void {
     this.asked = text;
     this.socket?.send(`${this.token} ${text}`);
+  }
+
+  models(): number {
+    return this.models_come;
   }
 
   state(): string {
@@ -171,11 +192,13 @@ export class LiveSource implements Source, Stream {
     else if (head.kind === "answer") this.take_answer(head as Head & Answer);
     else if (head.session === this.session) {
       if (head.kind === "mesh") this.take_mesh(head as MeshHead, arrays);
+      else if (head.kind === "model") this.take_model(head as ModelHead);
+      else if (head.kind === "detail") this.take_detail(head as DetailHead, arrays);
       else if (head.kind === "rows") this.take_rows(head as RowsHead);
       else if (head.kind === "events") this.run.events = (head as Head & { list: Run["events"] }).list;
       else if (head.kind === "frame") this.take_frame(head as FrameHead, arrays);
     }
-    if (head.kind === "frame") this.socket?.send("n"); // the next one may come
+    if (head.kind === "frame" || head.kind === "detail") this.socket?.send("n"); // the next one may come
   }
 
   // -------------------------------------------------------------------------------------- messages
@@ -189,14 +212,48 @@ export class LiveSource implements Source, Stream {
         format: 1, written_by: head.version, title: head.title, folder: head.run, origin: head.origin,
         model: { blocks: [], materials: [], methods: [], supports: [], joints: { laws: [], lines: [], cracks: [] } },
         stages: [], frames: { list: [], stored: 0, meshes: 0, ranges: {}, bounds: head.bounds },
-        history: { monitors: [], ledger: [], whole: true }, contacts: false, events: [],
+        history: { monitors: [], ledger: [], whole: true }, contacts: true, events: [],
         asked: { case: "", set: [], libraries: [], version: head.version }, found: null,
       };
     }
-    // The stream has no names of blocks and materials.
+    // Names come a little later.
     const { blocks, materials } = this.run.model;
     while (blocks.length < head.blocks) blocks.push({ name: `block ${blocks.length + 1}`, material: -1, held: false, rings: [] });
     while (materials.length < head.materials) materials.push({ name: `material ${materials.length + 1}`, density: NaN, young: NaN, poisson: NaN });
+  }
+
+  private take_model(head: ModelHead): void {
+    const model = this.run.model;
+    head.blocks.forEach((b, i) => (model.blocks[i] = { ...b, rings: [] }));
+    head.materials.forEach((m, i) => (model.materials[i] = m));
+    [model.supports, model.edges, model.water, model.joints] = [head.supports, head.edges, head.water, head.joints];
+    this.run.bolts = head.bolts > 0;
+    this.models_come += 1;
+    this.show();
+    this.changed(false);
+  }
+
+  /// Contacts, stress and bolts: of the frames from their instant on, until newer ones come.
+  private take_detail(head: DetailHead, bytes: Uint8Array): void {
+    const arrays = unpack(bytes);
+    this.detail = { ...head, ...over_blocks(arrays), stress: (arrays.get("stress") as Float32Array | undefined) ?? new Float32Array(0) };
+    const list = this.run.frames.list;
+    for (let i = list.length - 1; i >= 0 && list[i]!.time >= head.time && list[i]!.mesh === head.mesh; --i) this.add_detail(this.frames[i]!, list[i]!);
+    this.bytes += 4 * this.detail.stress.length + 41 * (this.detail.contacts?.state.length ?? 0);
+    this.changed(false);
+  }
+
+  private add_detail(frame: Frame, note: FrameNote): void {
+    const detail = this.detail;
+    if (!detail || detail.mesh !== note.mesh || detail.time > note.time) return;
+    [frame.contacts, frame.bolts, frame.stress, frame.detail_time] = [detail.contacts, detail.bolts, detail.stress, detail.time];
+  }
+
+  /// Gives the page what there is, once there is a picture and the names have come, or have been waited for.
+  private show(waited = false): void {
+    if (this.shown || this.frames.length === 0 || !(waited || this.models_come > 0)) return;
+    this.shown = true;
+    this.ready(this);
   }
 
   private take_status(s: Status): void {
@@ -242,13 +299,16 @@ export class LiveSource implements Source, Stream {
     this.grow_ranges(frame);
     const stages = this.run.stages;
     if (stages[stages.length - 1]?.name !== head.stage) stages.push({ name: head.stage, integrator: head.integrator, duration: 0, start: head.time });
-    list.push({ index: list.length, time: head.time, step: head.step, mesh: head.mesh, stage: head.stage, integrator: head.integrator });
+    const note: FrameNote = { index: list.length, time: head.time, step: head.step, mesh: head.mesh, stage: head.stage, integrator: head.integrator };
+    list.push(note);
+    this.add_detail(frame, note);
     this.frames.push(frame);
     this.bytes += 4 * (frame.displacement.length + frame.scalar!.length);
     this.run.frames.stored += 1;
     const thinned = this.bytes > KEPT_BYTES;
     if (thinned) this.thin();
-    if (this.frames.length === 1) this.ready(this);
+    if (this.frames.length === 1) setTimeout(() => this.show(true), NAMES);
+    this.show();
     this.changed(thinned);
   }
 
@@ -280,7 +340,9 @@ export class LiveSource implements Source, Stream {
     this.frames = kept.map((i) => this.frames[i]!);
     const notes: FrameNote[] = kept.map((i) => list[i]!);
     list.splice(0, list.length, ...notes);
-    this.bytes = this.frames.reduce((sum, f) => sum + 4 * (f.displacement.length + f.scalar!.length), 0);
+    // Frames between two details share the first of them.
+    const details = new Set(this.frames.map((f) => f.stress));
+    this.bytes = this.frames.reduce((sum, f) => sum + 4 * (f.displacement.length + f.scalar!.length + (details.delete(f.stress) ? f.stress.length : 0)), 0);
   }
 
   private take_rows(head: RowsHead): void {

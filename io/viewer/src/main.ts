@@ -4,7 +4,7 @@ import { css, mapped, name_colour, type Rgb } from "./colours";
 import { bind_control, show_control, told } from "./control";
 import { ContactBox } from "./contact_box";
 import { FAILED, SLIPPING, STICKING } from "./contacts";
-import { corner_values, FIELDS, frame_range, STREAM_FIELDS, STREAM_SCALARS } from "./fields";
+import { corner_values, FIELDS, frame_range, has_field, STREAM_FIELDS, STREAM_SCALARS } from "./fields";
 import { by_id } from "./elements";
 import { cell_areas, cell_at } from "./geometry";
 import {
@@ -25,10 +25,11 @@ import { film_times, make_film } from "./video";
 const CROSS_SPACING = 26; // [CSS pixels] between principal stress crosses
 const REFRESH = 1000; // [ms] between texts and charts of a stream
 const FRAME_TIME = 1000 / 12; // [ms] a frame where simulated time stands still, as between two stages
+const LIVE_HISTORY = 300; // frames of a stream that the history of a block is read from
 const READING = 150; // [ms] between looks of charts and facts at the instant, while playing
 
 const SERVED = document.body.dataset.source !== undefined;
-const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved; blocks and materials have numbers, as the stream has no names of them.";
+const LIVE_TEXT = "This is a live stream: what has come since the page was opened. Displacements are rounded to 16 bits of what the points of a block moved. Contacts, stresses and bolts come less often than pictures where there are many: between two of their instants those of the earlier one are shown.";
 const MODEL = document.body.dataset.source === "model"; // before a run
 
 function trouble(error: unknown): void {
@@ -63,6 +64,8 @@ class Page {
   private field = FIELDS[0]!;
   private following = false; // a stream: the newest frame is shown as it comes
   private slow_asked = false;
+  private models_shown = 0; // of a stream (Stream::models)
+  private detail_shown: Frame["stress"] | null = null;
   private pair: Pair | null = null;
   private led = false; // the page beside decides what is shown
   private events_shown: unknown = null;
@@ -192,7 +195,7 @@ class Page {
     const live = this.source.live;
     if (!live || !STREAM_SCALARS.includes(this.field) || this.newest_scalar() === this.field.id) return;
     if (live.can_control()) live.command(`field ${this.field.id}`);
-    else this.tell(`The stream carries ${this.newest_scalar()}. It carries what this page asks for with scree run --live --control and scree view --live --control.`);
+    else if (!this.mesh || !this.frame || !has_field(this.field, this.mesh, this.frame)) this.tell(`The stream carries ${this.newest_scalar()}. It carries what this page asks for with scree run --live --control and scree view --live --control.`);
   }
 
   private newest_scalar(): string {
@@ -213,6 +216,8 @@ class Page {
       this.index = this.wanted = at >= 0 ? at : Math.min(this.index, this.frames.length - 1);
     }
     by_id<HTMLInputElement>("time").max = String(this.frames.length - 1);
+    if (this.source.live!.models() !== this.models_shown) this.use_model();
+    if (this.frame && this.frame.stress !== this.detail_shown) this.use_detail(this.frame);
     if (this.following) void this.go(this.frames.length - 1);
     if (this.slow_asked) return;
     this.slow_asked = true;
@@ -220,6 +225,27 @@ class Page {
       this.slow_asked = false;
       void this.refresh_texts();
     }, REFRESH);
+  }
+
+  /// Names have come, or what is drawn over blocks.
+  private use_model(): void {
+    this.models_shown = this.source.live!.models();
+    this.fill_blocks();
+    this.fill_layers();
+    this.use_theme();
+    if (this.mesh) this.scene?.use_mesh(this.mesh, this.held);
+    this.update_places();
+    this.update_colours();
+    this.redraw();
+  }
+
+  /// Contacts, stress and bolts of the frame that is shown have come after it.
+  private use_detail(frame: Frame): void {
+    this.detail_shown = frame.stress;
+    this.update_layers();
+    this.update_colours();
+    this.contact_box.show(frame.contacts);
+    this.redraw();
   }
 
   /// What people read of a stream: once a second.
@@ -235,6 +261,7 @@ class Page {
     this.make_charts();
     this.update_colours();
     this.redraw();
+    if (this.chosen >= 0) void this.follow_block(this.chosen);
   }
 
   // ------------------------------------------------------------------------------------------- text
@@ -275,6 +302,18 @@ class Page {
     show_events(run, by_id("events"), (t) => this.go_to_time(t));
   }
 
+  /// Names of the blocks in their list.
+  private fill_blocks(): void {
+    const select = by_id<HTMLSelectElement>("block");
+    while (select.options.length > 1) select.remove(1); // the first is none
+    for (const [i, b] of this.run.model.blocks.entries()) {
+      const option = element("option", b.name);
+      option.value = String(i);
+      select.append(option);
+    }
+    select.value = String(this.chosen);
+  }
+
   private fill_controls(): void {
     const fill = (id: string, entries: [string, string][], value?: string) => {
       const select = by_id<HTMLSelectElement>(id);
@@ -286,20 +325,29 @@ class Page {
       if (value !== undefined) select.value = value;
     };
     fill("field", this.fields.map((f) => [f.id, f.label]));
-    fill("block", this.run.model.blocks.map((b, i) => [String(i), b.name]));
-    const live = this.source.live !== undefined; // without stresses, and without velocities of points
+    this.fill_blocks();
+    const live = this.source.live !== undefined; // without stresses of monitors, and without velocities of points
     fill("monitor-quantity", MONITOR_QUANTITIES.filter((q) => !live || !q.includes("stress")).map((q) => [q, q]));
-    fill("block-quantity", MONITOR_QUANTITIES.filter((q) => !live || q.includes("displacement")).map((q) => [q, q]));
+    fill("block-quantity", MONITOR_QUANTITIES.filter((q) => !live || q !== "speed").map((q) => [q, q]));
     const length = this.frames[this.frames.length - 1]!.time - this.frames[0]!.time;
     const speeds = [0.001, 0.01, 0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000];
     // The run as a whole takes about ten seconds.
     const near = !(length > 0) ? 1 : speeds.reduce((a, b) => (Math.abs(Math.log((b * 10) / length)) < Math.abs(Math.log((a * 10) / length)) ? b : a), 1);
     fill("speed", speeds.map((s) => [String(s), s === 1 ? "real time" : `× ${s}`]), String(near));
+    this.fill_layers();
+    const time = by_id<HTMLInputElement>("time");
+    time.max = String(this.frames.length - 1);
+    this.mark_stages();
+  }
+
+  private fill_layers(): void {
+    const live = this.source.live !== undefined;
     const layers = by_id("layers");
+    layers.replaceChildren(...layers.querySelectorAll(":scope > :not(label)"));
     const entries: [Layer, string][] = [["outline", "outlines of the blocks"]];
     entries.push(["original", "original outline"]);
-    if (!live) entries.push(["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
-    if (this.run.model.supports.length > 0) entries.push(["supports", "point supports"]);
+    entries.push(["joints", "joints as drawn"], ["crosses", "principal stress crosses"]);
+    if (this.run.model.supports.length + (this.run.model.edges ?? []).length > 0) entries.push(["supports", "supports"]);
     if (live || this.run.history.monitors.some((m) => m.at)) entries.push(["monitors", "monitors"]);
     if ((this.run.model.water ?? []).length > 0) entries.push(["water", "water levels"]);
     if (this.run.bolts) entries.push(["bolts", "bolts and their forces"]);
@@ -322,9 +370,6 @@ class Page {
       label.append(box, ` ${text}`);
       layers.append(label);
     }
-    const time = by_id<HTMLInputElement>("time");
-    time.max = String(this.frames.length - 1);
-    this.mark_stages();
   }
 
   /// Names of the stages below the slider, where they begin.
@@ -699,13 +744,19 @@ class Page {
     if (this.forces) {
       const f = this.forces;
       line([[STICKING, `sticking (${f.sticking})`], [SLIPPING, `slipping (${f.slipping})`], [FAILED, `slipping, strength failed (${f.failed})`]],
-        f.force > 0 ? `· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
+        f.force > 0 ? `${this.of_when()}· Longest line: ${quantity(f.force, "N", 2)} for 1 m of thickness.` : "· No forces.");
     }
     if (this.shown.slip && this.run.contacts) line([[mapped("magnitude", 0), "slip 0"], [mapped("magnitude", 1), `${quantity(this.most_slip, "m")} (largest now)`]]);
     if (this.shown.bolts && this.run.bolts) line([[mapped("magnitude", 0), "bolt force 0"], [mapped("magnitude", 1), `${quantity(this.most_bolt, "N")}/m (largest now)`]]);
     if (this.shown.water)
       for (const { joints } of this.run.model.water ?? [])
         line([[WATER, `water in ${joints.length === 0 ? "all joints" : joints.map((j) => this.run.model.joints.laws[j]?.name).join(", ")}`]]);
+  }
+
+  /// Of a stream: the instant of contacts, stresses and bolts where it is not that of the picture.
+  private of_when(): string {
+    const [time, of] = [this.note?.time, this.frame?.detail_time];
+    return of === undefined || of === time ? "" : `at ${seconds(of)} `;
   }
 
   private names(): [string, Rgb][] {
@@ -724,7 +775,8 @@ class Page {
     const names = this.names();
     this.scene.use_colours(this.field, range, names.map(([, c]) => c));
     this.legend = legend_text(this.field, range, names.filter(([n]) => n !== ""));
-    if (STREAM_SCALARS.includes(this.field) && this.frame.scalar_field !== this.field.id) this.legend.what += ": not in this frame";
+    if (STREAM_SCALARS.includes(this.field) && this.frame.scalar_field !== this.field.id)
+      this.legend.what += has_field(this.field, this.mesh, this.frame) ? this.of_when() && `, ${this.of_when()}` : ": not in this frame";
     if (this.field.id === "joint") this.legend.what += ": the worst of their contacts";
     if (this.field.id === "block") this.legend.what = "block (neighbours differ in colour; the list below has the names)";
     show_legend(by_id("legend"), this.field, this.legend);
@@ -894,8 +946,9 @@ class Page {
         ["Method", `${(this.run.model.methods[this.mesh.method[cell]!] ?? "").toUpperCase()}${this.frame.integrator.length === 0 ? "" : this.frame.integrator[cell] === 0 ? ", explicit" : ", implicit"}`],
         ["Displacement", `${quantity(Math.hypot(mean[0]!, mean[1]!), "m")} (${quantity(mean[0]!, "m")}, ${quantity(mean[1]!, "m")})`],
       );
-      if (!this.source.live)
-        rows.push(["Speed", quantity(Math.hypot(mean[2]!, mean[3]!), "m/s")], ["Mean σ₁, σ₃", `${quantity(middle + radius, "Pa")}, ${quantity(middle - radius, "Pa")}`]);
+      if (!this.source.live) rows.push(["Speed", quantity(Math.hypot(mean[2]!, mean[3]!), "m/s")]);
+      if (this.frame.stress.length > 0)
+        rows.push(["Mean σ₁, σ₃", `${quantity(middle + radius, "Pa")}, ${quantity(middle - radius, "Pa")}`]);
       const contacts = this.frame.contacts;
       if (contacts) {
         let touching = 0;
@@ -930,7 +983,8 @@ class Page {
   private async follow_block(block: number): Promise<void> {
     const time: number[] = [];
     const rows: number[][] = [];
-    for (let i = 0; i < this.frames.length && this.chosen === block; ++i) {
+    const stride = this.source.live ? Math.ceil(this.frames.length / LIVE_HISTORY) : 1; // a stream is read again and again
+    for (let i = 0; i < this.frames.length && this.chosen === block; i += stride) {
       const note = this.frames[i]!;
       const [frame, mesh] = await Promise.all([this.source.frame(i), this.source.mesh(note.mesh)]);
       const mean = this.block_mean(mesh, frame, block, this.areas(mesh));

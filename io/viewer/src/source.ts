@@ -45,6 +45,7 @@ export interface Run {
     materials: { name: string; density: number; young: number; poisson: number }[];
     methods: string[];
     supports: [number, number, boolean, boolean][]; // x, y, held along x, along y
+    edges?: [number, number, number, number, boolean][]; // held stretches of outlines, rock to their left; held along both axes, else across alone
     water?: { line: number[]; joints: number[] }[]; // piezometric lines x, y, x, y, ...; joint laws that they fill
     joints: { laws: Law[]; lines: Piece[]; cracks: Piece[] };
   };
@@ -103,6 +104,7 @@ export interface Frame {
   bolts: Bolts | null;
   scalar?: Float32Array; // a cell, of a stream: the field that it carries
   scalar_field?: string; // which that is
+  detail_time?: number; // of a stream: of the instant whose contacts, stress and bolts these are [s]
 }
 
 export interface Source {
@@ -124,6 +126,8 @@ export interface Stream {
   state(): string;
   /// What people are told of it: status, rate, time left.
   status(): string;
+  /// Counts the times that names and what is drawn over blocks have come.
+  models(): number;
   /// Called after something came; `thinned`: frames that were there are gone.
   follow(changed: (thinned: boolean) => void, answered: (answer: Answer) => void): void;
 }
@@ -150,9 +154,10 @@ export function unpack(bytes: Uint8Array): Map<string, Numbers> {
       arrays.set(name, planes.slice());
       continue;
     }
-    const out = new Uint8Array(4 * length);
-    for (let byte = 0; byte < 4; ++byte)
-      for (let i = 0, from = byte * length; i < length; ++i) out[4 * i + byte] = planes[from + i]!;
+    // Little endian, as every machine with WebGL is.
+    const out = new Uint32Array(length);
+    const [second, third, fourth] = [length, 2 * length, 3 * length];
+    for (let i = 0; i < length; ++i) out[i] = planes[i]! | (planes[second + i]! << 8) | (planes[third + i]! << 16) | (planes[fourth + i]! << 24);
     arrays.set(name, type === 0 ? new Float32Array(out.buffer) : new Int32Array(out.buffer));
   }
   return arrays;
@@ -189,6 +194,13 @@ export function frame_of(a: Map<string, Numbers>): Frame {
     velocity: array(a, "velocity"),
     stress: array(a, "stress"),
     integrator: array(a, "integrator"),
+    ...over_blocks(a),
+  };
+}
+
+/// What is drawn over blocks.
+export function over_blocks(a: Map<string, Numbers>): Pick<Frame, "contacts" | "bolts"> {
+  return {
     contacts: !a.has("c.state")
       ? null
       : {

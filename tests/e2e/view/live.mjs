@@ -1,12 +1,12 @@
 // `scree view --live` in headless Chromium, inside a network namespace: a page that waits, a replay that streams, a late page,
 // a stage whose mesh is another, a run that begins anew, a server that is gone for a while. Times are printed.
-// Usage: CHROMIUM=... MODULES=.../node_modules node live.mjs SCREE RUN CASE SCRATCH
-//   RUN: stored run of tests/e2e/report/case.toml; CASE: a case of two stages
+// Usage: CHROMIUM=... MODULES=.../node_modules node live.mjs SCREE RUN CASE SCRATCH MARKS
+//   RUN: stored run of tests/e2e/report/case.toml; CASE: a case of two stages; MARKS: stored run of marks.toml
 import assert from "node:assert/strict";
 import { browser, colour, drawn, faults, instant, near, open_page, places, until } from "../report/browser.mjs";
 import { end, end_all, own, pause, start, view, wait } from "./program.mjs";
 
-const [scree, run, case_file, scratch] = process.argv.slice(2);
+const [scree, run, case_file, scratch, marks] = process.argv.slice(2);
 const GRAVITY = 10; // of the run [m/s2]
 const SPEED = 0.04; // of the replay: simulated seconds a second
 const SWITCH = 0.3; // the DDA begins [s]
@@ -34,9 +34,9 @@ async function test_pixels(page) {
   near(await colour(page, pixel(0, 1.5)), RESTING, 1, "the block that rests");
   await page.selectOption("#field", "speed");
   assert.match(await page.textContent("#legend"), /speed \[/);
-  // The replay carries speed, and nobody can ask it for stress: what is not there is grey, and said.
-  await page.selectOption("#field", "s1");
-  assert.match(await page.textContent("#legend"), /σ₁.*not in this frame/);
+  // The replay carries speed, and nobody can ask it for the integrator: what is not there is grey, and said.
+  await page.selectOption("#field", "integrator");
+  assert.match(await page.textContent("#legend"), /integrator.*not in this frame/);
   assert.match(await page.textContent("#note"), /The stream carries speed.*--control/);
   await drawn(page);
   near(await colour(page, pixel(0, 1.5)), [0xe7, 0xe6, 0xe3], 1, "a field that is not there");
@@ -141,6 +141,56 @@ async function test_run(server, page) {
   return again;
 }
 
+/// What a stream brings beside frames: names, bolts, supports, water, contacts with their states, stress crosses.
+async function test_marks() {
+  const server = await view(scree, "--live");
+  const page = await open_page(server.address, own(server.address), { ready: false });
+  const replay = start(scree, "replay", marks, "--speed", "0.2");
+  await page.waitForSelector("body[data-ready=true]", { timeout: 10000 });
+  assert.match(await page.textContent("#block"), /held <script>document\.title=0<script>.*loose/);
+  assert.equal(await page.$$eval("main b, main i, main u, main script", (all) => all.length), 0, "a name has become an element");
+  for (const layer of ["supports", "water", "bolts", "contacts", "crosses", "slip"]) await page.check(`#layer-${layer}`);
+  await until(page, () => /sticking \(\d+\).*slipping \([1-9]/.test(document.getElementById("layer-key").textContent));
+  const key = await page.textContent("#layer-key");
+  assert.match(key, /bolt force 0.*kN\/m \(largest now\)/);
+  assert.match(key, /water in all joints/);
+  assert.match(key, /compression.*tension.*Longest arm: .*Pa/);
+  await page.selectOption("#block", "2");
+  await page.click("#contact-next");
+  assert.match(await page.textContent("#contact-facts"), /Corner of.*Edge of.*Jointplane, φ = 25.*State.*Normal force/);
+  await page.selectOption("#block", "1");
+  await page.selectOption("#field", "joint");
+  await until(page, () => !document.getElementById("legend").textContent.includes("not in this frame"));
+  await page.selectOption("#field", "s3");
+  assert.match(await page.textContent("#block-facts"), /Mean σ₁, σ₃.*Pa.*Closed contacts[1-9]/);
+  // Each layer paints where it must.
+  await page.click("#back");
+  for (const layer of ["outline", "original", "contacts", "crosses", "slip"]) await page.uncheck(`#layer-${layer}`);
+  await drawn(page);
+  const pixel = await places(page);
+  for (const [layer, [x, y]] of [["bolts", [3.96, 1.19]], ["water", [10, 1.2]], ["supports", [4, -10]]]) {
+    const look = async () => {
+      const seen = [];
+      for (let dy = -4; dy <= 4; ++dy) seen.push(String(await colour(page, [pixel(x, y)[0], pixel(x, y)[1] + dy])));
+      return seen.join(" ");
+    };
+    const on = await look();
+    await page.uncheck(`#layer-${layer}`);
+    await drawn(page);
+    assert.notEqual(await look(), on, `the layer of ${layer} changes nothing`);
+    await page.check(`#layer-${layer}`);
+  }
+  if (process.env.SCREE_PICTURES) {
+    for (const layer of ["outline", "contacts", "crosses"]) await page.check(`#layer-${layer}`);
+    await drawn(page);
+    await page.screenshot({ path: `${process.env.SCREE_PICTURES}/live.png` });
+  }
+  await wait(() => replay.code !== null, "the replay ends");
+  assert.deepEqual(faults, []);
+  await page.close();
+  assert.equal(await end(server), 0);
+}
+
 /// A page that has the token steers the run; one without it does not, whatever it sends.
 async function test_control() {
   const live = start(scree, "run", case_file, "--live", "--control", "--quiet", "--out", `${scratch}/steered`, "--set", "stage.runout.duration=1000", "--set", "output.every=0.01");
@@ -161,6 +211,10 @@ async function test_control() {
     console.log(`field ${field}: shown after ${Date.now() - begin} ms`);
     assert.match(await page.textContent("#legend"), label);
   }
+  // A run that computes names its blocks and shows its contacts, although it stores none.
+  await page.check("#layer-contacts");
+  await until(page, () => /sticking \(\d+\)|slipping \([1-9]/.test(document.getElementById("layer-key").textContent));
+  assert.match(await page.textContent("#block"), /slope.*lower.*upper/);
   // Paused, the run stands still; a step is a step.
   await page.click("#run-pause");
   await until(page, () => /paused/.test(document.getElementById("subtitle").textContent));
@@ -202,6 +256,7 @@ try {
   assert.equal(await end(again), 0);
   await page.close();
   await test_control();
+  await test_marks();
   console.log("view --live: fine");
 } finally {
   end_all();

@@ -56,8 +56,8 @@ class Viewer:
             elif opcode == 2:
                 lengths.append(length)
                 head = message[4:4 + struct.unpack_from("<I", message)[0]]
-                if b'"kind":"frame"' in head:
-                    self.frames += 1
+                self.frames += b'"kind":"frame"' in head
+                if b'"kind":"frame"' in head or b'"kind":"detail"' in head:
                     self.send(1, b"n")
         return lengths
 

@@ -1,6 +1,9 @@
 // Bolts and compliant bases in case files.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+
 #include "tests/unit/io/case_read.h"
 
 namespace scree::io::test {
@@ -22,6 +25,16 @@ axial_stiffness = "100 MN"
 )";
 
 Bolt bolt_of(const std::string& keys) { return read_text(kText + keys).model.bolts.at(0); }
+
+TEST(Bolts, those_of_later_stages_are_no_part_of_a_factor_of_safety) {
+  std::string text = kText;
+  text.replace(text.find("duration"), 0, "rest = true, ");
+  const auto bolts = [&text](const std::string& stage) {
+    return read_text(text + "stage = \"" + stage + "\"\n[reduction]\nfactor = 1.5\n").model.bolts.size();
+  };
+  EXPECT_EQ(bolts("first"), 1U);
+  EXPECT_EQ(bolts("bolting"), 0U);
+}
 
 TEST(Bolts, numbers_of_one_bolt_are_divided_by_the_spacing) {
   const Bolt b = bolt_of(
@@ -48,6 +61,35 @@ TEST(Bolts, numbers_of_one_bolt_are_divided_by_the_spacing) {
   EXPECT_EQ(b.nodes[2].block, BlockId{0});
   ASSERT_EQ(b.crossings.size(), 1U);
   EXPECT_EQ(b.crossings[0].segment, 1);
+}
+
+/// The same model with bolts from the layer of a drawing.
+std::string drawn(const std::string& columns) {
+  std::ofstream(::testing::TempDir() + "bolts.csv") << columns;
+  std::string text = replaced(kText, "head = [1.0, 2.0]\ntoe = [1.0, 0.2]\n", "layer = \"bolts\"\nname = \"row\"\n");
+  return "drawing = { file = \"" + ::testing::TempDir() + "bolts.csv\" }\n" + text;
+}
+
+TEST(Bolts, each_line_of_a_layer_is_one_from_its_first_point) {
+  const Model m = read_text(drawn("1.0,2.0,BOLTS\n1.0,0.2,BOLTS\n\n3.0,2.0,BOLTS\n2.5,0.2,BOLTS\n")).model;
+  ASSERT_EQ(m.bolts.size(), 2U);
+  EXPECT_EQ(m.bolts[0].name, "row-1");
+  EXPECT_EQ(m.bolts[1].name, "row-2");
+  EXPECT_EQ(m.bolts[1].head, Vec2(3.0, 2.0));
+  EXPECT_EQ(m.bolts[1].toe, Vec2(2.5, 0.2));
+  EXPECT_EQ(m.bolts[1].stiffness, 100e6);
+}
+
+TEST(Bolts, a_line_with_a_kink_is_refused_with_its_row) {
+  const CaseError e = error_of_text(drawn("1.0,2.0,BOLTS\n1.2,1.2,BOLTS\n1.0,0.2,BOLTS\n"));
+  EXPECT_TRUE(holds(e.what(), "bolts.csv:1:1")) << e.what();
+  EXPECT_TRUE(holds(e.what(), "of 3 points is no bolt")) << e.what();
+}
+
+TEST(Bolts, head_and_layer_exclude_each_other_and_one_is_needed) {
+  EXPECT_TRUE(
+      holds(error_of_text(replaced(kText, "head =", "layer = \"x\"\nhead =")).what(), "head and layer are both given"));
+  EXPECT_TRUE(holds(error_of_text(replaced(kText, "toe = [1.0, 0.2]\n", "")).what(), "the bolt has no toe"));
 }
 
 TEST(Bolts, anchor_from_point_to_point_has_two_nodes_and_no_limits) {
@@ -126,6 +168,32 @@ TEST(Bolts, example_of_the_documentation_reads) {
   const Case c = read_case(SCREE_SOURCE_DIR "/docs/examples/bolted-slope.toml", {}, kMethods);
   ASSERT_EQ(c.model.bolts.size(), 2U);
   EXPECT_EQ(c.model.bolts[1].crossings.size(), 1U);
+}
+
+std::string with_strength(const std::string& keys) {
+  return replaced(kText, "poisson = 0.2 }", "poisson = 0.2, rock_strength = {" + keys + "} }");
+}
+
+TEST(RockStrengthKeys, are_mohr_coulomb_or_hoek_and_brown) {
+  const Material m = read_text(with_strength("cohesion = \"1 MPa\", friction_deg = 45.0")).model.materials[0];
+  const auto* mohr = std::get_if<MohrCoulombStrength>(&m.rock_strength.value());
+  ASSERT_NE(mohr, nullptr);
+  EXPECT_EQ(mohr->cohesion, 1e6);
+  EXPECT_NEAR(mohr->tension, 1e6, 1e-6);  // c/tan(phi)
+  const Material h = read_text(with_strength("ucs = \"50 MPa\", gsi = 45.0, mi = 10.0, d = 0.5")).model.materials[0];
+  const auto* hoek = std::get_if<HoekBrownStrength>(&h.rock_strength.value());
+  ASSERT_NE(hoek, nullptr);
+  EXPECT_NEAR(hoek->mb, 10.0 * std::exp(-55.0 / 21.0), 1e-12);
+}
+
+TEST(RockStrengthKeys, are_refused_where_they_do_not_fit) {
+  const auto told = [](const std::string& keys) { return std::string(error_of_text(with_strength(keys)).what()); };
+  EXPECT_TRUE(holds(told("cohesion = 1e6"), "needs cohesion and friction_deg"));
+  EXPECT_TRUE(holds(told("ucs = 1e6, gsi = 40"), "needs ucs, gsi and mi"));
+  EXPECT_TRUE(holds(told("cohesion = 1e6, friction_deg = 30, ucs = 1e6"), "one of the two"));
+  EXPECT_TRUE(holds(told("cohesion = 1e6, friction_deg = 45, tension = 2e6"), "ends before the tension"));
+  EXPECT_TRUE(holds(told("d = 0.5"), "says nothing"));
+  EXPECT_TRUE(holds(told("ucs = 1e6, gsi = 101, mi = 10"), "gsi"));
 }
 
 }  // namespace

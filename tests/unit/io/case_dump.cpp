@@ -24,6 +24,12 @@ void dump_model(Dump& d, const Model& m) {
          m.default_joint.value);
   for (const Material& x : m.materials) {
     d.line("material {} {} {} {}", x.name, x.density, x.young, x.poisson);
+    if (x.rock_strength) {
+      const auto* c = std::get_if<MohrCoulombStrength>(&*x.rock_strength);
+      const auto* h = std::get_if<HoekBrownStrength>(&*x.rock_strength);
+      if (c) d.line("  rock strength {} {} {}", c->cohesion, c->friction, c->tension);
+      if (h) d.line("  rock strength {} {} {} {}", h->ucs, h->mb, h->s, h->a);
+    }
     if (!x.initial_stress) continue;
     for (const Mat2& s : {x.initial_stress->stress, x.initial_stress->gradient})
       d.line("  {} {} {} {} from {}", s(0, 0), s(0, 1), s(1, 0), s(1, 1), x.initial_stress->level);

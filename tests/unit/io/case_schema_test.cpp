@@ -274,6 +274,14 @@ const std::map<std::string, std::string> kChange = {
     {"reduction.limit", "reduction.limit=0.25"},
     {"reduction.rest_force", "reduction.rest_force=1e-3"},
     {"reduction.k_h", "reduction.k_h=0.25"},
+    {"bolt[].layer", "bolt=[{layer=\"BAR\", axial_stiffness=1e7}]"},
+    {"material.NAME.rock_strength.cohesion", "material.rock.rock_strength.cohesion=2e6"},
+    {"material.NAME.rock_strength.friction_deg", "material.rock.rock_strength.friction_deg=20"},
+    {"material.NAME.rock_strength.tension", "material.rock.rock_strength.tension=1e5"},
+    {"material.NAME.rock_strength.ucs", "material.rock.rock_strength.ucs=5e7"},
+    {"material.NAME.rock_strength.gsi", "material.rock.rock_strength.gsi=50"},
+    {"material.NAME.rock_strength.mi", "material.rock.rock_strength.mi=12"},
+    {"material.NAME.rock_strength.d", "material.rock.rock_strength.d=0.5"},
     {"water[].line", "water.0.line.1=[9, 0.25]"},
     {"water[].layer", "water.0={layer = \"table\", joints = [\"rou*\"]}"},
     {"water[].reservoir", "water.0.reservoir=true"},
@@ -310,6 +318,8 @@ const char* const kBolt =
     "bolt=[{name=\"bar\", head=[1.1, 1.9], toe=[1.1, 0.4], axial_stiffness=1e7, yield=1e5, rupture_strain=0.1, "
     "bond_length=1.5, bond_stiffness=1e8, bond_strength=1e5, shear_stiffness=1e7, shear_strength=1e5, "
     "rupture_shear=0.1}]";
+const char* const kMohr = "material.rock.rock_strength={cohesion=1e6, friction_deg=30}";
+const char* const kHoek = "material.rock.rock_strength={ucs=6e7, gsi=45, mi=10}";
 const char* const kReduction = "reduction={factor=1.1}";
 const std::string kOnLedge =
     "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // wherever the outline of the domain is
@@ -319,6 +329,13 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"joint.NAME.velocity_weakening.slip", {kWeakening}},
     {"block[].name", {"support.1.blocks=[\"wall\"]"}},
     {"bolt[].name", {kBolt}},
+    {"material.NAME.rock_strength.cohesion", {kMohr}},
+    {"material.NAME.rock_strength.friction_deg", {kMohr}},
+    {"material.NAME.rock_strength.tension", {kMohr}},
+    {"material.NAME.rock_strength.ucs", {kHoek}},
+    {"material.NAME.rock_strength.gsi", {kHoek}},
+    {"material.NAME.rock_strength.mi", {kHoek}},
+    {"material.NAME.rock_strength.d", {kHoek}},
     {"bolt[].head", {kBolt}},
     {"bolt[].toe", {kBolt}},
     {"bolt[].stage", {kBolt}},

@@ -70,7 +70,7 @@ Numbers numbers_of(const Model& model) {
                body_accelerations, viscous_edges, bolts, waters, joint_lines, cracks, joint_sets, cutting] = model;
   Numbers n;
   n.other(gravity);
-  for (const auto& [name, density, young, poisson, in_situ] : materials) {
+  for (const auto& [name, density, young, poisson, in_situ, rock_strength] : materials) {
     n.others.insert(n.others.end(), {density, young, poisson});
     if (!in_situ) continue;
     const auto& [stress, gradient, level] = *in_situ;
