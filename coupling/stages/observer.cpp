@@ -1,6 +1,7 @@
 #include "coupling/stages/observer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "coupling/contact/table/contact_point.h"
 
@@ -181,13 +182,22 @@ void Observer::recover_stress(const State& state) {
 }
 
 HistoryView Observer::history(const State& state, const RunStats& stats) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent) {  // there is no rock to follow
+      for (auto* values : {&monitor_position_, &monitor_displacement_, &monitor_velocity_})
+        put(Vec2(kNone, kNone), i, *values);
+      continue;
+    }
     const Vec2 x = scree::coupling::position(monitors_[i], state.q);
     put(x, i, monitor_position_);
     put(x - setup_->model().monitors[i].point, i, monitor_displacement_);
     put(scree::coupling::position(monitors_[i], state.v), i, monitor_velocity_);
   }
   recover_stress(state);
+  for (std::size_t i = 0; i < monitors_.size(); ++i)
+    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent)
+      std::fill_n(monitor_stress_.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, kNone);
   HistoryView h;
   h.time = seconds(state.time);
   h.tick = state.time;

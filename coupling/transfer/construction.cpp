@@ -78,7 +78,9 @@ void end_contacts(const Setup& from, const std::vector<char>& gone, State& state
   for (const ContactMemory& m : state.contacts) {
     if (!leaves(m, gone)) continue;
     if (m.status != ContactStatus::open) {
-      energy += NormalSpring{m.kn, m.bonded != 0}.energy(m.gap) + tangential_spring_energy(m.kt, m.stretch);
+      // A point whose corner another edge carries has no normal force, and no energy of its gap (contact_energy.h).
+      if (m.fn != 0.0) energy += NormalSpring{m.kn, m.bonded != 0}.energy(m.gap);
+      energy += tangential_spring_energy(m.kt, m.stretch);
       add_contact(from, m, gone, state, forces);
     } else if (m.water != 0.0) {
       add_contact(from, m, gone, state, forces);

@@ -1,0 +1,99 @@
+// A disc is excavated from a ring of bonded blocks: the wall comes to the solution of Lame as the joints get stiffer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/support/schemes.h"
+
+namespace scree::test {
+namespace {
+
+using namespace coupling;
+
+constexpr double kIn = 1.0, kOut = 3.0, kStress = 2e6, kYoung = 2e9, kPoisson = 0.25;
+constexpr int kSectors = 24, kRings = 8;                       // blocks about as wide as they are long
+const double kSize = 2.0 * std::numbers::pi * kIn / kSectors;  // d, of the blocks at the wall [m]
+
+Vec2 polar(double r, int sector) {
+  const double angle = 2.0 * std::numbers::pi * sector / kSectors;
+  return r * Vec2(std::cos(angle), std::sin(angle));
+}
+
+/// Inward displacement of the wall by the excavation, of Lame's, for joints of a stiffness.
+double wall_over_lame(double stiffness) {
+  Scene scene(kYoung, kPoisson, 2600.0);
+  scene.model.gravity = {0.0, 0.0};
+  InitialStress in_situ;
+  in_situ.stress = -kStress * Mat2::Identity();
+  scene.model.materials[0].initial_stress = in_situ;
+  JointLaw& joint = scene.model.joints[0];
+  joint.normal_stiffness = stiffness;
+  joint.cohesion = joint.residual_cohesion = joint.tensile_strength = 1e12;
+  const double growth = std::pow(kOut / kIn, 1.0 / kRings);
+  Ring core;
+  for (int s = 0; s < kSectors; ++s) core.push_back(polar(kIn, s));
+  const BlockId disc = scene.add("disc", {core, {}});
+  for (int k = 0; k < kRings; ++k)
+    for (int s = 0; s < kSectors; ++s) {
+      const double r0 = kIn * std::pow(growth, k), r1 = r0 * growth;
+      const BlockId b = scene.add("b", {{polar(r0, s), polar(r1, s), polar(r1, s + 1), polar(r0, s + 1)}, {}});
+      if (k == 0) scene.model.monitors.push_back({"wall", b, 0.5 * (polar(r0, s) + polar(r0, s + 1))});
+      if (k + 1 < kRings) continue;
+      const Ring& ring = scene.model.blocks.back().polygon.outer;
+      for (std::int32_t e = 0; e < 4; ++e) {
+        const Vec2 from = ring[static_cast<std::size_t>(e)], to = ring[static_cast<std::size_t>(e + 1) % 4];
+        if (std::min(from.norm(), to.norm()) < (1.0 - 1e-9) * kOut) continue;
+        const Vec2 d = (to - from).normalized();
+        scene.model.tractions.push_back({{b, {0, e}, 0.0, 1.0}, -kStress * Vec2(d.y(), -d.x()), FunctionId{}});
+      }
+    }
+  // Two points of the outside that symmetry lets move straight in only.
+  const auto outer = [](int s) { return BlockId{1 + (kRings - 1) * kSectors + s}; };
+  scene.model.point_supports.push_back({outer(0), polar(kOut, 0), false, true, 1e9});
+  scene.model.point_supports.push_back({outer(kSectors / 2), polar(kOut, kSectors / 2), false, true, 1e9});
+  scene.model.point_supports.push_back({outer(kSectors / 4), polar(kOut, kSectors / 4), true, false, 1e9});
+  for (const bool there : {true, false}) {
+    Stage& stage = scene.stage("dda", Integrator::implicit, 3.0, 0.25);
+    stage.rest = true;
+    if (there) continue;
+    stage.construction.absent = {disc};
+    stage.construction.release = 1.0;
+  }
+  scene.plan.output.history_every = scene.plan.output.every = ticks(3.0);
+  struct Look final : Sink {
+    void history(const HistoryView& h) override {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < kSectors; ++k) {
+        const Vec2 x(h.position[2 * k], h.position[2 * k + 1]), u(h.displacement[2 * k], h.displacement[2 * k + 1]);
+        sum -= u.dot((x - u).normalized()) / kSectors;
+      }
+      inward.push_back(sum);
+    }
+    std::vector<double> inward;
+  } look;
+  Driver run(scene.model, scene.plan, methods());
+  run.add_sink(look);
+  const RunEnd end = run.run();
+  EXPECT_EQ(end.status, RunEnd::Status::done) << end.reason;
+  EXPECT_LT(std::abs(run.state().ledger.closure()), 1e-12 * run.state().ledger.moved());
+  const double lame = kStress * kIn * (1.0 + kPoisson) / kYoung * ((1.0 - 2.0 * kPoisson) * kIn * kIn + kOut * kOut) /
+                      (kOut * kOut - kIn * kIn);
+  return (look.inward.at(2) - look.inward.at(1)) / lame;
+}
+
+TEST(Excavation, bonded_blocks_come_to_lame_as_their_joints_get_stiffer) {
+  std::printf("k_n d/E  wall over Lame\n");
+  double before = 1e9;
+  std::vector<double> found;
+  for (const double ratio : {3.0, 10.0, 30.0, 100.0, 300.0}) {
+    found.push_back(wall_over_lame(ratio * kYoung / kSize));
+    std::printf("%7.0f  %.4f\n", ratio, found.back());
+    EXPECT_LT(found.back(), before);
+    before = found.back();
+  }
+}
+
+}  // namespace
+}  // namespace scree::test
