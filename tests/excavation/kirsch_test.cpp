@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -47,10 +48,10 @@ Vec2 kirsch_stress(double r, bool upright) {
 
 struct Look final : Sink {
   void history(const HistoryView& h) override {
-    displacement.emplace_back(h.displacement.begin(), h.displacement.end());
+    displacement[std::lround(h.time)].assign(h.displacement.begin(), h.displacement.end());
     stress.assign(h.stress.begin(), h.stress.end());
   }
-  std::vector<std::vector<double>> displacement;
+  std::map<long, std::vector<double>> displacement;  // by time [s]
   std::vector<double> stress;
 };
 
@@ -80,7 +81,7 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
       at.push_back(r * Vec2(std::cos(t * std::numbers::pi), std::sin(t * std::numbers::pi)));
   for (const Vec2& x : at) scene.model.monitors.push_back({"m", rock, x});
   for (const bool there : {true, false}) {
-    Stage& stage = scene.stage("nmm", Integrator::implicit, 3.0, 1.0, 0.25);
+    Stage& stage = scene.stage("nmm", Integrator::implicit, 3.0, 1.0, 0.16);
     stage.rest = true;
     if (there) continue;
     stage.construction.absent = {disc};
@@ -92,14 +93,13 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
   run.add_sink(look);
   const RunEnd end = run.run();
   ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
-  ASSERT_EQ(look.displacement.size(), 3U);
   const double scale = kirsch({0.0, kRadius}).norm();
   double worst = 0.0;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const auto moved = [&](std::size_t row) {
-      return Vec2(look.displacement[row][2 * i], look.displacement[row][2 * i + 1]);
+    const auto moved = [&](long time) {
+      return Vec2(look.displacement.at(time)[2 * i], look.displacement.at(time)[2 * i + 1]);
     };
-    const Vec2 u = moved(2) - moved(1), exact = kirsch(at[i]);
+    const Vec2 u = moved(6) - moved(3), exact = kirsch(at[i]);
     std::printf("r %.2f, %3.0f degrees: u (%.4f %.4f) mm of (%.4f %.4f) mm\n", at[i].norm(),
                 std::atan2(at[i].y(), at[i].x()) * 180.0 / std::numbers::pi, 1e3 * u.x(), 1e3 * u.y(), 1e3 * exact.x(),
                 1e3 * exact.y());
