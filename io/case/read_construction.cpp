@@ -98,6 +98,9 @@ class Reader {
       throw s.error(s.has("excavate") ? "excavate" : "excavate_in", "no block is left", "a part of the blocks",
                     "leave the rock in place");
     release(s, !left.empty(), stage);
+    if (stage.newmark == coupling::NewmarkScheme::trapezoidal && !c.absent.empty())
+      throw s.error("newmark", "the trapezoidal scheme takes whole models only, and blocks are not there in this stage",
+                    "\"damped\" where blocks leave or come", "use newmark = \"damped\"");
   }
 
  private:
