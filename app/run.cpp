@@ -102,8 +102,8 @@ std::string told_sides(const Model& model, const coupling::Stage& stage) {
 void print_construction(const Model& model, const coupling::Stage* before, const coupling::Stage& stage) {
   const coupling::Construction& c = stage.construction;
   const std::size_t n = model.blocks.size();
-  const std::vector<char> now = c.flags(n), was = before == nullptr ? std::vector<char>(n, 0)
-                                                                    : before->construction.flags(n);
+  const std::vector<char> now = c.flags(n),
+                          was = before == nullptr ? std::vector<char>(n, 0) : before->construction.flags(n);
   std::vector<BlockId> left, came;
   for (std::size_t b = 0; b < n; ++b)
     if (now[b] != was[b]) (now[b] != 0 ? left : came).emplace_back(static_cast<std::int32_t>(b));

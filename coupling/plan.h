@@ -104,7 +104,7 @@ struct StrengthPlan {
 
 /// What construction changes as a stage begins. Blocks that are absent in it and were not in the stage before leave;
 /// those that were and are not any more come.
-/// @source docs/theory/construction.md
+/// @source docs/theory/construction.md, "Release"
 struct Construction {
   std::vector<BlockId> absent;    // not there in this stage, in their order
   std::optional<double> release;  // part of what left that is released in this stage, 0 to 1; empty: none of it
