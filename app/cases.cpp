@@ -56,13 +56,15 @@ int cases_verify(const VerifyCommand& command) {
       return kUsage;
     }
   std::vector<CaseReport> reports;
-  int failed = 0;
+  int failed = 0, skipped = 0;
   for (const std::string& name : names) {
     reports.push_back(evaluate_case(library / name, command.full));
     failed += reports.back().failed();
+    skipped += reports.back().skipped();
     say("{}", terminal_text(reports.back()));
   }
-  say("{} cases, {} quantities failed\n", names.size(), failed);
+  say("{} cases, {} quantities failed{}\n", names.size(), failed,
+      skipped > 0 ? fmt::format(", {} skipped", skipped) : "");
   if (!command.table.empty()) write_table(reports, command.table);
   if (!command.report.empty()) write_report(reports, command.report);
   return failed == 0 ? kDone : kFailed;

@@ -30,11 +30,18 @@ std::vector<const Quantity*> wanted_quantities(const Expected& expected, bool fu
 }
 
 Row row_of(const Quantity& q, double found) {
-  return {q.name, q.reason, q.wanted(), found, found >= q.low && found <= q.high, {}};
+  return {q.name, q.reason, q.wanted(), found, found >= q.low && found <= q.high, {}, false};
 }
 
 Row failed_row(const Quantity& q, std::string trouble) {
-  return {q.name, q.reason, q.wanted(), 0.0, false, std::move(trouble)};
+  return {q.name, q.reason, q.wanted(), 0.0, false, std::move(trouble), false};
+}
+
+/// The environment variable that a quantity lacks; empty: none.
+std::string lacked_by(const Quantity& q, const Expected& expected) {
+  for (const std::string& name : q.runs())
+    if (expected.variant(name).lacking()) return expected.variant(name).needs;
+  return {};
 }
 
 /// Runs the variants, those with repeats in turns: what else the machine does then falls on all of them alike.
@@ -55,6 +62,7 @@ RunRecords run_variants(const std::map<std::string, io::Case>& cases, const Expe
       first.stepping = std::min(first.stepping, record.stepping);
       first.stepping_implicit = std::min(first.stepping_implicit, record.stepping_implicit);
       first.wall += record.wall;
+      first.least_wall = std::min(first.least_wall, record.wall);
       if (record.hash != first.hash && first.done()) {
         first.end.status = coupling::RunEnd::Status::not_converged;
         first.end.reason = fmt::format("repeat {} ended in another state", round + 1);
@@ -66,12 +74,14 @@ RunRecords run_variants(const std::map<std::string, io::Case>& cases, const Expe
 void evaluate_runs(const std::filesystem::path& folder, const Expected& expected, bool full, CaseReport& report) {
   const std::vector<const Quantity*> wanted = wanted_quantities(expected, full);
   std::map<std::string, io::Case> cases;
-  for (const Quantity* q : wanted)
+  for (const Quantity* q : wanted) {
+    if (!lacked_by(*q, expected).empty()) continue;
     for (const std::string& name : q->runs()) {
       const Variant& v = expected.variant(name);
       if (cases.count(name) == 0) cases.emplace(name, read(folder / v.case_file, v.set));
       check_names(*q, cases.at(name).model, cases.at(name).plan);
     }
+  }
   const RunRecords runs = run_variants(cases, expected);
   for (const Variant& v : expected.variants) {
     const auto at = runs.find(v.name);
@@ -82,6 +92,10 @@ void evaluate_runs(const std::filesystem::path& folder, const Expected& expected
                    : fmt::format("{}: {}", v.name, run.trouble()));
   }
   for (const Quantity* q : wanted) {
+    if (const std::string lacked = lacked_by(*q, expected); !lacked.empty()) {
+      report.rows.push_back({q->name, q->reason, q->wanted(), 0.0, false, lacked + " is not set", true});
+      continue;
+    }
     std::string trouble;
     for (const std::string& name : q->runs()) {
       const RunRecord& run = runs.at(name);
@@ -120,7 +134,11 @@ void evaluate_study(const Expected& expected, const std::filesystem::path& file,
 }  // namespace
 
 int CaseReport::failed() const {
-  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.pass; }));
+  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.pass && !r.skipped; }));
+}
+
+int CaseReport::skipped() const {
+  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.skipped; }));
 }
 
 std::string case_title(const std::filesystem::path& folder) {

@@ -14,7 +14,8 @@ struct Row {
   std::string name, reason, wanted;
   double found = 0.0;
   bool pass = false;
-  std::string trouble;  // why there is no number; empty where there is one
+  std::string trouble;   // why there is no number; empty where there is one
+  bool skipped = false;  // passed over for what trouble says; neither passed nor failed
 };
 
 struct CaseReport {
@@ -24,6 +25,7 @@ struct CaseReport {
   std::vector<std::string> notes;  // a line a run: what was run, how long, state hash
   double wall = 0.0;               // [s]
   [[nodiscard]] int failed() const;
+  [[nodiscard]] int skipped() const;
 };
 
 /// A case of the library: a folder with expected.toml, and case.toml or the name of a study.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "app/verify/measures.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 const std::vector<std::string> kTop{"title", "study", "variant", "quantity"};
-const std::vector<std::string> kVariantKeys{"name", "case", "set", "tier", "repeats"};
+const std::vector<std::string> kVariantKeys{"name", "case", "set", "tier", "repeats", "needs"};
 const std::vector<std::string> kQuantityKeys{"name",      "reason",    "measure",  "variant",  "over",
                                              "variants",  "sizes",     "exact",    "at_least", "at_most",
                                              "reference", "tolerance", "absolute", "tier"};
@@ -132,6 +133,7 @@ Variant read_variant(const Reader& r, const std::vector<Variant>& before) {
   v.case_file = r.text("case").value_or(v.case_file);
   v.set = r.texts("set");
   v.full = r.full();
+  v.needs = r.text("needs").value_or("");
   const double repeats = r.number("repeats").value_or(1.0);
   if (repeats < 1.0 || repeats > 100.0 || repeats != std::floor(repeats))
     throw r.wrong(*r.table().find("repeats"), "repeats", "a whole number from 1 to 100");
@@ -237,6 +239,12 @@ Quantity read_quantity(const Reader& r, const std::string& file, const Expected&
 }
 
 }  // namespace
+
+bool Variant::lacking() const {
+  if (needs.empty()) return false;
+  const char* value = std::getenv(needs.c_str());
+  return value == nullptr || *value == '\0';
+}
 
 std::optional<double> Quantity::number(const std::string& key) const {
   const auto at = numbers.find(key);

@@ -9,6 +9,7 @@
 //   set = ["stage.0.dt=1e-6"]     as --set
 //   tier = "quick"                or "full": only with --full
 //   repeats = 1                   runs for timing; variants with repeats take turns
+//   needs = "SCREE_RECORDS"       environment variable without which its quantities are skipped
 //
 //   [[quantity]]                  a row of the table
 //   name, reason                  what a person calls it; why this bound
@@ -33,8 +34,12 @@ namespace scree::app {
 struct Variant {
   std::string name, case_file = "case.toml";
   std::vector<std::string> set;
+  std::string needs;  // environment variable; empty: none
   bool full = false;
   int repeats = 1;
+
+  /// Whether the environment variable that it needs is missing or empty.
+  [[nodiscard]] bool lacking() const;
 };
 
 struct Quantity {

@@ -273,6 +273,8 @@ double on_variant(const Quantity& q, const std::string& variant, const RunRecord
   if (m == "transfer_momentum_error") return transfer_momentum_error(run);
   if (m == "transfer_energy_error") return transfer_energy_error(run);
   if (m == "stepping_time") return q.text("of") == kImplicit ? run.stepping_implicit : run.stepping;
+  if (m == "wall_time") return run.least_wall;
+  if (m == "same_state") return run.hash == runs.at(q.text("against")).hash ? 1.0 : 0.0;
   if (m == "steps") return static_cast<double>(run.stats.steps);
   return run.refused.empty() ? 0.0 : 1.0;  // refused
 }
@@ -348,6 +350,10 @@ const std::vector<MeasureInfo>& measures() {
        "contact search, bounds, rules, checks and ledger, but neither set-up and hand-overs nor output; with of = "
        "\"implicit\" that of implicit and partitioned stages; meant for ratios",
        {{Kind::text, "of", false, ""}}},
+      {"wall_time", "time on the clock of a run without output, the least of the repeats [s]; meant for ratios", {}},
+      {"same_state",
+       "1 where a run ended in the same state as another variant, to the last bit, else 0",
+       {{Kind::text, "against", true, ""}}},
       {"steps", "steps made", {}},
       {"refused", "1 where the plan was refused before a step, else 0", {}},
       {"study", "a number that the study computed", {{Kind::text, "of", true, ""}}}};

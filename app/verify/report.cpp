@@ -12,7 +12,7 @@ namespace scree::app {
 namespace {
 
 std::string found(const Row& r) { return r.trouble.empty() ? fmt::format("{:.6g}", r.found) : "-"; }
-const char* verdict(const Row& r) { return r.pass ? "pass" : "FAIL"; }
+const char* verdict(const Row& r) { return r.skipped ? "skipped" : r.pass ? "pass" : "FAIL"; }
 
 std::string picture(const CaseReport& report, std::size_t i) { return fmt::format("{}-{}.svg", report.name, i + 1); }
 
@@ -42,6 +42,12 @@ std::string escaped_markdown(const std::string& text) {
   return out;
 }
 
+int skipped(const std::vector<CaseReport>& reports) {
+  int rows = 0;
+  for (const CaseReport& r : reports) rows += r.skipped();
+  return rows;
+}
+
 int failures(const std::vector<CaseReport>& reports) {
   int failed = 0;
   for (const CaseReport& r : reports) failed += r.failed();
@@ -51,7 +57,9 @@ int failures(const std::vector<CaseReport>& reports) {
 std::string summary(const std::vector<CaseReport>& reports) {
   std::size_t rows = 0;
   for (const CaseReport& r : reports) rows += r.rows.size();
-  return fmt::format("{} cases, {} quantities, {} failed", reports.size(), rows, failures(reports));
+  const int passed_over = skipped(reports);
+  return fmt::format("{} cases, {} quantities, {} failed{}", reports.size(), rows, failures(reports),
+                     passed_over > 0 ? fmt::format(", {} skipped", passed_over) : "");
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -113,7 +121,7 @@ std::string html_report(const std::vector<CaseReport>& reports, bool pictures) {
           "<tr><td>{}<br><small>{}</small></td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
           "<td class=\"{}\">{}</td></tr>\n",
           escaped_html(r.name), escaped_html(r.reason), escaped_html(r.wanted),
-          r.trouble.empty() ? found(r) : escaped_html(r.trouble), r.pass ? "pass" : "fail", verdict(r));
+          r.trouble.empty() ? found(r) : escaped_html(r.trouble), r.pass || r.skipped ? "pass" : "fail", verdict(r));
     text += "</table>\n";
     for (const std::string& note : report.notes) text += fmt::format("<small>{}</small><br>\n", escaped_html(note));
     for (std::size_t i = 0; pictures && i < report.plots.size(); ++i)

@@ -107,6 +107,7 @@ RunRecord record_run(const Model& model, const coupling::Plan& plan) {
   omp_set_num_threads(threads);
   if (!record.refused.empty()) return record;
   record.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  record.least_wall = record.wall;
   record.hash = coupling::state_hash(run.state());
   record.moved = displacements(model, run);
   record.travels = run.travels();

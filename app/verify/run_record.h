@@ -36,6 +36,7 @@ struct RunRecord {
   double stepping = 0.0;           // processor time of the steps, the least of the repeats [s]
   double stepping_implicit = 0.0;  // the same of implicit and partitioned stages
   double wall = 0.0;               // of everything, all repeats [s]
+  double least_wall = 0.0;         // of one repeat, the least [s]
 
   [[nodiscard]] bool done() const { return refused.empty() && end.status == coupling::RunEnd::Status::done; }
   /// Why it has no measures; empty where it has.

@@ -106,6 +106,42 @@ TEST_F(Evaluate, refused_run_fails_its_rows_but_for_the_refusal_itself) {
   EXPECT_TRUE(report.rows[1].pass);
 }
 
+TEST_F(Evaluate, quantity_whose_variable_is_not_set_is_skipped_and_says_so) {
+  const std::string variants = std::string(kVariants) +
+                               "[[variant]]\nname = \"recorded\"\nneeds = \"SCREE_TEST_RECORDS\"\n"
+                               "set = ['stage.0.duration=0.05']\n";
+  folder_.put("expected.toml", variants + end_of("recorded", -0.0125) + end_of("fall", -0.05));
+  ASSERT_EQ(unsetenv("SCREE_TEST_RECORDS"), 0);
+  const CaseReport without = evaluate_case(folder_.path(), false);
+  ASSERT_EQ(without.rows.size(), 2U);
+  EXPECT_TRUE(without.rows[0].skipped);
+  EXPECT_EQ(without.rows[0].trouble, "SCREE_TEST_RECORDS is not set");
+  EXPECT_TRUE(without.rows[1].pass);
+  EXPECT_EQ(without.failed(), 0);
+  EXPECT_EQ(without.skipped(), 1);
+  EXPECT_NE(terminal_text(without).find("skipped"), std::string::npos);
+  ASSERT_EQ(setenv("SCREE_TEST_RECORDS", "anywhere", 1), 0);
+  const CaseReport with = evaluate_case(folder_.path(), false);
+  ASSERT_EQ(unsetenv("SCREE_TEST_RECORDS"), 0);
+  EXPECT_EQ(with.skipped(), 0);
+  EXPECT_TRUE(with.rows[0].pass);
+}
+
+TEST_F(Evaluate, same_state_is_of_equal_runs_alone) {
+  const auto same = [](const std::string& variant, const std::string& against, int wanted) {
+    return "[[quantity]]\nname = \"" + variant + " and " + against + "\"\nmeasure = \"same_state\"\nvariant = \"" +
+           variant + "\"\nagainst = \"" + against + "\"\nreference = " + std::to_string(wanted) +
+           "\nabsolute = 0\nreason = \"bits\"\n[[quantity]]\nname = \"clock\"\nmeasure = \"wall_time\"\nvariant = \"" +
+           variant + "\"\nat_least = 1e-9\nat_most = 60\nreason = \"it took time\"\n";
+  };
+  folder_.put("expected.toml", std::string(kVariants) +
+                                   "[[variant]]\nname = \"two threads\"\nset = ['run.threads=2']\n" +
+                                   same("two threads", "fall", 1) + same("shorter steps", "fall", 0));
+  const CaseReport report = evaluate_case(folder_.path(), false);
+  ASSERT_EQ(report.rows.size(), 4U);
+  EXPECT_EQ(report.failed(), 0);
+}
+
 TEST_F(Evaluate, overrides_that_do_not_fit_the_case_are_its_errors) {
   folder_.put("expected.toml", "[[variant]]\nname = \"a\"\nset = [\"stage.0.dtt=1\"]\n" + end_of("a", 0.0));
   EXPECT_THROW((void)evaluate_case(folder_.path(), false), io::CaseError);
