@@ -30,21 +30,25 @@ GroundMotion pulse(double factor) {
 /// Without Poisson's effect a vertical motion is a pressure wave of sqrt(E/rho) between free sides.
 class KeptReactions : public testing::TestWithParam<Integrator> {
  protected:
+  struct Found {
+    double settled = 0.0, top = 0.0, left = 0.0, sunk = 0.0;  // of the top: [m], [m/s], [m/s], [m]
+  };
   struct Look final : Sink {
     void history(const HistoryView& h) override {
       const double v = h.velocity[1];
       if (h.time <= begin) {
-        settled = h.displacement[1];
+        found.settled = h.displacement[1];
         return;
       }
-      top = std::max(top, v);
-      if (h.time > over) left = std::max(left, std::abs(v));
-      sunk = settled - h.displacement[1];
+      found.top = std::max(found.top, v);
+      if (h.time > over) found.left = std::max(found.left, std::abs(v));
+      found.sunk = found.settled - h.displacement[1];
     }
-    double begin = 0.0, over = 0.0, settled = 0.0, top = 0.0, left = 0.0, sunk = 0.0;
+    double begin = 0.0, over = 0.0;
+    Found found;
   };
   /// @param factor  of the pulse
-  Look run(double factor) const {
+  Found run(double factor) const {
     Scene scene(kYoung, 0.0, kDensity);
     scene.model.gravity = {0.0, -9.81};
     const BlockId bed = scene.add("bed", rectangle(-1.0, -1.0, kWidth + 1.0, 0.0), true);
@@ -70,13 +74,13 @@ class KeptReactions : public testing::TestWithParam<Integrator> {
     EXPECT_EQ(end.status, RunEnd::Status::done) << end.reason;
     const Ledger& ledger = driver.state().ledger;
     EXPECT_LT(std::abs(ledger.closure()), 1e-11 * ledger.moved());
-    return look;
+    return look.found;
   }
 };
 INSTANTIATE_TEST_SUITE_P(Excavation, KeptReactions, testing::Values(Integrator::explicit_, Integrator::implicit));
 
 TEST_P(KeptReactions, column_neither_sinks_nor_reflects_and_its_top_has_twice_the_upgoing_velocity) {
-  const Look still = run(0.0), shaken = run(1.0);
+  const Found still = run(0.0), shaken = run(1.0);
   const double weight = kDensity * 9.81 * kHeight,  // sinks on dashpots alone at weight over rho c
       sinks = weight / std::sqrt(kYoung * kDensity) * (2.0 * kHeight / std::sqrt(kYoung / kDensity) + 1.6 * kPulse);
   std::printf("sunk %.2e m of %.3f m on dashpots alone; top %.4f of the upgoing wave, left %.5f\n", still.sunk, sinks,
