@@ -103,6 +103,10 @@ void end_supports(const Setup& from, const std::vector<char>& gone, State& state
   for (const Remainder& r : state.rest)
     if (leaves(r.block)) reservoir += r.kinetic + r.elastic;
   std::erase_if(state.rest, [&](const Remainder& r) { return leaves(r.block); });
+  // A block that comes back stands where the case has it, and so do the anchors of its supports.
+  const auto& supports = from.model().point_supports;
+  for (std::size_t i = 0; i < supports.size() && !state.anchors.empty(); ++i)
+    if (leaves(supports[i].block)) state.anchors[2 * i] = state.anchors[2 * i + 1] = 0.0;
   Ledger& ledger = state.ledger;
   ledger.set(Column::support_springs, ledger[Column::support_springs] - springs);
   ledger.set(Column::reservoir, ledger[Column::reservoir] - reservoir);

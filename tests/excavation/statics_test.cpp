@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "tests/support/schemes.h"
@@ -85,6 +86,44 @@ TEST_P(Construct, floor_bears_what_is_there_and_what_is_not_released) {
   EXPECT_LT(look.closure, 1e-12);
   // Back where it was: the same stress in what has stayed.
   EXPECT_TRUE(run.state().support.forces.empty());
+}
+
+TEST(ConstructSupports, support_of_a_block_that_comes_back_is_free_of_force) {
+  // A hand-over has moved the anchor of the support, so that its force stayed.
+  Scene scene(1e7, 0.2, kDensity);
+  scene.model.gravity = {0.0, -kGravity};
+  scene.add("floor", rectangle(-1.0, -1.0, 3.0, 0.0), true);
+  scene.add("lower", rectangle(0.0, 0.0, 2.0, 1.0));
+  const BlockId hung = scene.add("hung", rectangle(4.0, 0.0, 5.0, 1.0));
+  scene.model.point_supports.push_back({hung, {4.0, 1.0}, true, true, 1e6});
+  scene.model.point_supports.push_back({hung, {5.0, 1.0}, false, true, 1e6});
+  for (const char* method : {"nmm", "dda", "dda", "dda"}) {
+    Stage& s = scene.stage(method, Integrator::implicit, 1.0, 0.1, 0.3);
+    s.rest = true;
+    if (scene.plan.stages.size() == 3) {
+      s.construction.absent = {hung};
+      s.construction.release = 1.0;
+    }
+  }
+  scene.plan.output.history_every = scene.plan.output.every = ticks(1.0);
+  struct Look final : Sink {
+    void history(const HistoryView& h) override {
+      held[std::lround(h.time)].push_back((*h.ledger)[Column::support_springs]);
+    }
+    std::map<long, std::vector<double>> held;  // by time [s]: before and after what changes between stages
+  } look;
+  Driver run(scene.model, scene.plan, methods());
+  run.add_sink(look);
+  const RunEnd end = run.run();
+  ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
+  const double weight = kDensity * kGravity, energy = 2.0 * 0.5 * (0.5 * weight) * (0.5 * weight) / 1e6;
+  EXPECT_NEAR(look.held.at(1).back(), energy, 1e-3 * energy);
+  EXPECT_NEAR(look.held.at(2).front(), energy, 1e-3 * energy);
+  EXPECT_EQ(look.held.at(2).back(), 0.0);
+  EXPECT_EQ(look.held.at(3).front(), 0.0);
+  EXPECT_NEAR(look.held.at(3).back(), 0.0, 1e-20);
+  EXPECT_NEAR(look.held.at(4).back(), energy, 1e-3 * energy);
+  EXPECT_LT(std::abs(run.state().ledger.closure()), 1e-12 * run.state().ledger.moved());
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Construct, ::testing::ValuesIn(kAllSchemes),
