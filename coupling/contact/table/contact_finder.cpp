@@ -18,6 +18,15 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
+/// Whether the corner is outside the body, above the edge `over`, and only behind the line of the edge `behind`, which
+/// ends at the same corner.
+bool passes_over(const ContactPoint& over, const ContactPoint& behind) {
+  if (over.at.gap < 0.0 || behind.at.gap >= 0.0) return false;
+  // Where both pairs are of faces, those of `behind` do not overlap. A corner that stands on the end of an edge is
+  // kept.
+  return (over.edge_edge && behind.edge_edge) || over.at.gap < -behind.at.gap;
+}
+
 constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are asked for so far ahead
 constexpr double kClearly = 1.0 - 1e-6;  // of a depth: at equal ones a corner does not go to and fro
 constexpr double kInLine = 0.5;          // of a corner's depth: more of it is that of the joint that goes on beside it
@@ -466,6 +475,11 @@ void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, Co
       at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
     // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
     (first_is_open ? a : b).suppressed = true;
+    return;
+  }
+  if (passes_over(a, b) || passes_over(b, a)) {
+    const bool over_a = passes_over(a, b);
+    if ((over_a ? mb : ma).bonded == 0) (over_a ? b : a).suppressed = true;
     return;
   }
   const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
