@@ -73,12 +73,14 @@ class Warnings final : public coupling::Sink {
 };
 
 /// Which blocks of a partitioned stage take explicit steps.
-std::string told_sides(const Model& model, const coupling::Partition& partition) {
-  const std::vector<char> sides = coupling::first_sides(model, partition);
+std::string told_sides(const Model& model, const coupling::Stage& stage) {
+  const coupling::Partition& partition = stage.partition;
+  const std::vector<char> sides = coupling::first_sides(model, partition, stage.construction),
+                          absent = stage.construction.flags(model.blocks.size());
   std::string names;
   std::size_t free = 0, explicit_ones = 0;
   for (std::size_t b = 0; b < sides.size(); ++b) {
-    if (model.support_of(BlockId{static_cast<std::int32_t>(b)})) continue;
+    if (absent[b] != 0 || model.support_of(BlockId{static_cast<std::int32_t>(b)})) continue;
     ++free;
     if (sides[b] != 0 && ++explicit_ones <= 5)
       names += fmt::format("{}'{}'{}", names.empty() ? "" : ", ", model.blocks[b].name,
@@ -94,6 +96,29 @@ std::string told_sides(const Model& model, const coupling::Partition& partition)
     limits += fmt::format("{}{:g} 1/s until they are below {:g} 1/s", limits.empty() ? "" : ", or above ",
                           partition.strain_rate.up, partition.strain_rate.down);
   return limits.empty() ? text : text + "; others above " + limits;
+}
+
+/// What a stage excavates, fills and releases; a line each.   @param before  the stage before; nullptr: it is the first
+void print_construction(const Model& model, const coupling::Stage* before, const coupling::Stage& stage) {
+  const coupling::Construction& c = stage.construction;
+  const std::size_t n = model.blocks.size();
+  const std::vector<char> now = c.flags(n),
+                          was = before == nullptr ? std::vector<char>(n, 0) : before->construction.flags(n);
+  std::vector<BlockId> left, came;
+  for (std::size_t b = 0; b < n; ++b)
+    if (now[b] != was[b]) (now[b] != 0 ? left : came).emplace_back(static_cast<std::int32_t>(b));
+  const auto told = [&](const std::vector<BlockId>& blocks) {
+    double area = 0.0;
+    for (const BlockId b : blocks) area += moments(model.blocks[b.index()].polygon).area;
+    return fmt::format("{} {} of {:.6g} m2: {}", blocks.size(), blocks.size() == 1 ? "block" : "blocks", area,
+                       coupling::named_blocks(model, blocks));
+  };
+  if (before == nullptr && !left.empty()) say("    not there yet: {}\n", told(left));
+  if (before != nullptr && !left.empty()) say("    excavates {}\n", told(left));
+  if (!came.empty()) say("    fills {}\n", told(came));
+  if (c.release)
+    say("    releases {:g} of the forces of what has been excavated {}\n", *c.release,
+        c.release_time > 0 ? fmt::format("within {:g} s", seconds(c.release_time)) : std::string("at once"));
 }
 
 /// What there is of functions, loads, viscous edges and cracks.
@@ -461,12 +486,16 @@ int check(const CheckOptions& options) {
     for (std::size_t p = 0; p < setup.pools(); ++p) {
       MeshPart part;
       setup.pool(p).topology(part);
-      cells += static_cast<std::int64_t>(part.body.size());
+      std::vector<char> there;
+      for (const coupling::Body& b : setup.bodies())
+        if (static_cast<std::size_t>(b.pool) == p) there.push_back(b.absent ? 0 : 1);
+      for (const std::int32_t b : part.body) cells += there[static_cast<std::size_t>(b)];
     }
     for (const coupling::Body& b : setup.bodies()) unknowns += b.driven ? 0 : 2 * b.nodes;
     say("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
         seconds(s.duration), cells, unknowns);
-    if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s.partition));
+    print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
+    if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
     if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i)))
       say("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
   }

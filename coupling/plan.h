@@ -102,6 +102,20 @@ struct StrengthPlan {
   [[nodiscard]] bool used() const { return !joints.empty(); }
 };
 
+/// What construction changes as a stage begins. Blocks that are absent in it and were not in the stage before leave;
+/// those that were and are not any more come.
+/// @source docs/theory/construction.md, "Release"
+struct Construction {
+  std::vector<BlockId> absent;    // not there in this stage, in their order
+  std::optional<double> release;  // part of what left that is released in this stage, 0 to 1; empty: none of it
+  Tick release_time = 0;          // in which that happens, in a straight line; 0: at once, as the stage begins
+  [[nodiscard]] std::vector<char> flags(std::size_t blocks) const {
+    std::vector<char> out(blocks, 0);
+    for (const BlockId b : absent) out[b.index()] = 1;
+    return out;
+  }
+};
+
 struct Stage {
   std::string name;
   std::string method;  // for blocks that no rule names
@@ -132,6 +146,7 @@ struct Stage {
   EndRules end;
   SwitchRules change;
   StrengthPlan strength;
+  Construction construction;
   StepControl control;
   /// Steps of two sizes, all of them explicit.
   [[nodiscard]] bool subcycled() const { return integrator == Integrator::partitioned && partition.slow_explicit; }

@@ -141,6 +141,8 @@ enum class EventKind {
   transfer,
   partition,
   bolt_broken,
+  excavated,
+  filled,
   step_cut,
   not_converged,
   warning

@@ -8,6 +8,7 @@
 #include "coupling/bolt_memory.h"
 #include "coupling/contact_memory.h"
 #include "coupling/ledger/ledger.h"
+#include "coupling/support_force.h"
 #include "coupling/visit.h"
 #include "model/pool.h"
 
@@ -90,6 +91,7 @@ struct State {
   std::vector<double>
       anchors;  // x, y per point support: how far hand-overs have shifted its anchor; empty: none yet [m]
   std::vector<BoltMemory> bolts;  // of the model; empty: it has none
+  SupportForces support;          // of what has left the model
   RuleMemory rules;
   Ledger ledger;
 
@@ -124,6 +126,8 @@ void visit_body(Visitor&& see, const BodyRecord& b) {
   see("body.rotation", b.form.rotation);
   see("body.cracks", b.form.cracks);
   see("body.edge_shift", b.edge_shift);
+  see("body.absent", b.absent);
+  see("body.placed", b.placed);
   see.size("body.explicit_region", b.form.division.region);
   for (const Vec2& x : b.form.division.region) {
     see("body.explicit_region", x.x());
@@ -196,6 +200,7 @@ void State::visit(Visitor&& see) const {
   see("anchors", anchors);
   see.size("bolts", bolts);
   for (const BoltMemory& b : bolts) b.visit(see);
+  support.visit(see);
   rules.visit(see);
   ledger.visit(see);
 }

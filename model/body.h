@@ -72,6 +72,8 @@ struct BodyRecord {
   Formulation form;
   // How far a hand-over has moved the anchors of the block's edge supports: x, y at either end of each; empty: nowhere.
   std::vector<double> edge_shift{};
+  bool absent = false;  // not there: not come yet, or excavated. It keeps its place in lists, and nothing acts on it
+  bool placed = false;  // it came with a stage: its material's in-situ stress is not in it
 };
 
 /// In-situ stress of a block in its reference shape: the axes there are those that turn with the rock.

@@ -37,7 +37,7 @@ char next(char side, double measure, const Partition::Band& band) {
 
 }  // namespace
 
-std::vector<char> settled_sides(const Model& model, const Partition& partition) {
+std::vector<char> settled_sides(const Model& model, const Partition& partition, const Construction& construction) {
   std::vector<char> side(model.blocks.size(), -1);
   if (partition.explicit_area > 0.0)
     for (std::size_t i = 0; i < side.size(); ++i)
@@ -53,11 +53,12 @@ std::vector<char> settled_sides(const Model& model, const Partition& partition) 
   // What is held or driven takes no steps: it is on neither side, and a border through it divides nothing.
   for (std::size_t i = 0; i < side.size(); ++i)
     if (model.support_of(BlockId{static_cast<std::int32_t>(i)}) != nullptr) side[i] = 0;
+  for (const BlockId b : construction.absent) side[b.index()] = 0;
   return side;
 }
 
-std::vector<char> first_sides(const Model& model, const Partition& partition) {
-  std::vector<char> side = settled_sides(model, partition);
+std::vector<char> first_sides(const Model& model, const Partition& partition, const Construction& construction) {
+  std::vector<char> side = settled_sides(model, partition, construction);
   std::replace(side.begin(), side.end(), static_cast<char>(-1), static_cast<char>(0));
   return side;
 }
@@ -66,7 +67,7 @@ Ghosts slow_bodies(const Model& model, const Stage& stage, std::span<const char>
   Ghosts out;
   if (!stage.subcycled()) return out;
   std::vector<char> first;
-  if (sides.empty()) sides = first = first_sides(model, stage.partition);
+  if (sides.empty()) sides = first = first_sides(model, stage.partition, stage.construction);
   for (const char side : sides) out.slow.push_back(side == 0 ? 1 : 0);
   return out;
 }

@@ -12,12 +12,15 @@ namespace scree::coupling {
 class Setup;
 struct Ghosts;
 
-/// Sides that lists, a region or areas settle, as State::explicit_side; -1 for none of them.
-[[nodiscard]] std::vector<char> settled_sides(const Model& model, const Partition& partition);
+/// Sides that lists, a region or areas settle, as State::explicit_side; -1 for none of them. Blocks that are not there
+/// take no steps, as those that are held.
+[[nodiscard]] std::vector<char> settled_sides(const Model& model, const Partition& partition,
+                                              const Construction& construction = {});
 
 /// Sides where a stage begins, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
 /// start implicit.
-[[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition);
+[[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition,
+                                            const Construction& construction = {});
 
 /// What a setup of the whole model has to know of a stage: bodies whose internal force is met at long steps.
 /// @param sides  State::explicit_side; empty: as the stage begins

@@ -30,7 +30,8 @@ bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empt
 /// What decides the pool of a body: its method, whether its forces are another integrator's, whether it is slow.
 using PoolKey = std::tuple<std::string, bool, bool>;
 PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
-  const bool foreign = flagged(ghosts.ghost, i) || (!ghosts.touch && model.support_of(record.block) != nullptr);
+  const bool held = record.absent || model.support_of(record.block) != nullptr,
+             foreign = flagged(ghosts.ghost, i) || (!ghosts.touch && held);
   return {record.method, foreign, flagged(ghosts.slow, i)};
 }
 
@@ -39,14 +40,15 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
   Body b;
   b.block = record.block;
   b.slow = flagged(ghosts.slow, i);
-  if (const BlockSupport* s = model.support_of(record.block)) {
+  b.driven = b.absent = record.absent;
+  if (const BlockSupport* s = model.support_of(record.block); s != nullptr && !b.absent) {
     b.driven = true;
     b.motion = s->motion;
   }
   b.ghost = !b.driven && flagged(ghosts.ghost, i);
   b.driven = b.driven || b.ghost;
   b.touched = ghosts.shared ? b.ghost || !b.driven : !b.driven;
-  if (ghosts.shared && !ghosts.touch) b.touched = false;
+  if (b.absent || (ghosts.shared && !ghosts.touch)) b.touched = false;
   b.divided = record.form.division.divides() && record.form.division.acts != Division::Acts::both;
   b.centre = moments(model.blocks[record.block.index()].polygon).centroid;
   return b;
@@ -96,10 +98,10 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
         kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::ghost;
     add_outline(static_cast<std::int32_t>(i));
   }
-  for (Outlines::Edge& e : outlines_.edges)
-    if (!ghosts.touch &&
-        (bodies_[static_cast<std::size_t>(e.body)].ghost || bodies_[static_cast<std::size_t>(e.body)].divided))
-      e.touches = false;
+  for (Outlines::Edge& e : outlines_.edges) {
+    const Body& b = bodies_[static_cast<std::size_t>(e.body)];
+    if (b.absent || (!ghosts.touch && (b.ghost || b.divided))) e.touches = false;
+  }
 }
 
 const JointWater* Setup::water_in(JointId joint) const {

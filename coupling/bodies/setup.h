@@ -20,6 +20,7 @@ struct Body {
   std::int32_t pool = 0, index = 0;        // pool, and body within it
   std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
   bool driven = false;                     // held or moved as a whole, or a ghost; has no unknowns
+  bool absent = false;                     // not there; driven too, at rest where the model has it, and untouched
   bool ghost = false;                      // another integrator moves it (see Ghosts)
   bool divided = false;                    // another integrator moves one half of it
   bool slow = false;                       // its internal force is met at long steps only (see Ghosts)
@@ -45,7 +46,7 @@ struct Outlines {
     JointId joint;                                  // its own law; may be invalid
     Vec2 along{0.0, 0.0};                           // its direction where the model has it
     std::int32_t opposite = -1;                     // of a face of a crack: the other one, which alone it may touch
-    bool touches = true;                            // false: joins the faces of a crack at their ends
+    bool touches = true;                            // false: joins the faces of a crack at their ends; or not there
   };
   /// Start of a segment, with the same index as the segment that leaves it: a corner of the outline (part 0), or a
   /// node where a mesh divides an edge.
@@ -108,7 +109,8 @@ class Setup {
   /// False for two bodies whom contact forces do not move, and for ghosts whom nobody touches.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
-    return (x.touched || y.touched) && (ghosts_touch_ || !(x.ghost || y.ghost || x.divided || y.divided));
+    return !x.absent && !y.absent && (x.touched || y.touched) &&
+           (ghosts_touch_ || !(x.ghost || y.ghost || x.divided || y.divided));
   }
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/integrate/lost_state.h"
+#include "coupling/integrate/support_release.h"
 #include "coupling/integrate/viscous_edges.h"
 
 namespace scree::coupling {
@@ -192,6 +193,8 @@ void CentralDifference::add_terms(const State& state) {
     add_term(std::make_unique<PointSupports>(std::move(springs)));
   if (auto forces = point_forces(*setup_, state); !forces.empty())
     add_term(std::make_unique<PointLoads>(*setup_, std::move(forces)));
+  if (SupportRelease release(*setup_, state); release.acts())
+    add_term(std::make_unique<SupportReleaseTerm>(std::move(release)));
   if (auto rows = acting_bolts(*setup_, state); !rows.empty()) {
     auto bolts = std::make_unique<BoltForces>(*setup_, std::move(rows));
     bolts->take(state);

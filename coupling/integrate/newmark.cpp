@@ -40,6 +40,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
   for (auto* v : {&gravity_,
                   &load_,
+                  &release_load_,
                   &load_before_,
                   &inertia_,
                   &damped_before_.mass,
@@ -73,6 +74,7 @@ void Newmark::enter_stage(const State& state) {
   dashpots_ = dashpots(*setup_, state);
   bolts_.enter(state);
   loads_ = load_vectors(*setup_, state);
+  release_ = SupportRelease(*setup_, state);
   contacts_.enter(state.factored);
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
@@ -184,6 +186,13 @@ void Newmark::prepare(const State& state, double h) {
   if (!loads_.empty() || !dashpots_.empty()) {
     loads_at(t0 + h, load_);
     if (trapezoidal()) loads_at(t0, load_before_);
+  }
+  if (release_.acts()) {
+    if (loads_.empty() && dashpots_.empty()) std::fill(load_.begin(), load_.end(), 0.0);
+    node_scratch_.assign(q.size(), 0.0);
+    release_.add(t0 + h, node_scratch_);
+    to_dofs(node_scratch_, release_load_);
+    for (std::size_t i = 0; i < load_.size(); ++i) load_[i] += release_load_[i];
   }
   energy_before_ = system_.linearise(q, Stiffness::exact, true, K_, force_before_);
   // Inertia of what is known: M (2 v/h), or M (4 v/h + a).

@@ -15,6 +15,7 @@
 #include "coupling/integrate/open_close.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/sliding_damping.h"
+#include "coupling/integrate/support_release.h"
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/integrate/viscous_edges.h"
 #include "coupling/linear/fixed_point.h"
@@ -190,6 +191,8 @@ class Newmark final : public TimeIntegrator {
   std::vector<Dashpot> dashpots_;
   ImplicitBolts bolts_;
   std::vector<LoadVector> loads_;
+  SupportRelease release_;
+  std::vector<double> release_load_;     // of it, part of load_
   std::vector<double> weight_;           // gravity on the nodes
   std::vector<Vec2> driven_move_;        // per body
   std::vector<double> reference_;        // the nodes of bodies in their reference shape

@@ -30,7 +30,10 @@ void Newmark::book_bodies(Ledger& ledger, Energies& after) {
   const auto mask = system_.nonlinear_dofs();
   ledger.book(Column::gravity, dot(gravity_, d_));
   if (!loads_.empty() || !dashpots_.empty())
-    ledger.book(Column::loads, trapezoidal() ? 0.5 * (dot(load_, d_) + dot(load_before_, d_)) : dot(load_, d_));
+    ledger.book(Column::loads, trapezoidal()     ? 0.5 * (dot(load_, d_) + dot(load_before_, d_))
+                               : release_.acts() ? dot(load_, d_) - dot(release_load_, d_)
+                                                 : dot(load_, d_));
+  if (release_.acts()) ledger.book(Column::support_release, dot(release_load_, d_));
   // Bodies whose force is linear in the unknowns: U' - U = -f.d + 1/2 d.K.d.
   std::vector<double> linear(d_.size()), curved(d_.size());
   for (std::size_t i = 0; i < d_.size(); ++i) {

@@ -29,6 +29,7 @@ Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State&
             ghosts(whole, state_of_all, is_explicit, shared), whole.clocks()) {
   state.bodies = state_of_all.bodies;
   state.anchors = state_of_all.anchors;
+  state.support = state_of_all.support;
 }
 
 Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,

@@ -101,13 +101,15 @@ std::vector<PointSpring> point_springs(const Setup& setup, const State& state) {
 void keep_elongations(const std::vector<PointSpring>& before, std::span<const double> q_before, const Setup& to,
                       const std::vector<char>& changed, State& state) {
   const std::vector<PointSpring> now = point_springs(to, state);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i].support < 0) break;  // edges come after all points, see keep_edges()
-    if (changed[static_cast<std::size_t>(now[i].body)] == 0) continue;
+  for (const PointSpring& is : now) {
+    if (is.support < 0) break;  // edges come after all points, see keep_edges()
+    if (changed[static_cast<std::size_t>(is.body)] == 0) continue;
+    const auto was = std::find_if(before.begin(), before.end(),
+                                  [&](const PointSpring& spring) { return spring.support == is.support; });
+    if (was == before.end()) continue;  // its block has just come
     state.anchors.resize(2 * to.model().point_supports.size(), 0.0);
-    const Vec2 shift =
-        position(now[i].row, state.q) - now[i].anchor - position(before[i].row, q_before) + before[i].anchor;
-    const auto at = 2 * static_cast<std::size_t>(now[i].support);
+    const Vec2 shift = position(is.row, state.q) - is.anchor - position(was->row, q_before) + was->anchor;
+    const auto at = 2 * static_cast<std::size_t>(is.support);
     state.anchors[at] += shift.x();
     state.anchors[at + 1] += shift.y();
   }

@@ -20,6 +20,8 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"loads", Side::work, "work of point loads, tractions and body accelerations"},
     {"water", Side::work, "work of the water in joints"},
     {"bolt_tension", Side::work, "work that gave bolts their pretension"},
+    {"support_release", Side::work,
+     "work of the forces that stand in for what was excavated, or for supports that left"},
     {"prescribed_motion", Side::work, "work of driven and fixed blocks on the free ones"},
     {"friction", Side::dissipated, "friction force times slip"},
     {"dilation", Side::dissipated, "part of it that opens the joint: less normal force times opening"},
@@ -37,6 +39,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"bonds_broken", Side::dissipated, "springs of bonded contacts that failed while they were pulled"},
     {"bolt_yield", Side::dissipated, "yield of bolts, in tension and shear, and slip of their grout"},
     {"bolts_broken", Side::dissipated, "elastic energy of bolts that broke"},
+    {"excavated", Side::dissipated, "energy of what left the model: of blocks, of their contacts and supports"},
     {"elastic_trapezoid", Side::scheme, "elastic energy less the trapezoid work of the internal force", kWatched},
     {"contact_transition", Side::scheme, "trapezoid work across opening and closing", kWatched},
     {"contact_geometry", Side::scheme, "contact work on moving normals and edges, exact less linear", kWatched},
@@ -150,7 +153,7 @@ double Ledger::held() const {
 }
 
 double Ledger::given() const {
-  double sum = initial_ + (*this)[Column::transfer];
+  double sum = initial_ + (*this)[Column::transfer] - (*this)[Column::excavated];
   for (std::size_t i = kWork.begin; i < kWork.end; ++i) sum += value_[i];
   return sum;
 }

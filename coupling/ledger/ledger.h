@@ -28,6 +28,7 @@ enum class Column : int {
   loads,
   water,
   bolt_tension,
+  support_release,
   prescribed_motion,
   // D: dissipated since the start
   friction,
@@ -45,6 +46,7 @@ enum class Column : int {
   bonds_broken,
   bolt_yield,
   bolts_broken,
+  excavated,
   // R: terms of the schemes themselves and of changes of definition since the start
   elastic_trapezoid,
   contact_transition,
@@ -116,7 +118,7 @@ class Ledger {
   void pass(const Ledger& earlier) { passed_ = std::max(passed_, earlier.passed_); }
   /// Energy held: E without the shadow term, which belongs to the scheme [J].
   [[nodiscard]] double held() const;
-  /// Energy given to the system: E_0 + W + the column `transfer`, each with its sign [J].
+  /// Energy given to the system: E_0 + W + the column `transfer` - the column `excavated`, each with its sign [J].
   [[nodiscard]] double given() const;
   /// Energy passed: the largest so far of E_0 + sum |W_c| + what energy columns below zero (initial stress) have
   /// released, and of the energy held now [J].

@@ -19,6 +19,7 @@
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/plan_warnings.h"
 #include "coupling/stages/round_off.h"
+#include "coupling/transfer/construction.h"
 #include "model/mesh_error.h"
 
 namespace scree::coupling {
@@ -76,6 +77,8 @@ void check_implicit(const Stage& stage, const Setup& setup, std::span<const char
     refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
   if (trapezoidal && !setup.model().bolts.empty())
     refuse("the trapezoidal scheme has no bolts; use newmark = \"damped\"");
+  if (trapezoidal && !stage.construction.absent.empty())
+    refuse("the trapezoidal scheme has no excavation; use newmark = \"damped\"");
   if (trapezoidal && !setup.model().waters.empty())
     refuse("the trapezoidal scheme has no contacts, and so no water in joints; use newmark = \"damped\"");
   for (const Body& b : setup.bodies()) {
@@ -114,6 +117,10 @@ std::string_view name(EventKind kind) {
       return "partition";
     case EventKind::bolt_broken:
       return "bolt_broken";
+    case EventKind::excavated:
+      return "excavated";
+    case EventKind::filled:
+      return "filled";
     case EventKind::not_converged:
       return "not_converged";
     case EventKind::warning:
@@ -284,7 +291,8 @@ Clocks Driver::clocks() const { return clocks_of(*model_, state_.stage_begin, st
 void Driver::assign_sides(const Stage& stage) {
   settled_.clear();
   state_.explicit_side.clear();
-  if (stage.integrator == Integrator::partitioned) state_.explicit_side = first_sides(*model_, stage.partition);
+  if (stage.integrator == Integrator::partitioned)
+    state_.explicit_side = first_sides(*model_, stage.partition, stage.construction);
 }
 
 void Driver::change_stage(std::size_t index) {
@@ -298,6 +306,7 @@ void Driver::change_stage(std::size_t index) {
     state_.rules = {};
     change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
+    begin_release(stage.construction, state_);
   }
   refuse_turned_blocks(stage);
   refuse_switching(stage);
@@ -306,9 +315,11 @@ void Driver::change_stage(std::size_t index) {
 }
 
 void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why) {
+  const double excavated = state_.ledger[Column::excavated];
   TransferReport handed = in_plan(stage, seconds(state_.time), [&] {
     return transfer_bodies(*model_, *methods_, *setup_, stage, state_, clocks());
   });
+  tell_construction(stage, handed, state_.ledger[Column::excavated] - excavated);
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {
@@ -328,6 +339,20 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
               row.energy_error, row.by_rule ? "; by rule: " + text(row.measures) : std::string()),
           &row);
   }
+}
+
+void Driver::tell_construction(const Stage& stage, const TransferReport& handed, double energy) {
+  if (!handed.left.empty()) {
+    const Construction& c = stage.construction;
+    const std::string release =
+        c.release_time == 0 ? std::string("at once") : fmt::format("over {:.6g} s", seconds(c.release_time));
+    event(EventKind::excavated,
+          fmt::format("stage '{}': {} excavated with {:.4g} J; {:.3g} of what it bore is released {}", stage.name,
+                      named_blocks(*model_, handed.left), energy, c.release.value_or(0.0), release));
+  }
+  if (!handed.came.empty())
+    event(EventKind::filled, fmt::format("stage '{}': {} filled, at rest and free of stress", stage.name,
+                                         named_blocks(*model_, handed.came)));
 }
 
 void Driver::begin_moving(const Stage& stage, bool new_mesh) {
@@ -366,7 +391,7 @@ void Driver::change_methods(const Stage& stage) {
 
 void Driver::change_partition(const Stage& stage) {
   if (!stage.partition.changes()) return;
-  if (settled_.empty()) settled_ = settled_sides(*model_, stage.partition);
+  if (settled_.empty()) settled_ = settled_sides(*model_, stage.partition, stage.construction);
   std::vector<char> sides = state_.explicit_side;
   if (!change_sides(*setup_, state_, stage.partition, settled_, sides)) return;
   std::string names;

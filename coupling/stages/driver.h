@@ -60,6 +60,8 @@ class Driver {
   /// Bodies as the stage, and the sides of a partitioned one, want them.
   /// @param why  blocks that change by a rule
   void change_bodies(const Stage& stage, std::span<const MethodChange> why = {});
+  /// Tells of blocks that left and came.   @param energy  of those that left [J]
+  void tell_construction(const Stage& stage, const TransferReport& handed, double energy);
   /// An integrator for them, and who looks on.
   void begin_moving(const Stage& stage, bool new_mesh);
   /// What looks at the rules of a stage, for the present bodies.

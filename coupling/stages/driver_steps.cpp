@@ -336,7 +336,7 @@ void Driver::drop_velocities() {
 }
 
 void Driver::check_end(const Stage& stage) {
-  if (!end_watch_) return;
+  if (!end_watch_ || state_.support.releasing(state_.time)) return;
   const std::optional<std::string> why = end_watch_->evaluate(state_, *integrator_, stage_begin_);
   if (!why || state_.time >= stage_end_) return;
   ended_ = true;
@@ -368,7 +368,7 @@ RunEnd Driver::check_rest(const Stage& stage) {
   const ForceBalance::Result found = balance_->measure(state_, *integrator_);
   follow_rest(stage, found.ratio);
   const auto block_name = [&](BlockId b) { return model_->blocks[b.index()].name; };
-  ended_ = found.ratio <= stage.rest_force;
+  ended_ = found.ratio <= stage.rest_force && !state_.support.releasing(state_.time);
   const bool over = state_.time >= stage_end_ || (stage.rest_steps > 0 && steps_of_stage() >= stage.rest_steps);
   if (!ended_ && !over) return {};
   std::string reason;

@@ -8,7 +8,10 @@
 namespace scree::coupling {
 
 ForceBalance::ForceBalance(const Setup& setup, const State& state)
-    : setup_(&setup), loads_(load_vectors(setup, state)), supports_(point_springs(setup, state)) {
+    : setup_(&setup),
+      loads_(load_vectors(setup, state)),
+      release_(setup, state),
+      supports_(point_springs(setup, state)) {
   lever_.assign(static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
     const Body& b = setup.bodies()[i];
@@ -52,6 +55,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
   term([&](std::vector<double>& f) {
     for (const PointSpring& s : supports_) add_force(s.row, spring_force(s, state.q), f);
   });
+  if (release_.acts()) term([&](std::vector<double>& f) { release_.add(seconds(state.time), f); });
   term([&](std::vector<double>& f) { integrator.contact_forces(state, f); });
   term([&](std::vector<double>& f) { add_bolt_forces(*setup_, state, f); });
 

@@ -5,6 +5,7 @@
 
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/integrate/support_release.h"
 #include "coupling/integrate/time_integrator.h"
 
 namespace scree::coupling {
@@ -27,6 +28,7 @@ class ForceBalance {
 
   const Setup* setup_;
   std::vector<LoadVector> loads_;
+  SupportRelease release_;
   std::vector<PointSpring> supports_;
   std::vector<double> lever_;  // per node: what its force is divided by, 0 for driven bodies
   std::vector<double> term_, total_;

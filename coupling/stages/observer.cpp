@@ -1,5 +1,8 @@
 #include "coupling/stages/observer.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "coupling/contact/table/contact_point.h"
 
 namespace scree::coupling {
@@ -21,6 +24,7 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
     MeshPart part;
     setup.pool(p).topology(part);
     pool_cells_.push_back(static_cast<std::int32_t>(offsets_.size()) - 1);
+    hide_absent(of_pool[p], part);
     const auto first_point = static_cast<std::int32_t>(points_.size()), first_entry = offsets_.back();
     for (std::size_t i = 0; i < part.points.size(); ++i) {
       points_.push_back(setup.global(*of_pool[p].front(), part.points[i]));
@@ -28,7 +32,6 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
     }
     for (std::int32_t c : part.connectivity) connectivity_.push_back(first_point + c);
     for (std::size_t c = 1; c < part.offsets.size(); ++c) offsets_.push_back(first_entry + part.offsets[c]);
-    part.explicit_half.resize(part.body.size(), 0);
     cell_explicit_.insert(cell_explicit_.end(), part.explicit_half.begin(), part.explicit_half.end());
     for (std::int32_t b : part.body) {
       const BlockId block = of_pool[p][static_cast<std::size_t>(b)]->block;
@@ -65,15 +68,54 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
   view_.origin = origin_;
 }
 
+void Observer::hide_absent(const std::vector<const Body*>& bodies, MeshPart& part) {
+  part.explicit_half.resize(part.body.size(), 0);
+  std::vector<std::int32_t>& shown = shown_.emplace_back();
+  const bool hides = std::any_of(bodies.begin(), bodies.end(), [](const Body* b) { return b->absent; });
+  hides_.push_back(hides ? 1 : 0);
+  if (!hides) return;
+  all_stress_.resize(std::max(all_stress_.size(), 3 * part.body.size()));
+  MeshPart out;
+  out.offsets.assign(1, 0);
+  std::vector<std::int32_t> number(part.points.size(), -1);
+  for (std::size_t c = 0; c < part.body.size(); ++c) {
+    if (bodies[static_cast<std::size_t>(part.body[c])]->absent) continue;
+    for (std::int32_t k = part.offsets[c]; k < part.offsets[c + 1]; ++k) {
+      const auto point = static_cast<std::size_t>(part.connectivity[static_cast<std::size_t>(k)]);
+      if (number[point] < 0) {
+        number[point] = static_cast<std::int32_t>(out.points.size());
+        out.points.push_back(part.points[point]);
+        out.origin.push_back(part.origin[point]);
+      }
+      out.connectivity.push_back(number[point]);
+    }
+    out.offsets.push_back(static_cast<std::int32_t>(out.connectivity.size()));
+    out.body.push_back(part.body[c]);
+    out.explicit_half.push_back(part.explicit_half[c]);
+    shown.push_back(static_cast<std::int32_t>(c));
+  }
+  part = std::move(out);
+}
+
+void Observer::find_stress(std::size_t p, std::span<const double> q) {
+  const std::span<double> stress = std::span<double>(stress_).subspan(3 * static_cast<std::size_t>(pool_cells_[p]));
+  if (all_shown(p)) {
+    setup_->pool(p).stress(q, stress);
+    return;
+  }
+  setup_->pool(p).stress(q, all_stress_);
+  for (std::size_t c = 0; c < shown_[p].size(); ++c)
+    std::copy_n(all_stress_.begin() + 3 * static_cast<std::ptrdiff_t>(shown_[p][c]), 3,
+                stress.begin() + 3 * static_cast<std::ptrdiff_t>(c));
+}
+
 FrameView Observer::frame(const State& state, const RunStats& stats, bool last) {
   const std::span<const double> q(state.q), v(state.v);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     put(scree::coupling::position(points_[i], q), i, position_);
     put(scree::coupling::position(points_[i], v), i, velocity_);
   }
-  for (std::size_t p = 0; p < setup_->pools(); ++p)
-    setup_->pool(p).stress(setup_->part(q, p),
-                           std::span<double>(stress_).subspan(3 * static_cast<std::size_t>(pool_cells_[p])));
+  for (std::size_t p = 0; p < setup_->pools(); ++p) find_stress(p, setup_->part(q, p));
   FrameView f;
   f.time = seconds(state.time);
   f.tick = state.time;
@@ -140,13 +182,22 @@ void Observer::recover_stress(const State& state) {
 }
 
 HistoryView Observer::history(const State& state, const RunStats& stats) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent) {  // there is no rock to follow
+      for (auto* values : {&monitor_position_, &monitor_displacement_, &monitor_velocity_})
+        put(Vec2(kNone, kNone), i, *values);
+      continue;
+    }
     const Vec2 x = scree::coupling::position(monitors_[i], state.q);
     put(x, i, monitor_position_);
     put(x - setup_->model().monitors[i].point, i, monitor_displacement_);
     put(scree::coupling::position(monitors_[i], state.v), i, monitor_velocity_);
   }
   recover_stress(state);
+  for (std::size_t i = 0; i < monitors_.size(); ++i)
+    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent)
+      std::fill_n(monitor_stress_.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, kNone);
   HistoryView h;
   h.time = seconds(state.time);
   h.tick = state.time;

@@ -25,6 +25,10 @@ class Observer {
   HistoryView history(const State& state, const RunStats& stats);
 
  private:
+  /// Takes cells and points of blocks that are not there out of the mesh of a pool.
+  void hide_absent(const std::vector<const Body*>& bodies, MeshPart& part);
+  [[nodiscard]] bool all_shown(std::size_t p) const { return hides_[p] == 0; }
+  void find_stress(std::size_t p, std::span<const double> q);
   void recover_stress(const State& state);
   void see_contacts(const State& state);
   [[nodiscard]] bool contacts_due(bool last) const;
@@ -40,7 +44,10 @@ class Observer {
   std::vector<std::size_t> monitor_pool_;
   std::vector<std::vector<double>> recovered_;  // a pool: stress a node; empty where no monitor needs it
   std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_, monitor_stress_;
-  std::vector<std::int32_t> pool_cells_;  // first cell of each pool
+  std::vector<std::int32_t> pool_cells_;          // first cell of each pool
+  std::vector<char> hides_;                       // a pool: blocks of it are not there,
+  std::vector<std::vector<std::int32_t>> shown_;  // and these of its cells are shown
+  std::vector<double> all_stress_;                // of a pool that hides cells
   std::vector<double> contact_position_, contact_normal_;
   ContactView contact_view_;
   BoltObserver bolts_;

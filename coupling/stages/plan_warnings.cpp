@@ -108,8 +108,13 @@ std::string named_blocks(const Model& model, const std::vector<BlockId>& blocks)
   return out;
 }
 
-std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches) {
-  const Groups groups = groups_of(model.blocks.size(), touches);
+std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches,
+                                          const std::vector<BlockId>& absent) {
+  const auto there = [&](BlockId b) { return std::find(absent.begin(), absent.end(), b) == absent.end(); };
+  std::vector<Touch> at_start;
+  std::copy_if(touches.begin(), touches.end(), std::back_inserter(at_start),
+               [&](const Touch& t) { return there(t.a) && there(t.b); });
+  const Groups groups = groups_of(model.blocks.size(), at_start);
   const std::vector<std::array<bool, 2>> held = held_axes(model, groups);
   std::vector<LastingForce> force(groups.blocks.size());
   add_lasting_loads(model, groups.of, force);
@@ -120,6 +125,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
   bool all_free = true, all_thrown = true, moved = false;
   for (std::size_t g = 0; g < groups.blocks.size(); ++g) {
     const std::vector<BlockId>& blocks = groups.blocks[g];
+    if (!there(blocks.front())) continue;  // alone in its group
     const bool on_its_way = std::all_of(blocks.begin(), blocks.end(), [&](BlockId b) { return thrown(model, b); });
     all_thrown = all_thrown && on_its_way;
     all_free = all_free && !held[g][0] && !held[g][1];
@@ -331,7 +337,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
 
 std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   const std::vector<Touch> touches = touching_blocks(model);
-  std::vector<std::string> out = support_warnings(model, touches);
+  std::vector<std::string> out = support_warnings(model, touches, plan.stages.front().construction.absent);
   for (const auto& more : {damping_warnings(model, plan), partition_warnings(model, plan),
                            sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches),
                            stiffness_warnings(model), size_warnings(model), lawless_warnings(model, touches)})

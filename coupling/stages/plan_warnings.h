@@ -27,7 +27,8 @@ struct SlidingNeeds {
 [[nodiscard]] std::vector<std::string> plan_warnings(const Model& model, const Plan& plan);
 
 /// The parts of them. Directions in which something is missing are those of gravity and of loads that last.
-[[nodiscard]] std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches);
+[[nodiscard]] std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches,
+                                                        const std::vector<BlockId>& absent = {});
 [[nodiscard]] std::vector<std::string> damping_warnings(const Model& model, const Plan& plan);
 [[nodiscard]] std::vector<std::string> partition_warnings(const Model& model, const Plan& plan);
 [[nodiscard]] std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan,

@@ -9,6 +9,7 @@
 #include "coupling/bodies/partition.h"
 #include "coupling/bolts/bolt_rows.h"
 #include "coupling/integrate/point_springs.h"
+#include "coupling/transfer/construction.h"
 #include "coupling/transfer/contact_forces.h"
 #include "coupling/transfer/field_transfer.h"
 #include "coupling/transfer/transfer_mode.h"
@@ -64,7 +65,7 @@ std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage, s
   form.kinematics = stage.kinematics;
   std::vector<char> first;
   if (stage.integrator == Integrator::partitioned && explicit_side.empty())
-    explicit_side = first = first_sides(model, stage.partition);
+    explicit_side = first = first_sides(model, stage.partition, stage.construction);
   form.cover_size = stage.cover_size;
   form.cracks = stage.cracks;
   std::vector<BodyRequest> out(model.blocks.size(), BodyRequest{stage.method, form});
@@ -88,6 +89,7 @@ std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage, s
     if (other_method[i] != 0) out[i].method = out[i].method == "nmm" ? "dda" : "nmm";
   for (BodyRequest& w : out)
     if (w.method != "nmm") w.form = Formulation{.rotation = stage.rotation};
+  for (const BlockId b : stage.construction.absent) out[b.index()].absent = true;
   return out;
 }
 
@@ -96,6 +98,7 @@ std::vector<BodyRecord> initial_records(const Model& model, const std::vector<Bo
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const BlockId block{static_cast<std::int32_t>(i)};
     records.push_back({block, request[i].method, reference_shape(model, block), request[i].form});
+    records.back().absent = request[i].absent;
   }
   return records;
 }
@@ -117,6 +120,7 @@ class Change {
   void release(const std::vector<BodyRequest>& request);
   /// Those whose contacts are measured anew.
   [[nodiscard]] std::vector<char> changed() const;
+  [[nodiscard]] std::vector<BlockId> blocks_of(bool gone) const;
   /// Unknowns of the new bodies.
   void place(const Setup& to);
   /// Each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
@@ -127,7 +131,8 @@ class Change {
  private:
   // reformed: the same unknowns with other operators; halved: covers that a division has twice come or go; remeshed:
   // the same fields on other covers; back: from the reservoir, on its own covers or, remade, on others.
-  enum class Kind { stays, reformed, halved, remeshed, affine, back };
+  // gone: it leaves, with what it had; come: it is there from now on.
+  enum class Kind { stays, reformed, halved, remeshed, affine, back, gone, come };
   struct One {
     Kind kind = Kind::stays;
     Release release;
@@ -163,8 +168,14 @@ class Change {
 void Change::release(const std::vector<BodyRequest>& request) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyRecord& record = state_.bodies[i];
-    if (record.method != request[i].method || !record.form.same_covers(request[i].form) ||
-        !keeps_fields(i, request[i].form)) {
+    if (record.absent != request[i].absent) {
+      bodies_[i].kind = request[i].absent ? Kind::gone : Kind::come;
+      if (request[i].absent && !from_.bodies()[i].driven) bodies_[i].before = totals_of(from_, i, state_);
+      record = {record.block, request[i].method, reference_shape(model_, record.block), request[i].form};
+      record.absent = request[i].absent;
+      record.placed = !record.absent;
+    } else if (record.method != request[i].method || !record.form.same_covers(request[i].form) ||
+               !keeps_fields(i, request[i].form)) {
       release_one(i, request[i]);
     } else if (record.form != request[i].form) {
       bodies_[i].kind = record.form.same_mesh(request[i].form) ? Kind::reformed : Kind::halved;
@@ -193,7 +204,10 @@ void Change::release_one(std::size_t i, const BodyRequest& request) {
   const auto p = static_cast<std::size_t>(b.pool);
   one.kind = Kind::affine;
   if (b.driven) {
+    const bool absent = record.absent, placed = record.placed;
     record = {record.block, request.method, reference_shape(model_, record.block), request.form};  // it never deforms
+    record.absent = absent;
+    record.placed = placed;
     one.release.shape = record.shape;
     return;
   }
@@ -222,7 +236,9 @@ void Change::release_one(std::size_t i, const BodyRequest& request) {
     if (row.reservoir_kinetic != 0.0 || row.reservoir_elastic != 0.0)
       state_.rest.push_back({record.block, row.reservoir_kinetic, row.reservoir_elastic, record,
                              std::move(one.release.position), std::move(one.release.velocity_rest)});
+    const bool placed = record.placed;
     record = {record.block, request.method, one.release.shape, request.form};
+    record.placed = placed;
     // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
     // read there: what that changes does work on the strain.
     const Mat2& F = one.release.motion.F;
@@ -276,6 +292,13 @@ std::vector<char> Change::changed() const {
   return flags;
 }
 
+std::vector<BlockId> Change::blocks_of(bool gone) const {
+  std::vector<BlockId> out;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].kind == (gone ? Kind::gone : Kind::come)) out.push_back(state_.bodies[i].block);
+  return out;
+}
+
 void Change::place(const Setup& to) {
   std::vector<double> q(2 * static_cast<std::size_t>(to.nodes()), 0.0), v = q;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -285,7 +308,11 @@ void Change::place(const Setup& to) {
     const auto first = 2 * static_cast<std::ptrdiff_t>(b.first_node),
                size_to = 2 * static_cast<std::ptrdiff_t>(b.nodes);
     const One& one = bodies_[i];
-    if (one.kind == Kind::affine) {
+    if (one.kind == Kind::gone || one.kind == Kind::come) {
+      AffineMotion still;
+      still.c = b.centre;
+      to.pool_of(b).place(b.index, still, to.part(std::span<double>(q), p), to.part(std::span<double>(v), p));
+    } else if (one.kind == Kind::affine) {
       to.pool_of(b).place(b.index, one.release.motion, to.part(std::span<double>(q), p),
                           to.part(std::span<double>(v), p));
     } else if (one.kind == Kind::halved) {
@@ -384,7 +411,13 @@ void Change::book(const Setup& to) {
   double kinetic = ledger[Column::kinetic], elastic = ledger[Column::elastic], reservoir = ledger[Column::reservoir];
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const One& one = bodies_[i];
-    if (to.bodies()[i].driven || one.kind == Kind::stays) continue;
+    if (one.kind == Kind::gone) {
+      kinetic -= one.before.kinetic;
+      elastic -= one.before.elastic;
+      ledger.book(Column::excavated, one.before.kinetic);
+      ledger.book(Column::excavated, one.before.elastic);
+    }
+    if (to.bodies()[i].driven || one.kind == Kind::stays || one.kind == Kind::come) continue;
     const BodyTotals after = totals_of(to, i, state_);
     kinetic += after.kinetic - one.before.kinetic;
     elastic += after.elastic - one.before.elastic;
@@ -421,11 +454,19 @@ void Change::book(const Setup& to) {
 TransferReport transfer_bodies(const Model& model, const Methods& methods, const Setup& from, const Stage& stage,
                                State& state, Clocks clocks) {
   Change change(model, methods, from, stage, state);
-  const std::vector<PointSpring> supports = point_springs(from, state);
+  const std::vector<BodyRequest> request = body_requests(model, stage, state.explicit_side, state.rules.other_method);
+  std::vector<char> gone(request.size(), 0);
+  for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = request[i].absent && !state.bodies[i].absent ? 1 : 0;
+  if (std::find(gone.begin(), gone.end(), 1) != gone.end()) {
+    end_contacts(from, gone, state);
+    end_supports(from, gone, state);
+  }
+  std::vector<PointSpring> supports = point_springs(from, state);
+  std::erase_if(supports, [&](const PointSpring& s) { return gone[static_cast<std::size_t>(s.body)] != 0; });
   const std::vector<BoltRows> bolts = acting_bolts(from, state);
   const std::vector<double> q = state.q;
   const std::vector<BodyRecord> bodies = model.edge_supports.empty() ? std::vector<BodyRecord>() : state.bodies;
-  change.release(body_requests(model, stage, state.explicit_side, state.rules.other_method));
+  change.release(request);
   hand_contacts_over(from, change.changed(), state);
   TransferReport out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side),
@@ -443,6 +484,8 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
   }
   change.book(*out.setup);
   out.rows = std::move(change.rows);
+  out.left = change.blocks_of(true);
+  out.came = change.blocks_of(false);
   return out;
 }
 

@@ -14,6 +14,7 @@ namespace scree::coupling {
 struct BodyRequest {
   std::string method;
   Formulation form{};
+  bool absent = false;  // the stage is without the block
 };
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
 /// @param other_method   RuleMemory::other_method; empty: as a stage begins
@@ -30,11 +31,14 @@ struct BodyRequest {
 /// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
 /// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
 /// and cross terms are booked; one row a body that changed.
+/// Blocks that are not in the stage any more leave with their energies, contacts and supports (construction.h), those
+/// that were not come at rest, as the model has them, without stress.
 /// @param clocks  of the new setup
 /// @source docs/theory/transfer.md, "Affine part"
 struct TransferReport {
   std::unique_ptr<Setup> setup;
   std::vector<TransferRow> rows;
+  std::vector<BlockId> left, came;
 };
 [[nodiscard]] TransferReport transfer_bodies(const Model& model, const Methods& methods, const Setup& from,
                                              const Stage& stage, State& state, Clocks clocks = {});

@@ -63,6 +63,8 @@ void check_divided(const Section& s, const Model& model, std::span<const std::st
                    const coupling::Stage& stage);
 /// What ends a stage before its time, and which blocks change method during it.   @pre read_stage_options
 void read_stage_rules(const Section& s, const Model& model, coupling::Stage& stage);
+/// What stages excavate, fill and release.   @pre the stages are read, and what read_bolts reads
+void read_construction(const Section& root, const Model& model, coupling::Plan& plan);
 /// Stages, output, streaming, threads.   @pre read_blocks, read_supports
 [[nodiscard]] coupling::Plan read_plan(const Section& root, const Model& model, std::span<const std::string> methods);
 

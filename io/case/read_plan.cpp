@@ -181,6 +181,7 @@ coupling::Plan read_plan(const Section& root, const Model& model, std::span<cons
       throw s.error("duration", "the stages together are too long", fmt::format("at most {:g} s in all", kLongestRun),
                     "shorten a stage");
   }
+  read_construction(root, model, plan);
   Tick run = 0;
   for (const coupling::Stage& stage : plan.stages) run += stage.duration;
   plan.output = read_output(root.table("output"), run);

@@ -31,13 +31,13 @@ struct Scale {
   double speed = INFINITY;  // of pressure waves in them, the smallest [m/s]
 };
 
-Scale scale_of(const Section& r, const Model& model) {
+Scale scale_of(const Section& r, const Model& model, const std::vector<char>& absent) {
   Scale out;
   Box box;
   bool first = true;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const BlockId id{static_cast<std::int32_t>(b)};
-    if (model.support_of(id) != nullptr) continue;
+    if (model.support_of(id) != nullptr || absent[b] != 0) continue;
     const Box own = bounds(model.blocks[b].polygon);
     box.lo = first ? own.lo : Vec2(box.lo.cwiseMin(own.lo));
     box.hi = first ? own.hi : Vec2(box.hi.cwiseMax(own.hi));
@@ -88,6 +88,8 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
   s.end = {};
   s.rest_steps = 0;
   s.rest_force = 0.0;
+  s.construction.release.reset();  // it is over
+  s.construction.release_time = 0;
   if (r.has("method")) {
     (void)find_name(r, "method", "method", methods);
     s.method = r.text("method");
@@ -154,7 +156,9 @@ std::vector<JointId> joints_of(const Section& r, const Model& model) {
 void read_reduction(const Section& root, std::span<const std::string> methods, Model& model, coupling::Plan& plan) {
   if (!root.has("reduction")) return;
   const Section r = root.table("reduction");
-  const Scale scale = scale_of(r, model);
+  const auto first = plan.stages.begin();
+  const auto after = std::find_if(first, plan.stages.end(), [](const Stage& s) { return !s.rest; });
+  const Scale scale = scale_of(r, model, (after == first ? first : after - 1)->construction.flags(model.blocks.size()));
   const double dt = r.has("dt") ? r.number("dt") : kTraverses * scale.extent / scale.speed;
   const double limit = r.has("limit") ? r.number("limit") : kLimit * scale.block;
   r.settle("dt", dt);

@@ -630,6 +630,24 @@ constexpr Key kKeys[] = {
      "internal force is met once in a dt, which may be 0.5/w at most, w the bound of their own frequencies; "
      "implicit_... "
      "then says which blocks these are. Contacts, loads and supports act in every step. A block cannot be divided."},
+    {"stage[].excavate", Type::names, "", kAny, "", false, "",
+     "Names of the blocks that are taken away as the stage begins; * stands for any characters. What they bore is "
+     "released as release says. Loads, supports and water that act on them go with them. Not in the first stage."},
+    {"stage[].excavate_in", Type::ring, "m", kCoordinate, "", false, "",
+     "Blocks whose centroid is inside, where the model starts, are taken away too."},
+    {"stage[].fill", Type::names, "", kAny, "", false, "",
+     "Names of the blocks that come as the stage begins: backfill, embankments, stages of a dam; * stands for any "
+     "characters. They stand where the case has them, at rest, without stress and without bonds. A block that a stage "
+     "fills before any has excavated it is not there from the start. Not in the first stage."},
+    {"stage[].fill_in", Type::ring, "m", kCoordinate, "", false, "",
+     "Blocks whose centroid is inside, where the case has them, come too."},
+    {"stage[].release", Type::number, "", kFraction, "(1, in stages that excavate)", false, "",
+     "Part of the forces of excavated blocks on those that stay that is released once the stage is over; the rest goes "
+     "on to act, as a face nearby would. Of what this stage excavates and of what earlier ones have not released; a "
+     "later stage may release more."},
+    {"stage[].release_time", Type::number, "s", kTime, "(at once)", false, "",
+     "Time from the beginning of the stage in which that happens, in a straight line. Rules that end a stage wait for "
+     "it. Goes with excavate, excavate_in or release."},
     {"stage[].end", Type::table, "", kAny, "", false, "",
      "What ends the stage before its duration is over, whichever comes first; what follows moves ahead."},
     {"stage[].end.kinetic_below", Type::number, "", kBelowOneOpen, "", false, "",

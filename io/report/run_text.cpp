@@ -137,8 +137,11 @@ Json history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
     add_rows(chunk, at + "v", m.velocity, 2, rows);
     if (!m.stress.empty()) add_rows(chunk, at + "s", m.stress, 3, rows);
     Json entry{{"name", m.name}, {"stress", !m.stress.empty()}};
-    if (!m.position.empty())
-      entry["at"] = {m.position[0] - m.displacement[0] - base.x(), m.position[1] - m.displacement[1] - base.y()};
+    std::size_t first = 0;  // sample in which its block is there
+    while (first + 1 < m.position.size() && !std::isfinite(m.position[first])) first += 2;
+    if (first + 1 < m.position.size())
+      entry["at"] = {m.position[first] - m.displacement[first] - base.x(),
+                     m.position[first + 1] - m.displacement[first + 1] - base.y()};
     monitors.push_back(std::move(entry));
   }
   const StoredLedger ledger = run.ledger();

@@ -70,6 +70,7 @@ def quick():
     h = limit_analysis.culmann_height(20e3, 25.0, fos_cases.DENSITY * fos_cases.GRAVITY, 70.0)
     near("Culmann, three quarters of H_c", fos_cases.plane_slope(height=0.75 * h, face=70.0, dip=47.5, phi=25.0, c=20e3), 0.01)
     near("two wedges", fos_cases.two_wedges(), 0.01, mode="slides")
+    near("block whose toe is excavated", fos_cases.excavated_toe(), 0.01, mode="slides")
 
 
 # Closed forms of the table: name, case, method of the blocks beside the DDA, bound.

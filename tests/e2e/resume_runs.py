@@ -378,7 +378,7 @@ def files(scree, case, scratch, rng):
 def main():
     scree, mode, *cases = sys.argv[1:]
     action = {"kill": kill, "stop": stop, "files": files}[mode]
-    for case in cases or ["staged", "kept", "motion", "sides", "divided", "rules"]:
+    for case in cases or ["staged", "kept", "motion", "sides", "divided", "rules", "digging"]:
         with tempfile.TemporaryDirectory(prefix="scree-resume-") as scratch:
             action(Scree(scree), case, pathlib.Path(scratch), random.Random(20260 + len(case)))
     print(f"{len(faults)} faults")

@@ -76,6 +76,19 @@ def block_on_plane(width, height, dip, phi, c=0.0, **how):
     return case("block on a plane", base, [("block", block)], {"plane": law}, **how), f
 
 
+def excavated_toe(dip=30.0, phi=45.0, width=4.0, height=2.0):
+    """A block on a plane against a toe that is held, and that a stage to rest excavates. @return case, factor"""
+    s, k = math.sin(la.rad(dip)), math.cos(la.rad(dip))
+    at = lambda a, b: (a * k - b * s, a * s + b * k)  # up the plane, out of it
+    base = [at(-width, -2.0), at(2 * width, -2.0), at(2 * width, 0.0), at(-width, 0.0)]
+    block = [at(0, 0), at(width, 0), at(width, height), at(0, height)]
+    toe = [at(-2, 0), at(0, 0), at(0, height), at(-2, height)]
+    extra = "\n".join(["[[support]]", 'block = "toe"', "[[stage]]", 'name = "toe"', 'method = "dda"', 'integrator = "implicit"', 'dt = "5 ms"', "rest = true", "duration = 40.0",
+                       "rest_force = 1e-6", 'excavate = ["toe"]', "release_time = 0.1"])
+    return (case("the toe of a block on a plane is excavated", base, [("block", block), ("toe", toe)], {"plane": {"friction_deg": phi}}, extra=extra + "\n"),
+            la.plane_factor(DENSITY * GRAVITY * width * height, dip, phi, width, 0.0))
+
+
 def two_wedges(phi=30.0, between=25.0, c=0.0, dip1=50.0, dip2=10.0, **how):
     """The upper block has its tip cut off: it moves at dip1, and the tip would run into the lower plane. @return case, factor"""
     t1, t2 = math.tan(la.rad(dip1)), math.tan(la.rad(dip2))

@@ -139,6 +139,8 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     d.line("  end {} {} {} {} {}", s.end.kinetic_below, s.end.force_below, s.end.hold, s.end.slip, s.end.displacement);
     d.line("  strength {} {} {}", static_cast<int>(s.strength.part), s.strength.from, s.strength.to);
     for (const JointId j : s.strength.joints) d.line("  of {}", j.value);
+    d.line("  release {} in {}", Dump::of(s.construction.release), s.construction.release_time);
+    for (const BlockId b : s.construction.absent) d.line("  without {}", b.value);
     const coupling::SwitchRules& change = s.change;
     d.line("  switch {} {} {} {} {} back {} {} {}", change.used, change.kinetic, change.elastic, change.inhomogeneity,
            change.hold, change.back.strain_rate, change.back.stress, change.back.acceleration);

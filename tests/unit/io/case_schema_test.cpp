@@ -311,6 +311,12 @@ const std::map<std::string, std::string> kChange = {
     {"traction[].offset", "traction.1.offset=0.01"},
     {"body_acceleration[].start", "body_acceleration.0.start=\"runout\""},
     {"body_acceleration[].offset", "body_acceleration.0.offset=0.01"},
+    {"stage[].excavate", "stage.2.excavate=[\"far wall\"]"},
+    {"stage[].excavate_in", "stage.2.excavate_in=[[21, 1], [30, 1], [30, 6], [21, 6]]"},
+    {"stage[].fill", "stage.2.fill=[\"wall\"]"},
+    {"stage[].fill_in", "stage.2.fill_in=[[21, 1], [30, 1], [30, 6], [21, 6]]"},
+    {"stage[].release", "stage.2.release=0.5"},
+    {"stage[].release_time", "stage.2.release_time=0.5"},
     {"stage[].sliding_damping", "stage.0.sliding_damping=0.5"}};
 // What a change needs beside it to make sense.
 const char* const kWeakening = "joint.plane.velocity_weakening={fast_friction_deg=0, velocity=1, slip=0.1}";
@@ -371,6 +377,10 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"reduction.limit", {kReduction}},
     {"reduction.rest_force", {kReduction}},
     {"reduction.k_h", {kReduction}},
+    {"stage[].fill", {"stage.1.newmark=\"damped\""}},
+    {"stage[].fill_in", {"stage.1.newmark=\"damped\""}},
+    {"stage[].release", {"stage.2.excavate=[\"far wall\"]"}},
+    {"stage[].release_time", {"stage.2.excavate=[\"far wall\"]"}},
     {"stage[].force_dt", {"stage.0.dt=1e-6"}},
     {"function.NAME.offset", {"function.rise.start=\"runout\""}},
     {"motion.NAME.offset", {"motion.pulse.start=\"runout\""}},
