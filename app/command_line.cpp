@@ -224,10 +224,10 @@ void add_cases(CLI::App& app, Line& line) {
   command->add_option("--table", o->table, "write the table to a file")
       ->check(CLI::Validator(
           [](const std::string& name) {
-            const bool known = name.ends_with(".md") || name.ends_with(".html");
-            return known ? std::string() : "the name of a table ends in .md or .html";
+            const bool known = name.ends_with(".md") || name.ends_with(".html") || name.ends_with(".csv");
+            return known ? std::string() : "the name of a table ends in .md, .html or .csv";
           },
-          "FILE.md|FILE.html"));
+          "FILE.md|FILE.html|FILE.csv"));
   command->add_option("--report", o->report, "write tables and plots into a folder")->type_name("DIR");
   carries_out(command, o, line.action, cases_verify);
 }

@@ -42,6 +42,15 @@ std::string escaped_markdown(const std::string& text) {
   return out;
 }
 
+std::string quoted_csv(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : io::printable(text)) {
+    if (c == '"') out += '"';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out + '"';
+}
+
 int skipped(const std::vector<CaseReport>& reports) {
   int rows = 0;
   for (const CaseReport& r : reports) rows += r.skipped();
@@ -131,10 +140,25 @@ std::string html_report(const std::vector<CaseReport>& reports, bool pictures) {
   return text + "</body></html>\n";
 }
 
+std::string csv_report(const std::vector<CaseReport>& reports) {
+  std::string text = "case,quantity,wanted,found,verdict\n";
+  for (const CaseReport& report : reports)
+    for (const Row& r : report.rows)
+      text += fmt::format("{},{},{},{},{}\n", report.name, quoted_csv(r.name), quoted_csv(r.wanted),
+                          r.trouble.empty() ? found(r) : "", verdict(r));
+  return text;
+}
+
 void write_table(const std::vector<CaseReport>& reports, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
-  if (ending != ".md" && ending != ".html") throw io::FileError(file, "is no name of a table: .md or .html");
-  write(file, ending == ".md" ? markdown_report(reports, false) : html_report(reports, false));
+  if (ending == ".md")
+    write(file, markdown_report(reports, false));
+  else if (ending == ".html")
+    write(file, html_report(reports, false));
+  else if (ending == ".csv")
+    write(file, csv_report(reports));
+  else
+    throw io::FileError(file, "is no name of a table: .md, .html or .csv");
 }
 
 void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder) {

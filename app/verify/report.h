@@ -16,7 +16,10 @@ namespace scree::app {
 [[nodiscard]] std::string markdown_report(const std::vector<CaseReport>& reports, bool pictures);
 [[nodiscard]] std::string html_report(const std::vector<CaseReport>& reports, bool pictures);
 
-/// Writes one table, as the name's ending says: .md or .html.   @throws io::FileError
+/// A line a row: case, quantity, wanted, found, verdict (RFC 4180). Found is empty where there is no number.
+[[nodiscard]] std::string csv_report(const std::vector<CaseReport>& reports);
+
+/// Writes one table, as the name's ending says: .md, .html or .csv.   @throws io::FileError
 void write_table(const std::vector<CaseReport>& reports, const std::filesystem::path& file);
 /// Writes cases.md, cases.html and the plots as CASE-N.svg into a folder, which is made.   @throws io::FileError
 void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder);

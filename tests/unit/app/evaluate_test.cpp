@@ -204,6 +204,9 @@ TEST(Report, table_is_of_the_kind_that_its_name_says) {
   write_table({strange_report()}, folder.path() / "t.html");
   EXPECT_EQ(folder.text("t.md").substr(0, 2), "# ");
   EXPECT_EQ(folder.text("t.html").substr(0, 9), "<!doctype");
+  write_table({strange_report()}, folder.path() / "t.csv");
+  EXPECT_EQ(folder.text("t.csv"),
+            "case,quantity,wanted,found,verdict\nodd,\"x | y\",\">= 1\",0.5,FAIL\nodd,\"gone\",\"<= 1\",,FAIL\n");
   EXPECT_THROW(write_table({strange_report()}, folder.path() / "t.txt"), io::FileError);
   EXPECT_THROW(write_table({strange_report()}, folder.path() / "none" / "t.md"), io::FileError);
 }

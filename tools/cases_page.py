@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""docs/cases.md: the case library beside its two sources, from cases/sources.toml and from README.md and expected.toml of every case.
+
+usage: tools/cases_page.py [--check]            writes docs/cases.md, with what docs/cases-found.csv has; --check: compares only
+       tools/cases_page.py --run [SCREE] [CASE ...]   runs these cases (default: all), full tier, brings docs/cases-found.csv up to date, then writes the page
+
+A row of docs/cases-found.csv whose quantity or bound has changed since is not shown: run the case again. Values of timings differ from run to run.
+"""
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE, FOUND = ROOT / "docs/cases.md", ROOT / "docs/cases-found.csv"
+BLOB = "../cases"
+
+
+def cases():
+    return sorted(p.parent.name for p in ROOT.glob("cases/*/expected.toml"))
+
+
+def cell(text):
+    return text.replace("|", "\\|").replace("<", "\\<").replace("\n", " ")
+
+
+def lead(name):
+    """First paragraph of the case's README, without its pictures."""
+    paragraphs = (ROOT / "cases" / name / "README.md").read_text().split("\n\n")
+    return next(p.replace("\n", " ").strip() for p in paragraphs[1:] if not p.lstrip().startswith(("!", "|")))
+
+
+def tiers(expected):
+    """Whether each quantity is of the full tier: its own, or that of a variant that it takes."""
+    full = {v["name"] for v in expected.get("variant", []) if v.get("tier") == "full"}
+    first = expected.get("variant", [{}])[0].get("name", "case")
+    for q in expected["quantity"]:
+        taken = [*q.get("variants", [q.get("variant", first)]), q.get("over"), q.get("against"), q.get("minus")]
+        yield q, "full" if q.get("tier") == "full" or any(t in full for t in taken) else "quick"
+
+
+def found_rows():
+    if not FOUND.exists():
+        return {}
+    with open(FOUND, newline="") as file:
+        return {(r["case"], r["quantity"]): r for r in csv.DictReader(file)}
+
+
+def number(x):
+    return f"{x:.6g}"
+
+
+def wanted(q):
+    """Bounds as `scree cases verify` writes them."""
+    if "reference" in q:
+        tolerance = q["absolute"] if "absolute" in q else q["tolerance"] * abs(q["reference"])
+        return f"{number(q['reference'])} +- {tolerance:.3g}"
+    low = f">= {number(q['at_least'])}" if "at_least" in q else ""
+    high = f"<= {number(q['at_most'])}" if "at_most" in q else ""
+    return ", ".join(x for x in (low, high) if x)
+
+
+def page():
+    names, found = cases(), found_rows()
+    sources = tomllib.loads((ROOT / "cases/sources.toml").read_text())["source"]
+    out = ["# The case library", "",
+           "Every numbered example, table of results and figure of results of the two sources that Scree was built from, with the case that does it or the reason why there is none; then every case with all its rows.",
+           "`scree cases verify NAME` runs the quick rows of a case, `--full` all of them; `--table` and `--report` write tables and plots, `scree gallery` a page with a picture and the report of every case.",
+           "The README of a case says what the source gives, what is assumed instead of what it does not give, and what differs. Written by `tools/cases_page.py` from the cases; numbers found are of `tools/cases_page.py --run`, those of time",
+           "of a machine that did other things beside.", ""]
+    named = set()
+    for source in sources:
+        out += [f"## {source['name']}, by its numbers", "", f"Source [{source['key']}](bibliography.md#{source['key'].lower()}).", "", "| what | case | remark |", "|---|---|---|"]
+        for what, case, remark in source["item"]:
+            if case and case not in names:
+                sys.exit(f"cases/sources.toml: there is no case {case}")
+            if not case and not remark:
+                sys.exit(f"cases/sources.toml: neither a case nor a reason: {what}")
+            named.add(case)
+            out.append(f"| {cell(what)} | {f'[{case}](#{case})' if case else 'none'} | {cell(remark)} |")
+        out.append("")
+    others = [n for n in names if n not in named]
+    out += ["## Cases of other origin", "", ", ".join(f"[{n}](#{n})" for n in others) + ".", "", "## The cases", ""]
+    for name in names:
+        expected = tomllib.loads((ROOT / "cases" / name / "expected.toml").read_text())
+        out += [f'### <a id="{name}"></a>{name}', "", lead(name), "", f"Case, reference and account: `cases/{name}`.", "", "| quantity | wanted | found | tier | why this bound |", "|---|---|---|---|---|"]
+        for q, tier in tiers(expected):
+            row = found.get((name, q["name"]))
+            value = row["found"] if row and row["wanted"] == wanted(q) else ""
+            value = f"{value} ({row['verdict']})" if value and row["verdict"] != "pass" else value
+            out.append(f"| {cell(q['name'])} | {cell(wanted(q))} | {value} | {tier} | {cell(q['reason'])} |")
+        out.append("")
+    return "\n".join(out)
+
+
+def run(arguments):
+    scree = next((a for a in arguments if "/" in a), str(ROOT / "build/release/app/scree"))
+    chosen = [a for a in arguments if "/" not in a] or cases()
+    rows = found_rows()
+    for name in chosen:
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "t.csv")
+            subprocess.run([scree, "cases", "verify", name, "--full", "--table", table], check=False, cwd=ROOT)
+            with open(table, newline="") as file:
+                new = {(r["case"], r["quantity"]): r for r in csv.DictReader(file)}
+        rows = {k: r for k, r in rows.items() if k[0] != name} | new
+        with open(FOUND, "w", newline="") as file:   # after each case: a run that is stopped loses nothing
+            writer = csv.DictWriter(file, ["case", "quantity", "wanted", "found", "verdict"], lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows[k] for k in sorted(rows))
+
+
+def main():
+    arguments = sys.argv[1:]
+    if arguments[:1] == ["--run"]:
+        run(arguments[1:])
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    text = page()
+    if arguments == ["--check"]:
+        if not PAGE.exists() or PAGE.read_text() != text:
+            sys.exit("docs/cases.md is not what tools/cases_page.py writes: run it")
+        print(f"ok: docs/cases.md, {len(cases())} cases")
+        return
+    PAGE.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
