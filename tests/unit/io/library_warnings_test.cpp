@@ -16,6 +16,11 @@ TEST(Warnings, none_in_the_case_library) {
     for (const std::string& text : coupling::plan_warnings(c.model, c.plan)) {
       // Miller's bar lies on springs that are as good as none, beside joints of rock.
       if (entry.path().parent_path().filename() == "miller" && text.starts_with("stiffness ratio 5.2e+06")) continue;
+      // Overhanging blocks between parallel joints: what the methods are compared by there is no limit of an arch.
+      const std::string folder = entry.path().parent_path().filename().string();
+      if ((folder == "seismic-slope" || folder == "open-pit") &&
+          text.find("carried by thrust alone") != std::string::npos)
+        continue;
       ADD_FAILURE() << entry.path() << ": " << text;
     }
     ++cases;
