@@ -12,9 +12,9 @@ bool computes(std::string_view command) {
 }
 
 void let_threads_sleep(char** argv) {
-  constexpr const char* kPolicy = "OMP_WAIT_POLICY";
-  if (std::getenv(kPolicy) != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
-  if (::setenv(kPolicy, "passive", 0) == 0) ::execv("/proc/self/exe", argv);
+  constexpr const char* kSpins = "GOMP_SPINCOUNT";
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(kSpins) != nullptr) return;
+  if (::setenv(kSpins, "3000", 0) == 0) ::execv("/proc/self/exe", argv);
 }
 
 }  // namespace scree::app

@@ -22,8 +22,9 @@ std::chrono::nanoseconds cpu_time() {
   return std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec);
 }
 
-/// Says when the next thing is due, at most so many a second in the mean: times of steps that do not divide the interval
-/// (steps of 29 ms, an interval of 33 ms) would give every second step where each interval began with the thing before.
+/// Says when the next thing is due, at most so many a second in the mean: times of steps that do not divide the
+/// interval (steps of 29 ms, an interval of 33 ms) would give every second step where each interval began with the
+/// thing before.
 class Limiter {
  public:
   using Clock = LivePublisher::Clock;
