@@ -1,0 +1,128 @@
+// Which of the contacts of a corner carry: those with two edges that meet, and those at the end of an edge.
+#include <algorithm>
+
+#include "coupling/contact/table/contact_finder.h"
+#include "coupling/contact/table/contact_finder_rules.h"
+
+namespace scree::coupling {
+namespace {
+
+/// Whether the corner is outside the body, above the edge `over`, and only behind the line of the edge `behind`, which
+/// ends at the same corner.
+bool passes_over(const ContactPoint& over, const ContactPoint& behind) {
+  if (over.at.gap < 0.0 || behind.at.gap >= 0.0) return false;
+  // Where both pairs are of faces, those of `behind` do not overlap. A corner that stands on the end of an edge is
+  // kept.
+  return (over.edge_edge && behind.edge_edge) || over.at.gap < -behind.at.gap;
+}
+
+}  // namespace
+
+double ContactFinder::entry_depth(const ContactPoint& p) const {
+  const std::int32_t i = neighbour(p, true);
+  if (i < 0) return -p.at.gap;
+  const auto beside = static_cast<std::size_t>(i);
+  const std::int32_t part = std::max(0, known_.segment(beside));
+  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
+  return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
+}
+
+bool ContactFinder::reentrant(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+  return v.edge_in != v.edge_out && !o.edges[static_cast<std::size_t>(v.edge_in)].convex_end;
+}
+
+void ContactFinder::cover_corners(ContactList& out) const {
+  // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
+  // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
+  const Outlines& o = setup_->outlines();
+  for (const std::int32_t c : corners_) {
+    ContactPoint& p = out.points[static_cast<std::size_t>(c)];
+    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+    const auto goes_on = [&](std::int32_t e) {
+      return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
+    };
+    for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+      if (!known_.closed_vertex(tip)) continue;
+      const auto begin =
+          std::lower_bound(out.points.begin(), out.points.end(), tip,
+                           [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
+      for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
+        if (t->edge_edge || !was_closed(*t) || !goes_on(t->edge)) continue;
+        const double step =
+            t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
+        if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
+      }
+    }
+  }
+}
+
+void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
+  const Outlines& o = setup_->outlines();
+  for (std::size_t i = first; i < list.points.size(); ++i)
+    for (std::size_t j = i + 1; j < list.points.size(); ++j) {
+      const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
+                           &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
+      const bool follows = a.end_vertex == b.first_segment && a.convex_end;
+      const bool closes_ring = b.end_vertex == a.first_segment && b.convex_end;
+      if (!follows && !closes_ring) continue;
+      const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // there
+      list.points[ends].partner[1] = static_cast<std::int32_t>(begins);
+      list.points[begins].partner[0] = static_cast<std::int32_t>(ends);
+    }
+}
+
+void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) const {
+  // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
+  // one (shortest path, [Qu2013] 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in
+  // along a joint that goes on over the next block, it is as deep there as it was before, and does not run against the
+  // side. A convex corner in a reentrant one touches both of its sides, and each carries.
+  for (const std::int32_t index : paired_)
+    for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
+      if (other <= index) continue;
+      const auto i = static_cast<std::size_t>(index);
+      const auto j = static_cast<std::size_t>(other);
+      if (list.points[i].beyond || list.points[j].beyond || reentrant(list.points[i])) continue;
+      if (list.memory[i].bonded != 0 && list.memory[j].bonded != 0) continue;  // it has grown to both
+      suppress_one(at_start, i, j, list);
+    }
+}
+
+void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const {
+  const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
+  ContactPoint &a = list.points[i], &b = list.points[j];
+  if (const bool first_is_open = ma.status == ContactStatus::open;
+      at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
+    // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+    (first_is_open ? a : b).suppressed = true;
+    return;
+  }
+  if (passes_over(a, b) || passes_over(b, a)) {
+    const bool over_a = passes_over(a, b);
+    if ((over_a ? mb : ma).bonded == 0) (over_a ? b : a).suppressed = true;
+    return;
+  }
+  const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
+  if (!inside && !loaded) return;
+  if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
+    if (loaded && mb.impact == 0.0) b.suppressed = true;
+    if (loaded && ma.impact == 0.0) a.suppressed = true;
+    return;
+  }
+  const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+  // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+  if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+    a.suppressed = b.suppressed = true;
+    return;
+  }
+  if (!loaded) return;
+  const double keep_a = ma.status != ContactStatus::open ? 0.5 : 1.0,
+               keep_b = mb.status != ContactStatus::open ? 0.5 : 1.0;
+  const bool a_ends = a.partner[1] == static_cast<std::int32_t>(j),
+             a_wins = ma.bonded != mb.bonded ? ma.bonded != 0 : leaves_by(depth_a * keep_a, depth_b * keep_b, a_ends);
+  (a_wins ? b : a).suppressed = true;
+}
+
+}  // namespace scree::coupling
