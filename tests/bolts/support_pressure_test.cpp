@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -15,17 +16,6 @@ using namespace coupling;
 constexpr double kIn = 1.0, kOut = 3.0, kStress = 2e6, kYoung = 2e9, kPoisson = 0.25;
 constexpr int kCorners = 72;
 
-/// A ring of corners of the same area as the circle.
-Ring circle(double radius, bool clockwise) {
-  const double step = 2.0 * std::numbers::pi / kCorners, r = radius * std::sqrt(step / std::sin(step));
-  Ring ring;
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = (clockwise ? -1.0 : 1.0) * step * i;
-    ring.push_back(r * Vec2(std::cos(angle), std::sin(angle)));
-  }
-  return ring;
-}
-
 TEST(SupportPressure, wall_moves_in_as_lame_says_at_every_part_released) {
   // In-situ stress -p everywhere, p on the outside, (1 - lambda) p on the wall:
   //   u(a) = -lambda p a (1 + nu)/E [(1 - 2 nu) a^2 + b^2]/(b^2 - a^2), plane strain.
@@ -34,7 +24,7 @@ TEST(SupportPressure, wall_moves_in_as_lame_says_at_every_part_released) {
   InitialStress in_situ;
   in_situ.stress = -kStress * Mat2::Identity();
   scene.model.materials[0].initial_stress = in_situ;
-  const BlockId rock = scene.add("rock", {circle(kOut, false), {circle(kIn, true)}});
+  const BlockId rock = scene.add("rock", {circle(kOut, kCorners, false), {circle(kIn, kCorners, true)}});
   // lambda = 0, 0.5 and 1 at the ends of the stages.
   TimeFunction release;
   release.name = "release";

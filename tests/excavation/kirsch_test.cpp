@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -15,16 +16,6 @@ using namespace coupling;
 
 constexpr double kRadius = 1.0, kHalf = 20.0, kStress = 4e6, kRatio = 0.5, kYoung = 10e9, kPoisson = 0.25;
 constexpr int kCorners = 64;
-
-Ring circle(bool clockwise) {
-  const double step = 2.0 * std::numbers::pi / kCorners, r = kRadius * std::sqrt(step / std::sin(step));
-  Ring ring;
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = (clockwise ? -1.0 : 1.0) * step * (i + 0.5);
-    ring.push_back(r * Vec2(std::cos(angle), std::sin(angle)));
-  }
-  return ring;
-}
 
 /// Displacement that an excavation brings to a point, plane strain, p upright and K p level, angle from the level:
 ///   u_r = -p a^2/(4 G r) [(1 + K) - (1 - K)(4 (1 - nu) - a^2/r^2) cos 2t],
@@ -64,8 +55,9 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
   JointLaw& joint = scene.model.joints[0];  // the disc has grown into the rock
   joint.normal_stiffness = 1000.0 * kYoung / kRadius;
   joint.cohesion = joint.residual_cohesion = joint.tensile_strength = 1e12;
-  const BlockId rock = scene.add("rock", {rectangle(-kHalf, -kHalf, kHalf, kHalf).outer, {circle(true)}});
-  const BlockId disc = scene.add("disc", {circle(false), {}});
+  const BlockId rock =
+      scene.add("rock", {rectangle(-kHalf, -kHalf, kHalf, kHalf).outer, {circle(kRadius, kCorners, true, 0.5)}});
+  const BlockId disc = scene.add("disc", {circle(kRadius, kCorners, false, 0.5), {}});
   const Ring& outer = scene.model.blocks[0].polygon.outer;
   for (std::int32_t e = 0; e < 4; ++e) {
     const Vec2 d = (outer[static_cast<std::size_t>(e + 1) % 4] - outer[static_cast<std::size_t>(e)]).normalized();

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -15,17 +16,6 @@ using namespace coupling;
 
 constexpr double kIn = 1.0, kOut = 3.0, kStress = 2e6, kYoung = 2e9, kPoisson = 0.25, kCover = 0.12;
 constexpr int kCorners = 72;
-
-/// A ring of corners of the same area as the circle.
-Ring circle(double radius, bool clockwise) {
-  const double step = 2.0 * std::numbers::pi / kCorners, r = radius * std::sqrt(step / std::sin(step));
-  Ring ring;
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = (clockwise ? -1.0 : 1.0) * step * i;
-    ring.push_back(r * Vec2(std::cos(angle), std::sin(angle)));
-  }
-  return ring;
-}
 
 /// Mean inward displacement of the monitors of a wall, at every sample.
 struct Look final : Sink {
@@ -51,8 +41,8 @@ TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_
   in_situ.stress = -kStress * Mat2::Identity();
   scene.model.materials[0].initial_stress = in_situ;
   scene.model.joints[0].normal_stiffness = 1000.0 * kYoung / kIn;
-  const BlockId rock = scene.add("rock", {circle(kOut, false), {circle(kIn, true)}});
-  const BlockId disc = scene.add("disc", {circle(kIn, false), {}});
+  const BlockId rock = scene.add("rock", {circle(kOut, kCorners, false), {circle(kIn, kCorners, true)}});
+  const BlockId disc = scene.add("disc", {circle(kIn, kCorners, false), {}});
   for (std::int32_t e = 0; e < kCorners; ++e) {
     const Ring& r = scene.model.blocks[0].polygon.ring(0);
     const auto i = static_cast<std::size_t>(e);

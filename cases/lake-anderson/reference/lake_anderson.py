@@ -15,6 +15,9 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[2] / "tools"))
+from synthetic_record import scaled, sines  # noqa: E402
+
 SLOPE, FRICTION, FACTOR = math.radians(26.0), math.radians(25.0), 1.492
 GRAVITY = 9.80665
 COHESION = 300.0 * 47.880259                 # 300 psf [Pa]
@@ -70,19 +73,9 @@ def first_stop(v, a, rate, rest):
 
 def synthetic():
     """Samples [g]: eight sines under an envelope that rises in 2 s and dies away; the phases from a generator of Lehmer's, 1979 its seed."""
-    seed, phases = 1979, []
-    for _ in range(8):
-        for _ in range(10):
-            seed = seed * 48271 % 2147483647
-        phases.append(2.0 * math.pi * seed / 2147483647)
-    raw = []
-    for i in range(round(DURATION / STEP) + 1):
-        t = i * STEP
-        envelope = (t / 2.0) ** 2 * math.exp(2.0 - t) if t > 0.0 else 0.0
-        raw.append(envelope * sum(math.sin(2.0 * math.pi * f * t + p) / math.sqrt(f) for f, p in zip((0.7, 1.1, 1.6, 2.3, 3.1, 4.3, 5.9, 7.7), phases)))
-    raw = [x * min(1.0, (DURATION - i * STEP) / 1.0) for i, x in enumerate(raw)]
-    peak = max(map(abs, raw))
-    return [round(PEAK * x / peak, 6) + 0.0 for x in raw]
+    envelope = lambda t: (t / 2.0) ** 2 * math.exp(2.0 - t) if t > 0.0 else 0.0
+    raw = sines((0.7, 1.1, 1.6, 2.3, 3.1, 4.3, 5.9, 7.7), 1979, STEP, DURATION, envelope)
+    return scaled([x * min(1.0, (DURATION - i * STEP) / 1.0) for i, x in enumerate(raw)], PEAK)
 
 
 def read(file):

@@ -3,28 +3,22 @@
 Ten sines under an envelope that rises in 4 s, stays and dies away from 12 s on; the phases from a generator of Lehmer's with seed 2013.
 """
 import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "tools"))
+from synthetic_record import scaled, sines  # noqa: E402
 
 PEAK, STEP, DURATION = 0.3, 0.01, 20.0
 FREQUENCIES = (0.6, 0.9, 1.3, 1.8, 2.4, 3.1, 3.9, 4.8, 5.9, 7.2)
 
 
-def samples():
-    seed, phases = 2013, []
-    for _ in FREQUENCIES:
-        for _ in range(10):
-            seed = seed * 48271 % 2147483647
-        phases.append(2.0 * math.pi * seed / 2147483647)
-    out = []
-    for i in range(round(DURATION / STEP) + 1):
-        t = i * STEP
-        envelope = min(1.0, t / 4.0) * (math.exp(-0.35 * (t - 12.0)) if t > 12.0 else 1.0) * min(1.0, (DURATION - t) / 2.0)
-        out.append(envelope * sum(math.sin(2.0 * math.pi * f * t + p) / math.sqrt(f) for f, p in zip(FREQUENCIES, phases)))
-    peak = max(map(abs, out))
-    return [round(PEAK * x / peak, 6) + 0.0 for x in out]
+def envelope(t):
+    return min(1.0, t / 4.0) * (math.exp(-0.35 * (t - 12.0)) if t > 12.0 else 1.0) * min(1.0, (DURATION - t) / 2.0)
 
 
 if __name__ == "__main__":
     print("# Synthetic record, peak 0.3 g, by reference/motion.py.")
     print("time [s], acceleration [g]")
-    for i, x in enumerate(samples()):
+    for i, x in enumerate(scaled(sines(FREQUENCIES, 2013, STEP, DURATION, envelope), PEAK)):
         print(f"{i * STEP:.2f}, {x:.6f}")
