@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
 namespace scree::test {
@@ -80,7 +81,8 @@ TEST(FirstOrderRotation, what_it_adds_to_a_spin_is_kinetic_energy_of_the_update)
   const int steps = 100;
   const Scene scene = spinning(BlockRotation::first_order, steps);
   Driver run(scene.model, scene.plan, methods());
-  const BodyTotals before = totals_of(run, BlockId{0});
+  const ByHand begin(scene.model, scene.plan.stages[0]);
+  const BodyTotals before = begin.totals(begin.setup->bodies()[0]);
   run_to_end(run);
   const BodyTotals after = totals_of(run, BlockId{0});
   const double r0 = kSpin * kStep, growth = std::pow(1.0 + r0 * r0, steps);

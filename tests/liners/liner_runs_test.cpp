@@ -89,8 +89,11 @@ TEST_P(LinerRuns, tears_where_it_crosses_the_joint_and_tells) {
   EXPECT_NE(told.lines[0].find("liner 'liner' breaks between"), std::string::npos) << told.lines[0];
   EXPECT_NE(told.lines[0].find("from its beginning"), std::string::npos) << told.lines[0];
   const BoltMemory& m = scene.memory();
-  for (std::size_t s = 0; s < m.broken.size(); ++s)
-    if (m.broken[s] != 0) EXPECT_EQ(m.force[s], 0.0);
+  for (std::size_t s = 0; s < m.broken.size(); ++s) {
+    if (m.broken[s] != 0) {
+      EXPECT_EQ(m.force[s], 0.0);
+    }
+  }
   EXPECT_GT(run.state().ledger[Column::bolt_yield], 0.0);
   scene.expect_closed();
 }
@@ -119,7 +122,7 @@ TEST(LinerStages, thrust_and_moments_stay_where_blocks_change_method) {
   const BlockId block = scene.add("block", rectangle(0.5, 0, 2.5, 1));
   scene.model.point_loads.push_back({block, {1.5, 1.0}, {100e3, 0.0}, FunctionId{}});
   scene.line(lining({{-1.0, 1.0}, {2.0, 1.0}}, 0.5));
-  scene.rest({"dda", Integrator::implicit}, 2.0);
+  scene.rest({"dda", Integrator::implicit}, 50.0, 1.0);
   scene.go({"nmm", Integrator::implicit}, 0.01, 1e-3, 0.5);
   scene.run();
   EXPECT_NEAR(scene.memory().force[2] / 100e3, 1.0, 0.02);

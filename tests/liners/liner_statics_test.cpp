@@ -33,7 +33,7 @@ TEST_P(Liners, two_blocks_joined_by_a_liner_part_by_its_stretch) {
   scene.model.point_loads.push_back({block, {1.5, 1.0}, {force, 0.0}, FunctionId{}});
   const Bolt b = lining({{-1.0, 1.0}, {2.0, 1.0}}, 0.5);
   scene.line(b);
-  scene.rest(GetParam(), 0.5);
+  scene.rest(GetParam(), GetParam().is_explicit() ? 5.0 : 50.0, 1.0);  // it rocks at 16 rad/s
   const Driver& run = scene.run();
   EXPECT_NEAR(scene.memory().force[2] / force, 1.0, kPart);
   EXPECT_NEAR((node_at(run, 3).x() - 0.5) / (force * 0.5 / b.stiffness), 1.0, kPart);
@@ -56,8 +56,9 @@ TEST_P(Liners, block_hung_from_a_roof_by_shotcrete_sinks_by_the_bending_of_its_b
   const double sunk = 1.0 - node_at(run, 3).y();
   std::printf("%s: sinks by %.5e m, expected %.5e\n", GetParam().name().c_str(), sunk, sinking);
   EXPECT_NEAR(sunk / sinking, 1.0, 0.02);  // the rock gives way a little, the mesh where nodes push it
-  EXPECT_NEAR(scene.memory().shear[1] / (0.25 * weight * 0.3), -1.0, kPart);  // turns in the roof: hogging
-  EXPECT_NEAR(scene.memory().shear[2] / (0.25 * weight * 0.3), 1.0, kPart);
+  // Half of the weight on either side, W/2 = 2 M/h: to the right at the roof, to the left at the block.
+  EXPECT_NEAR(scene.memory().shear[0] / (0.25 * weight * 0.3), -1.0, kPart);
+  EXPECT_NEAR(scene.memory().shear[1] / (0.25 * weight * 0.3), 1.0, kPart);
   EXPECT_LT(std::abs(totals_of(run, block).momentum.y()), 1e-3 * totals_of(run, block).mass);
   scene.expect_closed();
 }
@@ -105,7 +106,9 @@ TEST(LinerBeam, sag_is_that_of_the_chain_and_comes_to_euler_and_bernoulli_with_o
     std::printf("n %2d: sag %.8e m, chain %.8e, over Euler-Bernoulli less 1: %.4e, order %.3f\n", n, sag, chain, error,
                 last > 0.0 ? std::log2(last / error) : 0.0);
     EXPECT_NEAR(sag / chain, 1.0, 1e-4) << n;
-    if (last > 0.0) EXPECT_NEAR(std::log2(last / error), 2.0, 0.05) << n;
+    if (last > 0.0) {
+      EXPECT_NEAR(std::log2(last / error), 2.0, 0.05) << n;
+    }
     last = error;
     // M = P x/2 at every node.
     for (int i = 1; i < n; ++i)
@@ -166,26 +169,32 @@ struct Hole : Lined {
     along.push_back(along.front());
     return lining(along, 1.0, 0.15);
   }
-  void expect_thrust(double expected) const {
-    double mean = 0.0, bend = 0.0;
+  /// The mean thrust against the one expected.   @return the largest difference of a bar from it
+  double expect_thrust(double expected) const {
+    double mean = 0.0, bend = 0.0, apart = 0.0;
     for (const double N : memory().force) mean += N / static_cast<double>(memory().force.size());
     for (const double M : memory().shear) bend = std::max(bend, std::abs(M));
-    std::printf("thrust %.5e N/m, expected %.5e: %.4f; largest moment %.3e N m\n", mean, expected, mean / expected,
-                bend);
+    for (const double N : memory().force) apart = std::max(apart, std::abs(N / expected - 1.0));
+    std::printf("thrust %.5e N/m, expected %.5e: %.4f, bars within %.4f; largest moment %.3e N m\n", mean, expected,
+                mean / expected, apart, bend);
     EXPECT_NEAR(mean / expected, 1.0, 0.02);
-    for (const double N : memory().force) EXPECT_NEAR(N / expected, 1.0, 0.04);  // bar by bar, with the mesh
+    return apart;
   }
 };
 
 TEST(LinedHole, liner_of_a_ring_under_outer_pressure_has_the_thrust_of_lame) {
-  for (const double cover : {0.24, 0.12}) {
+  // Bar by bar the thrust follows the strain of the elements at the wall, which is constant in each.
+  double last = 1.0;
+  for (const double cover : {0.24, 0.12, 0.06}) {
     Hole hole;
     hole.press(kStress);
     const Bolt ring = Hole::ring();
     hole.line(ring);
     hole.rest({"nmm", Integrator::implicit}, 3.0, 0.5, cover);
     hole.run();
-    hole.expect_thrust(thrust(0.0, kStress, ring.stiffness));
+    const double apart = hole.expect_thrust(thrust(0.0, kStress, ring.stiffness));
+    EXPECT_LT(apart, 0.75 * last);
+    last = apart;
     hole.expect_closed();
   }
 }
@@ -213,7 +222,7 @@ TEST(LinedHole, liner_that_comes_when_half_is_released_takes_its_part_of_the_oth
     stage.construction.release = part;
   }
   hole.run();
-  hole.expect_thrust(thrust(0.5 * kStress, 0.0, ring.stiffness));
+  EXPECT_LT(hole.expect_thrust(thrust(0.5 * kStress, 0.0, ring.stiffness)), 0.04);
   hole.expect_closed();
 }
 
