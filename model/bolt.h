@@ -18,7 +18,7 @@ struct Model;
 /// are for unit thickness: those of one bolt over the spacing of the bolts out of the plane.
 /// A liner is a chain of such bars from node to node along the outlines of blocks, glued to them, that also resists
 /// changes of the angle between neighbouring bars: a beam without shear. Its first bar begins at `head`.
-/// @source docs/theory/bolts.md, "Nodes"; [StJohn1983]; docs/theory/liners.md
+/// @source docs/theory/bolts.md, "Nodes"; [StJohn1983]; docs/theory/liners.md, "Bars and turns"
 struct Bolt {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
