@@ -14,17 +14,6 @@ using namespace coupling;
 class LinerRuns : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(All, LinerRuns, testing::ValuesIn(kWays), [](const auto& of) { return of.param.name(); });
 
-/// Keeps a checkpoint after a given step.
-struct KeepOne final : Keeper {
-  explicit KeepOne(std::int64_t at) : step(at) {}
-  bool due(std::int64_t now) override { return now == step; }
-  void keep(Checkpoint checkpoint) override {
-    if (checkpoint.state.step == step) kept.push_back(std::move(checkpoint));
-  }
-  std::int64_t step;
-  std::vector<Checkpoint> kept;
-};
-
 /// Three blocks in a row, with a liner along their tops and down the side of the last, which is thrown up and away.
 struct Thrown : Lined {
   BlockId near, far;
