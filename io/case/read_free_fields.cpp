@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "coupling/bodies/clocks.h"
 #include "io/case/block_choice.h"
 #include "io/case/edge_choice.h"
 #include "io/case/read_parts.h"
@@ -79,7 +81,7 @@ void check_sides(const Section& s, const std::vector<EdgeSpan>& spans, const Mod
     if (const double lean = std::abs(outward_normal(block.polygon, span.edge).y()); lean > kLean)
       throw s.error(key,
                     fmt::format("an edge of block {} leans by {:.3g} degrees", in_quotes(block.name),
-                                std::asin(lean) * 180.0 / 3.14159265358979323846),
+                                std::asin(lean) * 180.0 / std::numbers::pi),
                     "vertical edges", "end the model in a vertical side: the ground beside it is level");
     const Block& first = model.blocks[spans.front().block.index()];
     if (block.material != first.material)
@@ -162,15 +164,21 @@ void read_free_fields(const Section& root, Model& model) {
 }
 
 void check_free_fields(const Section& root, const Model& model, const coupling::Plan& plan) {
+  std::vector<std::vector<char>> acts;  // a stage
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) acts.push_back(coupling::acts_in(model, plan, i));
   for (const Section& s : root.list("free_field"))
-    for (const EdgeSpan& span : sides(s, root, model))
-      for (const coupling::Stage& stage : plan.stages)
-        if (without_mesh(stage, span.block))
+    for (const EdgeSpan& span : sides(s, root, model)) {
+      const auto edge = std::find_if(model.viscous_edges.begin(), model.viscous_edges.end(), [&](const ViscousEdge& e) {
+        return e.free_field && e.span.block == span.block && e.span.edge == span.edge;
+      });
+      for (std::size_t i = 0; i < plan.stages.size(); ++i)
+        if (acts[i][edge->motion.index()] != 0 && without_mesh(plan.stages[i], span.block))
           throw s.error(s.has("on") ? "on" : "edge",
                         fmt::format("block {} has no mesh in stage {}: waves cannot run through it",
-                                    in_quotes(model.blocks[span.block.index()].name), in_quotes(stage.name)),
-                        "blocks with the NMM and covers of some size, in every stage",
+                                    in_quotes(model.blocks[span.block.index()].name), in_quotes(plan.stages[i].name)),
+                        "blocks with the NMM and covers of some size, in every stage that the motion shakes",
                         "name the blocks at the sides in method_of, with method = \"nmm\"");
+    }
 }
 
 }  // namespace scree::io

@@ -50,7 +50,7 @@ void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model
 void read_loads(const Section& root, Model& model);
 /// Sides of the model beside level ground.   @pre read_loads
 void read_free_fields(const Section& root, Model& model);
-/// Refuses sides of blocks that have no mesh.   @pre all else has been read
+/// Refuses sides of blocks that have no mesh in a stage that their motion shakes.   @pre all else has been read
 void check_free_fields(const Section& root, const Model& model, const coupling::Plan& plan);
 /// Appends a viscous edge.   @throws CaseError: a part of it is viscous already
 void add_viscous_edge(const Section& s, const ViscousEdge& edge, Model& model);
