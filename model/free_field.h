@@ -1,63 +1,46 @@
-// The ground beside a model: level, of one material, on a base that a motion shakes. It does not depend on the model.
+// Level ground beside a model, on a base that a motion shakes: what it does to a side of the model.
 #pragma once
 
-#include <cmath>
+#include <vector>
 
-#include "model/elasticity.h"
-#include "model/geometry.h"
+#include "model/model.h"
 
 namespace scree {
 
-/// Level ground from its base to its free surface.
+/// Level ground from its base to its free surface. Its motion does not depend on the model.
 struct FreeField {
   double bottom = 0.0, top = 0.0;  // [m], bottom < top
-  bool rigid = false;  // true: the base moves as a motion; false: a wave comes up from more of the same rock
+  MotionId motion;
+  bool rigid = false;    // true: the base moves as the motion; false: a wave comes up from more of the same rock
+  double upgoing = 1.0;  // of the motion's velocity: 1 for the upgoing wave itself or a rigid base, 1/2 for an outcrop
 };
 
-/// What goes through the ground at a height: velocity [m/s] and stress beside that at rest [Pa].
-struct GroundWave {
-  Vec2 velocity{0.0, 0.0};
-  Mat2 stress = Mat2::Zero();
-};
-
-/// Sum of the waves of one kind that go up and down at a height y above the base, by d'Alembert; H: of the surface.
-///   compliant:  v = u(t - y/c) + u(t - (2 H - y)/c),  s/(rho c) = u(t - (2 H - y)/c) - u(t - y/c),  u: the upgoing
-///   wave rigid:      the same with u the base's velocity, and + (-1)^k of it, 2 k H/c later, k = 1, 2, ...
-/// @param y  [m]      @param speed  c [m/s]      @param age  since u began: it is zero before [s]
-/// @param wave  wave(delay) = u(t - delay)
-/// @return velocity [m/s], and stress over rho c [m/s]
+/// What goes through level ground at a height, by d'Alembert: with y from its base, H the height of its surface, u the
+/// upgoing wave or the base's velocity, c the speed of shear waves for x and of pressure waves for y
+///   compliant:  v = u(t - y/c) + u(t - (2 H - y)/c),  s/(rho c) = u(t - (2 H - y)/c) - u(t - y/c)
+///   rigid:      v(t) = the same - v(t - 2 H/c),  and so for s
+/// as tables, between which straight lines are within 1e-4 of the largest velocity.
 /// @source docs/theory/seismic-input.md, "Free-field edges"
-struct WaveSum {
-  double velocity = 0.0, stress = 0.0;
+struct GroundHistory {
+  std::vector<double> time;      // since the motion's first sample, equal steps [s]
+  std::vector<double> velocity;  // along the axis [m/s]
+  std::vector<double> stress;    // s_xy of x, s_yy of y, over rho c [m/s]
 };
-template <class Wave>
-[[nodiscard]] WaveSum wave_sum(const FreeField& ground, double y, double speed, double age, Wave&& wave) {
-  const double height = ground.top - ground.bottom;
-  WaveSum sum;
-  double sign = 1.0;
-  for (double before = 0.0; (before + y) / speed <= age; before += 2.0 * height) {
-    const double up = sign * wave((before + y) / speed), down = sign * wave((before + 2.0 * height - y) / speed);
-    sum.velocity += up + down;
-    sum.stress += down - up;
-    if (!ground.rigid) break;
-    sign = -sign;
-  }
-  return sum;
-}
+/// @param axis   0: x, 1: y      @param height  in the model's axes, bottom <= height <= top [m]
+/// @param until  when the table ends at the latest, since the first sample [s]
+/// @return empty: the motion has no velocity along the axis
+[[nodiscard]] GroundHistory ground_history(const Model& model, const FreeField& ground, MaterialId material, int axis,
+                                           double height, double until);
 
-/// Velocity and stress at a height: horizontal motion as shear waves, vertical motion as pressure waves.
-/// @param at  height, in the model's axes [m], bottom <= at <= top      @param age, wave  as above, wave gives a Vec2
-template <class Wave>
-[[nodiscard]] GroundWave ground_wave(const FreeField& ground, const Elasticity& law, double density, double at,
-                                     double age, Wave&& wave) {
-  const double y = at - ground.bottom, c_s = std::sqrt(law.mu / density), c_p = std::sqrt(law.p_modulus() / density);
-  const WaveSum shear = wave_sum(ground, y, c_s, age, [&](double delay) { return wave(delay).x(); }),
-                pressure = wave_sum(ground, y, c_p, age, [&](double delay) { return wave(delay).y(); });
-  const double xy = density * c_s * shear.stress, yy = density * c_p * pressure.stress,
-               xx = law.lambda / law.p_modulus() * yy;
-  GroundWave out{{shear.velocity, pressure.velocity}, {}};
-  out.stress << xx, xy, xy, yy;
-  return out;
-}
+/// Lets sides of a model end in level ground of their material. Its traction on them is, with n outward,
+///   stress n - rho (c_p n n^T + c_s t t^T)(v - v_ground):
+/// viscous edges, and dead tractions with time functions that hold the ground's stress and velocity.
+/// @param sides  near vertical, of one material, between bottom and top
+/// @param until  end of the run, since the motion's first sample [s]
+/// @source [Lysmer1969], [Wolf1988]; docs/theory/seismic-input.md, "Free-field edges"
+void add_free_field(Model& model, const std::vector<EdgeSpan>& sides, const FreeField& ground, double until);
+
+/// True for functions of tractions that add_free_field() made.
+[[nodiscard]] bool of_free_field(const Model& model, FunctionId function);
 
 }  // namespace scree

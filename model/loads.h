@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/free_field.h"
 #include "model/geometry.h"
 #include "model/ids.h"
 
@@ -47,15 +46,12 @@ struct BodyAcceleration {
 
 /// An edge that absorbs waves: traction -rho (c_p v.n n + c_s v.t t), exact for plane waves at right angles. With a
 /// motion it is a compliant base: the rock beyond sends up a wave of the velocity u, which adds twice rho (c_p u.n n +
-/// c_s u.t t). With a free field the ground beyond moves as that does: the traction is stress n of the free field less
-/// rho (c_p w.n n + c_s w.t t), w the velocity relative to it.
-/// @source [Lysmer1969], [Joyner1975]; docs/theory/seismic-input.md, "Viscous edges", "Compliant base", "Free-field
-///         edges"
+/// c_s u.t t).
+/// @source [Lysmer1969], [Joyner1975]; docs/theory/seismic-input.md, "Viscous edges", "Compliant base"
 struct ViscousEdge {
   EdgeSpan span;
-  MotionId motion{};     // of the wave that comes in, or the free field's; invalid: none does
-  double upgoing = 1.0;  // of the motion's velocity: 1 for that of the wave itself or a rigid base, 1/2 for an outcrop
-  std::optional<FreeField> free_field{};  // the edge lies between its bottom and its top
+  MotionId motion{};     // of the wave that comes in; invalid: none does
+  double upgoing = 1.0;  // of the motion's velocity: 1 for that of the wave itself, 1/2 for an outcrop
 };
 
 /// A stretch of outline that is held where the model has it, along some directions; along the others it slides freely.

@@ -47,12 +47,7 @@ void move_to_local_origin(Model& model) {
   for (Material& m : model.materials)
     if (m.initial_stress) m.initial_stress->level -= origin.y();
   for (Block& b : model.blocks) move(b.polygon, -origin);
-  // Spans of edges are fractions: edge supports, tractions and viscous edges stay, but for the ground beside them.
-  for (ViscousEdge& e : model.viscous_edges) {
-    if (!e.free_field) continue;
-    e.free_field->bottom -= origin.y();
-    e.free_field->top -= origin.y();
-  }
+  // Spans of edges are fractions: edge supports, tractions and viscous edges stay.
   for (PointSupport& s : model.point_supports) s.point -= origin;
   for (Monitor& m : model.monitors) m.point -= origin;
   for (PointLoad& l : model.point_loads) l.point -= origin;

@@ -143,11 +143,6 @@ class Setup {
   [[nodiscard]] Vec2 ground_velocity(MotionId m, double time) const {
     return model_->motions[m.index()].velocity(motion_time(m, time));
   }
-  /// When a motion begins, since the start; infinite: not in this stage.
-  [[nodiscard]] double motion_begin(MotionId m) const {
-    const double start = model_->motions[m.index()].setting().start;
-    return clocks_.motion.empty() ? start : start + clocks_.motion[m.index()];
-  }
   /// Value of a load's function at a time, by the function's clock; 1 where it has none.
   [[nodiscard]] double factor(FunctionId f, double time) const {
     return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "coupling/integrate/edge_stretch.h"
@@ -10,35 +9,24 @@
 
 namespace scree::coupling {
 
-/// The ground beside a stretch of a free-field edge.
-struct FreeFieldSide {
-  FreeField ground;
-  Elasticity law;
-  double density = 0.0;            // [kg/m3]
-  std::array<double, 2> height{};  // of the stretch's ends as the model first had them [m]
-  Vec2 area{0.0, 0.0};             // outward normal times half the length [m]
-};
-
 /// A stretch of a viscous edge: a dashpot at each of its ends, with half the length.
 struct Dashpot {
   EdgeStretch stretch;
   double normal = 0.0, shear = 0.0;  // of one end: rho c_p L/2, rho c_s L/2 [N s/m]
   MotionId motion{};                 // of the wave that comes in; invalid: none
   double upgoing = 1.0;              // of its velocity
-  std::optional<FreeFieldSide> side{};
 };
 /// @source [Lysmer1969]; c_p = sqrt((lambda + 2 mu)/rho) with the in-plane constants, c_s = sqrt(mu/rho)
 [[nodiscard]] std::vector<Dashpot> dashpots(const Setup& setup, const State& state);
 
 /// f += forces of the waves that come in at a time [s]: 2 (normal n n^T + shear t t^T) u at either end of a dashpot, n
-/// as the segment is at q, u the velocity of the wave. Beside a free field: (normal n n^T + shear t t^T) v plus half
-/// the length times stress n0, v and stress those of the free field at the end's height, n0 the normal at the start.
+/// as the segment is at q, u the velocity of the wave.
 void add_incoming_waves(const Setup& setup, std::span<const Dashpot> dashpots, double time, std::span<const double> q,
                         std::span<double> f);
 
 /// f = -L/2 rho (c_p n n^T + c_s t t^T) v at either end, n normal to the segment as it is now, v the velocity of the
-/// half step before: lagged, which the step bound knows. Of a compliant base and of a free field, the wave that comes
-/// in too; its work is that of a load.
+/// half step before: lagged, which the step bound knows. Of a compliant base, the wave that comes in too; its work is
+/// that of a load.
 class ViscousEdges final : public ForceTerm {
  public:
   ViscousEdges(const Setup& setup, std::vector<Dashpot> dashpots) : setup_(&setup), dashpots_(std::move(dashpots)) {}

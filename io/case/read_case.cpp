@@ -37,14 +37,13 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   read_motions(root, file.parent_path(), out.model);
   read_supports(root, out.model);
   read_loads(root, out.model);
-  read_free_fields(root, out.model);
   read_bolts(root, drawing, out.model);
   read_water(root, drawing, out.model);
   read_monitors(root, drawing, out.model);
   out.plan = read_plan(root, out.model, methods);
+  read_free_fields(root, out.plan, out.model);
   out.live_field = root.table("live").text("field");
   check_times(root, out.model, out.plan);
-  check_free_fields(root, out.model, out.plan);
   check_meshes(root, out.model, out.plan);
   read_reduction(root, methods, out.model, out.plan);
   out.resolved = to_toml(document);

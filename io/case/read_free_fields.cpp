@@ -10,6 +10,7 @@
 #include "io/case/edge_choice.h"
 #include "io/case/read_parts.h"
 #include "model/edge_selection.h"
+#include "model/free_field.h"
 
 namespace scree::io {
 namespace {
@@ -40,8 +41,7 @@ Base base_of(const Section& s, const Section& root, const Model& model) {
     if (!base.motion.valid() || (motion.valid() && base.motion != motion)) return;
     if (std::find(found.begin(), found.end(), base) == found.end()) found.push_back(base);
   };
-  for (const ViscousEdge& e : model.viscous_edges)
-    if (!e.free_field) add({e.motion, false, e.upgoing});
+  for (const ViscousEdge& e : model.viscous_edges) add({e.motion, false, e.upgoing});
   for (const BlockSupport& b : model.block_supports) add({b.motion, true, 1.0});
   if (found.empty())
     throw s.error("motion",
@@ -107,9 +107,10 @@ std::pair<double, double> reach_of(const std::vector<EdgeSpan>& spans, const Mod
 }
 
 /// The ground from its base to its surface, around the side.
-FreeField ground_of(const Section& s, const std::vector<EdgeSpan>& spans, const Model& model, bool rigid) {
+FreeField ground_of(const Section& s, const std::vector<EdgeSpan>& spans, const Model& model, const Base& base) {
   const auto [low, high] = reach_of(spans, model);
-  const FreeField ground{s.has("bottom") ? s.number("bottom") : low, s.has("top") ? s.number("top") : high, rigid};
+  const FreeField ground{s.has("bottom") ? s.number("bottom") : low, s.has("top") ? s.number("top") : high, base.motion,
+                         base.rigid, base.upgoing};
   if (!(ground.bottom < ground.top))
     throw s.error(s.has("top") ? "top" : "bottom", "the ground beside the model has no height",
                   fmt::format("bottom below top: the side reaches from {:.10g} to {:.10g} m", low, high),
@@ -125,14 +126,6 @@ FreeField ground_of(const Section& s, const std::vector<EdgeSpan>& spans, const 
   return ground;
 }
 
-void read_free_field(const Section& s, const Section& root, Model& model) {
-  const std::vector<EdgeSpan> spans = sides(s, root, model);
-  check_sides(s, spans, model);
-  const Base base = base_of(s, root, model);
-  const FreeField ground = ground_of(s, spans, model, base.rigid);
-  for (const EdgeSpan& span : spans) add_viscous_edge(s, {span, base.motion, base.upgoing, ground}, model);
-}
-
 /// True where a stage has no mesh in a block.
 bool without_mesh(const coupling::Stage& stage, BlockId block) {
   std::string method = stage.method;
@@ -146,39 +139,53 @@ bool without_mesh(const coupling::Stage& stage, BlockId block) {
   return (method != "nmm" || onefold) && std::find(absent.begin(), absent.end(), block) == absent.end();
 }
 
+/// Refuses sides of blocks that have no mesh in a stage that the motion shakes.
+void check_meshed(const Section& s, const std::vector<EdgeSpan>& spans, MotionId motion, const Model& model,
+                  const coupling::Plan& plan) {
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+    if (coupling::acts_in(model, plan, i)[motion.index()] == 0) continue;
+    for (const EdgeSpan& span : spans)
+      if (without_mesh(plan.stages[i], span.block))
+        throw s.error(s.has("on") ? "on" : "edge",
+                      fmt::format("block {} has no mesh in stage {}: waves cannot run through it",
+                                  in_quotes(model.blocks[span.block.index()].name), in_quotes(plan.stages[i].name)),
+                      "blocks with the NMM and covers of some size, in every stage that the motion shakes",
+                      "name the blocks at the sides in method_of, with method = \"nmm\"");
+  }
+}
+
+/// What is left of the run as a motion begins, if the stages last as planned [s].
+double rest_of_run(const GroundMotion& motion, const coupling::Plan& plan) {
+  Tick left = 0;
+  const StageId stage = motion.setting().stage;
+  for (std::size_t i = stage.valid() ? stage.index() : 0; i < plan.stages.size(); ++i) left += plan.stages[i].duration;
+  return seconds(left) - motion.setting().start;
+}
+
+void read_free_field(const Section& s, const Section& root, const coupling::Plan& plan, Model& model) {
+  const std::vector<EdgeSpan> spans = sides(s, root, model);
+  check_sides(s, spans, model);
+  const Base base = base_of(s, root, model);
+  const FreeField ground = ground_of(s, spans, model, base);
+  for (const EdgeSpan& span : spans) check_absorbs_once(s, span, model);
+  check_meshed(s, spans, base.motion, model, plan);
+  add_free_field(model, spans, ground, rest_of_run(model.motions[base.motion.index()], plan));
+}
+
 }  // namespace
 
-void add_viscous_edge(const Section& s, const ViscousEdge& edge, Model& model) {
+void check_absorbs_once(const Section& s, const EdgeSpan& span, const Model& model) {
   for (const ViscousEdge& other : model.viscous_edges) {
-    const EdgeSpan &o = other.span, &span = edge.span;
+    const EdgeSpan& o = other.span;
     const double common = std::min(o.s1, span.s1) - std::max(o.s0, span.s0);
     if (o.block != span.block || o.edge != span.edge || common <= kTouching) continue;
     throw s.error(s.has("on") ? "on" : "edge", "a part of this stretch is viscous already",
                   "stretches that do not overlap", "it would absorb twice: remove one, or shorten it");
   }
-  model.viscous_edges.push_back(edge);
 }
 
-void read_free_fields(const Section& root, Model& model) {
-  for (const Section& s : root.list("free_field")) read_free_field(s, root, model);
-}
-
-void check_free_fields(const Section& root, const Model& model, const coupling::Plan& plan) {
-  std::vector<std::vector<char>> acts;  // a stage
-  for (std::size_t i = 0; i < plan.stages.size(); ++i) acts.push_back(coupling::acts_in(model, plan, i));
-  for (const Section& s : root.list("free_field"))
-    for (const EdgeSpan& span : sides(s, root, model)) {
-      const auto edge = std::find_if(model.viscous_edges.begin(), model.viscous_edges.end(), [&](const ViscousEdge& e) {
-        return e.free_field && e.span.block == span.block && e.span.edge == span.edge;
-      });
-      for (std::size_t i = 0; i < plan.stages.size(); ++i)
-        if (acts[i][edge->motion.index()] != 0 && without_mesh(plan.stages[i], span.block))
-          throw s.error(s.has("on") ? "on" : "edge",
-                        fmt::format("block {} has no mesh in stage {}: waves cannot run through it",
-                                    in_quotes(model.blocks[span.block.index()].name), in_quotes(plan.stages[i].name)),
-                        "blocks with the NMM and covers of some size, in every stage that the motion shakes",
-                        "name the blocks at the sides in method_of, with method = \"nmm\"");
-    }
+void read_free_fields(const Section& root, const coupling::Plan& plan, Model& model) {
+  for (const Section& s : root.list("free_field")) read_free_field(s, root, plan, model);
 }
 
 }  // namespace scree::io

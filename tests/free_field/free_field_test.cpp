@@ -1,4 +1,6 @@
 // Sides beside level ground: waves from below go up undistorted next to them, and what a slope scatters leaves.
+#include "model/free_field.h"
+
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -55,19 +57,18 @@ struct Ground {
 struct Shaken : Scene {
   Ground ground;
   bool shear;
+  Sides kind;
   BlockId block;
   Shaken(const Ground& of, bool is_shear, Sides sides)
-      : Scene(kYoung, kPoisson, kDensity), ground(of), shear(is_shear) {
+      : Scene(kYoung, kPoisson, kDensity), ground(of), shear(is_shear), kind(sides) {
     model.gravity = {0.0, 0.0};
     block = add("ground", ground.polygon());
     model.motions.push_back(pulse(shear));
     model.viscous_edges.push_back({{block, {0, 0}, 0.0, 1.0}, MotionId{0}, 1.0});
     const auto last = static_cast<std::int32_t>(model.blocks[0].polygon.outer.size()) - 1;
-    for (const auto& [edge, height] : {std::pair(1, ground.right), std::pair(last, ground.left)}) {
+    for (const std::int32_t edge : {1, last}) {
       const EdgeSpan span{block, {0, edge}, 0.0, 1.0};
       if (sides == Sides::viscous) model.viscous_edges.push_back({span});
-      if (sides == Sides::ground)
-        model.viscous_edges.push_back({span, MotionId{0}, 1.0, FreeField{0.0, height, false}});
       if (sides == Sides::rollers) {
         Mat2 held = Mat2::Zero();
         held(shear ? 1 : 0, shear ? 1 : 0) = 1.0;
@@ -78,8 +79,13 @@ struct Shaken : Scene {
   void monitor(double x, double y) {
     model.monitors.push_back({"m" + std::to_string(model.monitors.size()), block, {x, y}});
   }
-  void go(Integrator integrator, double duration, double cover = 0.5) {
+  /// The last stage, and the ground beside its sides if they have some.
+  void go(Integrator integrator, double duration, double cover = 0.5, bool rigid = false) {
     Stage& s = stage("nmm", integrator, duration, std::nullopt, cover);
+    const auto last = static_cast<std::int32_t>(model.blocks[0].polygon.outer.size()) - 1;
+    for (const auto& [edge, height] : {std::pair(1, ground.right), std::pair(last, ground.left)})
+      if (kind == Sides::ground)
+        add_free_field(model, {{block, {0, edge}, 0.0, 1.0}}, {0.0, height, MotionId{0}, rigid, 1.0}, duration);
     if (integrator == Integrator::implicit) s.dt = 5e-5;
     plan.output.history_every = ticks(2e-4);
     plan.output.every = s.duration;
@@ -316,23 +322,17 @@ TEST_P(FreeFieldBits, go_on_from_a_checkpoint_and_do_not_depend_on_threads) {
 TEST(FreeFieldRigidBase, ground_moves_as_the_layer_beside_it_through_reflections) {
   const Ground ground;
   for (const Sides sides : {Sides::ground, Sides::viscous}) {
-    Shaken shaken(ground, true, Sides::free);
-    shaken.model.viscous_edges.clear();
+    Shaken shaken(ground, true, sides);
+    shaken.model.viscous_edges.erase(shaken.model.viscous_edges.begin());  // the compliant base
     const BlockId base = shaken.add("base", rectangle(-1.0, -1.0, ground.width + 1.0, 0.0));
     shaken.model.block_supports.push_back({base, MotionId{0}});
     JointLaw& law = shaken.model.joints[0];
     law.cohesion = 1e9;
     law.tensile_strength = 1e9;
     law.normal_stiffness = law.shear_stiffness = 1e11;  // 500 times a cover of ground
-    for (const std::int32_t edge : {1, 3}) {
-      shaken.model.viscous_edges.push_back({{shaken.block, {0, edge}, 0.0, 1.0}});
-      if (sides != Sides::ground) continue;
-      shaken.model.viscous_edges.back().motion = MotionId{0};
-      shaken.model.viscous_edges.back().free_field = FreeField{0.0, ground.left, true};
-    }
     for (const double x : {0.0, 6.0, 12.0}) shaken.monitor(x, ground.left);
     const double travel = ground.left / wave_speed(true);
-    shaken.go(Integrator::implicit, 5.0 * travel + kPulse);
+    shaken.go(Integrator::implicit, 5.0 * travel + kPulse, 0.5, true);
     struct Reflections final : Sink {
       void history(const HistoryView& h) override {
         // The free top: twice the wave that comes up, and what the base sends back of it with the other sign.

@@ -89,8 +89,6 @@ void dump_loads(Dump& d, const Model& m) {
   }
   for (const ViscousEdge& x : m.viscous_edges) {
     d.line("viscous {} {}", x.motion.value, x.upgoing);
-    if (x.free_field)
-      d.line("  beside {} to {} rigid {}", x.free_field->bottom, x.free_field->top, x.free_field->rigid);
     dump_span(d, x.span);
   }
   for (const Bolt& x : m.bolts) {

@@ -35,8 +35,6 @@ Model everything(const Vec2& at) {
   m.tractions.push_back({{BlockId{0}, {0, 1}, 0.25, 0.75}, Vec2(10.0, 20.0), FunctionId{0}});
   m.body_accelerations.push_back({{BlockId{0}}, Vec2(0.1, 0.2), FunctionId{0}});
   m.viscous_edges.push_back({{BlockId{0}, {0, 2}, 0.125, 0.5}});
-  m.viscous_edges.push_back(
-      {{BlockId{0}, {0, 3}, 0.0, 1.0}, MotionId{0}, 1.0, FreeField{at.y() - 1.0, at.y() + 6.0, true}});
   Bolt bolt;
   bolt.head = at + Vec2(0.5, 0.5);
   bolt.toe = at + Vec2(1.5, 0.25);
@@ -97,10 +95,7 @@ Numbers numbers_of(const Model& model) {
   for (const auto& [block, point, force, function] : point_loads) n.places.push_back(point), n.other(force);
   for (const auto& [span, traction, function] : tractions) n.other(span), n.other(traction);
   for (const auto& [of, acceleration, function] : body_accelerations) n.other(acceleration);
-  for (const auto& [span, motion, upgoing, ground] : viscous_edges) {
-    n.other(span), n.others.push_back(upgoing);
-    if (ground) n.heights.insert(n.heights.end(), {ground->bottom, ground->top});
-  }
+  for (const auto& [span, motion, upgoing] : viscous_edges) n.other(span), n.others.push_back(upgoing);
   for (const Bolt& bolt : bolts) {  // nodes and crossings are distances along it
     n.places.insert(n.places.end(), {bolt.head, bolt.toe});
     n.others.push_back(bolt.stiffness);
