@@ -133,7 +133,10 @@ void read_viscous_edge(const Section& s, const Section& root, Model& model) {
     motion = MotionId{find_name(s, "motion", "motion", motions)};
   }
   const double upgoing = s.text("motion_is") == "outcrop" ? 0.5 : 1.0;
-  for (const EdgeSpan& span : chosen_edges(s, root, model, block)) add_viscous_edge(s, {span, motion, upgoing}, model);
+  for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
+    check_absorbs_once(s, span, model);
+    model.viscous_edges.push_back({span, motion, upgoing});
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace {
 
 using namespace coupling;
 
-constexpr double kYoung = 2e8, kPoisson = 0.25, kDensity = 2000.0, kPulse = 0.05, kSpeed = 0.1;
+constexpr double kYoung = 2e8, kPoisson = 0.25, kDensity = 2000.0, kPulse = 0.08, kSpeed = 0.1;
 
 enum class Sides { free, viscous, rollers, ground };
 
@@ -26,19 +27,19 @@ double wave_speed(bool shear) {
   return std::sqrt((shear ? law.mu : law.p_modulus()) / kDensity);
 }
 
-/// Velocity of the pulse: kSpeed sin^2(pi t/kPulse).
+/// Velocity of the pulse: kSpeed sin^4(pi t/kPulse). Its first three derivatives are continuous.
 double pulse_at(double t) {
   if (t < 0.0 || t > kPulse) return 0.0;
   const double s = std::sin(std::numbers::pi * t / kPulse);
-  return kSpeed * s * s;
+  return kSpeed * s * s * s * s;
 }
 
 GroundMotion pulse(bool shear) {
   std::vector<double> t, a;
   for (int i = 0; i <= 1000; ++i) {
+    const double turn = std::numbers::pi * i / 1000.0;
     t.push_back(kPulse * i / 1000.0);
-    a.push_back(kSpeed * std::numbers::pi / kPulse *
-                std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 1000.0));
+    a.push_back(kSpeed * 4.0 * std::numbers::pi / kPulse * std::pow(std::sin(turn), 3) * std::cos(turn));
   }
   GroundMotion::Setting setting;
   setting.name = "pulse";
@@ -47,7 +48,7 @@ GroundMotion pulse(bool shear) {
 
 /// Ground from y = 0 up, its surface at the heights of its left and right sides, a slope between them.
 struct Ground {
-  double width = 12.0, left = 8.0, right = 8.0, toe = 0.0, crest = 0.0;
+  double width = 8.0, left = 8.0, right = 8.0, toe = 0.0, crest = 0.0;
   [[nodiscard]] Polygon polygon() const {
     if (left == right) return rectangle(0.0, 0.0, width, left);
     return {{{0.0, 0.0}, {width, 0.0}, {width, right}, {crest, right}, {toe, left}, {0.0, left}}, {}};
@@ -132,11 +133,12 @@ const char* name_of(Sides sides) {
 struct Level {
   double error = 0.0, low = 1.0, high = 0.0, closure = 0.0;
 };
-Level level(Integrator integrator, bool shear, Sides sides, double cover) {
+Level level(Integrator integrator, bool shear, Sides sides, double cover, std::optional<double> dt = {}) {
   const Ground ground;
   Shaken shaken(ground, shear, sides);
-  for (const double x : {0.0, 0.5, 1.0, 3.0, 6.0, 11.5, 12.0}) shaken.monitor(x, ground.left);
+  for (const double x : {0.0, 0.5, 1.0, 2.0, 4.0, 7.5, 8.0}) shaken.monitor(x, ground.left);
   shaken.go(integrator, 2.0 * ground.left / wave_speed(shear) + 1.2 * kPulse, cover);
+  if (dt) shaken.plan.stages[0].dt = dt;
   Look look(shaken, std::vector<double>(7, ground.left));
   Driver run(shaken.model, shaken.plan, methods());
   run.add_sink(look);
@@ -177,25 +179,26 @@ TEST_P(FreeFieldWaves, sides_without_the_ground_beside_them_distort_it) {
   EXPECT_GT(level(Integrator::explicit_, GetParam(), Sides::viscous, 0.5).error, 0.2);
 }
 
-TEST_P(FreeFieldWaves, error_falls_with_the_covers) {
-  const double coarse = level(Integrator::explicit_, GetParam(), Sides::ground, 1.0).error,
-               fine = level(Integrator::explicit_, GetParam(), Sides::ground, 0.5).error;
+// At a step so small that the half step by which explicit dashpots lag does not count.
+TEST_P(FreeFieldWaves, error_falls_with_the_square_of_the_covers) {
+  const double coarse = level(Integrator::explicit_, GetParam(), Sides::ground, 1.0, 1e-5).error,
+               fine = level(Integrator::explicit_, GetParam(), Sides::ground, 0.5, 1e-5).error;
   std::printf("order %.2f\n", std::log2(coarse / fine));
-  EXPECT_GT(std::log2(coarse / fine), 1.7);
+  EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
 
-/// A slope of 4 m: far from it both sides move as level ground does until what it scatters arrives.
+/// A slope of 3 m: far from it both sides move as level ground does until what it scatters arrives.
 struct Slope {
   std::vector<double> far;  // largest difference at the left and the right side
   double left_over = 0.0;   // energy held at the end, of what the wave brought
   double closure = 0.0;
 };
 Slope slope(Integrator integrator, Sides sides, double duration) {
-  const Ground ground{52.0, 6.0, 10.0, 24.0, 28.0};
+  const Ground ground{44.0, 6.0, 9.0, 20.0, 23.0};
   Shaken shaken(ground, true, sides);
   shaken.monitor(0.0, ground.left);
   shaken.monitor(ground.width, ground.right);
-  shaken.go(integrator, duration, 0.5);
+  shaken.go(integrator, duration, 0.6);
   // The toe is reached after left/c_s, and pressure waves from it come to the sides not before this.
   const double scattered = ground.left / wave_speed(true) + ground.toe / wave_speed(false);
   Look look(shaken, {ground.left, ground.right}, scattered);
@@ -203,7 +206,7 @@ Slope slope(Integrator integrator, Sides sides, double duration) {
   run.add_sink(look);
   const RunEnd end = run.run();
   EXPECT_EQ(end.status, RunEnd::Status::done) << end.reason;
-  const double brought = kDensity * wave_speed(true) * kSpeed * kSpeed * 0.375 * kPulse * ground.width;
+  const double brought = kDensity * wave_speed(true) * kSpeed * kSpeed * (35.0 / 128.0) * kPulse * ground.width;
   const Ledger& ledger = run.state().ledger;
   const Slope found{look.error, ledger.held() / brought, std::abs(ledger.closure()) / ledger.moved()};
   std::printf("%s: sides within %.5f and %.5f until %.4f s; energy left %.5f of what the wave brought; closure %.1e\n",
@@ -212,8 +215,8 @@ Slope slope(Integrator integrator, Sides sides, double duration) {
 }
 
 TEST(FreeFieldSlope, sides_move_as_level_ground_and_scattered_waves_leave) {
-  const Slope open = slope(Integrator::explicit_, Sides::ground, 0.5),
-              held = slope(Integrator::explicit_, Sides::rollers, 0.5);
+  const Slope open = slope(Integrator::explicit_, Sides::ground, 0.3),
+              held = slope(Integrator::explicit_, Sides::rollers, 0.3);
   for (const double error : open.far) EXPECT_LT(error, 0.02);
   EXPECT_LT(open.closure, 1e-12);
   EXPECT_LT(open.left_over, 0.2 * held.left_over);
@@ -330,7 +333,7 @@ TEST(FreeFieldRigidBase, ground_moves_as_the_layer_beside_it_through_reflections
     law.cohesion = 1e9;
     law.tensile_strength = 1e9;
     law.normal_stiffness = law.shear_stiffness = 1e11;  // 500 times a cover of ground
-    for (const double x : {0.0, 6.0, 12.0}) shaken.monitor(x, ground.left);
+    for (const double x : {0.0, 4.0, 8.0}) shaken.monitor(x, ground.left);
     const double travel = ground.left / wave_speed(true);
     shaken.go(Integrator::implicit, 5.0 * travel + kPulse, 0.5, true);
     struct Reflections final : Sink {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/stages/driver.h"
 #include "model/free_field.h"
 #include "tests/unit/io/case_read.h"
 
@@ -70,8 +71,37 @@ TEST(FreeFields, are_no_part_of_a_reduction) {
 }
 
 TEST(FreeFields, need_a_mesh_only_where_their_motion_shakes) {
-  EXPECT_NO_THROW((void)read("full_case.toml", {"viscous_edge=[]", "motion.pulse.until=0.1", "motion.upward.until=0.1",
+  EXPECT_NO_THROW((void)read("full_case.toml", {"viscous_edge=[]", "motion.pulse.baseline=\"none\"",
+                                                "motion.pulse.until=0.1", "motion.upward.until=0.1",
                                                 "stage.0.duration=0.2", "free_field=[{block=\"slider\", edge=1}]"}));
+}
+
+TEST(FreeFields, of_a_case_let_a_wave_go_up_undistorted) {
+  const Case c = read_text(
+      "[model]\ngravity = [0, 0]\n"
+      "[material.soil]\ndensity = 2000\nyoung = 2e8\npoisson = 0.25\n"
+      "[motion.up]\nfile = \"pulse.csv\"\nunit = \"g\"\ndirection = [1, 0]\nscale = 0.1\n"
+      "[[block]]\nname = \"ground\"\npolygon = [[0, 0], [9, 0], [9, 8], [0, 8]]\nmaterial = \"soil\"\n"
+      "[[viscous_edge]]\nblock = \"ground\"\nedge = 0\nmotion = \"up\"\n"
+      "[[free_field]]\non = [[0, 0], [0, 8]]\n[[free_field]]\non = [[9, 0], [9, 8]]\n"
+      "[[monitor]]\npoint = [9, 8]\n[[monitor]]\npoint = [4.5, 8]\n"
+      "[[stage]]\nname = \"shaking\"\nmethod = \"nmm\"\nintegrator = \"explicit\"\ncover_size = 1\nduration = 0.4\n"
+      "[output]\nevery = 0.4\nhistory_every = 1e-3\n");
+  struct Look final : coupling::Sink {
+    void history(const coupling::HistoryView& h) override {
+      const Vec2 free = motion->velocity(h.time - 8.0 / 200.0);  // an outcrop has twice the upgoing wave, as the top
+      for (std::size_t k = 0; k < 4; k += 2)
+        error = std::max(error, (Vec2(h.velocity[k], h.velocity[k + 1]) - free).norm());
+    }
+    const GroundMotion* motion = nullptr;
+    double error = 0.0;
+  } look;
+  look.motion = &c.model.motions[0];
+  coupling::Driver run(c.model, c.plan, coupling::standard_methods());
+  run.add_sink(look);
+  ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
+  std::printf("within %.5f of the largest velocity\n", look.error / look.motion->facts().pgv);
+  EXPECT_LT(look.error, 0.02 * look.motion->facts().pgv);
 }
 
 struct WrongSide {
