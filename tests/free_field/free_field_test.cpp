@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -169,6 +170,28 @@ TEST_P(FreeFieldLevel, wave_goes_up_undistorted_up_to_the_sides) {
   EXPECT_NEAR(found.low, 1.0, 0.02);
   EXPECT_NEAR(found.high, 1.0, 0.02);
   EXPECT_LT(found.closure, 1e-12);
+}
+
+// The left half by explicit steps, the right one by implicit ones: a block that is divided.
+TEST(FreeFieldPartitioned, wave_goes_up_undistorted_on_both_sides) {
+  const Ground ground;
+  Shaken shaken(ground, true, Sides::ground);
+  for (const double x : {0.0, 2.0, 6.0, 8.0}) shaken.monitor(x, ground.left);
+  shaken.go(Integrator::partitioned, ground.left / wave_speed(true) + 1.1 * kPulse);
+  Stage& stage = shaken.plan.stages[0];
+  stage.dt = 2e-4;
+  stage.partition.explicit_region = {{-1.0, -1.0}, {4.0, -1.0}, {4.0, 9.0}, {-1.0, 9.0}};
+  Look look(shaken, std::vector<double>(4, ground.left));
+  Driver run(shaken.model, shaken.plan, methods());
+  run.add_sink(look);
+  const RunEnd end = run.run();
+  ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
+  const Ledger& ledger = run.state().ledger;
+  const double error = *std::max_element(look.error.begin(), look.error.end());
+  std::printf("partitioned: largest difference %.5f, closure %.1e\n", error,
+              std::abs(ledger.closure()) / ledger.moved());
+  EXPECT_LT(error, 0.02);
+  EXPECT_LT(std::abs(ledger.closure()), 1e-12 * ledger.moved());
 }
 
 class FreeFieldWaves : public testing::TestWithParam<bool> {};
