@@ -97,7 +97,7 @@ TEST_P(GroundHistories, are_those_of_a_string_of_cells) {
     std::printf("%s base, axis %d: %zu times, within %.1e of the largest velocity\n", rigid ? "rigid" : "compliant",
                 axis, table[0].time.size(), worst / largest);
     EXPECT_GT(largest, 0.0);
-    EXPECT_LT(worst, (between == Between::linear ? 1e-4 : 2e-3) * largest);
+    EXPECT_LT(worst, (between == Between::linear ? 1e-4 : 1e-3) * largest);
   }
 }
 
