@@ -19,8 +19,8 @@ struct FreeField {
 /// upgoing wave or the base's velocity, c the speed of shear waves for x and of pressure waves for y
 ///   compliant:  v = u(t - y/c) + u(t - (2 H - y)/c),  s/(rho c) = u(t - (2 H - y)/c) - u(t - y/c)
 ///   rigid:      v(t) = the same - v(t - 2 H/c),  and so for s
-/// as tables, between which straight lines are within 1e-4 of the largest velocity (1e-3 for accelerations that jump from
-/// sample to sample).
+/// as tables, between which straight lines are within 1e-4 of the largest velocity (1e-3 for accelerations that jump
+/// from sample to sample).
 /// @source docs/theory/seismic-input.md, "Free-field edges"
 struct GroundHistory {
   std::vector<double> time;      // since the motion's first sample, equal steps [s]
