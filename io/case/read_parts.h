@@ -62,6 +62,8 @@ void read_water(const Section& root, const DrawnLayers& drawing, Model& model);
 void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage);
 /// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
+/// Liners, after the bolts, laid out on the blocks that are there in their stage.   @pre read_bolts, the plan is read
+void read_liners(const Section& root, const std::vector<coupling::Stage>& stages, Model& model);
 /// Refuses to divide blocks that have no mesh.   @param used  method of every block in the stage
 void check_divided(const Section& s, const Model& model, std::span<const std::string> used,
                    const coupling::Stage& stage);

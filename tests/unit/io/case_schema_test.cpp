@@ -281,6 +281,17 @@ const std::map<std::string, std::string> kChange = {
     {"reduction.limit", "reduction.limit=0.25"},
     {"reduction.rest_force", "reduction.rest_force=1e-3"},
     {"reduction.k_h", "reduction.k_h=0.25"},
+    {"liner[].name", "liner.0.name=\"other\""},
+    {"liner[].along", "liner.0.along=[[1.2, 2], [1.8, 2]]"},
+    {"liner[].spacing", "liner.0.spacing=0.1"},
+    {"liner[].tolerance", "liner.0.tolerance=0.02"},
+    {"liner[].stage", "liner.0.stage=\"settling\""},
+    {"liner[].thickness", "liner.0.thickness=0.2"},
+    {"liner[].young", "liner.0.young=2e10"},
+    {"liner[].poisson", "liner.0.poisson=0.3"},
+    {"liner[].tensile_strength", "liner.0.tensile_strength=2e6"},
+    {"liner[].compressive_strength", "liner.0.compressive_strength=2e7"},
+    {"liner[].rupture_strain", "liner.0.rupture_strain=0.02"},
     {"bolt[].layer", "bolt=[{layer=\"BAR\", axial_stiffness=1e7}]"},
     {"material.NAME.rock_strength.cohesion", "material.rock.rock_strength.cohesion=2e6"},
     {"material.NAME.rock_strength.friction_deg", "material.rock.rock_strength.friction_deg=20"},
@@ -331,6 +342,9 @@ const char* const kBolt =
     "bolt=[{name=\"bar\", head=[1.1, 1.9], toe=[1.1, 0.4], axial_stiffness=1e7, yield=1e5, rupture_strain=0.1, "
     "bond_length=1.5, bond_stiffness=1e8, bond_strength=1e5, shear_stiffness=1e7, shear_strength=1e5, "
     "rupture_shear=0.1}]";
+const char* const kLiner =
+    "liner=[{name=\"skin\", along=[[1.1, 2], [1.9, 2]], spacing=0.25, thickness=0.1, young=3e10, "
+    "tensile_strength=1e6, compressive_strength=1e7, rupture_strain=0.01}]";
 const char* const kMohr = "material.rock.rock_strength={cohesion=1e6, friction_deg=30}";
 const char* const kHoek = "material.rock.rock_strength={ucs=6e7, gsi=45, mi=10}";
 // Two bases, a shaken block and a compliant one; meshes in both stages that the motions last for.
@@ -371,6 +385,17 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"bolt[].shear_stiffness", {kBolt}},
     {"bolt[].shear_strength", {kBolt}},
     {"bolt[].rupture_shear", {kBolt}},
+    {"liner[].name", {kLiner}},
+    {"liner[].along", {kLiner}},
+    {"liner[].spacing", {kLiner}},
+    {"liner[].tolerance", {kLiner}},
+    {"liner[].stage", {kLiner}},
+    {"liner[].thickness", {kLiner}},
+    {"liner[].young", {kLiner}},
+    {"liner[].poisson", {kLiner, "model.plane=\"strain\""}},
+    {"liner[].tensile_strength", {kLiner}},
+    {"liner[].compressive_strength", {kLiner}},
+    {"liner[].rupture_strain", {kLiner}},
     {"viscous_edge[].motion_is", {"viscous_edge.0.motion=\"pulse\""}},
     {"free_field[].on", {kBases, kMeshes, kSides}},
     {"free_field[].block", {kBases, kMeshes, kSide}},
