@@ -48,6 +48,10 @@ void read_supports(const Section& root, Model& model);
 void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
+/// Refuses a stretch a part of which is viscous already.
+void check_absorbs_once(const Section& s, const EdgeSpan& span, const Model& model);
+/// Sides of the model beside level ground.   @pre read_loads, read_plan
+void read_free_fields(const Section& root, const coupling::Plan& plan, Model& model);
 /// Bolts, laid out in the blocks.   @pre read_blocks, read_supports
 void read_bolts(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Water in joints.   @pre read_laws

@@ -443,6 +443,25 @@ constexpr Key kKeys[] = {
      "the "
      "upgoing wave itself. Goes with motion."},
 
+    {"free_field", Type::table_list, "", kAny, "", false, "",
+     "A vertical side of the model beside level ground of its material, on the same kind of base and with the same "
+     "motion: the stress and the dashpots of a free-field column act on it, so that waves from below go up "
+     "undistorted, and what the model scatters leaves. The base is the viscous edge with a motion (a compliant base), "
+     "or the blocks held whole that follow one (a rigid base)."},
+    {"free_field[].on", Type::line, "m", kCoordinate, "", false, "",
+     "Ends of a vertical line: the parts of the outlines that lie on it and face no other block, or, of the blocks "
+     "that are named, whatever faces them. Either this or edge."},
+    {"free_field[].block", Type::name, "", kAny, "(all that lie on the line)", false, "", "Name of the block."},
+    {"free_field[].blocks", Type::names, "", kAny, "(all that lie on the line)", false, "",
+     "Names of the blocks; * stands for any characters. All of one material."},
+    {"free_field[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge; goes with block."},
+    {"free_field[].motion", Type::name, "", kAny, "(that of the base)", false, "",
+     "Name of the ground motion that drives the base, where the model has several."},
+    {"free_field[].bottom", Type::number, "m", kCoordinate, "(lower end of the side)", false, "",
+     "Height of the base of the ground."},
+    {"free_field[].top", Type::number, "m", kCoordinate, "(upper end of the side)", false, "",
+     "Height of its free surface."},
+
     {"bolt", Type::table_list, "", kAny, "", false, "",
      "A bolt, cable or anchor through the blocks: a straight bar that a plate at its head, and an anchor or grout at "
      "its "

@@ -5,6 +5,7 @@
 
 #include "io/pictures/bolt_marks.h"
 #include "model/edge_selection.h"
+#include "model/free_field.h"
 
 namespace scree::io {
 namespace {
@@ -211,9 +212,11 @@ void draw_supports(const Canvas& canvas, const PlotArea& area, const Model& mode
 
 void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks) {
   double largest = 0.0, strongest = 0.0;
-  for (const EdgeTraction& t : model.tractions) largest = std::max(largest, t.traction.norm());
+  for (const EdgeTraction& t : model.tractions)
+    if (!of_free_field(model, t.function)) largest = std::max(largest, t.traction.norm());
   for (const PointLoad& l : model.point_loads) strongest = std::max(strongest, l.force.norm());
   for (const EdgeTraction& t : model.tractions) {
+    if (of_free_field(model, t.function)) continue;
     if (!(t.traction.norm() > 0.0)) continue;
     const PageSpan span = on_page(area, model, t.span);
     const Vec2 d = kLongestArrow / largest * Vec2(t.traction.x(), -t.traction.y());

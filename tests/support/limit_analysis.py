@@ -8,6 +8,8 @@ Forces in the joints that are at Coulomb's limit divided by F, and equilibrium o
   two_wedge_factor      upper block on a steep plane, lower one on a flat plane, friction and cohesion between them
   goodman_bray          flexural columns on a stepped base: P_0 that holds the toe       Goodman and Bray 1976
   goodman_bray_factor   the F at which P_0 = 0
+  stands                whether some forces in the joints of rigid blocks hold them: a linear programme, no point of application assumed
+  columns_factor        the F of the same columns by it
 """
 
 import math
@@ -125,6 +127,80 @@ def goodman_bray_factor(tan_phi, **geometry):
     return bisect(lambda f: 1e-6 - goodman_bray(tan_phi=tan_phi / f, **geometry)[0], tan_phi / 0.999, 10.0)  # the form of the slide needs tan phi < 1
 
 
+def least_residual(columns, wanted):
+    """Least sum |A x - b| over x >= 0, by the simplex method (phase one; Bland's rule, so it ends).
+    @param columns  of A, each as {row: value}     @param wanted  b"""
+    rows, n = len(wanted), len(columns)
+    table = [[0.0] * (n + 1) for _ in range(rows)]
+    for j, column in enumerate(columns):
+        for i, value in column.items():
+            table[i][j] = value if wanted[i] >= 0.0 else -value
+    for i, b in enumerate(wanted):
+        table[i][n] = abs(b)
+    cost = [-sum(table[i][j] for i in range(rows)) for j in range(n + 1)]  # reduced costs of the artificial basis; its sum at the end
+    basis = [n + i for i in range(rows)]
+    while True:
+        enters = next((j for j in range(n) if cost[j] < -1e-10), None)
+        if enters is None:
+            return -cost[n]
+        steps = [(table[i][n] / table[i][enters], basis[i], i) for i in range(rows) if table[i][enters] > 1e-10]
+        _, _, leaves = min(steps)
+        basis[leaves] = enters
+        pivot = table[leaves][enters]
+        row = table[leaves] = [v / pivot for v in table[leaves]]
+        used = [j for j in range(n + 1) if row[j] != 0.0]
+        for other in [table[i] for i in range(rows) if i != leaves] + [cost]:
+            factor = other[enters]
+            if factor != 0.0:
+                for j in used:
+                    other[j] -= factor * row[j]
+
+
+def stands(blocks, contacts, tan_phi):
+    """Whether forces within Coulomb's cones at the ends of the contacts hold every block: the static theorem of limit analysis.
+    A pressure of any shape on a contact has its resultant between the ends, so two forces stand for all of them.
+    @param blocks  (weight along x, weight along y, x, y of the centroid) [N, m]
+    @param contacts  (pushed block, other block or None for the ground, x, y, unit normal into the pushed block, edges of the cone n + e tan(phi) t,
+    t = n turned to the left: (1, -1), or one of them where the way of the slip is known)"""
+    scale = max(math.hypot(b[0], b[1]) for b in blocks)
+    arm = max(max(abs(b[2]), abs(b[3])) for b in blocks)
+    columns = []
+    for a, b, x, y, nx, ny, edges in contacts:
+        for side in edges:
+            fx, fy = nx - side * tan_phi * ny, ny + side * tan_phi * nx
+            column = {}
+            for block, sign in ((a, 1.0), (b, -1.0)):
+                if block is not None:
+                    cx, cy = blocks[block][2:]
+                    column.update({3 * block: sign * fx, 3 * block + 1: sign * fy, 3 * block + 2: sign * ((x - cx) * fy - (y - cy) * fx) / arm})
+            columns.append(column)
+    wanted = [v for b in blocks for v in (-b[0] / scale, -b[1] / scale, 0.0)]
+    return least_residual(columns, wanted) < 1e-7
+
+
+def columns_factor(tan_phi, heights, width, step, dip, topple=(), weight=25e3):
+    """Factor of the columns of `goodman_bray` by `stands`. Axes: u up the base, v out of it; column 1 is that at the toe, u = 0.
+    A joint that slips without dilation breaks the theorem of limit analysis: forces that would hold the columns exist, which their motion does not
+    raise. So the motion has to be said: columns that topple rest on their lower corner, lean on the next one at the highest point
+    they share, and slip there at Coulomb's limit. Base and joints of all others, and those below the lowest that topples, are free within their cones.
+    @param topple  numbers of these columns; none: the bound of the static theorem"""
+    s, k, both = math.sin(rad(dip)), math.cos(rad(dip)), (1.0, -1.0)
+    blocks, contacts = [], []
+    for i, y in enumerate(heights):
+        w, u, v = weight * y * width, i * width, i * step
+        blocks.append((-w * s, -w * k, u + 0.5 * width, v + 0.5 * y))
+        topples = i + 1 in topple
+        contacts += [(i, None, p, v, 0.0, 1.0, both) for p in ((u,) if topples else (u, u + width))]
+        if i + 1 < len(heights):
+            foot, top = v + step, min(v + y, v + step + heights[i + 1])
+            if topples:  # its upper side rises along the next column, which pulls it down: t = (0, -1) for the normal (-1, 0)
+                contacts.append((i, i + 1, u + width, top, -1.0, 0.0, (1.0,)))
+            else:
+                contacts += [(i, None, u + width, z, -1.0, 0.0, both) for z in (v, foot)]  # the riser of the next step
+                contacts += [(i, i + 1, u + width, z, -1.0, 0.0, both) for z in (foot, top)]
+    return bisect(lambda f: 0.5 if stands(blocks, contacts, tan_phi / f) else -0.5, tan_phi / 0.999, 10.0, 1e-5)  # a steeper slip pulls more than it is pressed
+
+
 def check():
     assert abs(plane_factor(1.0, 30.0, 35.0) - math.tan(rad(35)) / math.tan(rad(30))) < 1e-12
     corners, size, length, _, _ = face_block(30.0, 60.0, 35.0, 0.0, 0.0)
@@ -145,18 +221,47 @@ def check():
     n2 = 5e6 * math.cos(rad(10)) - e * math.sin(rad(10))
     assert abs(f - n2 * math.tan(rad(30)) / (e * math.cos(rad(10)) + 5e6 * math.sin(rad(10)))) < 1e-9
     # the published example: tan phi 0.7855 just holds, P_0 = 0.5 kN; the modes of its table
-    heights, a1, a2, _ = published_columns()
+    heights, a1, a2, b = published_columns()
     g = dict(heights=heights, first_crest=10, width=10.0, a1=a1, a2=a2, dip=30.0)
     p0, modes = goodman_bray(tan_phi=0.7855, **g)
     assert p0 < 2e3, p0
     assert [modes[n] for n in (16, 15, 14)] == ["stands"] * 3 and all(modes[n] == "topples" for n in range(4, 14)), modes
     assert all(modes[n] == "slides" for n in (2, 3)), modes  # column 1 as well, on which nothing is left
     assert abs(goodman_bray_factor(0.7855, **g) - 1.0) < 0.002
+    check_stands()
+    # the sequence of columns against the programme, which assumes no point of application in base and toe, and moves other columns as well
+    for tan_phi in (0.7855, math.tan(rad(43.0))):
+        by_sequence, by_programme = goodman_bray_factor(tan_phi, **g), columns_factor(tan_phi, heights, 10.0, b, 30.0, range(4, 14))
+        assert abs(by_sequence - by_programme) < 2e-5, (by_sequence, by_programme)
+        for topple in (range(3, 13), range(4, 13), range(5, 14)):
+            assert columns_factor(tan_phi, heights, 10.0, b, 30.0, topple) > by_programme + 5e-4
+    assert columns_factor(0.7855, heights, 10.0, b, 30.0) > 1.15  # joints that may dilate hold the columns against each other
+
+
+def check_stands():
+    """The programme on a block on a plane, which slides or topples, and on one that another one props."""
+    def factor(blocks, contacts, phi):
+        return bisect(lambda f: 0.5 if stands(blocks, contacts, math.tan(rad(phi)) / f) else -0.5, 0.5, 10.0, 1e-7)
+
+    s, k, both = math.sin(rad(30.0)), math.cos(rad(30.0)), (1.0, -1.0)
+    block = lambda b, h, u=0.0, w=1.0: (-w * s, -w * k, u + 0.5 * b, 0.5 * h)  # weight w on a plane at 30 degrees, u up the plane
+    on = lambda i, u, b: [(i, None, p, 0.0, 0.0, 1.0, both) for p in (u, u + b)]
+    assert abs(factor([block(1.0, 0.5)], on(0, 0.0, 1.0), 40.0) - math.tan(rad(40.0)) / math.tan(rad(30.0))) < 1e-6
+    assert stands([block(1.0, 1.0 / math.tan(rad(30.1)))], on(0, 0.0, 1.0), math.tan(rad(40.0)))  # b/h just above tan 30
+    assert not stands([block(1.0, 1.0 / math.tan(rad(29.9)))], on(0, 0.0, 1.0), math.tan(rad(40.0)))
+    # a smooth block of weight 0.3 leans on a rough one of weight 1: F = w1 cos tan phi/((w1 + w2) sin)
+    smooth = [(1, None, p, 0.0, 0.0, 1.0, (0.0,)) for p in (1.0, 2.0)] + [(0, 1, 1.0, p, -1.0, 0.0, (0.0,)) for p in (0.0, 0.5)]
+    pair = factor([block(1.0, 0.5), block(1.0, 0.5, 1.0, 0.3)], on(0, 0.0, 1.0) + smooth, 40.0)
+    assert abs(pair - math.tan(rad(40.0)) / math.tan(rad(30.0)) / 1.3) < 1e-6, pair
 
 
 if __name__ == "__main__":
     check()
-    heights, a1, a2, _ = published_columns()
+    heights, a1, a2, b = published_columns()
     g = dict(heights=heights, first_crest=10, width=10.0, a1=a1, a2=a2, dip=30.0)
     print("published columns: P_0 at tan phi 0.7855: %.4g kN; F of tan phi 0.95: %.4f" % (goodman_bray(tan_phi=0.7855, **g)[0] / 1e3, goodman_bray_factor(0.95, **g)))
+    for phi in (38.15, 43.0):
+        t = math.tan(rad(phi))
+        print("F of the published columns, phi %.2f: by the sequence %.5f, by the linear programme %.5f, bound of the static theorem %.4f" % (
+            phi, goodman_bray_factor(t, **g), columns_factor(t, heights, 10.0, b, 30.0, range(4, 14)), columns_factor(t, heights, 10.0, b, 30.0)))
     print("all closed forms agree with each other")

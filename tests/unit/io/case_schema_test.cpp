@@ -201,6 +201,13 @@ const std::map<std::string, std::string> kChange = {
     {"viscous_edge[].motion", "viscous_edge.0.motion=\"pulse\""},
     {"viscous_edge[].motion_is", "viscous_edge.0.motion_is=\"upgoing\""},
     {"viscous_edge[].edge", "viscous_edge.0.edge=2"},
+    {"free_field[].on", "free_field.0.on=[[2, 1], [2, 2.5]]"},
+    {"free_field[].block", "free_field.0.block=\"ledge\""},
+    {"free_field[].blocks", "free_field.0.blocks=[\"slider\"]"},
+    {"free_field[].edge", "free_field.0.edge=3"},
+    {"free_field[].motion", "free_field.0.motion=\"upward\""},
+    {"free_field[].bottom", "free_field.0.bottom=-2"},
+    {"free_field[].top", "free_field.0.top=5"},
     {"monitor[].block", "monitor.0.block=\"base\""},
     {"monitor[].point", "monitor.0.point=[1.1, 1.1]"},
     {"monitor[].layer", "monitor.1={layer = \"spots\"}"},
@@ -340,6 +347,12 @@ const char* const kLiner =
     "tensile_strength=1e6, compressive_strength=1e7, rupture_strain=0.01}]";
 const char* const kMohr = "material.rock.rock_strength={cohesion=1e6, friction_deg=30}";
 const char* const kHoek = "material.rock.rock_strength={ucs=6e7, gsi=45, mi=10}";
+// Two bases, a shaken block and a compliant one; meshes in both stages that the motions last for.
+const char *const kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upward\"}]",
+                  *const kMeshes = "stage.1.method_of=[{blocks=[\"slider\", \"ledge\"], method=\"nmm\"}]",
+                  *const kSide = "free_field=[{block=\"slider\", edge=1, motion=\"pulse\", bottom=-1, top=4}]",
+                  *const kSides =
+                      "free_field=[{blocks=[\"slider\", \"ledge\"], on=[[2, 1], [2, 3]], motion=\"pulse\"}]";
 const char* const kReduction = "reduction={factor=1.1}";
 const std::string kOnLedge =
     "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // wherever the outline of the domain is
@@ -384,6 +397,13 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"liner[].compressive_strength", {kLiner}},
     {"liner[].rupture_strain", {kLiner}},
     {"viscous_edge[].motion_is", {"viscous_edge.0.motion=\"pulse\""}},
+    {"free_field[].on", {kBases, kMeshes, kSides}},
+    {"free_field[].block", {kBases, kMeshes, kSide}},
+    {"free_field[].blocks", {kBases, kMeshes, kSides}},
+    {"free_field[].edge", {kBases, kMeshes, kSide}},
+    {"free_field[].motion", {kBases, kMeshes, kSide}},
+    {"free_field[].bottom", {kBases, kMeshes, kSide}},
+    {"free_field[].top", {kBases, kMeshes, kSide}},
     {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
     {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}", kOnLedge}},
     {"domain.outline_layer", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}", kOnLedge}},
