@@ -25,6 +25,7 @@
 #include "io/pictures/model_picture.h"
 #include "io/results/results_sink.h"
 #include "io/text/printable.h"
+#include "model/free_field.h"
 
 namespace scree::app {
 namespace {
@@ -131,7 +132,9 @@ void print_loads(const Model& m) {
           std::count_if(m.functions.begin(), m.functions.end(), [](const TimeFunction& f) { return !f.of_load; })),
       "function", "functions");
   add(m.point_loads.size(), "point load", "point loads");
-  add(m.tractions.size(), "edge with a traction", "edges with a traction");
+  add(static_cast<std::size_t>(std::count_if(m.tractions.begin(), m.tractions.end(),
+                                             [&](const EdgeTraction& t) { return !of_free_field(m, t.function); })),
+      "edge with a traction", "edges with a traction");
   add(m.body_accelerations.size(), "body acceleration", "body accelerations");
   add(m.edge_supports.size(), "held edge", "held edges");
   add(m.viscous_edges.size(), "viscous edge", "viscous edges");

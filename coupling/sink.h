@@ -57,7 +57,8 @@ struct ContactView {
   std::span<const ContactMemory> memory;  // of a point: who, state, forces
 };
 
-/// The bolts at an instant, in the order of Model::bolts, and the nodes of those that are installed.
+/// The bolts and liners at an instant, in the order of Model::bolts, and the nodes of those that are installed. Of a
+/// liner `force` is the axial force of largest size, and `shear` the largest bending moment [N m]; it has no slip.
 struct BoltsView {
   std::span<const double> force, shear;  // a bolt: largest axial force, and shear force at a joint [N]
   std::span<const double> slip, strain;  // a bolt: largest slip of its bond [m], largest plastic strain
@@ -65,6 +66,7 @@ struct BoltsView {
   std::span<const double> position;      // x, y a node [m]
   std::span<const double> node_force;    // a node: axial force from it to the next [N]
   std::span<const std::int32_t> bolt;    // a node
+  std::span<const std::int32_t> liner;   // a bolt: 1 where it is a liner
 };
 
 /// One instant. Points are those of the mesh, in its order.

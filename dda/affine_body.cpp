@@ -46,7 +46,10 @@ Mat6 stiffness_matrix(double area, const Elasticity& law) {
 }
 
 Vec6 internal_force(double area, const Elasticity& law, const Mat2& F, const Mat2& s0) {
-  const Mat2 tau = elastic_response(law, F, s0).P * F.transpose();
+  return unknowns_of_stress(area, elastic_response(law, F, s0).P * F.transpose());
+}
+
+Vec6 unknowns_of_stress(double area, const Mat2& tau) {
   Vec6 f = Vec6::Zero();
   f(3) = -area * tau(0, 0);
   f(4) = -area * tau(1, 1);
@@ -63,6 +66,15 @@ AffineState exact_update(const AffineState& before, const Vec6& D, const Vec6& r
   after.vc = rate.head<2>();
   after.F = R * (stretch * before.F);
   after.Fdot = R * step_gradient(rate) * R.transpose() * after.F;
+  return after;
+}
+
+AffineState first_order_update(const AffineState& before, const Vec6& D, const Vec6& rate) {
+  AffineState after;
+  after.c = before.c + D.head<2>();
+  after.vc = rate.head<2>();
+  after.F = before.F + step_gradient(D) * before.F;
+  after.Fdot = step_gradient(rate) * after.F;
   return after;
 }
 

@@ -33,11 +33,18 @@ struct AffineState {
 /// Generalised internal force -A0 tau : L_j of the Kirchhoff stress tau = P F^T; exactly none on r0.
 /// @param s0  initial stress in the co-rotated frame [Pa]
 [[nodiscard]] Vec6 internal_force(double area, const Elasticity& law, const Mat2& F, const Mat2& s0);
+/// The same of a Kirchhoff stress.
+[[nodiscard]] Vec6 unknowns_of_stress(double area, const Mat2& kirchhoff);
 
 /// Exact rotation: F <- R(r0)(I + e) F, c <- c + u, G <- R G R^T, so a free spin neither slows nor grows.
 /// It omits centrifugal and Coriolis terms within the step (the true rate equation is G' = T S^-1 - G^2; strain error
 /// about rho w^2 L^2 / 12 E).
 /// @source docs/theory/dda.md, "Exact rotation"; [MacLaughlin1997] for the remedy that [Sitar1997] 2.1 names
 [[nodiscard]] AffineState exact_update(const AffineState& before, const Vec6& D, const Vec6& rate);
+
+/// The linear update of the original DDA: F <- (I + L) F, c <- c + u, G as it is. A step that turns by r0 makes every
+/// edge longer by sqrt(1 + r0^2).
+/// @source docs/theory/dda.md, "First-order update"; [Shi1988]
+[[nodiscard]] AffineState first_order_update(const AffineState& before, const Vec6& D, const Vec6& rate);
 
 }  // namespace scree::dda

@@ -14,13 +14,14 @@
 namespace scree::dda {
 namespace {
 
-constexpr std::array<double, 3> kTranslation{1.0, 0.0, 0.0};
+// The last two nodes are those of a strain that is summed up.
+constexpr std::array<double, 5> kTranslation{1.0, 0.0, 0.0, 0.0, 0.0};
 
-Row affine_row(int body, const Vec2& X) { return {{3 * body, 3 * body + 1, 3 * body + 2}, {1.0, X.x(), X.y()}}; }
+Row affine_row(std::int32_t first, const Vec2& X) { return {{first, first + 1, first + 2}, {1.0, X.x(), X.y()}}; }
 
-/// The six numbers of a body in q, and of its rates in v.
-AffineState load(int body, std::span<const double> q, std::span<const double> v) {
-  const auto i = 6 * static_cast<std::size_t>(body);
+/// The six numbers of a body in q from its first node on, and of its rates in v.
+AffineState load(std::int32_t first, std::span<const double> q, std::span<const double> v) {
+  const auto i = 2 * static_cast<std::size_t>(first);
   AffineState s;
   s.c << q[i], q[i + 1];
   s.F << q[i + 2], q[i + 4], q[i + 3], q[i + 5];
@@ -29,14 +30,34 @@ AffineState load(int body, std::span<const double> q, std::span<const double> v)
   return s;
 }
 
-void store(int body, const Vec2& c, const Mat2& F, std::span<double> q) {
-  const auto i = 6 * static_cast<std::size_t>(body);
+void store(std::int32_t first, const Vec2& c, const Mat2& F, std::span<double> q) {
+  const auto i = 2 * static_cast<std::size_t>(first);
   q[i] = c.x();
   q[i + 1] = c.y();
   q[i + 2] = F(0, 0);
   q[i + 3] = F(1, 0);
   q[i + 4] = F(0, 1);
   q[i + 5] = F(1, 1);
+}
+
+/// The strain that BlockRotation::first_order sums up, columns on the two nodes behind those of position.
+Mat2 load_strain(std::int32_t first, std::span<const double> q) {
+  const auto i = 2 * static_cast<std::size_t>(first) + 6;
+  return (Mat2() << q[i], q[i + 2], q[i + 1], q[i + 3]).finished();
+}
+
+void store_strain(std::int32_t first, const Mat2& strain, std::span<double> q) {
+  std::copy_n(strain.data(), 4, q.begin() + 2 * static_cast<std::ptrdiff_t>(first) + 6);
+}
+
+/// Gives the growth of a body that turned by first order to its reference shape, so that its stretch is that of the
+/// strain given, in the axes that turn along.
+void regrow(const Mat2& R, const Mat2& strain, Release& out) {
+  const Mat2 F = R * (Mat2::Identity() + strain), growth = F.inverse() * out.motion.F;
+  out.shape.outline = transformed(out.shape.outline, Vec2(0.0, 0.0), growth);
+  out.shape.second = growth * out.shape.second * growth.transpose();
+  out.motion.F = F;
+  out.motion.Fdot = out.motion.Fdot * growth.inverse();
 }
 
 /// Lower triangle, column after column.
@@ -50,38 +71,64 @@ void put_lower(const Mat6& matrix, std::span<double> lower) {
 
 void DdaPool::add(const Model& model, const BodyRecord& record) {
   const int body = bodies();
+  const std::int32_t first = first_node(body);
   Body b;
   b.shape = record.shape;
   b.law = model.elasticity_of(record.block);
   b.initial = InSituStress(model, record).mean();
-  b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(body, X); });
+  b.boundary = affine_boundary(record.shape.outline, body, [&](const Vec2& X) { return affine_row(first, X); });
   b.second_inverse = record.shape.second.inverse();
   if (record.form.rotation == BlockRotation::affine)
     b.affine.emplace(record.shape, b.law, Kinematics::corotational, b.initial);
+  b.summed = record.form.rotation == BlockRotation::first_order;
   b.frequency = affine_frequency(record.shape, b.law);
   b.cells = drawing_cells(record.shape.outline);
+  first_.push_back(first + (b.summed ? 5 : 3));
   bodies_.push_back(std::move(b));
 }
 
-Row DdaPool::row_at(int body, const Vec2& X) const { return affine_row(body, X); }
-std::span<const double> DdaPool::translation(int) const { return kTranslation; }
+Row DdaPool::row_at(int body, const Vec2& X) const { return affine_row(first_node(body), X); }
+std::span<const double> DdaPool::translation(int body) const {
+  return std::span(kTranslation).first(of(body).summed ? 5 : 3);
+}
+
+DdaPool::Stressed DdaPool::stress_of(int body, std::span<const double> q) const {
+  const Body& b = of(body);
+  const Mat2 F = load(first_node(body), q, q).F;
+  if (!b.summed) {
+    const ElasticResponse r = elastic_response(b.law, F, b.initial);
+    return {r.energy, r.P};
+  }
+  // U = 1/2 s:D:s less that of the in-situ stress alone: what the stretch would have in the axes that turn along.
+  const Mat2 strain = load_strain(first_node(body), q), stress = b.law.stress(strain);
+  return {0.5 * (stress.cwiseProduct(strain).sum() - b.initial.cwiseProduct(b.law.strain(b.initial)).sum()),
+          stress * F.transpose().inverse()};
+}
 
 void DdaPool::place(int body, const AffineMotion& m, std::span<double> q, std::span<double> v) const {
-  store(body, m.c, m.F, q);
-  store(body, m.vc, m.Fdot, v);
+  store(first_node(body), m.c, m.F, q);
+  store(first_node(body), m.vc, m.Fdot, v);
+  if (!of(body).summed) return;
+  const ElasticResponse r = elastic_response(of(body).law, m.F, of(body).initial);
+  store_strain(first_node(body), of(body).law.strain(r.R * r.stress * r.R.transpose()), q);
+  store_strain(first_node(body), Mat2::Zero(), v);
 }
 
 Release DdaPool::release(int body, std::span<const double> q, std::span<const double> v) const {
-  const AffineState s = load(body, q, v);
+  const AffineState s = load(first_node(body), q, v);
   Release out;
   out.shape = of(body).shape;
   out.motion = {s.c, s.F, s.vc, s.Fdot};
   out.initial = of(body).initial;
+  if (of(body).summed) {
+    const Mat2 R = polar_rotation(s.F), stress = of(body).law.stress(load_strain(first_node(body), q));
+    regrow(R, of(body).law.strain(R.transpose() * stress * R - out.initial), out);
+  }
   return out;
 }
 
 BodyTotals DdaPool::totals(int body, std::span<const double> q, std::span<const double> v) const {
-  const AffineState s = load(body, q, v);
+  const AffineState s = load(first_node(body), q, v);
   const ReferenceShape& shape = of(body).shape;
   const Mat2 B = s.Fdot * shape.second * s.F.transpose();
   BodyTotals t;
@@ -90,16 +137,16 @@ BodyTotals DdaPool::totals(int body, std::span<const double> q, std::span<const 
   t.momentum = shape.mass * s.vc;
   t.angular_momentum = cross(s.c, t.momentum) + B(1, 0) - B(0, 1);
   t.kinetic = 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
-  t.elastic = shape.area * elastic_response(of(body).law, s.F, of(body).initial).energy;
+  t.elastic = shape.area * stress_of(body, q).energy;
   return t;
 }
 
 double DdaPool::internal_force(std::span<const double> q, std::span<double> f) const {
   double energy = 0.0;
   for (int b = 0; b < bodies(); ++b) {
-    const auto i = 6 * static_cast<std::size_t>(b);
-    const AffineState s = load(b, q, q);
-    const ElasticResponse r = elastic_response(of(b).law, s.F, of(b).initial);
+    const auto i = 2 * static_cast<std::size_t>(first_node(b));
+    const AffineState s = load(first_node(b), q, q);
+    const Stressed r = stress_of(b, q);
     const double area = of(b).shape.area;
     f[i + 2] -= area * r.P(0, 0);
     f[i + 3] -= area * r.P(1, 0);
@@ -112,7 +159,7 @@ double DdaPool::internal_force(std::span<const double> q, std::span<double> f) c
 
 Fault DdaPool::find_fault(std::span<const double> q) const {
   for (int b = 0; b < bodies(); ++b) {
-    const AffineState s = load(b, q, q);
+    const AffineState s = load(first_node(b), q, q);
     const double J = s.F.determinant();
     if (!std::isfinite(J) || !s.c.allFinite()) return {b, "its position or gradient is not finite"};
     if (J <= 0.0) return {b, fmt::format("it is turned inside out (det F = {:.3g})", J)};
@@ -125,8 +172,8 @@ void DdaPool::stiffness_damping(std::span<const double> q, std::span<const doubl
   // Gradient of the dissipation A0/2 rate U':C:U' by F', U' the rate of the stretch U = R^T F:
   //   R^T F' = omega W U + U',  omega = W:(R^T F')/tr U,  P = R (s + w W),  s = C:U',  w = -(s:WU)/tr U
   for (int b = 0; b < bodies(); ++b) {
-    const auto i = 6 * static_cast<std::size_t>(b);
-    const AffineState s = load(b, q, v);
+    const auto i = 2 * static_cast<std::size_t>(first_node(b));
+    const AffineState s = load(first_node(b), q, v);
     const Mat2 R = polar_rotation(s.F), U = R.transpose() * s.F, Z = R.transpose() * s.Fdot, W = quarter_turn(),
                WU = W * U;
     const Mat2 stretching = Z - W.cwiseProduct(Z).sum() / U.trace() * WU;
@@ -142,7 +189,7 @@ void DdaPool::stiffness_damping(std::span<const double> q, std::span<const doubl
 
 void DdaPool::body_force(const Vec2& a, std::span<double> f) const {
   for (int b = 0; b < bodies(); ++b) {
-    const auto i = 6 * static_cast<std::size_t>(b);
+    const auto i = 2 * static_cast<std::size_t>(first_node(b));
     f[i] += of(b).shape.mass * a.x();
     f[i + 1] += of(b).shape.mass * a.y();
   }
@@ -150,15 +197,17 @@ void DdaPool::body_force(const Vec2& a, std::span<double> f) const {
 
 void DdaPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
   for (int b = 0; b < bodies(); ++b) {
-    const AffineState s = load(b, f, f);
+    const AffineState s = load(first_node(b), f, f);
     const Body& body = of(b);
-    store(b, s.c / body.shape.mass, s.F * body.second_inverse, a);
+    store(first_node(b), s.c / body.shape.mass, s.F * body.second_inverse, a);
+    if (body.summed) store_strain(first_node(b), Mat2::Zero(), a);
   }
 }
 
 void DdaPool::mass_apply(int body, std::span<const double>, std::span<const double> v, std::span<double> p) const {
-  const AffineState s = load(body, v, v);
-  store(body, of(body).shape.mass * s.c, s.F * of(body).shape.second, p);
+  const AffineState s = load(first_node(body), v, v);
+  store(first_node(body), of(body).shape.mass * s.c, s.F * of(body).shape.second, p);
+  if (of(body).summed) store_strain(first_node(body), Mat2::Zero(), p);
 }
 
 double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v,
@@ -166,7 +215,7 @@ double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double
   double sum = 0.0;
   for (int b = 0; b < bodies(); ++b)
     if (counted[static_cast<std::size_t>(b)] != 0) {
-      const AffineState s = load(b, q, v);
+      const AffineState s = load(first_node(b), q, v);
       const ReferenceShape& shape = of(b).shape;
       sum += 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
     }
@@ -179,13 +228,13 @@ double DdaPool::compliance(int body, const Row& row) const {
 }
 
 void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& groups) const {
-  groups.assign(1, 3 * body);
+  groups.assign(1, first_node(body));
 }
 
 ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
-  const AffineState s = load(body, q, q);
+  const AffineState s = load(first_node(body), q, q);
   std::array<double, 3> w{};  // by node of the body, in whatever order the row names them
-  for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - 3 * body)] += row.w[k];
+  for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - first_node(body))] += row.w[k];
   if (of(body).affine) return of(body).affine->chart_row(w[0], {w[1], w[2]});
   const Mat26 T = shi_matrix(s.F * Vec2(w[1], w[2]));
   ChartRow out;
@@ -203,12 +252,12 @@ ElementDofs DdaPool::element_dofs(int) const { return {{0, kUnknowns}, {0, 1, 2,
 
 void DdaPool::element_masses(int body, std::span<const double> q, std::span<double> mass) const {
   if (of(body).affine) return of(body).affine->mass(mass);
-  const Mat2 F = load(body, q, q).F;
+  const Mat2 F = load(first_node(body), q, q).F;
   put_lower(mass_matrix(of(body).shape.mass, F * of(body).shape.second * F.transpose()), mass);
 }
 
 void DdaPool::rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const {
-  const AffineState s = load(body, q, v);
+  const AffineState s = load(first_node(body), q, v);
   if (of(body).affine) return of(body).affine->unknowns(s.vc, s.Fdot, rate);
   Eigen::Map<Vec6>(rate.data()) = rates_of(s.vc, s.Fdot * s.F.inverse());
 }
@@ -216,24 +265,35 @@ void DdaPool::rates(int body, std::span<const double> q, std::span<const double>
 double DdaPool::linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
                           std::span<double> force) const {
   const Body& b = of(body);
-  const Mat2 F = load(body, q, q).F;
+  const Mat2 F = load(first_node(body), q, q).F;
   if (b.affine) return b.affine->linearise(F, kind, stiffness, force);
   if (!stiffness.empty()) put_lower(stiffness_matrix(b.shape.area, b.law), stiffness);
+  if (b.summed) {
+    const Stressed r = stress_of(body, q);
+    Eigen::Map<Vec6>(force.data()) = unknowns_of_stress(b.shape.area, r.P * F.transpose());
+    return b.shape.area * r.energy;
+  }
   Eigen::Map<Vec6>(force.data()) = scree::dda::internal_force(b.shape.area, b.law, F, b.initial);
   return b.shape.area * elastic_response(b.law, F, b.initial).energy;
 }
 
 void DdaPool::retract(int body, std::span<const double> d, std::span<const double> rate, std::span<double> q,
                       std::span<double> v) const {
-  const AffineState before = load(body, q, v);
+  const AffineState before = load(first_node(body), q, v);
   if (const auto& affine = of(body).affine) {
-    store(body, before.c + AffineForm::translation(d), before.F + affine->gradient(d), q);
-    store(body, AffineForm::translation(rate), affine->gradient(rate), v);
+    store(first_node(body), before.c + AffineForm::translation(d), before.F + affine->gradient(d), q);
+    store(first_node(body), AffineForm::translation(rate), affine->gradient(rate), v);
     return;
   }
-  const AffineState after = exact_update(before, Vec6(d.data()), Vec6(rate.data()));
-  store(body, after.c, after.F, q);
-  store(body, after.vc, after.Fdot, v);
+  const Vec6 D(d.data());
+  const AffineState after =
+      of(body).summed ? first_order_update(before, D, Vec6(rate.data())) : exact_update(before, D, Vec6(rate.data()));
+  if (of(body).summed) {
+    const Mat2 L = step_gradient(D);
+    store_strain(first_node(body), load_strain(first_node(body), q) + 0.5 * (L + L.transpose()), q);
+  }
+  store(first_node(body), after.c, after.F, q);
+  store(first_node(body), after.vc, after.Fdot, v);
 }
 
 void DdaPool::topology(MeshPart& mesh) const {
@@ -255,7 +315,7 @@ void DdaPool::topology(MeshPart& mesh) const {
     for (const Ring& ring : of(b).cells) {
       for (const Vec2& X : ring) {
         mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.points.size()));
-        mesh.points.push_back(affine_row(b, X));
+        mesh.points.push_back(affine_row(first_node(b), X));
         mesh.origin.push_back(origin_of(X));
       }
       mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
@@ -265,8 +325,8 @@ void DdaPool::topology(MeshPart& mesh) const {
 }
 
 Mat2 DdaPool::cauchy(int body, std::span<const double> q) const {
-  const Mat2 F = load(body, q, q).F;
-  const Mat2 s = elastic_response(of(body).law, F, of(body).initial).P * F.transpose() / F.determinant();
+  const Mat2 F = load(first_node(body), q, q).F;
+  const Mat2 s = stress_of(body, q).P * F.transpose() / F.determinant();
   return 0.5 * (s + s.transpose());
 }
 

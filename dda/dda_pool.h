@@ -10,14 +10,15 @@ namespace scree::dda {
 
 /// Discontinuous deformation analysis: three nodes a block, q = (c, F e1, F e2), so that a point is
 /// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly, or,
-/// with BlockRotation::affine, move (c, F) by Newton's method; explicit steps move the nodes themselves.
+/// with BlockRotation::affine, move (c, F) by Newton's method; explicit steps move the nodes themselves. Blocks with
+/// BlockRotation::first_order have two nodes more, the strain that steps sum up, and take implicit steps alone.
 /// @source docs/theory/dda.md, "Unknowns of a block"; [Shi1988]; [Shi1993]; [Sitar1997] 2.1
 class DdaPool final : public Pool {
  public:
   [[nodiscard]] std::string_view method() const override { return "dda"; }
   void add(const Model& model, const BodyRecord& record) override;
   [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
-  [[nodiscard]] std::int32_t first_node(int body) const override { return 3 * body; }
+  [[nodiscard]] std::int32_t first_node(int body) const override { return first_[static_cast<std::size_t>(body)]; }
   [[nodiscard]] const Boundary& boundary(int body) const override { return of(body).boundary; }
   [[nodiscard]] Row row_at(int body, const Vec2& X) const override;
   [[nodiscard]] std::span<const double> translation(int body) const override;
@@ -57,6 +58,12 @@ class DdaPool final : public Pool {
   void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 
  private:
+  struct Stressed {
+    double energy = 0.0;  // per reference area [J/m2 for unit thickness]
+    Mat2 P;               // first Piola-Kirchhoff stress [Pa]
+  };
+  /// Of the stretch of a block, or of the strain that it has summed up.
+  [[nodiscard]] Stressed stress_of(int body, std::span<const double> q) const;
   /// Cauchy stress of a block [Pa].
   [[nodiscard]] Mat2 cauchy(int body, std::span<const double> q) const;
 
@@ -67,11 +74,13 @@ class DdaPool final : public Pool {
     Boundary boundary;
     Mat2 second_inverse;
     std::optional<AffineForm> affine;  // of implicit steps; none: Shi's unknowns and an exact rotation
+    bool summed = false;               // its strain is summed up, C^-1 of all of its stress in axes that stand still
     double frequency = 0.0;
     std::vector<Ring> cells;
   };
   [[nodiscard]] const Body& of(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
   std::vector<Body> bodies_;
+  std::vector<std::int32_t> first_{0};  // node of each body, and how many there are
 };
 
 }  // namespace scree::dda

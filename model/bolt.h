@@ -1,7 +1,8 @@
-// Bolts, cables and anchors: bars through the blocks, held at their ends or by grout.
+// Bolts, cables and anchors: bars through the blocks, held at their ends or by grout. Liners: beams along outlines.
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct Model;
 /// A straight bar from its head to its toe. Where it runs free it is tied to the rock at its ends alone; where it is
 /// grouted, a spring along the bar holds each piece of it until the bond slips. It has no mass. Forces and stiffnesses
 /// are for unit thickness: those of one bolt over the spacing of the bolts out of the plane.
-/// @source docs/theory/bolts.md, "Nodes"; [StJohn1983]
+/// A liner is a chain of such bars from node to node along the outlines of blocks, glued to them, that also resists
+/// changes of the angle between neighbouring bars: a beam without shear. Its first bar begins at `head`.
+/// @source docs/theory/bolts.md, "Nodes"; [StJohn1983]; docs/theory/liners.md, "Bars and turns"
 struct Bolt {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -36,21 +39,40 @@ struct Bolt {
   double shear_strength = kNever;  // [N], > 0
   double rupture_shear = kNever;   // plastic shear displacement at which it breaks [m], > 0
 
+  // A liner. `stiffness` is E't, `segment` the largest length of a bar, `yield` its strength in tension.
+  std::vector<Vec2> along;   // the line that it follows, with its corners [m]; closed: a ring; empty: a bolt
+  double tolerance = 0.0;    // farthest distance of the line from the outlines, > 0 [m]
+  double bending = 0.0;      // EI = E't^3/12 [N m2], >= 0
+  double crushing = kNever;  // axial force in compression [N], > 0
+
   // What lay_out() finds.
   struct Node {
     BlockId block;
-    double at = 0.0;      // distance from the head [m]
-    double length = 0.0;  // of the bond that it stands for [m]; 0: the node is held by a plate or an anchor
+    double at = 0.0;       // distance from the head [m]
+    double length = 0.0;   // of the bond that it stands for [m]; 0: the node is held by a plate or an anchor
+    Vec2 place{0.0, 0.0};  // of a liner: on the outline of its block [m], model coordinates
   };
   struct Crossing {
     std::int32_t segment = 0;  // from node `segment` to the next
     BlockId before, after;
     double leaves = 0.0, enters = 0.0;  // distances from the head: out of one block, into the next [m]
   };
-  std::vector<Node> nodes;  // from the head on
+  std::vector<Node> nodes;  // from the head on; a ring has its first node at its end again
   std::vector<Crossing> crossings;
 
   [[nodiscard]] double length() const { return (toe - head).norm(); }
+  [[nodiscard]] bool liner() const { return !along.empty(); }
+  [[nodiscard]] bool ring() const { return along.size() > 3 && along.front() == along.back(); }
+  /// Nodes at which a liner resists bending: turn c is at node c + 1, between segments c and segment_after(c).
+  [[nodiscard]] std::size_t turns() const { return liner() ? nodes.size() - (ring() ? 1 : 2) : 0; }
+  [[nodiscard]] std::size_t segment_after(std::size_t turn) const { return turn + 2 < nodes.size() ? turn + 1 : 0; }
+  /// Of a liner, EI over the mean length of the two segments at a turn [N m].
+  [[nodiscard]] double turn_stiffness(std::size_t turn) const {
+    const std::size_t next = segment_after(turn);
+    return 2.0 * bending / (nodes[turn + 1].at - nodes[turn].at + nodes[next + 1].at - nodes[next].at);
+  }
+  /// Where the model has a node.
+  [[nodiscard]] Vec2 place(const Node& n) const { return liner() ? n.place : point(n.at); }
   /// Where the model has a point of the bar.
   [[nodiscard]] Vec2 point(double at) const { return head + at * (toe - head).normalized(); }
   /// Axial stiffness of a segment [N/m].
@@ -71,5 +93,11 @@ struct BoltPiece {
 /// sqrt(stiffness/bond_stiffness), over which a bond hands force over, and at most a tenth of the bond.
 /// @return what is wrong with its place, empty: nothing. Its properties are taken to be right.
 [[nodiscard]] std::string lay_out(const Model& model, Bolt& bolt);
+
+/// Places the nodes of a liner: at the corners of its line and between them, at most `segment` apart, each at the
+/// nearest point of an outline within the tolerance. Of blocks that touch there the first carries the node.
+/// @param absent  a block: not there as the liner is installed; empty: all are
+/// @return what is wrong with its place, empty: nothing. Its properties are taken to be right.
+[[nodiscard]] std::string lay_out_liner(const Model& model, std::span<const char> absent, Bolt& liner);
 
 }  // namespace scree

@@ -18,8 +18,9 @@ enum class MassKind {
 
 /// How an implicit DDA step moves a block.
 enum class BlockRotation {
-  exact,  // Shi's six unknowns about the block's place, then an exact rotation
-  affine  // (c, F) themselves with Newton's method on the co-rotated energy: what a onefold NMM cover does
+  exact,       // Shi's six unknowns about the block's place, then an exact rotation
+  affine,      // (c, F) themselves with Newton's method on the co-rotated energy: what a onefold NMM cover does
+  first_order  // Shi's linear update, by which turning blocks grow, with a strain that is summed up: for comparisons
 };
 
 /// Per block of one continuum of which one half takes explicit steps and the other implicit ones: elements whose
@@ -56,7 +57,8 @@ struct Formulation {
   /// The same but for covers that a division has twice.
   [[nodiscard]] bool same_covers(const Formulation& other) const {
     return cover_size == other.cover_size && offset_x == other.offset_x && offset_y == other.offset_y &&
-           onefold == other.onefold && model_triangle == other.model_triangle && cracks == other.cracks;
+           onefold == other.onefold && model_triangle == other.model_triangle && cracks == other.cracks &&
+           (rotation == BlockRotation::first_order) == (other.rotation == BlockRotation::first_order);
   }
 };
 

@@ -54,6 +54,8 @@ void move_to_local_origin(Model& model) {
   for (Bolt& b : model.bolts) {
     b.head -= origin;
     b.toe -= origin;
+    for (Vec2& p : b.along) p -= origin;
+    for (Bolt::Node& n : b.nodes) n.place -= origin;
   }
   for (JointWater& w : model.waters) {
     for (Vec2& p : w.line) p -= origin;

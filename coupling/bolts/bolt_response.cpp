@@ -12,6 +12,16 @@ constexpr int kIterations = 200, kHalvings = 60;
 constexpr double kBalanced = 1e-13;   // of the largest force
 constexpr double kLeastSlope = 1e-6;  // of the elastic one, so that Newton's matrix stays regular where all slips
 
+/// Of a crossing of a bolt, or a turn of a liner.
+double cross_stiffness(const Bolt& bolt, std::size_t c) {
+  return bolt.liner() ? bolt.turn_stiffness(c) : bolt.shear_stiffness;
+}
+
+double strength_in_compression(const Bolt& bolt, std::size_t segment) {
+  if (bolt.liner()) return bolt.crushing;
+  return bolt.slack(segment) ? 0.0 : bolt.yield;
+}
+
 /// A force that is linear up to a strength: the force itself, and its slope as a share of the elastic one.
 struct Plastic {
   double force, slope;
@@ -28,7 +38,7 @@ BoltResponse::BoltResponse(const Bolt& bolt) : bolt_(&bolt) {
   for (std::size_t j = 0; j + 1 < n; ++j) k_.push_back(bolt.segment_stiffness(j));
   for (auto* v : {&slip_, &bond_, &bond_slope_, &residual_, &step_, &diagonal_, &scratch_, &old_}) v->assign(n, 0.0);
   for (auto* v : {&force_, &slope_}) v->assign(n - 1, 0.0);
-  shear_slope_.assign(bolt.crossings.size(), 0.0);
+  shear_slope_.assign(bolt.crossings.size() + bolt.turns(), 0.0);
 }
 
 double BoltResponse::evaluate(const BoltMemory& before, std::span<const double> lengths) {
@@ -41,7 +51,7 @@ double BoltResponse::evaluate(const BoltMemory& before, std::span<const double> 
     } else if (!carries(j)) {
       force_[j] = slope_[j] = 0.0;
     } else {
-      const Plastic p = plastic_law(k_[j], e, bolt_->slack(j) ? 0.0 : -bolt_->yield, bolt_->yield);
+      const Plastic p = plastic_law(k_[j], e, -strength_in_compression(*bolt_, j), bolt_->yield);
       force_[j] = p.force;
       slope_[j] = p.slope;
     }
@@ -179,19 +189,25 @@ void BoltResponse::shear_forces(const BoltMemory& before, std::span<const double
   after.shear.resize(shears.size());
   after.sheared = before.sheared;
   for (std::size_t c = 0; c < shears.size(); ++c) {
-    if (!carries(static_cast<std::size_t>(bolt_->crossings[c].segment))) {
+    if (!carries_across(c)) {
       after.shear[c] = shear_slope_[c] = 0.0;
       continue;
     }
     const double elastic = shears[c] - before.offset[c] - before.sheared[c];
-    const Plastic p = plastic_law(bolt_->shear_stiffness, elastic, -bolt_->shear_strength, bolt_->shear_strength);
+    const double k = cross_stiffness(*bolt_, c);
+    const Plastic p = plastic_law(k, elastic, -bolt_->shear_strength, bolt_->shear_strength);
     after.shear[c] = p.force;
-    shear_slope_[c] = p.slope * bolt_->shear_stiffness;
+    shear_slope_[c] = p.slope * k;
     if (p.slope != 0.0) continue;
-    const double more = elastic - p.force / bolt_->shear_stiffness;
+    const double more = elastic - p.force / k;
     after.sheared[c] += more;
     after.dissipated += p.force * more;
   }
+}
+
+bool BoltResponse::carries_across(std::size_t c) const {
+  if (bolt_->liner()) return carries(c) && carries(bolt_->segment_after(c));
+  return carries(static_cast<std::size_t>(bolt_->crossings[c].segment));
 }
 
 void BoltResponse::tangent(const BoltMemory& after, Eigen::MatrixXd& out) {
@@ -238,7 +254,7 @@ double BoltResponse::elastic_change(const BoltMemory& before, const BoltMemory& 
   }
   for (std::size_t c = 0; c < after.shear.size(); ++c) {
     const double change = after.shear[c] - before.shear[c];
-    if (change != 0.0) sum += 0.5 * change * change / bolt_->shear_stiffness;
+    if (change != 0.0) sum += 0.5 * change * change / cross_stiffness(*bolt_, c);
   }
   return sum;
 }
@@ -272,7 +288,7 @@ bool BoltResponse::rupture(BoltMemory& memory) const {
     if (memory.broken[j] != 0) continue;
     const double length = bolt_->nodes[j + 1].at - bolt_->nodes[j].at;
     bool breaks = memory.plastic[j] > bolt_->rupture_strain * length;
-    for (std::size_t c = 0; c < memory.sheared.size(); ++c)
+    for (std::size_t c = 0; c < bolt_->crossings.size(); ++c)
       breaks = breaks || (static_cast<std::size_t>(bolt_->crossings[c].segment) == j &&
                           std::abs(memory.sheared[c]) > bolt_->rupture_shear);
     if (!breaks) continue;
@@ -289,8 +305,8 @@ double bolt_energy(const Bolt& bolt, const BoltMemory& memory) {
   for (std::size_t i = 0; i < memory.bond.size(); ++i)
     if (bolt.nodes[i].length > 0.0)
       sum += 0.5 * memory.bond[i] * memory.bond[i] / (bolt.bond_stiffness * bolt.nodes[i].length);
-  for (const double q : memory.shear)
-    if (q != 0.0) sum += 0.5 * q * q / bolt.shear_stiffness;
+  for (std::size_t c = 0; c < memory.shear.size(); ++c)
+    if (const double q = memory.shear[c]; q != 0.0) sum += 0.5 * q * q / cross_stiffness(bolt, c);
   return sum;
 }
 

@@ -15,6 +15,7 @@ namespace scree::coupling {
 ///   N_i - N_{i-1} - T_i = 0 at every node that is not held,
 /// both laws linear up to their strength and plastic there. That is the minimum of a convex function of s, found by
 /// Newton's method. The force on the rock along segment j is N_j, whatever the bond does, because the bar has no mass.
+/// A liner is held at all nodes, so that no s are left; its turns are in the place of shears.
 /// Plastic parts follow by the implicit Euler rule: what they dissipate is N d(plastic) + T d(slipped) + Q d(sheared).
 /// @source docs/theory/bolts.md, "The bar in its grout"
 class BoltResponse {
@@ -50,6 +51,8 @@ class BoltResponse {
     return bolt_->bond_strength * bolt_->nodes[node].length;
   }
   [[nodiscard]] bool carries(std::size_t segment) const { return broken_[segment] == 0; }
+  /// Of a crossing, or of a turn, which both of its segments hold.
+  [[nodiscard]] bool carries_across(std::size_t c) const;
   /// Forces and slopes of the trial slips; returns the largest unbalanced force of a free node [N].
   double evaluate(const BoltMemory& before, std::span<const double> lengths);
   /// What round-off of slips and lengths leaves of a segment's force [N].

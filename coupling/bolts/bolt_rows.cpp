@@ -1,6 +1,7 @@
 #include "coupling/bolts/bolt_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coupling/bolts/bolt_response.h"
 
@@ -31,22 +32,27 @@ BoltRows bolt_rows(const Setup& setup, const State& state, std::size_t bolt) {
   const Bolt& of = setup.model().bolts[bolt];
   BoltRows out;
   out.bolt = static_cast<std::int32_t>(bolt);
-  const auto add = [&](BlockId block, double at) {
+  const auto add = [&](BlockId block, const Vec2& at) {
     const auto index = block.index();
     const Body& b = setup.bodies()[index];
     // Material point: from where the model first had it to the present reference shape.
     const ReferenceShape& shape = state.bodies[index].shape;
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
-    out.row.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * of.point(at))));
+    out.row.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * at)));
     out.body.push_back(static_cast<std::int32_t>(index));
   };
-  for (const Bolt::Node& n : of.nodes) add(n.block, n.at);
+  out.liner = of.liner();
+  for (const Bolt::Node& n : of.nodes) add(n.block, of.place(n));
   out.nodes = of.nodes.size();
   out.segments = out.nodes - 1;
   for (const Bolt::Crossing& c : of.crossings) {
     out.segment.push_back(c.segment);
-    add(c.before, c.leaves);
-    add(c.after, c.enters);
+    add(c.before, of.point(c.leaves));
+    add(c.after, of.point(c.enters));
+  }
+  for (std::size_t c = 0; c < of.turns(); ++c) {
+    const std::size_t next = of.segment_after(c);
+    out.turn.push_back({{c, next}, {c, c + 1, next + 1}});
   }
   return out;
 }
@@ -75,10 +81,14 @@ void BoltShape::measure(const BoltRows& rows, std::span<const double> q) {
   const auto gap = [&](std::size_t c) {
     return Vec2(position(rows.row[rows.leaves(c) + 1], q) - position(rows.row[rows.leaves(c)], q));
   };
-  for (std::size_t c = 0; c < rows.crossings(); ++c) {
+  for (std::size_t c = 0; c < rows.turn.size(); ++c) {
+    const Vec2 &a = along_[rows.turn[c].segment[0]], &b = along_[rows.turn[c].segment[1]];
+    shear_[c] = std::atan2(cross(a, b), a.dot(b));
+  }
+  for (std::size_t c = 0; c < rows.segment.size(); ++c) {
     const auto s = static_cast<std::size_t>(rows.segment[c]);
     Vec2 inside = position(rows.row[s + 1], q) - position(rows.row[s], q);
-    for (std::size_t other = 0; other < rows.crossings(); ++other)
+    for (std::size_t other = 0; other < rows.segment.size(); ++other)
       if (rows.segment[other] == rows.segment[c]) inside -= gap(other);
     const double size = inside.norm();
     const Vec2 t = size > 0.0 ? Vec2(inside / size) : along_[s], D = gap(c);

@@ -290,8 +290,8 @@ double ExplicitContact::way(std::size_t i, const Left& was) const {
   return hops && was.segment == p.segment ? (p.at.xi - was.foot) * p.at.length : 0.0;
 }
 
-void ExplicitContact::follow_slides(double h) {
-  friction_check_.begin(now_);
+void ExplicitContact::follow_slides(double h, double time) {
+  friction_check_.begin(now_, time);
   const Left none;
   for (std::size_t i = 0; i < now_.points.size(); ++i) {
     const std::int32_t from = now_.points[i].from;
@@ -348,7 +348,7 @@ void ExplicitContact::arrive_anew(double h, State& state) {
       transfer_impact_energy(h, now_.points[i], left_[static_cast<std::size_t>(from)], now_.memory[i]);
   respond(h, now_);
   if (checks_friction_) {  // velocities are physical
-    follow_slides(h);
+    follow_slides(h, seconds(state.time));
     friction_evolution_.advance(h, now_.memory);
   }
   kept_.assign(before_.points.size(), 0);
@@ -447,7 +447,7 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
 }
 
 void ExplicitContact::follow_some(double h, State& state) {
-  friction_check_.begin(now_);
+  friction_check_.begin(now_, seconds(state.time));
   for (const Slide& s : slides_) {
     const auto i = static_cast<std::size_t>(s.point);
     friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);

@@ -94,7 +94,7 @@ class ExplicitContact {
   /// After respond(), of a point and where it was: its slip in the step, with its sign, for the check of friction [m].
   [[nodiscard]] double way(std::size_t i, const Left& was) const;
   /// After respond(): the check of friction sees the points.
-  void follow_slides(double h);
+  void follow_slides(double h, double time);
   void book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const;
   void book_new(std::size_t i, const Half& arriving, Ledger& ledger) const;
   void book_ended(std::size_t before, Ledger& ledger) const;

@@ -68,6 +68,34 @@ void BoltForces::arrive(double h, std::span<const double> v, Ledger& ledger) {
   for (One& one : bolts_) find_broken(one);
 }
 
+namespace {
+
+/// Springs of a liner: its segments, and of every turn k (c.dx)^2, rows times the length of c.
+void add_liner_springs(const Bolt& liner, const BoltRows& rows, std::span<const double> q,
+                       std::vector<BoltSpring>& out) {
+  BoltShape shape;
+  shape.measure(rows, q);
+  const auto add = [&](BoltSpring& to, std::size_t row, double scale) {
+    Row scaled = rows.row[row];
+    for (double& w : scaled.w) w *= scale;
+    to.rows.push_back(scaled);
+    to.body.push_back(rows.body[row]);
+  };
+  for (std::size_t s = 0; s < rows.segments; ++s) {
+    BoltSpring& bar = out.emplace_back();
+    add(bar, s, 1.0);
+    add(bar, s + 1, 1.0);
+    bar.k = liner.segment_stiffness(s);
+  }
+  for (std::size_t c = 0; c < rows.turn.size() && liner.bending > 0.0; ++c) {
+    BoltSpring& turn = out.emplace_back();
+    turn.k = liner.turn_stiffness(c);
+    shape.shear_form(rows, c, [&](std::size_t row, const Vec2& form) { add(turn, row, form.norm()); });
+  }
+}
+
+}  // namespace
+
 std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
   std::vector<BoltSpring> out;
   const auto mobility = [&](const BoltRows& rows, std::size_t k) {
@@ -77,6 +105,10 @@ std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
   };
   for (const BoltRows& rows : acting_bolts(setup, state)) {
     const Bolt& bolt = setup.model().bolts[static_cast<std::size_t>(rows.bolt)];
+    if (bolt.liner()) {
+      add_liner_springs(bolt, rows, state.q, out);
+      continue;
+    }
     const auto add = [&](const std::vector<std::size_t>& which, double k) {
       BoltSpring s;
       for (const std::size_t r : which) {

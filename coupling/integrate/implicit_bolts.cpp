@@ -74,9 +74,11 @@ void ImplicitBolts::begin(const State& state, std::span<const Vec2> driven_move,
 
 void ImplicitBolts::combine(const One& one, std::size_t m, DofRows& out) const {
   for (std::size_t s = 0; s < one.rows.segments; ++s) {
+    if (one.rows.liner && s != m) continue;
     const DofRow row = rows_[one.first_row + s];
-    const double part =
-        one.vectors.size() == 0 ? 1.0 : one.vectors(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(m));
+    const double part = one.rows.liner || one.vectors.size() == 0
+                            ? 1.0
+                            : one.vectors(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(m));
     out.add_known(part * row.known);
     for (std::size_t k = 0; k < row.dof.size(); ++k) out.add(row.dof[k], part * row.h[k]);
   }
@@ -102,9 +104,13 @@ bool ImplicitBolts::linearise(StepSprings& springs) {
     if (one.response.tangent_changed(one.slopes, one.after)) {
       Eigen::MatrixXd tangent;
       one.response.tangent(one.after, tangent);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(tangent);
-      one.values = parts.eigenvalues().cwiseMax(0.0);
-      one.vectors = parts.eigenvectors();
+      if (rows.liner) {  // no slip joins its segments
+        one.values = tangent.diagonal();
+      } else {
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(tangent);
+        one.values = parts.eigenvalues().cwiseMax(0.0);
+        one.vectors = parts.eigenvectors();
+      }
     }
     for (std::size_t m = 0; m < rows.segments; ++m) {
       const double k = one.values(static_cast<Eigen::Index>(m));

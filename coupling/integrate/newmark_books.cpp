@@ -114,7 +114,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
   // A stick keeps its anchor in the material, a slip has its spring at the limit on the new geometry.
   const Outlines& o = setup_->outlines();
   std::vector<double> linear(contacts_.trials().size(), 0.0);
-  friction_check_.begin(list_);
+  friction_check_.begin(list_, seconds(state.time));
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
     ContactMemory& m = list_.memory[i];

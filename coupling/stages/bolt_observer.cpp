@@ -15,7 +15,10 @@ double largest(const std::vector<double>& values) {
 }  // namespace
 
 BoltObserver::BoltObserver(const Setup& setup, const State& state) {
-  for (std::size_t i = 0; i < setup.model().bolts.size(); ++i) rows_.push_back(bolt_rows(setup, state, i));
+  for (std::size_t i = 0; i < setup.model().bolts.size(); ++i) {
+    rows_.push_back(bolt_rows(setup, state, i));
+    liner_.push_back(rows_.back().liner ? 1 : 0);
+  }
 }
 
 const BoltsView* BoltObserver::look(const State& state) {
@@ -25,13 +28,17 @@ const BoltsView* BoltObserver::look(const State& state) {
   node_bolt_.clear();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const BoltMemory& m = state.bolts[i];
-    force_.push_back(m.force.empty() ? 0.0 : *std::max_element(m.force.begin(), m.force.end()));
+    const bool liner = rows_[i].liner;
+    const auto most = std::max_element(m.force.begin(), m.force.end(), [liner](double a, double b) {
+      return liner ? std::abs(a) < std::abs(b) : a < b;
+    });
+    force_.push_back(m.force.empty() ? 0.0 : *most);
     shear_.push_back(largest(m.shear));
     slip_.push_back(largest(m.slipped));
     broken_.push_back(static_cast<std::int32_t>(std::count(m.broken.begin(), m.broken.end(), 1)));
     double strain = 0.0;
     for (std::size_t s = 0; s < m.plastic.size(); ++s)
-      if (m.rest[s] > 0.0) strain = std::max(strain, m.plastic[s] / m.rest[s]);
+      if (m.rest[s] > 0.0) strain = std::max(strain, (liner ? std::abs(m.plastic[s]) : m.plastic[s]) / m.rest[s]);
     strain_.push_back(strain);
     if (m.installed != 1) continue;
     for (std::size_t k = 0; k < rows_[i].nodes; ++k) {
@@ -41,7 +48,7 @@ const BoltsView* BoltObserver::look(const State& state) {
       node_bolt_.push_back(static_cast<std::int32_t>(i));
     }
   }
-  view_ = {force_, shear_, slip_, strain_, broken_, position_, node_force_, node_bolt_};
+  view_ = {force_, shear_, slip_, strain_, broken_, position_, node_force_, node_bolt_, liner_};
   return &view_;
 }
 

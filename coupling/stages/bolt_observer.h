@@ -17,7 +17,7 @@ class BoltObserver {
  private:
   std::vector<BoltRows> rows_;  // of all bolts
   std::vector<double> force_, shear_, slip_, strain_, position_, node_force_;
-  std::vector<std::int32_t> broken_, node_bolt_;
+  std::vector<std::int32_t> broken_, node_bolt_, liner_;
   BoltsView view_;
 };
 

@@ -11,7 +11,8 @@ std::string told(const Model& model, const Bolt& bolt, const BoltMemory& memory,
   const Bolt::Node &a = bolt.nodes[segment], &b = bolt.nodes[segment + 1];
   const auto name = [&](BlockId block) { return model.blocks[block.index()].name; };
   std::string text =
-      fmt::format("bolt '{}' breaks between {:.3g} m and {:.3g} m from its head, in ", bolt.name, a.at, b.at);
+      fmt::format("{} '{}' breaks between {:.3g} m and {:.3g} m from its {}, in ", bolt.liner() ? "liner" : "bolt",
+                  bolt.name, a.at, b.at, bolt.liner() ? "beginning" : "head");
   text += a.block == b.block ? fmt::format("block '{}'", name(a.block))
                              : fmt::format("blocks '{}' and '{}'", name(a.block), name(b.block));
   text += fmt::format(": plastic strain {:.3g}", memory.plastic[segment] / (b.at - a.at));

@@ -86,7 +86,8 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
     for (const BoltRows& rows : bolts)
       for (std::size_t s = 0; s < rows.segments; ++s) {
         char &a = held[static_cast<std::size_t>(rows.body[s])], &b = held[static_cast<std::size_t>(rows.body[s + 1])];
-        if (a == b || !(state.bolts[static_cast<std::size_t>(rows.bolt)].force[s] > 0.0)) continue;
+        const BoltMemory& m = state.bolts[static_cast<std::size_t>(rows.bolt)];
+        if (a == b || !(rows.liner ? m.broken[s] == 0 : m.force[s] > 0.0)) continue;
         a = b = 1;
         grew = true;
       }

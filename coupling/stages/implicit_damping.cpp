@@ -6,6 +6,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string_view>
+
+#include "model/free_field.h"
 
 namespace scree::coupling {
 namespace {
@@ -104,7 +107,15 @@ double driven_frequency(const Model& model, std::span<const char> acts) {
       most = std::max(most, frequency_of(model.functions[f.index()]));
   };
   for (const PointLoad& load : model.point_loads) see(load.function);
-  for (const EdgeTraction& load : model.tractions) see(load.function);
+  std::string_view last;  // motion of a free field: all of its many functions have the band of the motion
+  for (const EdgeTraction& load : model.tractions) {
+    if (of_free_field(model, load.function)) {
+      const std::string& name = model.functions[load.function.index()].name;
+      if (name == last) continue;
+      last = name;
+    }
+    see(load.function);
+  }
   for (const BodyAcceleration& load : model.body_accelerations) see(load.function);
   return most;
 }

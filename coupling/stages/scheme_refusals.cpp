@@ -27,6 +27,8 @@ void check_implicit(const Stage& stage, const Setup& setup, std::span<const char
     throw PlanError(fmt::format("stage '{}' is {}: {}", stage.name, partitioned ? "partitioned" : "implicit", why));
   };
   const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
+  if (partitioned && stage.rotation == BlockRotation::first_order)
+    refuse("explicit blocks have no rotation of first order");
   if (partitioned && (trapezoidal || stage.rest))
     refuse("its implicit blocks take newmark = \"damped\", and it cannot run to rest");
   if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
@@ -35,7 +37,7 @@ void check_implicit(const Stage& stage, const Setup& setup, std::span<const char
       (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
     refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
   if (trapezoidal && !setup.model().bolts.empty())
-    refuse("the trapezoidal scheme has no bolts; use newmark = \"damped\"");
+    refuse("the trapezoidal scheme has no bolts and no liners; use newmark = \"damped\"");
   if (trapezoidal && !stage.construction.absent.empty())
     refuse("the trapezoidal scheme has no excavation; use newmark = \"damped\"");
   if (trapezoidal && !setup.model().waters.empty())

@@ -41,6 +41,8 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   read_water(root, drawing, out.model);
   read_monitors(root, drawing, out.model);
   out.plan = read_plan(root, out.model, methods);
+  read_free_fields(root, out.plan, out.model);
+  read_liners(root, out.plan.stages, out.model);
   out.live_field = root.table("live").text("field");
   check_times(root, out.model, out.plan);
   check_meshes(root, out.model, out.plan);

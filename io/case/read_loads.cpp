@@ -11,9 +11,6 @@
 namespace scree::io {
 namespace {
 
-/// Stretches that share no more than this part of an edge only touch: their ends were rounded.
-constexpr double kTouching = 1e-9;
-
 /// The function that a load names; one of its own, which begins with the load, if the load has a start.
 FunctionId function_of(const Section& s, const Section& root, std::string_view list, std::size_t index, Model& model) {
   FunctionId named;
@@ -137,13 +134,7 @@ void read_viscous_edge(const Section& s, const Section& root, Model& model) {
   }
   const double upgoing = s.text("motion_is") == "outcrop" ? 0.5 : 1.0;
   for (const EdgeSpan& span : chosen_edges(s, root, model, block)) {
-    for (const ViscousEdge& other : model.viscous_edges) {
-      const EdgeSpan& o = other.span;
-      const double common = std::min(o.s1, span.s1) - std::max(o.s0, span.s0);
-      if (o.block != block || o.edge != span.edge || common <= kTouching) continue;
-      throw s.error(s.has("on") ? "on" : "edge", "a part of this stretch is viscous already",
-                    "stretches that do not overlap", "it would absorb twice: remove one, or shorten it");
-    }
+    check_absorbs_once(s, span, model);
     model.viscous_edges.push_back({span, motion, upgoing});
   }
 }

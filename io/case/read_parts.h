@@ -48,6 +48,10 @@ void read_supports(const Section& root, Model& model);
 void read_monitors(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Point loads, tractions, body accelerations, viscous edges.   @pre read_functions, read_supports
 void read_loads(const Section& root, Model& model);
+/// Refuses a stretch a part of which is viscous already.
+void check_absorbs_once(const Section& s, const EdgeSpan& span, const Model& model);
+/// Sides of the model beside level ground.   @pre read_loads, read_plan
+void read_free_fields(const Section& root, const coupling::Plan& plan, Model& model);
 /// Bolts, laid out in the blocks.   @pre read_blocks, read_supports
 void read_bolts(const Section& root, const DrawnLayers& drawing, Model& model);
 /// Water in joints.   @pre read_laws
@@ -58,6 +62,8 @@ void read_water(const Section& root, const DrawnLayers& drawing, Model& model);
 void read_stage_options(const Section& s, std::span<const std::string> used, bool first, coupling::Stage& stage);
 /// Which blocks of a partitioned stage take explicit steps.   @pre read_supports; the integrator of the stage is set
 void read_partition(const Section& s, const Model& model, coupling::Stage& stage);
+/// Liners, after the bolts, laid out on the blocks that are there in their stage.   @pre read_bolts, the plan is read
+void read_liners(const Section& root, const std::vector<coupling::Stage>& stages, Model& model);
 /// Refuses to divide blocks that have no mesh.   @param used  method of every block in the stage
 void check_divided(const Section& s, const Model& model, std::span<const std::string> used,
                    const coupling::Stage& stage);

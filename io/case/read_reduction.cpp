@@ -9,6 +9,7 @@
 #include "io/case/read_parts.h"
 #include "io/case/suggest.h"
 #include "model/elasticity.h"
+#include "model/free_field.h"
 
 namespace scree::io {
 namespace {
@@ -132,9 +133,11 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
 /// What depends on later stages is left out: motions, loads that have not begun, bolts that are not installed yet.
 void drop_later(Model& model, std::size_t kept) {
   for (BlockSupport& s : model.block_supports) s.motion = {};
+  for (ViscousEdge& e : model.viscous_edges) e.motion = {};
   model.motions.clear();
   const auto later = [&](FunctionId f) {
     if (!f.valid()) return false;
+    if (of_free_field(model, f)) return true;  // as the motions
     const StageId stage = model.functions[f.index()].stage;
     return stage.valid() && stage.index() >= kept;
   };

@@ -55,7 +55,13 @@ void read_rotation(const Section& s, bool dda, coupling::Stage& stage) {
          "the key in implicit stages", "remove it, or set integrator = \"implicit\"");
   refuse(s, "rotation", !dda, "no block uses the DDA in this stage", "the key in stages with the DDA",
          "remove it, or set method = \"dda\"");
-  stage.rotation = s.text("rotation") == "affine" ? BlockRotation::affine : BlockRotation::exact;
+  const std::string& rotation = s.text("rotation");
+  refuse(s, "rotation", rotation == "first-order" && stage.integrator == Integrator::partitioned,
+         "explicit blocks have no first-order rotation, and this stage has both kinds", "\"exact\" or \"affine\"",
+         "set integrator = \"implicit\"");
+  stage.rotation = rotation == "affine"        ? BlockRotation::affine
+                   : rotation == "first-order" ? BlockRotation::first_order
+                                               : BlockRotation::exact;
 }
 
 void read_damping(const Section& s, coupling::Stage& stage) {

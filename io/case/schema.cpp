@@ -443,6 +443,25 @@ constexpr Key kKeys[] = {
      "the "
      "upgoing wave itself. Goes with motion."},
 
+    {"free_field", Type::table_list, "", kAny, "", false, "",
+     "A vertical side of the model beside level ground of its material, on the same kind of base and with the same "
+     "motion: the stress and the dashpots of a free-field column act on it, so that waves from below go up "
+     "undistorted, and what the model scatters leaves. The base is the viscous edge with a motion (a compliant base), "
+     "or the blocks held whole that follow one (a rigid base)."},
+    {"free_field[].on", Type::line, "m", kCoordinate, "", false, "",
+     "Ends of a vertical line: the parts of the outlines that lie on it and face no other block, or, of the blocks "
+     "that are named, whatever faces them. Either this or edge."},
+    {"free_field[].block", Type::name, "", kAny, "(all that lie on the line)", false, "", "Name of the block."},
+    {"free_field[].blocks", Type::names, "", kAny, "(all that lie on the line)", false, "",
+     "Names of the blocks; * stands for any characters. All of one material."},
+    {"free_field[].edge", Type::integer, "", kIndex, "", false, "", "As traction.edge; goes with block."},
+    {"free_field[].motion", Type::name, "", kAny, "(that of the base)", false, "",
+     "Name of the ground motion that drives the base, where the model has several."},
+    {"free_field[].bottom", Type::number, "m", kCoordinate, "(lower end of the side)", false, "",
+     "Height of the base of the ground."},
+    {"free_field[].top", Type::number, "m", kCoordinate, "(upper end of the side)", false, "",
+     "Height of its free surface."},
+
     {"bolt", Type::table_list, "", kAny, "", false, "",
      "A bolt, cable or anchor through the blocks: a straight bar that a plate at its head, and an anchor or grout at "
      "its "
@@ -489,6 +508,33 @@ constexpr Key kKeys[] = {
      "Shear force at which the bar yields there."},
     {"bolt[].rupture_shear", Type::number, "m", kPositive, "(never)", false, "",
      "Plastic shear displacement at which the bar breaks. Goes with shear_strength."},
+
+    {"liner", Type::table_list, "", kAny, "", false, "",
+     "Shotcrete or another lining along the outlines of blocks: a beam without shear, as a chain of bars from node to "
+     "node that resist stretching, and turns at the nodes that resist bending. Its nodes are glued to the blocks; it "
+     "has no mass. It is installed without stress on the blocks as they stand."},
+    {"liner[].name", Type::name, "", kAny, "(liner#1, liner#2, ...)", false, "", "Name in results and messages."},
+    {"liner[].along", Type::line, "m", kCoordinate, "", true, "",
+     "Points of a line along the outlines, where the model has them. One that ends where it began is a closed ring."},
+    {"liner[].spacing", Type::number, "m", kPositive, "", true, "",
+     "Greatest distance of its nodes. The points of the line are nodes too. Of blocks that meet at a node the first "
+     "carries it."},
+    {"liner[].tolerance", Type::number, "m", kPositive, "0.01", false, "",
+     "Greatest distance of the line from the outlines at its nodes, which go to the nearest point of an outline."},
+    {"liner[].stage", Type::name, "", kAny, "(the first)", false, "",
+     "Name of the stage that it is installed with, as that stage begins and after what it excavates has gone."},
+    {"liner[].thickness", Type::number, "m", kPositive, "", true, "", "Thickness t of the lining."},
+    {"liner[].young", Type::number, "Pa", kPositive, "", true, "",
+     "Young's modulus E. Stiffnesses for unit length of the tunnel are EA = E' t and EI = E' t^3/12, with "
+     "E' = E/(1 - poisson^2) in plane strain and E in plane stress."},
+    {"liner[].poisson", Type::number, "", kPoisson, "0.2", false, "", "Poisson's ratio."},
+    {"liner[].tensile_strength", Type::number, "Pa", kPositive, "(never yields)", false, "",
+     "Mean tension at which a bar of the liner yields."},
+    {"liner[].compressive_strength", Type::number, "Pa", kPositive, "(never yields)", false, "",
+     "Mean compression at which a bar of the liner yields. Bending counts for neither strength."},
+    {"liner[].rupture_strain", Type::number, "", kPositive, "(never)", false, "",
+     "Plastic strain in tension at which a bar breaks; with it goes the resistance to bending at its ends. Goes with "
+     "tensile_strength."},
 
     {"water", Type::table_list, "", kAny, "", false, "",
      "Water that fills joints below a piezometric line. Its hydrostatic pressure pushes the faces of a joint apart "
@@ -549,11 +595,14 @@ constexpr Key kKeys[] = {
      "inertia are exact; consistent, implicit: the full matrix. \"auto\" is affine-exact in explicit stages, "
      "consistent "
      "in implicit ones."},
-    {"stage[].rotation", Type::choice, "", kAny, "(\"exact\", in implicit stages with the DDA)", false, "exact|affine",
+    {"stage[].rotation", Type::choice, "", kAny, "(\"exact\", in implicit stages with the DDA)", false,
+     "exact|affine|first-order",
      "Implicit steps of DDA blocks. exact: six unknowns about the block's place, then an exact rotation, by which a "
      "free "
      "spin neither slows nor grows; affine: position and gradient by Newton's method, the steps of a onefold cover of "
-     "the NMM, which have centrifugal terms and damp a spin w by w dt/2 a radian."},
+     "the NMM, which have centrifugal terms and damp a spin w by w dt/2 a radian; first-order: the linear update of "
+     "the original DDA, by which the edges of a block grow by sqrt(1 + r0^2) in a step that turns it by r0, kept to "
+     "reproduce and to show that; integrator = \"implicit\" alone."},
     {"stage[].cracks", Type::boolean, "", kAny, "(true where a block uses the NMM)", false, "",
      "Cut the covers of the NMM along the cracks of its blocks. The two faces of a straight crack touch each other by "
      "the "

@@ -5,6 +5,7 @@
 
 #include "io/pictures/bolt_marks.h"
 #include "model/edge_selection.h"
+#include "model/free_field.h"
 
 namespace scree::io {
 namespace {
@@ -211,9 +212,11 @@ void draw_supports(const Canvas& canvas, const PlotArea& area, const Model& mode
 
 void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks) {
   double largest = 0.0, strongest = 0.0;
-  for (const EdgeTraction& t : model.tractions) largest = std::max(largest, t.traction.norm());
+  for (const EdgeTraction& t : model.tractions)
+    if (!of_free_field(model, t.function)) largest = std::max(largest, t.traction.norm());
   for (const PointLoad& l : model.point_loads) strongest = std::max(strongest, l.force.norm());
   for (const EdgeTraction& t : model.tractions) {
+    if (of_free_field(model, t.function)) continue;
     if (!(t.traction.norm() > 0.0)) continue;
     const PageSpan span = on_page(area, model, t.span);
     const Vec2 d = kLongestArrow / largest * Vec2(t.traction.x(), -t.traction.y());
@@ -239,6 +242,14 @@ void draw_loads(const Canvas& canvas, const PlotArea& area, const Model& model, 
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const Model& model, std::set<Mark>& marks) {
   const auto on_page = [&area](const Vec2& p) { return Vec2(area.px(p.x()), area.py(p.y())); };
   for (const Bolt& b : model.bolts) {
+    if (b.liner()) {
+      for (const Bolt::Node& n : b.nodes) cairo_line_to(canvas.get(), area.px(n.place.x()), area.py(n.place.y()));
+      canvas.ink(kBoltInk);
+      cairo_set_line_width(canvas.get(), 2.4);
+      cairo_stroke(canvas.get());
+      marks.insert(Mark::bolt);
+      continue;
+    }
     const double free = b.length() > 0.0 ? 1.0 - b.bond_length / b.length() : 1.0;
     bolt_mark(canvas, on_page(b.head), on_page(b.head + free * (b.toe - b.head)), on_page(b.toe), b.plate);
     marks.insert(Mark::bolt);

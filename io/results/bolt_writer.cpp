@@ -1,10 +1,18 @@
 #include "io/results/bolt_writer.h"
 
+#include <algorithm>
+
 namespace scree::io {
 
 BoltWriter::BoltWriter(const h5::File& file, const Model& model) {
-  file.group("/bolts");
+  const auto liner = [](const scree::Bolt& b) { return b.liner(); };
+  if (!std::all_of(model.bolts.begin(), model.bolts.end(), liner)) file.group("/bolts");
+  if (std::any_of(model.bolts.begin(), model.bolts.end(), liner)) file.group("/liners");
   for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    if (model.bolts[i].liner()) {
+      add_liner(file, model.bolts[i], i);
+      continue;
+    }
     const std::string g = "/bolts/" + model.bolts[i].name;
     bolts_.push_back(
         {{file, g + "/time", 1, {"s", "time"}},
@@ -12,7 +20,8 @@ BoltWriter::BoltWriter(const h5::File& file, const Model& model) {
          {file, g + "/shear", 1, {"N", "largest shear force at the joints it crosses, for unit thickness"}},
          {file, g + "/slip", 1, {"m", "largest slip of its bond"}},
          {file, g + "/plastic_strain", 1, {"1", "largest plastic strain of its segments"}},
-         {file, g + "/broken", 1, {"1", "segments that are broken"}}});
+         {file, g + "/broken", 1, {"1", "segments that are broken"}},
+         false});
     file.attribute(g, "order", static_cast<std::int64_t>(i));
     file.attribute(g, "long_name", "bolt " + model.bolts[i].name);
   }
@@ -24,12 +33,26 @@ BoltWriter::BoltWriter(const h5::File& file, const Model& model) {
   count_ = {file, g + "frames/count", 1, {"1", "rows of a frame"}};
 }
 
+void BoltWriter::add_liner(const h5::File& file, const scree::Bolt& liner, std::size_t index) {
+  const std::string g = "/liners/" + liner.name;
+  bolts_.push_back(
+      {{file, g + "/time", 1, {"s", "time"}},
+       {file, g + "/thrust", 1, {"N", "axial force of the bar that bears most, for unit thickness; tension positive"}},
+       {file, g + "/moment", 1, {"N m", "size of the largest bending moment at a node, for unit thickness"}},
+       {},
+       {file, g + "/plastic_strain", 1, {"1", "size of the largest plastic strain of its bars"}},
+       {file, g + "/broken", 1, {"1", "bars that are broken"}},
+       true});
+  file.attribute(g, "order", static_cast<std::int64_t>(index));
+  file.attribute(g, "long_name", "liner " + liner.name);
+}
+
 void BoltWriter::append(const coupling::HistoryView& history) {
   const coupling::BoltsView& view = *history.bolts;
   for (std::size_t i = 0; i < bolts_.size(); ++i) {
     bolts_[i].force.append(view.force[i]);
     bolts_[i].shear.append(view.shear[i]);
-    bolts_[i].slip.append(view.slip[i]);
+    if (!bolts_[i].liner) bolts_[i].slip.append(view.slip[i]);
     bolts_[i].strain.append(view.strain[i]);
     bolts_[i].broken.append(view.broken[i]);
     bolts_[i].time.append(history.time);
@@ -49,19 +72,24 @@ void BoltWriter::frame(const coupling::FrameView& frame) {
 
 std::vector<std::pair<std::string, std::string>> bolt_columns(const Model& model) {
   std::vector<std::pair<std::string, std::string>> columns;
-  for (const scree::Bolt& b : model.bolts)
-    for (const auto& [end, units] :
-         {std::pair{".force", "N"}, {".shear", "N"}, {".slip", "m"}, {".plastic_strain", "1"}, {".broken", "1"}})
-      columns.emplace_back(b.name + end, units);
+  for (const scree::Bolt& b : model.bolts) {
+    const std::vector<std::pair<const char*, const char*>> of_bolt = {{".force", "N"}, {".shear", "N"}, {".slip", "m"}},
+                                                           of_liner = {{".thrust", "N"}, {".moment", "N m"}};
+    for (const auto& [end, units] : b.liner() ? of_liner : of_bolt) columns.emplace_back(b.name + end, units);
+    columns.emplace_back(b.name + ".plastic_strain", "1");
+    columns.emplace_back(b.name + ".broken", "1");
+  }
   return columns;
 }
 
 void add_bolt_values(const coupling::HistoryView& history, std::vector<double>& row) {
   if (history.bolts == nullptr) return;
   const coupling::BoltsView& view = *history.bolts;
-  for (std::size_t i = 0; i < view.force.size(); ++i)
-    row.insert(row.end(),
-               {view.force[i], view.shear[i], view.slip[i], view.strain[i], static_cast<double>(view.broken[i])});
+  for (std::size_t i = 0; i < view.force.size(); ++i) {
+    row.insert(row.end(), {view.force[i], view.shear[i]});
+    if (view.liner[i] == 0) row.push_back(view.slip[i]);
+    row.insert(row.end(), {view.strain[i], static_cast<double>(view.broken[i])});
+  }
 }
 
 }  // namespace scree::io

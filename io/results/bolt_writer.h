@@ -8,7 +8,8 @@
 
 namespace scree::io {
 
-/// /bolts/<name>/{time, force, shear, slip, plastic_strain, broken}, rows as those of the monitors; and of every frame
+/// /bolts/<name>/{time, force, shear, slip, plastic_strain, broken} and /liners/<name>/{time, thrust, moment,
+/// plastic_strain, broken}, rows as those of the monitors; and of every frame
 /// the nodes of the bolts that are installed: /bolt_nodes/{bolt, position, force} and /bolt_nodes/frames/{first,
 /// count}, a row a frame: its nodes are the rows first[k] to first[k] + count[k] - 1.
 class BoltWriter : public SeriesGroup<BoltWriter> {
@@ -20,13 +21,19 @@ class BoltWriter : public SeriesGroup<BoltWriter> {
  private:
   friend SeriesGroup<BoltWriter>;
   struct Bolt {
-    h5::Series<double> time, force, shear, slip, strain;
+    h5::Series<double> time, force, shear, slip, strain;  // of a liner: thrust, moment, no slip
     h5::Series<std::int32_t> broken;
+    bool liner = false;
   };
+  void add_liner(const h5::File& file, const scree::Bolt& liner, std::size_t index);
   template <class Visitor>
   void each(Visitor&& see) {
     // The rows before what refers to them.
-    for (Bolt& b : bolts_) see(b.force), see(b.shear), see(b.slip), see(b.strain), see(b.broken), see(b.time);
+    for (Bolt& b : bolts_) {
+      see(b.force), see(b.shear);
+      if (!b.liner) see(b.slip);
+      see(b.strain), see(b.broken), see(b.time);
+    }
     see(bolt_), see(position_), see(force_);
     see(first_), see(count_);
   }

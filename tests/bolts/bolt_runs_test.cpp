@@ -12,17 +12,6 @@ namespace {
 
 using namespace coupling;
 
-/// Keeps a checkpoint after a given step.
-struct KeepOne final : Keeper {
-  explicit KeepOne(std::int64_t at) : step(at) {}
-  bool due(std::int64_t now) override { return now == step; }
-  void keep(Checkpoint checkpoint) override {
-    if (checkpoint.state.step == step) kept.push_back(std::move(checkpoint));
-  }
-  std::int64_t step;
-  std::vector<Checkpoint> kept;
-};
-
 /// Two blocks beside a wall, thrown away from it, on a bolt that is bonded in the wall, slips, yields and shears.
 struct Thrown : Bolted {
   BlockId near, far;

@@ -1,8 +1,9 @@
-// A method with a time scheme, for tests that hold for several, and a look at every frame of a run.
+// A method with a time scheme, for tests that hold for several, looks at the frames of a run, one of its checkpoints.
 #pragma once
 
 #include <functional>
 #include <ostream>
+#include <vector>
 
 #include "tests/support/scene.h"
 
@@ -38,6 +39,17 @@ struct EveryStep final : coupling::Sink {
 struct Watch final : coupling::Sink {
   std::function<void(const coupling::FrameView&)> see;
   void frame(const coupling::FrameView& view) override { see(view); }
+};
+
+/// Keeps a checkpoint after a given step.
+struct KeepOne final : coupling::Keeper {
+  explicit KeepOne(std::int64_t at) : step(at) {}
+  bool due(std::int64_t now) override { return now == step; }
+  void keep(coupling::Checkpoint checkpoint) override {
+    if (checkpoint.state.step == step) kept.push_back(std::move(checkpoint));
+  }
+  std::int64_t step;
+  std::vector<coupling::Checkpoint> kept;
 };
 
 }  // namespace scree::test

@@ -234,7 +234,14 @@ struct Point {
   Methods all = standard_methods();
   std::unique_ptr<Setup> setup;
   ContactList list;
-  Point() {
+  /// @param acts  a load that never ends
+  explicit Point(bool acts = true) {
+    if (acts) {
+      TimeFunction load;
+      load.shape = TimeFunction::Shape::sine;
+      load.frequency = 1.0;
+      scene.model.functions.push_back(load);
+    }
     scene.add("base", rectangle(-1, -1, 2, 0), true);
     scene.add("block", rectangle(0, 0, 1, 1));
     scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
@@ -259,7 +266,7 @@ struct Point {
   /// Steps in which the point slips by so many elastic stretches under a part of its limit.
   void slide(FrictionCheck& check, int steps, double h, double stretches, double part) {
     for (int i = 0; i < steps; ++i) {
-      check.begin(list);
+      check.begin(list, 0.0);
       memory().status = stretches != 0.0 ? ContactStatus::slip : ContactStatus::stick;
       memory().ft = -part * limit();
       check.see(h, list.points[0], stretches * limit() / memory().kt, memory());
@@ -271,7 +278,7 @@ TEST(FrictionCheck, is_the_ratio_of_two_impulses) {
   for (const double part : {1.0, 0.985}) {
     Point point;
     FrictionCheck check(*point.setup);
-    check.begin(point.list);
+    check.begin(point.list, 0.0);
     const double T = check.period(point.list.points[0]);
     // m = 2600 kg on k_t = 1e8 N/m, and 2 sqrt(A)/c_s.
     EXPECT_NEAR(T, std::hypot(2.0 * std::numbers::pi * std::sqrt(2600.0 / 1e8), 2.0 * std::sqrt(2600.0 * 2.4 / 5e9)),
@@ -284,7 +291,7 @@ TEST(FrictionCheck, is_the_ratio_of_two_impulses) {
 TEST(FrictionCheck, counts_what_is_lost_while_a_point_is_turned_round_and_not_while_it_is_open) {
   Point point;
   FrictionCheck check(*point.setup);
-  check.begin(point.list);
+  check.begin(point.list, 0.0);
   const double h = check.period(point.list.points[0]) / 39.5;
   for (int k = 0; k < 20; ++k) {  // in each period: forward, a tenth of the time back, a while open
     point.slide(check, 18, h, 2.0, 1.0);
@@ -293,7 +300,7 @@ TEST(FrictionCheck, counts_what_is_lost_while_a_point_is_turned_round_and_not_wh
     point.memory().status = ContactStatus::open;
     point.memory().fn = point.memory().ft = 0.0;
     for (int i = 0; i < 20; ++i) {
-      check.begin(point.list);
+      check.begin(point.list, 0.0);
       check.see(h, point.list.points[0], 0.0, point.memory());
     }
     point.memory().fn = fn;
@@ -304,7 +311,7 @@ TEST(FrictionCheck, counts_what_is_lost_while_a_point_is_turned_round_and_not_wh
 TEST(FrictionCheck, forgets_a_slide_that_stops) {
   Point point;
   FrictionCheck check(*point.setup);
-  check.begin(point.list);
+  check.begin(point.list, 0.0);
   const double h = check.period(point.list.points[0]) / 39.5;
   for (int k = 0; k < 50; ++k) {
     point.slide(check, 7 * 40, h, 1.0, 1.0);
@@ -313,12 +320,42 @@ TEST(FrictionCheck, forgets_a_slide_that_stops) {
   EXPECT_NEAR(point.memory().slide.worst, 1.0, 1e-6);
 }
 
+TEST(FrictionCheck, tells_of_points_that_stick_and_slip_with_the_period_of_a_stack_once_nothing_acts) {
+  for (const bool acts : {false, true}) {
+    Point point(acts);
+    FrictionCheck check(*point.setup);
+    check.begin(point.list, 0.0);
+    const double h = check.period(point.list.points[0]) / 39.5;
+    for (int k = 0; k < 60; ++k) {  // in three periods of the block one slip, at full friction
+      point.slide(check, 40, h, 1.0, 1.0);
+      point.slide(check, 80, h, 0.0, 0.75);
+    }
+    if (acts)  // shaking does that to sound blocks
+      EXPECT_TRUE(std::isinf(point.memory().slide.worst)) << point.memory().slide.worst;
+    else
+      EXPECT_NEAR(point.memory().slide.worst, (1.0 + 2.0 * 0.75) / 3.0, 0.01);
+  }
+}
+
+TEST(FrictionCheck, is_silent_where_a_slide_ends_and_nothing_acts) {
+  for (const double pace : {1.0, 0.97, 0.9, 0.6}) {  // of a slide from window to window
+    Point point(false);
+    FrictionCheck check(*point.setup);
+    check.begin(point.list, 0.0);
+    const double h = check.period(point.list.points[0]) / 39.5;
+    double slip = 10.0;
+    for (int k = 0; k < 40 && slip > 1e-3; ++k, slip *= pace) point.slide(check, 40, h, slip, 1.0);
+    point.slide(check, 200 * 40, h, 0.0, 0.3);
+    EXPECT_GE(point.memory().slide.worst, FrictionCheck::kLeast) << pace;
+  }
+}
+
 TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
   for (const double part : {0.9, 1.1}) {  // of the slip that counts: 2e-3 of the block, as stiff as its springs are
     Point point;
     point.memory().kt = 1e11;
     FrictionCheck check(*point.setup);
-    check.begin(point.list);
+    check.begin(point.list, 0.0);
     const double step = part * 2e-3 / (6.0 * 41.0), stretch = point.limit() / point.memory().kt;
     point.slide(check, 8 * 41, check.period(point.list.points[0]) / 40.5, step / stretch, 0.5);
     EXPECT_EQ(std::isinf(point.memory().slide.worst), part < 1.0) << part;
@@ -329,7 +366,7 @@ TEST(FrictionCheck, takes_uneven_ways_for_stops_and_even_ones_for_flutter) {
   for (const double faster : {1.0, 1.9, 2.1, 10.0}) {  // every other window
     Point point;
     FrictionCheck check(*point.setup);
-    check.begin(point.list);
+    check.begin(point.list, 0.0);
     const double h = check.period(point.list.points[0]) / 39.5;
     for (int k = 0; k < 10; ++k) {
       point.slide(check, 40, h, 1.0, 0.5);
@@ -344,7 +381,7 @@ TEST(FrictionCheck, tells_what_is_lost_in_six_windows_with_one_among_them_that_k
     for (const int losing : {5, 6}) {
       Point point;
       FrictionCheck check(*point.setup);
-      check.begin(point.list);
+      check.begin(point.list, 0.0);
       const double h = check.period(point.list.points[0]) / 39.5;
       const auto window = [&](double part) { point.slide(check, 40, h, 1.0, part); };
       for (int k = 0; k < 5; ++k) window(1.0);
@@ -361,7 +398,7 @@ TEST(FrictionCheck, tells_what_is_lost_in_six_windows_with_one_among_them_that_k
 TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
   Point point;
   FrictionCheck check(*point.setup);
-  check.begin(point.list);
+  check.begin(point.list, 0.0);
   const double h = check.period(point.list.points[0]) / 39.5;
   point.slide(check, 8 * 40, h, 0.4, 0.5);  // 96 in the six windows that count
   EXPECT_TRUE(std::isinf(point.memory().slide.worst));

@@ -27,15 +27,42 @@ void add(const SlideMemory::Sum& window, SlideMemory& s) {
     s.worst = std::min(s.worst, ratio(s.total));
 }
 
+/// When the last motion and the last function of a stage are over [s]; infinite: one of them never is.
+double last_change(const Setup& setup) {
+  const Model& model = setup.model();
+  const Clocks& clocks = setup.clocks();
+  double last = 0.0;
+  const auto take = [&](const std::vector<double>& origins, std::size_t i, double end) {
+    const double origin = origins.empty() ? 0.0 : origins[i];
+    if (std::isfinite(origin)) last = std::max(last, origin + end);  // the others do not begin in this stage
+  };
+  for (std::size_t i = 0; i < model.motions.size(); ++i) {
+    const GroundMotion& m = model.motions[i];
+    take(clocks.motion, i, m.setting().start + (m.times().back() - m.times().front()));
+  }
+  for (std::size_t i = 0; i < model.functions.size(); ++i) take(clocks.function, i, model.functions[i].end());
+  return last;
+}
+
+/// The next windows are twice as long, and the stretch begins anew with them.
+void lengthen(SlideMemory& s) {
+  const float length = 2.0F * s.length;
+  s.end();
+  s.length = length;
+}
+
 /// Takes a window that is complete into the stretch, or ends the stretch.
 /// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
-void close_window(double stretch, SlideMemory& s) {
+/// @param longest  windows of a stretch that is not steady are lengthened up to this [s]
+void close_window(double stretch, double longest, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
   const float pace = s.last.slip == 0.0F ? 0.0F : window.slip / s.last.slip;
-  const bool first = s.last.slip == 0.0F;
-  if (!(std::abs(window.slip) >= FrictionCheck::kCreeps) || pace < 0.0F) return s.end();
-  const bool steady = pace <= FrictionCheck::kPace && pace * FrictionCheck::kPace >= 1.0F;
+  const bool first = s.last.slip == 0.0F, slides = std::abs(window.slip) >= FrictionCheck::kCreeps,
+             steady = pace <= FrictionCheck::kPace && pace * FrictionCheck::kPace >= 1.0F;
+  if (pace >= 0.0F && (!slides || (!first && !steady)) && 2.0 * static_cast<double>(s.length) <= longest)
+    return lengthen(s);
+  if (!slides || pace < 0.0F) return s.end();
   if (s.last.limit > 0.0F && steady) {
     add(s.last, s);
   } else {
@@ -49,7 +76,7 @@ void close_window(double stretch, SlideMemory& s) {
 
 }  // namespace
 
-FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup) {
+FrictionCheck::FrictionCheck(const Setup& setup) : setup_(&setup), last_change_(last_change(setup)) {
   const Model& model = setup.model();
   stiffness_.reserve(setup.bodies().size());  // so that steps need not allocate
   for (const Body& b : setup.bodies()) {
@@ -116,7 +143,8 @@ void FrictionCheck::follow(double h, const ContactPoint& p, double slip, Contact
   s.slip += slip;
   s.drag += h * m.ft;
   s.limit += h * limit;
-  if (s.time >= static_cast<double>(s.length)) close_window(std::max(s.limit / (s.time * m.kt), deformation(p)), s);
+  if (s.time >= static_cast<double>(s.length))
+    close_window(std::max(s.limit / (s.time * m.kt), deformation(p)), still_ ? kLongest * period(p) : 0.0, s);
 }
 
 }  // namespace scree::coupling

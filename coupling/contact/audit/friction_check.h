@@ -26,6 +26,12 @@ namespace scree::coupling {
 /// one after it, that keep their friction, or that lose it with at most kBetween among them that do not. The ratio is
 /// theirs, taken once they have more than kStretches elastic stretches and, where they lose, kLosing of them do.
 ///
+/// Blocks of a stack swing together: their points stick and slip, or slide faster and slower, with the period of the
+/// stack, which is longer than that of one block. Each window would be a stop. Once the last motion and the last
+/// function are over nothing but such swinging makes points that stopped slide on; so there a window without slip, or
+/// of another pace than the one before, makes the next windows twice as long instead of ending the stretch, up to
+/// kLongest natural periods.
+///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
 class FrictionCheck {
@@ -37,6 +43,7 @@ class FrictionCheck {
       2.0F;  // net slip of a window over that of its neighbour: at most, and at least the inverse
   static constexpr std::int32_t kLosing = 6;   // windows that lose friction before they are told
   static constexpr std::int32_t kBetween = 1;  // windows among them that do not
+  static constexpr double kLongest = 16.0;     // natural periods in a window
 
   // Of a block's size: a shorter stretch is not counted as one. Blocks that settle, bend and ring move their faces on
   // each other by some 1e-4 to 1e-3 of their size, to and fro, and that is no slide.
@@ -44,10 +51,13 @@ class FrictionCheck {
 
   explicit FrictionCheck(const Setup& setup);
 
-  /// Begins a step.   @param list  its points, with what they remember; must outlive the calls of see()
-  void begin(const ContactList& list) {
+  /// Begins with the points of a step.
+  /// @param list  with what they remember; must outlive the calls of see()
+  /// @param time  at which the step begins [s]
+  void begin(const ContactList& list, double time) {
     list_ = &list;
     summed_ = false;
+    still_ = time >= last_change_;
   }
   /// A point after a step.
   /// @param h     the step [s]   @param slip  of the point in it, with its sign [m]
@@ -73,6 +83,8 @@ class FrictionCheck {
     double size = 0.0;    // root of its area [m]
   };
   const Setup* setup_;
+  double last_change_ = 0.0;  // when the last motion and function of the stage are over [s]; infinite: never
+  bool still_ = false;        // they are
   const ContactList* list_ = nullptr;
   std::vector<Inertia> bodies_;
   std::vector<double> stiffness_;  // of a body: tangential, of its closed contacts [N/m]

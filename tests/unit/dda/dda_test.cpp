@@ -53,5 +53,24 @@ TEST(ExactUpdate, spin_keeps_edges_and_rate_to_round_off) {
   EXPECT_NEAR(0.5 * (G(1, 0) - G(0, 1)), 2.0, 2e-12);
 }
 
+// A turn by r0 makes every edge longer by sqrt(1 + r0^2): det(I + r0 W) = 1 + r0^2 and (I + r0 W) is a similarity.
+TEST(FirstOrderUpdate, a_turn_makes_edges_longer_by_the_secant) {
+  for (const double r0 : {1e-3, 1e-2, 0.1}) {
+    AffineState s{{0, 0}, {0, 0}, Mat2::Identity(), 2.0 * quarter_turn()};
+    const int steps = 1000;
+    for (int i = 0; i < steps; ++i) {
+      Vec6 D = Vec6::Zero();
+      D(2) = r0;
+      s = first_order_update(s, D, rates_of(s.vc, s.Fdot * s.F.inverse()));
+    }
+    const double expected = std::pow(1.0 + r0 * r0, 0.5 * steps);
+    EXPECT_NEAR(s.F.col(0).norm() / expected, 1.0, 1e-12) << r0;
+    EXPECT_NEAR(s.F.col(1).norm() / expected, 1.0, 1e-12) << r0;
+    EXPECT_NEAR(s.F.col(0).dot(s.F.col(1)), 0.0, 1e-12 * expected * expected) << r0;
+    const Mat2 G = s.Fdot * s.F.inverse();
+    EXPECT_NEAR(0.5 * (G(1, 0) - G(0, 1)), 2.0, 2e-12) << r0;
+  }
+}
+
 }  // namespace
 }  // namespace scree::dda

@@ -97,6 +97,8 @@ void dump_loads(Dump& d, const Model& m) {
     d.line("  bond {} {} {} {}", x.bond_length, x.bond_stiffness, x.bond_strength, x.segment);
     d.line("  shear {} {} {}", x.shear_stiffness, x.shear_strength, x.rupture_shear);
     d.line("  {} nodes, {} crossings", x.nodes.size(), x.crossings.size());
+    for (const Vec2& p : x.along) d.line("  along {}", Dump::of(p));
+    if (x.liner()) d.line("  liner {} {} {}", x.tolerance, x.bending, x.crushing);
   }
   for (const EdgeSupport& x : m.edge_supports) {
     d.line("held {} {} {} bedding {}", x.held(0, 0), x.held(0, 1), x.held(1, 1), Dump::of(x.bedding));

@@ -192,6 +192,8 @@ TEST(StageOptions, are_read) {
   EXPECT_EQ(s[1].dynamics, 0.9);
   EXPECT_EQ(s[1].rotation, BlockRotation::affine);
   EXPECT_EQ(s[2].rotation, BlockRotation::exact);
+  EXPECT_EQ(read("full_case.toml", {"stage.1.rotation=\"first-order\""}).plan.stages[1].rotation,
+            BlockRotation::first_order);
   EXPECT_EQ(s[0].transfer, coupling::TransferMode::reservoir);
   EXPECT_EQ(s[1].transfer, coupling::TransferMode::strain_rate);
   EXPECT_EQ(s[1].transfer_cap, 1.5);

@@ -201,6 +201,13 @@ const std::map<std::string, std::string> kChange = {
     {"viscous_edge[].motion", "viscous_edge.0.motion=\"pulse\""},
     {"viscous_edge[].motion_is", "viscous_edge.0.motion_is=\"upgoing\""},
     {"viscous_edge[].edge", "viscous_edge.0.edge=2"},
+    {"free_field[].on", "free_field.0.on=[[2, 1], [2, 2.5]]"},
+    {"free_field[].block", "free_field.0.block=\"ledge\""},
+    {"free_field[].blocks", "free_field.0.blocks=[\"slider\"]"},
+    {"free_field[].edge", "free_field.0.edge=3"},
+    {"free_field[].motion", "free_field.0.motion=\"upward\""},
+    {"free_field[].bottom", "free_field.0.bottom=-2"},
+    {"free_field[].top", "free_field.0.top=5"},
     {"monitor[].block", "monitor.0.block=\"base\""},
     {"monitor[].point", "monitor.0.point=[1.1, 1.1]"},
     {"monitor[].layer", "monitor.1={layer = \"spots\"}"},
@@ -274,6 +281,17 @@ const std::map<std::string, std::string> kChange = {
     {"reduction.limit", "reduction.limit=0.25"},
     {"reduction.rest_force", "reduction.rest_force=1e-3"},
     {"reduction.k_h", "reduction.k_h=0.25"},
+    {"liner[].name", "liner.0.name=\"other\""},
+    {"liner[].along", "liner.0.along=[[1.2, 2], [1.8, 2]]"},
+    {"liner[].spacing", "liner.0.spacing=0.1"},
+    {"liner[].tolerance", "liner.0.tolerance=0.02"},
+    {"liner[].stage", "liner.0.stage=\"settling\""},
+    {"liner[].thickness", "liner.0.thickness=0.2"},
+    {"liner[].young", "liner.0.young=2e10"},
+    {"liner[].poisson", "liner.0.poisson=0.3"},
+    {"liner[].tensile_strength", "liner.0.tensile_strength=2e6"},
+    {"liner[].compressive_strength", "liner.0.compressive_strength=2e7"},
+    {"liner[].rupture_strain", "liner.0.rupture_strain=0.02"},
     {"bolt[].layer", "bolt=[{layer=\"BAR\", axial_stiffness=1e7}]"},
     {"material.NAME.rock_strength.cohesion", "material.rock.rock_strength.cohesion=2e6"},
     {"material.NAME.rock_strength.friction_deg", "material.rock.rock_strength.friction_deg=20"},
@@ -324,8 +342,17 @@ const char* const kBolt =
     "bolt=[{name=\"bar\", head=[1.1, 1.9], toe=[1.1, 0.4], axial_stiffness=1e7, yield=1e5, rupture_strain=0.1, "
     "bond_length=1.5, bond_stiffness=1e8, bond_strength=1e5, shear_stiffness=1e7, shear_strength=1e5, "
     "rupture_shear=0.1}]";
+const char* const kLiner =
+    "liner=[{name=\"skin\", along=[[1.1, 2], [1.9, 2]], spacing=0.25, thickness=0.1, young=3e10, "
+    "tensile_strength=1e6, compressive_strength=1e7, rupture_strain=0.01}]";
 const char* const kMohr = "material.rock.rock_strength={cohesion=1e6, friction_deg=30}";
 const char* const kHoek = "material.rock.rock_strength={ucs=6e7, gsi=45, mi=10}";
+// Two bases, a shaken block and a compliant one; meshes in both stages that the motions last for.
+const char *const kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upward\"}]",
+                  *const kMeshes = "stage.1.method_of=[{blocks=[\"slider\", \"ledge\"], method=\"nmm\"}]",
+                  *const kSide = "free_field=[{block=\"slider\", edge=1, motion=\"pulse\", bottom=-1, top=4}]",
+                  *const kSides =
+                      "free_field=[{blocks=[\"slider\", \"ledge\"], on=[[2, 1], [2, 3]], motion=\"pulse\"}]";
 const char* const kReduction = "reduction={factor=1.1}";
 const std::string kOnLedge =
     "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // wherever the outline of the domain is
@@ -358,7 +385,25 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"bolt[].shear_stiffness", {kBolt}},
     {"bolt[].shear_strength", {kBolt}},
     {"bolt[].rupture_shear", {kBolt}},
+    {"liner[].name", {kLiner}},
+    {"liner[].along", {kLiner}},
+    {"liner[].spacing", {kLiner}},
+    {"liner[].tolerance", {kLiner}},
+    {"liner[].stage", {kLiner}},
+    {"liner[].thickness", {kLiner}},
+    {"liner[].young", {kLiner}},
+    {"liner[].poisson", {kLiner, "model.plane=\"strain\""}},
+    {"liner[].tensile_strength", {kLiner}},
+    {"liner[].compressive_strength", {kLiner}},
+    {"liner[].rupture_strain", {kLiner}},
     {"viscous_edge[].motion_is", {"viscous_edge.0.motion=\"pulse\""}},
+    {"free_field[].on", {kBases, kMeshes, kSides}},
+    {"free_field[].block", {kBases, kMeshes, kSide}},
+    {"free_field[].blocks", {kBases, kMeshes, kSides}},
+    {"free_field[].edge", {kBases, kMeshes, kSide}},
+    {"free_field[].motion", {kBases, kMeshes, kSide}},
+    {"free_field[].bottom", {kBases, kMeshes, kSide}},
+    {"free_field[].top", {kBases, kMeshes, kSide}},
     {"block[].holes", {"viscous_edge.1={block=\"slider\", edge=0}"}},
     {"domain.outline_file", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}", kOnLedge}},
     {"domain.outline_layer", {"point_load.1={block=\"ledge\", point=[3, 3], force=[0, -1]}", kOnLedge}},

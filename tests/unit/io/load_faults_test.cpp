@@ -215,6 +215,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.1.cracks=true"}, "stage.1.cracks", "no block uses the NMM"},
         WrongSet{{"stage.1.mass=\"lumped\""}, "stage.1.mass", "no block uses the NMM"},
         WrongSet{{"stage.0.rotation=\"affine\""}, "stage.0.rotation", "explicit steps"},
+        WrongSet{{"stage.0.rotation=\"first-order\""}, "stage.0.rotation", "explicit steps"},
+        WrongSet{{"stage.3.rotation=\"first-order\""}, "stage.3.rotation", "no first-order rotation"},
         WrongSet{{"stage.1.method=\"nmm\"", "stage.1.cover_size=0.5"}, "stage.1.rotation", "no block uses the DDA"},
         WrongSet{{"stage.2.rest_steps=0"}, "stage.2.rest_steps", "out of range"},
         WrongSet{{"stage.2.rest_force=0"}, "stage.2.rest_force", "out of range"},
