@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::ptrdiff_t kAfterRest = 3;              // stages that [reduction] puts after those to rest
 constexpr double kLeastHold = 0.5, kMostHold = 60.0;  // of the dynamic stage, unless asked for [s]
 
 std::string digest(const fs::path& file) {
@@ -63,7 +64,9 @@ struct Question {
   FosRecord record;
   FosTitle title;
   Vec2 gravity{0.0, -9.81};
-  bool weakens = false;  // some law that is divided loses strength by failure or slip
+  bool implicit_rest = false;  // of the stages to rest
+  bool explicit_runs = false;  // the runs at a factor are explicit, too, where these are, unless asked for otherwise
+  bool weakens = false;        // some law that is divided loses strength by failure or slip
 };
 
 bool weakens(const JointLaw& law) {
@@ -106,12 +109,14 @@ Question question(const FosCommand& c, const std::string& strength) {
   q.title.most = c.most;
   q.title.k_h = c.k_h;
   for (const JointId j : last.strength.joints) q.title.laws.push_back(read_case.model.joints[j.index()]);
+  q.implicit_rest = (read_case.plan.stages.end() - kAfterRest - 1)->integrator == coupling::Integrator::implicit;
+  q.explicit_runs = c.integrator.empty();
   q.weakens = std::any_of(q.title.laws.begin(), q.title.laws.end(), weakens);
   return q;
 }
 
-/// Carries out one search and writes what came of it.
-FosAnswer answer(const Question& q, const fs::path& path, const FosCommand& c, Signals& signals) {
+/// Carries out one search and writes what came of it, under the title of the steps that were made.
+FosAnswer answer(Question& q, const fs::path& path, const FosCommand& c, Signals& signals) {
   const FosFolder folder = FosFolder::open(path, q.record);
   const io::FolderLock lock(path);
   FosSettings settings;
@@ -119,7 +124,8 @@ FosAnswer answer(const Question& q, const fs::path& path, const FosCommand& c, S
   settings.jobs = c.jobs > 0 ? c.jobs : static_cast<std::size_t>(std::max(1, omp_get_num_procs() / c.threads));
   settings.stop = [&signals] { return signals.stop_requested(); };
   if (!c.quiet && c.json != "-") settings.note = [](const std::string& line) { say("  {}\n", line); };
-  FosAnswer a = search_factor(folder, q.record, q.title.limit, q.gravity, settings);
+  FosAnswer a = search_factor(folder, q.record, q.title.limit, q.gravity, q.implicit_rest, settings);
+  if (a.explicit_rest && q.explicit_runs) q.title.integrator = "explicit";
   if (a.status == FosAnswer::Status::interrupted) return a;
   io::write_atomically(folder.file("fos.csv"), fos_csv(a));
   io::write_atomically(folder.file("result.json"), fos_json(q.title, a));
@@ -139,7 +145,7 @@ int fos(const FosCommand& c) {
       fs::absolute(c.out.empty() ? fs::path("runs") / (case_name(c.case_file) + "-fos") : c.out).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
   const bool both = c.strength.empty();
-  const Question main = question(c, both ? "peak" : c.strength);
+  Question main = question(c, both ? "peak" : c.strength);
   Signals signals(!c.quiet && c.json != "-");
   const auto interrupted = [&] {
     complain("interrupted; the same command goes on:\n  {}\n", shell_words(c.words));
@@ -152,7 +158,7 @@ int fos(const FosCommand& c) {
   if (!c.json.empty() && c.json != "-") io::write_atomically(c.json, json);
   double cpu = first.cpu;
   if (both && c.json != "-") {
-    const Question other = question(c, "as-is");
+    Question other = question(c, "as-is");
     if (other.weakens) {
       const FosAnswer second = answer(other, path / "as-is", c, signals);
       if (second.status == FosAnswer::Status::interrupted) return interrupted();

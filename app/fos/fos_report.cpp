@@ -130,6 +130,8 @@ std::string fos_text(const FosTitle& t, const FosAnswer& a) {
           failure->fastest, failure->acceleration, scale);
     }
   }
+  if (a.explicit_rest)
+    out += "  implicit steps found no rest, though no block went the limit: the run to rest is in explicit steps\n";
   if (a.inconsistent)
     out += "  warning: a run stood at a larger factor than one that failed; the lowest bracket is told\n";
   out += back_analysis(t, a);
@@ -158,6 +160,7 @@ std::string fos_json(const FosTitle& t, const FosAnswer& a) {
   out["what"] = t.what;
   out["method"] = t.method;
   out["integrator"] = t.integrator;
+  out["explicit_rest"] = a.explicit_rest;
   out["k_h"] = t.k_h;
   out["limit_m"] = t.limit;
   out["hold_s"] = t.hold;

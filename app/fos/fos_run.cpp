@@ -16,27 +16,31 @@ constexpr double kFirstTilt = 0.05, kLastTilt = 1.6, kTiltWidth = 0.01;  // of k
 
 class Search {
  public:
-  Search(const FosFolder& folder, const FosRecord& record, double limit, const Vec2& gravity,
+  Search(const FosFolder& folder, const FosRecord& record, double limit, const Vec2& gravity, bool implicit_rest,
          const FosSettings& settings)
-      : folder_(&folder), record_(&record), limit_(limit), gravity_(gravity), settings_(&settings) {
+      : folder_(&folder),
+        record_(&record),
+        limit_(limit),
+        gravity_(gravity),
+        implicit_rest_(implicit_rest),
+        settings_(&settings) {
     hooks_.stop = settings.stop;
   }
 
   FosAnswer run() {
     for (const double start : {1.0, record_->least}) {
-      const WantedRun rest = rest_run(start);
-      if (!make({rest})) return answer_;
-      const RunOutcome outcome = outcome_of(*folder_, *record_, rest);
-      answer_.cpu += run_costs(folder_->run(rest.name)).cpu_seconds;
-      answer_.start = start;
-      if (outcome.state == RunOutcome::State::done) {
-        note(fmt::format("at rest with its strengths divided by {:g}", start));
-        bracket(rest.name, start);
+      std::optional<bool> rests = rest(start);
+      if (rests && !*rests && unsettled(start)) {
+        note("no block has gone the limit: explicit steps are tried");
+        answer_.explicit_rest = true;
+        rests = rest(start);
+        answer_.explicit_rest = rests.value_or(false);
+      }
+      if (!rests) return answer_;  // interrupted
+      if (*rests) {
+        bracket(rest_run(start).name, start);
         return answer_;
       }
-      answer_.why = outcome.reason;
-      note(fmt::format("not at rest with its strengths divided by {:g}: {}", start, outcome.reason));
-      if (start == record_->least) break;
     }
     answer_.status = FosAnswer::Status::fails_at_least;
     answer_.at_least = failure_to_rest(folder_->run(rest_run(record_->least).name), limit_, gravity_);
@@ -45,6 +49,25 @@ class Search {
   }
 
  private:
+  /// Makes the run to rest at a factor.   @return whether it is at rest; empty where it was stopped
+  [[nodiscard]] std::optional<bool> rest(double start) {
+    const WantedRun run = rest_run(start);
+    if (!make({run})) return std::nullopt;
+    const RunOutcome outcome = outcome_of(*folder_, *record_, run);
+    answer_.cpu += run_costs(folder_->run(run.name)).cpu_seconds;
+    answer_.start = start;
+    const bool done = outcome.state == RunOutcome::State::done;
+    if (!done) answer_.why = outcome.reason;
+    note(fmt::format("{}at rest with its strengths divided by {:g}{}", done ? "" : "not ", start,
+                     done ? "" : ": " + outcome.reason));
+    return done;
+  }
+  /// True where implicit steps to rest ended without balance, and without a block that went the limit: joints whose
+  /// cohesion comes and goes with their contacts have no balance that a static step could find.
+  [[nodiscard]] bool unsettled(double start) const {
+    return implicit_rest_ &&
+           failure_to_rest(folder_->run(rest_run(start).name), limit_, gravity_).displacement < limit_;
+  }
   void note(const std::string& text) const {
     if (settings_->note) settings_->note(text);
   }
@@ -52,10 +75,12 @@ class Search {
     std::vector<std::string> set = record_->set;
     set.push_back(fmt::format("reduction.start={:.9g}", start));
     set.push_back(fmt::format("reduction.what=\"{}\"", record_->what));
+    if (answer_.explicit_rest) set.emplace_back("reduction.rest_integrator=\"explicit\"");
     return set;
   }
   [[nodiscard]] WantedRun rest_run(double start) const {
-    return {start == 1.0 ? "rest" : fmt::format("rest-{:g}", start), options(start), {}};
+    const std::string name = start == 1.0 ? "rest" : fmt::format("rest-{:g}", start);
+    return {answer_.explicit_rest ? name + "-explicit" : name, options(start), {}};
   }
   [[nodiscard]] WantedRun trial(double factor, const std::string& rest, double start) const {
     WantedRun run{trial_name(factor), options(start), rest};
@@ -147,6 +172,7 @@ class Search {
   const FosRecord* record_;
   double limit_;
   Vec2 gravity_;
+  bool implicit_rest_;
   const FosSettings* settings_;
   TrialPoolHooks hooks_;
   FosAnswer answer_;
@@ -177,8 +203,8 @@ std::string_view name(FosAnswer::Status status) {
 }
 
 FosAnswer search_factor(const FosFolder& folder, const FosRecord& record, double limit, const Vec2& gravity,
-                        const FosSettings& settings) {
-  return Search(folder, record, limit, gravity, settings).run();
+                        bool implicit_rest, const FosSettings& settings) {
+  return Search(folder, record, limit, gravity, implicit_rest, settings).run();
 }
 
 }  // namespace scree::app

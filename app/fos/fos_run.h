@@ -34,6 +34,7 @@ struct FosAnswer {
   double stands = 0.0, fails = 0.0;    // the bracket; fails infinite: no run failed
   std::map<double, TrialResult> runs;  // by factor; the run to rest is not among them
   double start = 1.0;                  // factor of the run to rest
+  bool explicit_rest = false;          // implicit steps found no rest though no block went the limit: explicit ones did
   bool inconsistent = false;           // a larger factor stood than one that failed
   /// Where it fails at the least factor: horizontal acceleration, in g, positive along x, with which it stands, and the
   /// largest without (absolute values); empty: not looked for, or none up to 1.6.
@@ -53,8 +54,10 @@ struct FosAnswer {
 
 /// Carries out, or goes on with, the search of a folder.
 /// @param limit    displacement that decides [m]   @param gravity [m/s2]
+/// @param implicit_rest  stages to rest are in implicit steps: where these find no balance, though no block goes the
+///                       limit, explicit ones are tried before a smaller factor
 /// @throws FileError
 [[nodiscard]] FosAnswer search_factor(const FosFolder& folder, const FosRecord& record, double limit,
-                                      const Vec2& gravity, const FosSettings& settings);
+                                      const Vec2& gravity, bool implicit_rest, const FosSettings& settings);
 
 }  // namespace scree::app

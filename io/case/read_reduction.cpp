@@ -54,6 +54,18 @@ Scale scale_of(const Section& r, const Model& model, const std::vector<char>& ab
   return out;
 }
 
+/// Gives a stage to rest other steps: explicit ones that are as long as they may be, or implicit static steps of dt.
+void integrate(Stage& s, Integrator integrator, double dt) {
+  if (s.integrator == integrator) return;
+  s.integrator = integrator;
+  s.rest_steps = 0;
+  s.mass.reset();
+  if (integrator == Integrator::implicit)
+    s.dt = dt;
+  else
+    s.dt.reset();
+}
+
 /// The leading stages to rest, or one that is made where there are none.
 std::vector<Stage> rest_stages(const Section& r, const Section& root, const coupling::Plan& plan, double dt) {
   std::vector<Stage> out;
@@ -78,6 +90,9 @@ std::vector<Stage> rest_stages(const Section& r, const Section& root, const coup
   Stage& last = out.back();
   if (last.integrator == Integrator::partitioned)
     throw root.list("stage").front().error("rest", "a stage to rest is of one kind", "explicit or implicit", "");
+  if (r.has("rest_integrator"))
+    for (Stage& s : out)
+      integrate(s, r.text("rest_integrator") == "implicit" ? Integrator::implicit : Integrator::explicit_, dt);
   if (!(last.rest_force > 0.0)) last.rest_force = r.number("rest_force");
   return out;
 }

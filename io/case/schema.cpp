@@ -775,6 +775,8 @@ constexpr Key kKeys[] = {
      "Method of the stages after the rest, for all blocks."},
     {"reduction.integrator", Type::choice, "", kAny, "(that of the last stage to rest)", false, "explicit|implicit",
      "Time integration of the stages after the rest."},
+    {"reduction.rest_integrator", Type::choice, "", kAny, "(as the stages to rest say)", false, "explicit|implicit",
+     "Time integration of the stages to rest, in place of theirs."},
     {"reduction.dt", Type::number, "s", kTime, "(two traverses of a pressure wave through the free blocks)", false, "",
      "Static step, implicit."},
     {"reduction.hold", Type::number, "s", kTime, "5.0", false, "", "Duration of the dynamic stage, at most."},

@@ -308,17 +308,6 @@ TEST_P(FreeFieldWeight, slope_stays_at_rest_on_kept_reactions_and_its_sides_move
   EXPECT_LT(shaken.closure, 1e-12);
 }
 
-/// Keeps a checkpoint after a given step.
-struct KeepOne final : Keeper {
-  explicit KeepOne(std::int64_t at) : step(at) {}
-  bool due(std::int64_t now) override { return now == step; }
-  void keep(Checkpoint checkpoint) override {
-    if (checkpoint.state.step == step) kept.push_back(std::move(checkpoint));
-  }
-  std::int64_t step;
-  std::vector<Checkpoint> kept;
-};
-
 class FreeFieldBits : public testing::TestWithParam<Integrator> {};
 INSTANTIATE_TEST_SUITE_P(schemes, FreeFieldBits, testing::Values(Integrator::explicit_, Integrator::implicit));
 

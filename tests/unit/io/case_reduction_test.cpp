@@ -65,6 +65,29 @@ TEST(Reduction, stages_to_rest_of_the_case_stay) {
   EXPECT_EQ(c.plan.stages[2].method, "dda");
 }
 
+TEST(Reduction, stages_to_rest_take_other_steps) {
+  const std::string rest =
+      "stage=[{name=\"a\", method=\"dda\", integrator=\"implicit\", dt=1e-3, duration=3, rest=true, rest_steps=100, "
+      "rest_force=1e-5}]";
+  const Case c = reduced({rest, "reduction.rest_integrator=\"explicit\""});
+  ASSERT_EQ(c.plan.stages.size(), 4U);
+  const Stage& a = c.plan.stages[0];
+  EXPECT_EQ(a.integrator, Integrator::explicit_);
+  EXPECT_FALSE(a.dt);
+  EXPECT_EQ(a.rest_steps, 0);
+  EXPECT_EQ(a.rest_force, 1e-5);
+  EXPECT_EQ(a.duration, ticks(3.0));
+  for (const Stage& s : c.plan.stages) EXPECT_EQ(s.integrator, Integrator::explicit_);  // as the last one to rest
+  const Case mixed = reduced(
+      {rest, "reduction.rest_integrator=\"explicit\"", "reduction.integrator=\"implicit\"", "reduction.dt=2e-3"});
+  EXPECT_EQ(mixed.plan.stages[0].integrator, Integrator::explicit_);
+  EXPECT_EQ(mixed.plan.stages[1].integrator, Integrator::implicit);
+  const std::string fast = "stage=[{name=\"a\", method=\"dda\", integrator=\"explicit\", duration=3, rest=true}]";
+  const Case back = reduced({fast, "reduction.rest_integrator=\"implicit\"", "reduction.dt=2e-3"});
+  EXPECT_EQ(back.plan.stages[0].integrator, Integrator::implicit);
+  EXPECT_EQ(*back.plan.stages[0].dt, 2e-3);
+}
+
 TEST(Reduction, peak_takes_weakening_away_and_as_is_leaves_it) {
   const std::string weak =
       "joint.plane={friction_deg=30, residual_friction_deg=20, cohesion=1e4, residual_cohesion=1e3}";
