@@ -146,6 +146,8 @@ std::string meaning_of(Mark mark) {
       return "monitor";
     case Mark::bolt:
       return "bolt, the bonded length wide";
+    case Mark::liner:
+      return "liner";
     case Mark::crack:
       break;
   }
@@ -183,6 +185,9 @@ void draw_sample(const Canvas& canvas, Mark mark, double x, double y) {
       break;
     case Mark::bolt:
       bolt_mark(canvas, {x, y}, {x + 8.0, y}, {x + 16.0, y}, true);
+      break;
+    case Mark::liner:
+      canvas.line(x, y, x + 16.0, y, kWide, kBoltInk);
       break;
     case Mark::monitor:
       monitor_mark(canvas, x + 8.0, y);
@@ -247,7 +252,7 @@ void draw_bolts(const Canvas& canvas, const PlotArea& area, const Model& model, 
       canvas.ink(kBoltInk);
       cairo_set_line_width(canvas.get(), 2.4);
       cairo_stroke(canvas.get());
-      marks.insert(Mark::bolt);
+      marks.insert(Mark::liner);
       continue;
     }
     const double free = b.length() > 0.0 ? 1.0 - b.bond_length / b.length() : 1.0;

@@ -21,7 +21,8 @@ enum class Mark {
   water,
   monitor,
   crack,
-  bolt
+  bolt,
+  liner
 };
 /// What a mark means: "held edge".
 [[nodiscard]] std::string meaning_of(Mark mark);
