@@ -187,7 +187,7 @@ void draw_sample(const Canvas& canvas, Mark mark, double x, double y) {
       bolt_mark(canvas, {x, y}, {x + 8.0, y}, {x + 16.0, y}, true);
       break;
     case Mark::liner:
-      canvas.line(x, y, x + 16.0, y, kWide, kBoltInk);
+      canvas.line(x, y, x + 16.0, y, 2.4, kBoltInk);
       break;
     case Mark::monitor:
       monitor_mark(canvas, x + 8.0, y);
