@@ -276,6 +276,7 @@ const std::map<std::string, std::string> kChange = {
     {"reduction.strength", "reduction.strength=\"as-is\""},
     {"reduction.method", "reduction.method=\"dda\""},
     {"reduction.integrator", "reduction.integrator=\"implicit\""},
+    {"reduction.rest_integrator", "reduction.rest_integrator=\"explicit\""},
     {"reduction.dt", "reduction.dt=0.5"},
     {"reduction.hold", "reduction.hold=1.0"},
     {"reduction.limit", "reduction.limit=0.25"},

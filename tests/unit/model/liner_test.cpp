@@ -80,7 +80,7 @@ TEST(Liner, blocks_that_are_not_there_carry_none_of_it) {
 }
 
 TEST(Liner, lines_that_leave_the_outlines_are_told_with_place_and_distance) {
-  Bolt far = liner({{0.1, 1.0}, {1.9, 1.2}}, 0.3);
+  Bolt far = liner({{0.1, 1.0}, {1.9, 1.2}}, 0.31);  // 1.811 m in 6 pieces
   const std::string wrong = lay_out_liner(pair(), {}, far);
   EXPECT_NE(wrong.find("(0.4, 1.03333)"), std::string::npos) << wrong;
   EXPECT_NE(wrong.find("0.0333 m away"), std::string::npos) << wrong;
