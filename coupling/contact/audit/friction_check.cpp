@@ -45,10 +45,12 @@ double last_change(const Setup& setup) {
 }
 
 /// The next windows are twice as long, and the stretch begins anew with them.
-void lengthen(SlideMemory& s) {
+/// @param slip  of the window before them, in elastic stretches: the point slides on, at this pace
+void lengthen(float slip, SlideMemory& s) {
   const float length = 2.0F * s.length;
   s.end();
   s.length = length;
+  s.last.slip = 2.0F * slip;
 }
 
 /// Takes a window that is complete into the stretch, or ends the stretch.
@@ -61,7 +63,7 @@ void close_window(double stretch, double longest, SlideMemory& s) {
   const bool first = s.last.slip == 0.0F, slides = std::abs(window.slip) >= FrictionCheck::kCreeps,
              steady = pace <= FrictionCheck::kPace && pace * FrictionCheck::kPace >= 1.0F;
   if (pace >= 0.0F && (!slides || (!first && !steady)) && 2.0 * static_cast<double>(s.length) <= longest)
-    return lengthen(s);
+    return lengthen(slides ? window.slip : 0.0F, s);
   if (!slides || pace < 0.0F) return s.end();
   if (s.last.limit > 0.0F && steady) {
     add(s.last, s);
