@@ -97,7 +97,8 @@ TEST(FreeFields, of_a_case_let_a_wave_go_up_undistorted) {
     double error = 0.0;
   } look;
   look.motion = &c.model.motions[0];
-  coupling::Driver run(c.model, c.plan, coupling::standard_methods());
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver run(c.model, c.plan, methods);
   run.add_sink(look);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   std::printf("within %.5f of the largest velocity\n", look.error / look.motion->facts().pgv);
