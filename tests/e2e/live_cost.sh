@@ -85,7 +85,7 @@ for i in $(seq "$turns"); do
 done
 [ "$viewers" != pages ] || { kill -TERM $pages; wait $pages; cat "$work/pages"; }
 python3 - "$work" "$turns" << 'END'
-import json, statistics, sys
+import json, os, re, statistics, sys
 work, turns = sys.argv[1], int(sys.argv[2])
 kinds = {k: [json.load(open(f"{work}/{k}{i}/summary.json")) for i in range(1, turns + 1)] for k in ("off", "on")}
 hashes = {s["state_hash"] for list_ in kinds.values() for s in list_}
@@ -99,6 +99,10 @@ print(f"{len(hashes)} state, {kinds['on'][0]['steps']} steps, {kinds['on'][0]['b
 print(f"wall {wall[0]:.2f} s without, {wall[1]:.2f} s with streaming: ratio {wall[1] / wall[0]:.4f}")
 print(f"computing thread {thread[0]:.2f} s without, {thread[1]:.2f} s with streaming: ratio {thread[1] / thread[0]:.4f}")
 print(f"processor {cpu[0]:.2f} s without, {cpu[1]:.2f} s with streaming: ratio {cpu[1] / cpu[0]:.4f}")
+if os.path.exists(f"{work}/pages"):
+    frames = int(re.search(r"(\d+) to \d+ frames each", open(f"{work}/pages").read())[1])
+    stepping = sum(s["wall_seconds"][k] for s in kinds["on"] for k in ("explicit", "output"))
+    print(f"{frames / stepping:.1f} frames a second to each page in {stepping:.1f} s of steps and output")
 # A busy host makes runs longer, never shorter: the shortest of each kind are nearest to what they take by themselves.
 least = [min(s["wall_seconds"]["total"] for s in kinds[k]) for k in ("off", "on")]
 print(f"shortest wall {least[0]:.2f} s without, {least[1]:.2f} s with streaming: ratio {least[1] / least[0]:.4f}")
