@@ -77,7 +77,7 @@ struct ResultsSink::Files {
   }
 
   void bring_out_if_due() {
-    if (Clock::now() >= next || xdmf.due() > kMostDue) bring_out();
+    if (Clock::now() >= next || xdmf.due() > kMostDue || xdmf.full()) bring_out();
   }
 
   /// Everything so far, as other programs see it.

@@ -22,6 +22,7 @@ constexpr std::string_view kFile = "run.vtkhdf:";
 constexpr std::chrono::seconds kBetween{1};
 constexpr int kShare = 50;          // a text may take 1/50 of the time
 constexpr int kMost = 64 * 1024;    // bytes that may wait to be written
+constexpr int kRoom = 2048 * 1024;  // bytes of text that there is room for
 constexpr int kInText = 100;        // numbers of an array
 constexpr std::size_t kDue = 8192;  // windows that may wait while frames are taken over
 
@@ -92,7 +93,9 @@ XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
   for (Field& field : fields_)
     field.label = {h5::text_attribute(file, "/VTKHDF/" + field.path, "units"),
                    h5::text_attribute(file, "/VTKHDF/" + field.path, "long_name")};
-  settled_.reserve(2 * kMost);
+  due_.reserve(kDue + fields_.size());
+  settled_.assign(kRoom, '\0');  // in memory from the start: a long run does not grow when a second has many frames
+  settled_.clear();
   file.group("/xdmf");
 }
 
@@ -211,6 +214,8 @@ void XdmfWriter::write() {
   const Clock::time_point end = Clock::now();
   next_ = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
 }
+
+bool XdmfWriter::full() const { return std::ssize(settled_) > kRoom - kMost; }
 
 void XdmfWriter::flush() {
   if (frames_ == 0) return;  // readers cannot open a run without a frame

@@ -40,6 +40,8 @@ class XdmfWriter {
   void settle();
   /// Windows that wait for settle().
   [[nodiscard]] std::size_t due() const { return due_.size(); }
+  /// The text that waits for flush() has little room left.
+  [[nodiscard]] bool full() const;
   /// Puts the text in place of the old one, whole, when a second has passed since and the last writing took less than
   /// 2 % of the time: all that stands already is copied, and that grows with the run.
   /// @pre the frames so far and their windows are in the file as other programs see it   @throws FileError
