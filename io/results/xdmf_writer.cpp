@@ -34,8 +34,7 @@ std::string window_name(std::string_view field, std::int64_t n) {
 
 }  // namespace
 
-XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
-    : file_(&file), xmf_(std::move(xmf)), settled_(xdmf::opening()) {
+XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf) : file_(&file), xmf_(std::move(xmf)) {
   fields_ = {
       {"Points", "", "XYZ", "Points", 3, false, &FrameRows::first_point, &FrameValues::points, {}},
       {"displacement",
@@ -95,7 +94,7 @@ XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf)
                    h5::text_attribute(file, "/VTKHDF/" + field.path, "long_name")};
   due_.reserve(kDue + fields_.size());
   settled_.assign(kRoom, '\0');  // in memory from the start: a long run does not grow when a second has many frames
-  settled_.clear();
+  settled_ = xdmf::opening();
   file.group("/xdmf");
 }
 
