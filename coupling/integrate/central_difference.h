@@ -151,7 +151,8 @@ class CentralDifference final : public TimeIntegrator {
   std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
-  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
+  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0,
+         sliding_left_driven_ = 0.0;
   double stack_friction_ = 0.0;       // power of friction from the dashpots of stacks_ [W]
   std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum

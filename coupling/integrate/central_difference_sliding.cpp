@@ -30,7 +30,7 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i)
     if (sliding_.rates()[i] != 0.0 || (stacks && stacks_.wants(i))) damp_deformation(i, q, half, state);
   if (!stacks) return;
-  stack_friction_ = stacks_.act(setup_->outlines(), contact_.list(), q, half);
+  stack_friction_ = stacks_.act(setup_->outlines(), contact_.list(), q, v_half_, half, state.sliding);
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i)
     if (stacks_.wants(i)) push(i, stacks_.acceleration(i), half, state);
 }

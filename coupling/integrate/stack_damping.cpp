@@ -1,6 +1,8 @@
 #include "coupling/integrate/stack_damping.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace scree::coupling {
 
@@ -17,7 +19,7 @@ bool closed(const ContactMemory& m) { return m.status != ContactStatus::open && 
 
 }  // namespace
 
-StackDamping::StackDamping(const Setup& setup, const SlidingDamping& sliding) : laws_(&setup.laws()) {
+StackDamping::StackDamping(const Setup& setup, const SlidingDamping& sliding) : setup_(&setup) {
   const std::size_t n = setup.bodies().size();
   mesh_.assign(n, 0);
   exempt_.assign(n, 0);
@@ -28,8 +30,8 @@ StackDamping::StackDamping(const Setup& setup, const SlidingDamping& sliding) : 
   force_.assign(n, Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < n; ++i) {
     const Body& b = setup.bodies()[i];
-    exempt_[i] = b.divided || !sliding.damps(i) ? 1 : 0;
-    if (exempt_[i] != 0) continue;
+    exempt_[i] = b.ghost || b.divided || b.absent || !(b.driven || sliding.damps(i)) ? 1 : 0;
+    if (exempt_[i] != 0 || b.driven) continue;
     mesh_[i] = b.nodes > kAffine ? 1 : 0;
     used_ = used_ || mesh_[i] != 0;
   }
@@ -37,7 +39,7 @@ StackDamping::StackDamping(const Setup& setup, const SlidingDamping& sliding) : 
 
 bool StackDamping::damped(const ContactMemory& m, std::size_t i, std::size_t j) const {
   return closed(m) && exempt_[i] == 0 && exempt_[j] == 0 && (mesh_[i] != 0 || mesh_[j] != 0) &&
-         std::max(rate_[i], rate_[j]) > 0.0 && !((*laws_)[static_cast<std::size_t>(m.joint)].dilation > 0.0);
+         std::max(rate_[i], rate_[j]) > 0.0;
 }
 
 bool StackDamping::find(const SlidingDamping& sliding, const Outlines& outlines, const ContactList& list) {
@@ -52,40 +54,70 @@ bool StackDamping::find(const SlidingDamping& sliding, const Outlines& outlines,
     all_[i] += m.fn;
     all_[j] += m.fn;
     if (!damped(m, i, j)) continue;
-    wanted_[i] = wanted_[j] = 1;
+    for (const std::size_t b : {i, j}) wanted_[b] = setup_->bodies()[b].driven ? 0 : 1;
     any = true;
   }
   return any;
 }
 
-double StackDamping::act(const Outlines& outlines, const ContactList& list, std::span<const double> q, double half) {
+double StackDamping::act(const Outlines& outlines, const ContactList& list, std::span<const double> q,
+                         std::span<const double> v, double half, std::span<double> driven_force) {
+  constexpr std::array<std::size_t, 2> first{0, 1}, last{1, 3};  // nodes of a contact's row on its two bodies
+  const auto node = [&](const ContactPoint& p, std::size_t i) -> const Row& {
+    return outlines.nodes[static_cast<std::size_t>(p.node[i])];
+  };
   std::fill(force_.begin(), force_.end(), Eigen::Vector3d::Zero());
   double friction = 0.0;
   for (std::size_t k = 0; k < list.points.size(); ++k) {
     const ContactPoint& p = list.points[k];
     const ContactMemory& m = list.memory[k];
-    const std::size_t i = body_of(outlines, p, 0), j = body_of(outlines, p, 1);
-    if (!damped(m, i, j)) continue;
-    Rigid &one = rigid_[i], &other = rigid_[j];
-    const Vec2 x = position(outlines.nodes[static_cast<std::size_t>(p.node[0])], q);
-    const auto row = [&x](const Vec2& w, const Rigid& r) -> Eigen::Vector3d {
-      const Vec2 d = x - r.centre;
-      return {w.x(), w.y(), w.y() * d.x() - w.x() * d.y()};
-    };
+    const std::array body{body_of(outlines, p, 0), body_of(outlines, p, 1)};
+    if (!damped(m, body[0], body[1])) continue;
     const double ratio = m.status == ContactStatus::slip ? m.ft / m.fn : 0.0;
-    const Vec2 along = p.at.n + ratio * p.at.t;
-    const Eigen::Vector3d n1 = row(p.at.n, one), n2 = row(p.at.n, other);
-    const Eigen::Vector3d gain1 = one.inverse * row(along, one), gain2 = other.inverse * row(along, other);
-    const double speed = n1.dot(one.velocity) - n2.dot(other.velocity);
-    const double compliance = std::max(0.0, n1.dot(gain1) + n2.dot(gain2));
-    const double mass = 1.0 / (1.0 / one.mass + 1.0 / other.mass);
-    const double c = kFactor * std::max(rate_[i], rate_[j]) * mass * m.fn / std::min(all_[i], all_[j]);
-    const double force = std::max(-m.fn, -c * speed / (1.0 + c * half * compliance));
-    force_[i] += force * row(along, one);
-    force_[j] -= force * row(along, other);
-    one.velocity += half * force * gain1;
-    other.velocity -= half * force * gain2;
-    friction += force * ratio * (row(p.at.t, one).dot(one.velocity) - row(p.at.t, other).dot(other.velocity));
+    const Vec2 n = p.at.n, t = p.at.t, along = n + ratio * t, x = position(node(p, 0), q);
+    // Of the rigid motion of the first body less that of the second: the normal velocity, the slip rate, the force.
+    std::array<Eigen::Vector3d, 2> normal, tangent, push;
+    double compliance = 0.0, inverse_mass = 0.0, speed = 0.0, slip = 0.0, sum = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < 2; ++e) {
+      const std::size_t b = body[e];
+      const double sign = e == 0 ? 1.0 : -1.0;
+      if (wanted_[b] == 0) {  // driven
+        const ContactRow weights = gap_row(p.at);
+        for (std::size_t i = first[e]; i < last[e]; ++i) {
+          const Vec2 velocity = position(node(p, i), v);
+          speed += weights[i].dot(velocity);
+          slip += weights[i].dot(n) * t.dot(velocity);
+        }
+        continue;
+      }
+      const Rigid& r = rigid_[b];
+      const Vec2 d = x - r.centre;
+      const auto row = [&](const Vec2& w) -> Eigen::Vector3d {
+        return sign * Eigen::Vector3d(w.x(), w.y(), w.y() * d.x() - w.x() * d.y());
+      };
+      normal[e] = row(n);
+      tangent[e] = row(t);
+      push[e] = row(along);
+      compliance += normal[e].dot(r.inverse * push[e]);
+      inverse_mass += 1.0 / r.mass;
+      speed += normal[e].dot(r.velocity);
+      sum = std::min(sum, all_[b]);
+    }
+    const double c = kFactor * std::max(rate_[body[0]], rate_[body[1]]) * m.fn / (sum * inverse_mass);
+    const double force = std::max(-m.fn, -c * speed / (1.0 + c * half * std::max(0.0, compliance)));
+    for (std::size_t e = 0; e < 2; ++e) {
+      const std::size_t b = body[e];
+      if (wanted_[b] == 0) {
+        const ContactRow weights = gap_row(p.at);
+        for (std::size_t i = first[e]; i < last[e]; ++i)
+          add_force(node(p, i), force * weights[i].dot(n) * along, driven_force);
+        continue;
+      }
+      force_[b] += force * push[e];
+      rigid_[b].velocity += half * force * (rigid_[b].inverse * push[e]);
+      slip += tangent[e].dot(rigid_[b].velocity);
+    }
+    friction += force * ratio * slip;
   }
   return friction;
 }

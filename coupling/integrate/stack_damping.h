@@ -16,11 +16,12 @@ namespace scree::coupling {
 /// millimetres a period. So every closed contact k between bodies i and j of which one slides has a dashpot
 ///   c_k = 2 a m N_k/min(sum N of i, sum N of j),   1/m = 1/m_i + 1/m_j,
 /// for the normal velocity at the contact of the rigid motions of the bodies alone; a is the larger of their rates of
-/// SlidingDamping, without what steep friction adds to them. One of the two has a mesh. A dashpot pulls by no more than
-/// N_k, and its force counts in the normal force that friction sees: where the contact slips it acts along n + t T/N.
-/// Equal and opposite, at one point: both momenta stay. It acts on the masses of blocks, not of corners, and is taken
-/// at the new velocity: the stable explicit step stays as it is. Exempt are bodies that SlidingDamping exempts, driven
-/// ones among them, divided ones, and joints that dilate. Implicit steps do not have it.
+/// SlidingDamping, without what steep friction adds to them. One of the two has a mesh; bodies that are held or driven
+/// have no mass in 1/m and no sum. A dashpot pulls by no more than N_k, and its force counts in the normal force that
+/// friction sees: where the contact slips it acts along n + t T/N. Equal and opposite, at one point: both momenta stay.
+/// It acts on the masses of blocks, not of corners, and is taken at the new velocity: the stable explicit step stays as
+/// it is. Divided bodies, ghosts and those that SlidingDamping exempts are exempt, but for driven ones. Implicit steps
+/// do not have it.
 class StackDamping {
  public:
   StackDamping(const Setup& setup, const SlidingDamping& sliding);
@@ -41,9 +42,11 @@ class StackDamping {
   };
   void add(std::size_t body, const Rigid& motion) { rigid_[body] = motion; }
   /// Finds the forces, at velocities less what they take within half a step.
-  /// @param half  half of the step that led here [s]
+  /// @param half  half of the step that led here [s]   @param v  velocities of the nodes, of which driven ones count
+  /// @param driven_force  += the forces on nodes of driven bodies [N]
   /// @return power of the part of the forces that is friction [W]
-  double act(const Outlines& outlines, const ContactList& list, std::span<const double> q, double half);
+  double act(const Outlines& outlines, const ContactList& list, std::span<const double> q, std::span<const double> v,
+             double half, std::span<double> driven_force);
   /// Acceleration of the rigid motion of a wanted body [m/s2, m/s2, rad/s2], after act().
   [[nodiscard]] Eigen::Vector3d acceleration(std::size_t body) const { return rigid_[body].inverse * force_[body]; }
 
@@ -51,7 +54,7 @@ class StackDamping {
   [[nodiscard]] bool damped(const ContactMemory& m, std::size_t i, std::size_t j) const;
 
   bool used_ = false;
-  const JointLaws* laws_;
+  const Setup* setup_;
   std::vector<char> mesh_, exempt_, wanted_;  // per body, as all that follows
   std::vector<double> rate_;                  // [1/s]
   std::vector<double> all_;                   // normal forces of its contacts [N]
