@@ -53,7 +53,6 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       contact_(setup, detection, !rest),
       chunks_(setup),
       sliding_(setup, damping.sliding),
-      stacks_(setup, sliding_),
       weights_(body_loads(setup)),
       factor_(weights_.size(), 0.0),
       weight_power_(weights_.size(), 0.0),
@@ -246,7 +245,7 @@ double CentralDifference::enter(State& state) {
   accelerate(state.q, a_new_);
   if (sliding_.used()) state.sliding.reserve(state.q.size());  // so that steps need not allocate
   if (sliding_.used() && !goes_on) {
-    v_new_ = v_half_ = state.v;
+    v_new_ = state.v;
     damp_sliding(state.q, 0.0, state);
   }
   if (damps_rest() && !goes_on) {
@@ -353,7 +352,6 @@ void CentralDifference::leave_instant(const State& state, double h) {
   for (const Chunk& c : chunks_.driven())
     std::fill(stress_.begin() + static_cast<std::ptrdiff_t>(c.begin),
               stress_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
-  sliding_left_driven_ = state.sliding.empty() ? 0.0 : dot(chunks_.driven(), v_half_.data(), state.sliding.data());
   contact_.leave(v_half_);
   for (const auto& term : terms_) term->leave(h, v_half_);
   if (damps_all()) {
@@ -474,18 +472,12 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   }
   book_step(h, energy, driven_left, state.ledger);
   if (sliding_.used()) {
-    const bool slid = !state.sliding.empty();
+    const double left = state.sliding.empty() ? 0.0 : sliding_left_;
     damp_sliding(q_new_, 0.5 * h, state);
-    const bool slides = !state.sliding.empty();
-    if (slid || slides) {
-      const double *v = v_half_.data(), *f = state.sliding.data();
-      const double driven = (slid ? sliding_left_driven_ : 0.0) + (slides ? dot(chunks_.driven(), v, f) : 0.0);
-      const double free = (slid ? sliding_left_ : 0.0) +
-                          (slides ? chunks_.sum_free([&](const Chunk& c) { return dot(c, v, f); }) : 0.0);
-      state.ledger.book(Column::deformation_damping, -0.5 * h * (free + driven) + h * stack_friction_);
-      if (stack_friction_ != 0.0) state.ledger.book(Column::friction, -h * stack_friction_);
-      if (driven != 0.0) state.ledger.book(Column::prescribed_motion, -0.5 * h * driven);
-    }
+    const double right = state.sliding.empty() ? 0.0 : chunks_.sum_free([&](const Chunk& c) {
+      return dot(c, v_half_.data(), state.sliding.data());
+    });
+    if (left != 0.0 || right != 0.0) state.ledger.book(Column::deformation_damping, -0.5 * h * (left + right));
   }
   damp(h, state);
 

@@ -10,7 +10,6 @@
 #include "coupling/integrate/loads.h"
 #include "coupling/integrate/node_chunks.h"
 #include "coupling/integrate/sliding_damping.h"
-#include "coupling/integrate/stack_damping.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/integrate/time_integrator.h"
 
@@ -112,9 +111,6 @@ class CentralDifference final : public TimeIntegrator {
   /// Velocities and accelerations of the instant at hand less what the damping of sliding blocks takes, and its forces.
   /// @param half  half of the step that led here [s]; 0: none did
   void damp_sliding(std::span<const double> q, double half, State& state);
-  void damp_deformation(std::size_t body, std::span<const double> q, double half, State& state);
-  /// The force M R by on the rigid motion of a body, where `by` is its acceleration.   @pre damp_deformation(body)
-  void push(std::size_t body, const Eigen::Vector3d& by, double half, State& state);
   void damp(double h, State& state);
   void relax(State& state);
   [[nodiscard]] Instant lagging(const State& state) const;
@@ -132,8 +128,7 @@ class CentralDifference final : public TimeIntegrator {
   ExplicitContact contact_;
   NodeChunks chunks_;
   SlidingDamping sliding_;
-  StackDamping stacks_;
-  // Scratch of damp_sliding(): rigid motions of the bodies, momenta of their velocities and of their rotations.
+  // Scratch of damp_sliding(): rigid motions of a body, momenta of its velocity and of its rotation.
   std::vector<double> rigid_x_, rigid_y_, rigid_turn_, momentum_, turn_momentum_;
   std::vector<double> unit_mass_;  // M of a translation by 1
   std::vector<BodyLoad> weights_;
@@ -151,9 +146,7 @@ class CentralDifference final : public TimeIntegrator {
   std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
-  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0,
-         sliding_left_driven_ = 0.0;
-  double stack_friction_ = 0.0;       // power of friction from the dashpots of stacks_ [W]
+  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
   std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|

@@ -18,7 +18,6 @@ double dot(std::size_t begin, std::size_t end, const double* x, const double* y)
 }  // namespace
 
 void CentralDifference::damp_sliding(std::span<const double> q, double half, State& state) {
-  stack_friction_ = 0.0;
   sliding_.begin();
   sliding_.count(setup_->outlines(), contact_.list());
   if (!sliding_.find()) {
@@ -26,67 +25,42 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
     return;
   }
   state.sliding.assign(q.size(), 0.0);
-  const bool stacks = stacks_.used() && stacks_.find(sliding_, setup_->outlines(), contact_.list());
-  for (std::size_t i = 0; i < setup_->bodies().size(); ++i)
-    if (sliding_.rates()[i] != 0.0 || (stacks && stacks_.wants(i))) damp_deformation(i, q, half, state);
-  if (!stacks) return;
-  stack_friction_ = stacks_.act(setup_->outlines(), contact_.list(), q, v_half_, half, state.sliding);
-  for (std::size_t i = 0; i < setup_->bodies().size(); ++i)
-    if (stacks_.wants(i)) push(i, stacks_.acceleration(i), half, state);
-}
-
-void CentralDifference::damp_deformation(std::size_t body, std::span<const double> q, double half, State& state) {
-  const Body& b = setup_->bodies()[body];
-  const double rate = sliding_.rates()[body];
-  const Pool& pool = setup_->pool_of(b);
-  const auto p = static_cast<std::size_t>(b.pool), begin = 2 * static_cast<std::size_t>(b.first_node),
-             end = begin + 2 * static_cast<std::size_t>(b.nodes);
-  const auto momentum_of = [&](const std::vector<double>& v, std::vector<double>& out) {
-    pool.mass_apply(b.index, setup_->part(q, p), setup_->part(std::span<const double>(v), p),
-                    setup_->part(std::span<double>(out), p));
-  };
-  rigid_motions(*setup_, b, q, rigid_x_, rigid_y_, rigid_turn_);
-  momentum_of(v_new_, momentum_);
-  momentum_of(rigid_turn_, turn_momentum_);
-  const double *x = rigid_x_.data(), *y = rigid_y_.data(), *turn = rigid_turn_.data(), *P = momentum_.data(),
-               *L = turn_momentum_.data(), *m = unit_mass_.data();
-  // G = R^T M R, R = (x, y, turn).
-  const double mass = dot(begin, end, x, m), lx = dot(begin, end, x, L), ly = dot(begin, end, y, L);
-  const Eigen::Matrix3d inverse =
-      (Eigen::Matrix3d() << mass, 0.0, lx, 0.0, mass, ly, lx, ly, dot(begin, end, turn, L)).finished().inverse();
-  const Eigen::Vector3d rigid =
-      inverse * Eigen::Vector3d(dot(begin, end, x, P), dot(begin, end, y, P), dot(begin, end, turn, P));
-  if (stacks_.used()) stacks_.add(body, {centre_of_turn(*setup_, b, q), rigid, inverse, mass});
-  if (rate == 0.0) return;
-  // v_d <- v_d/(1 + a h/2), the force -a M v_d, and what it takes from the acceleration.
-  const double factor = 1.0 / (1.0 + rate * half);
-  double *v = v_new_.data(), *a = a_new_.data(), *f = state.sliding.data();
-  const auto damp = [&](std::size_t k, double t_momentum, double slide) {
-    const double along = slide + rigid.z() * turn[k], w = factor * (v[k] - along);
-    v[k] = along + w;
-    a[k] -= rate * w;
-    f[k] = -rate * factor * (P[k] - t_momentum - rigid.z() * L[k]);
-  };
-  for (std::size_t k = begin; k < end; k += 2) {
-    if (b.divided && pool.idle(static_cast<std::int32_t>((k - begin) / 2) + pool.first_node(b.index))) continue;
-    damp(k, rigid.x() * m[k], rigid.x() * x[k]);
-    damp(k + 1, rigid.y() * m[k + 1], rigid.y() * y[k + 1]);
-  }
-}
-
-void CentralDifference::push(std::size_t body, const Eigen::Vector3d& by, double half, State& state) {
-  const Body& b = setup_->bodies()[body];
-  const auto add = [&](std::size_t k, double along, double mass) {
-    const double a = along + by.z() * rigid_turn_[k];
-    a_new_[k] += a;
-    v_new_[k] += half * a;
-    state.sliding[k] += mass + by.z() * turn_momentum_[k];
-  };
-  const std::size_t begin = 2 * static_cast<std::size_t>(b.first_node),
-                    end = begin + 2 * static_cast<std::size_t>(b.nodes);
-  for (std::size_t k = begin; k < end; k += 2) {
-    add(k, by.x() * rigid_x_[k], by.x() * unit_mass_[k]);
-    add(k + 1, by.y() * rigid_y_[k + 1], by.y() * unit_mass_[k + 1]);
+  for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
+    const double rate = sliding_.rates()[i];
+    if (rate == 0.0) continue;
+    const Body& b = setup_->bodies()[i];
+    const Pool& pool = setup_->pool_of(b);
+    const auto p = static_cast<std::size_t>(b.pool), begin = 2 * static_cast<std::size_t>(b.first_node),
+               end = begin + 2 * static_cast<std::size_t>(b.nodes);
+    rigid_motions(*setup_, b, q, rigid_x_, rigid_y_, rigid_turn_);
+    const auto momentum_of = [&](const std::vector<double>& v, std::vector<double>& out) {
+      pool.mass_apply(b.index, setup_->part(q, p), setup_->part(std::span<const double>(v), p),
+                      setup_->part(std::span<double>(out), p));
+    };
+    momentum_of(v_new_, momentum_);
+    momentum_of(rigid_turn_, turn_momentum_);
+    const double *x = rigid_x_.data(), *y = rigid_y_.data(), *turn = rigid_turn_.data(), *P = momentum_.data(),
+                 *L = turn_momentum_.data(), *m = unit_mass_.data();
+    // G = R^T M R, R = (x, y, turn).
+    const double mass = dot(begin, end, x, m), lx = dot(begin, end, x, L), ly = dot(begin, end, y, L);
+    const Eigen::Matrix3d G =
+        (Eigen::Matrix3d() << mass, 0.0, lx, 0.0, mass, ly, lx, ly, dot(begin, end, turn, L)).finished();
+    const Eigen::Vector3d rigid =
+        G.inverse() * Eigen::Vector3d(dot(begin, end, x, P), dot(begin, end, y, P), dot(begin, end, turn, P));
+    // v_d <- v_d/(1 + a h/2), the force -a M v_d, and what it takes from the acceleration.
+    const double factor = 1.0 / (1.0 + rate * half);
+    double *v = v_new_.data(), *a = a_new_.data(), *f = state.sliding.data();
+    const auto damp = [&](std::size_t k, double t_momentum, double slide) {
+      const double along = slide + rigid.z() * turn[k], w = factor * (v[k] - along);
+      v[k] = along + w;
+      a[k] -= rate * w;
+      f[k] = -rate * factor * (P[k] - t_momentum - rigid.z() * L[k]);
+    };
+    for (std::size_t k = begin; k < end; k += 2) {
+      if (b.divided && pool.idle(static_cast<std::int32_t>((k - begin) / 2) + pool.first_node(b.index))) continue;
+      damp(k, rigid.x() * m[k], rigid.x() * x[k]);
+      damp(k + 1, rigid.y() * m[k + 1], rigid.y() * y[k + 1]);
+    }
   }
 }
 

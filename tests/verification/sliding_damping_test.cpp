@@ -2,7 +2,7 @@
 // spin, and site response where little of a block slips.
 #include <gtest/gtest.h>
 
-#include "tests/support/schemes.h"
+#include "tests/support/scene.h"
 
 namespace scree::test {
 namespace {
@@ -25,6 +25,11 @@ struct Thrown {
     scene.stage(method, integrator, duration, dt, 0.5);
   }
 };
+
+const Methods& methods() {
+  static const Methods kAll = standard_methods();
+  return kAll;
+}
 
 class SteepSlide : public testing::TestWithParam<std::tuple<std::string, Integrator>> {
  protected:
@@ -91,82 +96,6 @@ TEST(SlidingDamping, slows_neither_slide_nor_spin) {
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   const BodyTotals end = totals_of(run, block);
   EXPECT_NEAR(end.momentum.x() / end.mass, 3.0, 3e-6);  // corners of a block that rocks push a little along
-  EXPECT_GT(run.state().ledger[Column::deformation_damping], 0.0);
-}
-
-/// Five blocks of 10 x 2 m on each other, thrown up a plane of 25 degrees; friction of 30 degrees in every joint.
-struct Stack {
-  Scene scene{5e9, 0.2, 2600.0, 30.0};
-  std::vector<BlockId> blocks;
-  static constexpr double kDip = 25.0 * kDegree, kSpeed = 2.0;
-  explicit Stack(double duration) {
-    scene.model.gravity = kGravity * Vec2(-std::sin(kDip), -std::cos(kDip));
-    scene.add("plane", rectangle(-20, -5, 30, 0), true);
-    for (int i = 0; i < 5; ++i) {
-      blocks.push_back(scene.add("block-" + std::to_string(i), rectangle(0, 2 * i, 10, 2 * i + 2)));
-      scene.model.initial_velocities.push_back({blocks.back(), Vec2(kSpeed, 0.0), 0.0});
-    }
-    scene.stage("nmm", Integrator::explicit_, duration, std::nullopt, 2.0);
-  }
-  [[nodiscard]] std::vector<double> ways(const Driver& run) const {
-    std::vector<double> out;
-    for (const BlockId b : blocks) out.push_back(centre_of(run, b).x() - 5.0);
-    return out;
-  }
-};
-
-TEST(StackDamping, a_stack_of_meshed_blocks_that_has_stopped_stays_where_it_is) {
-  // Without the dashpots between the blocks it bounces on, and its top comes down by 0.17 m in this second.
-  Stack stack(2.2);
-  Driver run(stack.scene.model, stack.scene.plan, methods());
-  (void)run.run(1.2);
-  const std::vector<double> then = stack.ways(run);
-  ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  const std::vector<double> now = stack.ways(run);
-  const double rigid = 0.5 * Stack::kSpeed * Stack::kSpeed /
-                       (kGravity * (std::sin(Stack::kDip) + std::cos(Stack::kDip) * std::tan(30.0 * kDegree)));
-  double mean = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    std::printf("block %zu: %.4f m at 1.2 s, %.4f m at 2.2 s, rigid %.4f m\n", i, then[i], now[i], rigid);
-    EXPECT_NEAR(now[i], then[i], 5e-4) << i;
-    mean += now[i] / 5.0;
-  }
-  EXPECT_NEAR(mean / rigid, 1.0, 0.04);  // gravity at once: the stack bounces as it slides
-  EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
-}
-
-TEST(StackDamping, keeps_the_momenta_of_blocks_that_nothing_else_holds) {
-  // Two blocks pressed together by opposite body forces, which slide on each other at 2 m/s.
-  Scene scene(1e9, 0.2, 2600.0, 20.0);
-  const BlockId low = scene.add("low", rectangle(0, 0, 4, 2)), high = scene.add("high", rectangle(0.5, 2, 4.5, 4));
-  TimeFunction ramp;
-  ramp.shape = TimeFunction::Shape::ramp;
-  ramp.duration = 0.01;
-  scene.model.functions = {ramp};
-  scene.model.gravity = Vec2(0.0, 0.0);
-  scene.model.body_accelerations.push_back({{low}, {0.0, 5.0}, FunctionId{0}});
-  scene.model.body_accelerations.push_back({{high}, {0.0, -5.0}, FunctionId{0}});
-  scene.model.initial_velocities.push_back({low, Vec2(1.0, 0.0), 0.0});
-  scene.model.initial_velocities.push_back({high, Vec2(-1.0, 0.0), 0.0});
-  scene.stage("nmm", Integrator::explicit_, 0.2, std::nullopt, 1.0);
-  Driver run(scene.model, scene.plan, methods());
-  double spin = 0.0, torque = 0.0, then = 0.0;  // of the body forces about the origin, and what they bring
-  EveryStep look;
-  look.see = [&](double time) {
-    const double m = totals_of(run, low).mass, share = std::min(1.0, time / 0.01);
-    const double now = share * 5.0 * m * (centre_of(run, low).x() - centre_of(run, high).x());
-    spin += 0.5 * (torque + now) * (time - then);
-    torque = now;
-    then = time;
-  };
-  run.add_sink(look);
-  ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  const BodyTotals a = totals_of(run, low), b = totals_of(run, high);
-  const double one = a.mass * 1.0, turned = a.angular_momentum + b.angular_momentum - 2.0 * one;
-  std::printf("momentum left %.1e of one block's, moment of momentum %.6e, brought %.6e, damped %.2e J\n",
-              (a.momentum + b.momentum).norm() / one, turned, spin, run.state().ledger[Column::deformation_damping]);
-  EXPECT_LT((a.momentum + b.momentum).norm(), 1e-11 * one);
-  EXPECT_NEAR(turned, spin, 1e-4 * std::abs(spin) + 1e-6 * one);
   EXPECT_GT(run.state().ledger[Column::deformation_damping], 0.0);
 }
 
