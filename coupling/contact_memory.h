@@ -33,7 +33,9 @@ struct SlideMemory {
   float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
   Sum last{};                                            // the window before; the first of a stretch has no impulses
   Sum total{};                                           // of the windows below
-  std::int32_t losing = 0, keeping = 0;                  // windows in succession, by their friction
+  std::int32_t losing = 0;                               // windows in succession that lose friction,
+  std::int16_t keeping = 0;                              // and that keep it; no more are counted than matter
+  std::int16_t lost = 0;                                 // 1: a window of the stretch lost friction
   float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
 
   /// The stretch is over.
@@ -124,6 +126,7 @@ void ContactMemory::visit(Visitor&& see) const {
   }
   see("contact.slide_losing", slide.losing);
   see("contact.slide_keeping", slide.keeping);
+  see("contact.slide_lost", slide.lost);
   see("contact.slide_worst", slide.worst);
 }
 

@@ -53,6 +53,7 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
       contact_(setup, detection, !rest),
       chunks_(setup),
       sliding_(setup, damping.sliding),
+      stacks_(setup, sliding_),
       weights_(body_loads(setup)),
       factor_(weights_.size(), 0.0),
       weight_power_(weights_.size(), 0.0),
@@ -477,7 +478,9 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     const double right = state.sliding.empty() ? 0.0 : chunks_.sum_free([&](const Chunk& c) {
       return dot(c, v_half_.data(), state.sliding.data());
     });
-    if (left != 0.0 || right != 0.0) state.ledger.book(Column::deformation_damping, -0.5 * h * (left + right));
+    if (left != 0.0 || right != 0.0)
+      state.ledger.book(Column::deformation_damping, -0.5 * h * (left + right) + h * stack_friction_);
+    if (stack_friction_ != 0.0) state.ledger.book(Column::friction, -h * stack_friction_);
   }
   damp(h, state);
 

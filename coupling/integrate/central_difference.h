@@ -10,6 +10,7 @@
 #include "coupling/integrate/loads.h"
 #include "coupling/integrate/node_chunks.h"
 #include "coupling/integrate/sliding_damping.h"
+#include "coupling/integrate/stack_damping.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/integrate/time_integrator.h"
 
@@ -128,6 +129,7 @@ class CentralDifference final : public TimeIntegrator {
   ExplicitContact contact_;
   NodeChunks chunks_;
   SlidingDamping sliding_;
+  StackDamping stacks_;
   // Scratch of damp_sliding(): rigid motions of a body, momenta of its velocity and of its rotation.
   std::vector<double> rigid_x_, rigid_y_, rigid_turn_, momentum_, turn_momentum_;
   std::vector<double> unit_mass_;  // M of a translation by 1
@@ -147,6 +149,7 @@ class CentralDifference final : public TimeIntegrator {
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
   double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
+  double stack_friction_ = 0.0;       // power of friction from stacks_ [W]
   std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|

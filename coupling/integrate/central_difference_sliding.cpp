@@ -18,6 +18,7 @@ double dot(std::size_t begin, std::size_t end, const double* x, const double* y)
 }  // namespace
 
 void CentralDifference::damp_sliding(std::span<const double> q, double half, State& state) {
+  stack_friction_ = 0.0;
   sliding_.begin();
   sliding_.count(setup_->outlines(), contact_.list());
   if (!sliding_.find()) {
@@ -62,6 +63,12 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
       damp(k + 1, rigid.y() * m[k + 1], rigid.y() * y[k + 1]);
     }
   }
+  if (!stacks_.find(sliding_, setup_->outlines(), contact_.list())) return;
+  stacks_.act(setup_->outlines(), contact_.list(), q, v_new_, half);
+  stacks_.add_acceleration(1.0, a_new_);
+  stacks_.add_acceleration(half, v_new_);
+  stacks_.add_force(q, state.sliding);
+  stack_friction_ = stacks_.friction();
 }
 
 }  // namespace scree::coupling

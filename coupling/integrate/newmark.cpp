@@ -32,6 +32,7 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       system_(setup),
       contacts_(setup, control, system_, options.scheme == NewmarkScheme::damped, options.factor),
       sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),
+      stacks_(setup, sliding_),
       damper_(setup, system_),
       bolts_(setup, system_) {
   driven_move_.resize(setup.bodies().size());

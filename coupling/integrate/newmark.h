@@ -15,6 +15,7 @@
 #include "coupling/integrate/open_close.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/sliding_damping.h"
+#include "coupling/integrate/stack_damping.h"
 #include "coupling/integrate/support_release.h"
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/integrate/viscous_edges.h"
@@ -43,7 +44,8 @@ struct ImplicitOptions {
 /// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside,
 /// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
 /// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
-/// chart; what linear forms and exact geometry differ by is booked in columns of its own.
+/// chart; what linear forms and exact geometry differ by is booked in columns of its own. The impulse of StackDamping
+/// over the step then acts on the velocities.
 /// @source docs/theory/time-integration.md, "Newmark steps"; [Newmark1959]; [Qu2013] 3.3.2, 3.2.2, 4.5; [Shi1988]
 class Newmark final : public TimeIntegrator {
  public:
@@ -168,6 +170,7 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] std::vector<double> remember_contacts(const State& state);
   void book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger);
   void book_update(State& state, const Energies& after);
+  void damp_stacks(State& state, double h);
 
   const Setup* setup_;
   StepControl control_;
@@ -182,6 +185,7 @@ class Newmark final : public TimeIntegrator {
   std::size_t interface_springs_ = 0;   // index of the first spring that stands for the stiffness of interface_
   std::size_t constraint_springs_ = 0;  // index of the first one that stands for its interface constraints
   SlidingDamping sliding_;
+  StackDamping stacks_;
   DeformationDamping damper_;
   const Outlines* outlines_elsewhere_ = nullptr;
   const ContactList* list_elsewhere_ = nullptr;

@@ -238,6 +238,16 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   contacts_.accept(state.factored);
   state.ledger.set(Column::contact_springs, contact_energy(list_));
   book_update(state, after);
+  if (damper_.acts() && stacks_.find(sliding_, setup_->outlines(), list_)) damp_stacks(state, h);
+}
+
+void Newmark::damp_stacks(State& state, double h) {
+  stacks_.act(setup_->outlines(), list_, state.q, state.v, h);
+  stacks_.add_acceleration(h, state.v);
+  const double work = h * stacks_.power(), friction = h * stacks_.friction();
+  state.ledger.book(Column::friction, -friction);
+  state.ledger.book(Column::deformation_damping, friction - work);
+  state.ledger.set(Column::kinetic, state.ledger[Column::kinetic] + work);
 }
 
 }  // namespace scree::coupling

@@ -90,8 +90,7 @@ bool SlidingDamping::find() {
   return any;
 }
 
-void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
-                   std::span<double> y, std::span<double> turn) {
+Vec2 centre_of_turn(const Setup& setup, const Body& body, std::span<const double> q) {
   const std::span<const double> t = setup.pool_of(body).translation(body.index);
   Vec2 c(0.0, 0.0);
   double sum = 0.0;
@@ -100,7 +99,14 @@ void rigid_motions(const Setup& setup, const Body& body, std::span<const double>
     c += t[k] * Vec2(q[first + 2 * k], q[first + 2 * k + 1]);
     sum += t[k];
   }
-  c /= sum;
+  return c / sum;
+}
+
+void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
+                   std::span<double> y, std::span<double> turn) {
+  const std::span<const double> t = setup.pool_of(body).translation(body.index);
+  const Vec2 c = centre_of_turn(setup, body, q);
+  const auto first = 2 * static_cast<std::size_t>(body.first_node);
   for (std::size_t k = 0; k < t.size(); ++k) {
     const std::size_t i = first + 2 * k;
     x[i] = y[i + 1] = t[k];

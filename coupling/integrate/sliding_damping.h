@@ -1,6 +1,7 @@
 // How fast the deformation of blocks that slide is damped.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ class SlidingDamping {
 
   /// False where no body of the setup can ever be damped.
   [[nodiscard]] bool used() const { return used_; }
+  /// Whether a body can ever be damped.
+  [[nodiscard]] bool damps(std::size_t body) const { return most_[body] > 0.0; }
   /// Rates of a set of contacts: begin(), count() once a list, find().
   void begin();
   /// @param outlines  that the list refers to, of a setup with the same bodies
@@ -38,6 +41,8 @@ class SlidingDamping {
   bool find();
   /// Per body [1/s].
   [[nodiscard]] std::span<const double> rates() const { return rate_; }
+  /// The rate of a body, at most 2 xi w_1 [1/s].
+  [[nodiscard]] double moderate_rate(std::size_t body) const { return std::min(rate_[body], most_[body]); }
 
  private:
   /// Part of a sliding point's strength that is friction; 0 once it has turned round.
@@ -54,6 +59,9 @@ class SlidingDamping {
 /// Lowest frequency of affine deformation of a free body, w^2 the fourth eigenvalue of K - w^2 M on displacements
 /// u = c + D X:  K from A/2 e:C:e with e = sym D,  M from m |c|^2 + tr(D S D^T).   @return w [rad/s]
 [[nodiscard]] double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticity& law);
+
+/// The point c of a body's rotation below: the mean of its nodes, weighted by t.
+[[nodiscard]] Vec2 centre_of_turn(const Setup& setup, const Body& body, std::span<const double> q);
 
 /// The three rigid motions of a body on its nodes: translations t_k e_x, t_k e_y with the translation weights t, and
 /// the rotation W (q_k - t_k c) about a point c near its centre, W the quarter turn.

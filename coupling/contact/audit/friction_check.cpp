@@ -22,7 +22,12 @@ void add(const SlideMemory::Sum& window, SlideMemory& s) {
   s.total.slip += window.slip;
   s.total.drag += window.drag;
   s.total.limit += window.limit;
-  ++(loses ? s.losing : s.keeping);
+  if (loses) {
+    ++s.losing;
+    s.lost = 1;
+  } else if (s.keeping <= FrictionCheck::kBetween) {
+    ++s.keeping;
+  }
   if (std::abs(s.total.slip) > FrictionCheck::kStretches && (s.losing == 0 || s.losing >= FrictionCheck::kLosing))
     s.worst = std::min(s.worst, ratio(s.total));
 }
@@ -48,8 +53,10 @@ double last_change(const Setup& setup) {
 /// @param slip  of the window before them, in elastic stretches: the point slides on, at this pace
 void lengthen(float slip, SlideMemory& s) {
   const float length = 2.0F * s.length;
+  const std::int16_t lost = s.lost;
   s.end();
   s.length = length;
+  s.lost = lost;
   s.last.slip = 2.0F * slip;
 }
 

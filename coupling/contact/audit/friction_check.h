@@ -32,6 +32,8 @@ namespace scree::coupling {
 /// of another pace than the one before, makes the next windows twice as long instead of ending the stretch, up to
 /// kLongest natural periods.
 ///
+/// A window that loses marks the slide (SlideMemory::lost) until the stretch ends: StackDamping acts on its blocks.
+///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
 class FrictionCheck {
