@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/library_faults.h"
 #include "app/output.h"
 #include "app/signals.h"
 #include "app/waiting_threads.h"
@@ -44,6 +45,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && computes(argv[1])) let_threads_sleep(argv);
   open_standard_streams();
   take_signals_of_writes();
+  take_faults_of_hdf5();
   try {
     const int code = dispatch(argc, argv);
     if (code != kDone || output_error() == 0 || output_error() == EPIPE) return code;

@@ -167,8 +167,7 @@ class Cutter {
   [[nodiscard]] bool cuts(const GraphEdge& e) const {
     const auto role = e.boundary < 0 ? Role::discontinuity : sources_[static_cast<std::size_t>(e.boundary)].role;
     if (role == Role::outline) return true;
-    const Vec2 middle =
-        0.5 * (graph_.snapped[static_cast<std::size_t>(e.a)] + graph_.snapped[static_cast<std::size_t>(e.b)]);
+    const Vec2 middle = 0.5 * (graph_.node(e.a) + graph_.node(e.b));
     if (!contains(domain_.outline, middle)) return false;
     if (role == Role::region) return true;
     const std::int32_t r = region_at(middle);

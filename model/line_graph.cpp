@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "model/cell_grid.h"
 #include "model/check.h"
 #include "model/geos.h"
+#include "model/random.h"
 
 namespace scree {
 namespace {
@@ -44,7 +47,50 @@ void each_piece(const Geos& geos, const GEOSGeometry* g, See&& see) {
   }
 }
 
-/// Sources of each edge: those within 1.5 grid widths of both its ends (snap rounding moves a line by at most 0.71).
+/// Unit vector along the direction of more than half of the length of the lines, one of 180 in half a turn: exactly
+/// that of its longest line. Else, or for few lines, the x axis.
+Vec2 main_direction(const std::vector<SourceLine>& sources) {
+  if (sources.size() < kManyLines) return {1.0, 0.0};
+  constexpr std::size_t kParts = 180;
+  std::array<double, kParts> length{}, longest{};
+  std::array<Vec2, kParts> along;
+  double all = 0.0;
+  for (const SourceLine& s : sources) {
+    const Vec2 d = s.b - s.a;
+    const double turn = std::atan2(d.y(), d.x()) / std::numbers::pi + 1.0;  // 0 to 2, in half turns
+    const std::size_t part = static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * kParts)) % kParts;
+    const double l = d.norm();
+    all += l;
+    length[part] += l;
+    if (l <= longest[part]) continue;
+    longest[part] = l;
+    along[part] = d / l;
+  }
+  const auto most = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  return length[most] > 0.5 * all ? along[most] : Vec2(1.0, 0.0);
+}
+
+/// Lines in the order in which GEOS gets them. Its tree of nodes is not balanced: in the order of their ends very many
+/// lines would make a list of it.
+std::vector<std::size_t> drawing_order(std::size_t lines) {
+  std::vector<std::size_t> order(lines);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (lines < kManyLines) return order;
+  Random random(1);
+  for (std::size_t i = lines - 1; i > 0; --i) std::swap(order[i], order[random.bits() % (i + 1)]);
+  return order;
+}
+
+std::vector<SourceLine> turned(std::vector<SourceLine> sources, const Mat2& axes) {
+  for (SourceLine& s : sources) {
+    s.a = axes * s.a;
+    s.b = axes * s.b;
+  }
+  return sources;
+}
+
+/// Sources of each edge, in the axes of the grid: those within 1.5 grid widths of both its ends (snap rounding moves a
+/// line by at most 0.71).
 void find_sources(LineGraph& graph, const std::vector<SourceLine>& sources) {
   if (graph.edges.empty()) return;
   Box box{sources.front().a, sources.front().a};
@@ -72,14 +118,17 @@ std::optional<Vec2> intersection(const SourceLine& s, const SourceLine& t, doubl
   return s.a + cross(t.a - s.a, e) / det * d;
 }
 
-/// Where a vertex on the grid belongs.   @param lines  sources of its edges, ascending, each once
-Vec2 placed(const Vec2& snapped, double grid, const std::vector<std::int32_t>& lines,
+/// Where a vertex of a graph belongs.   @param lines  sources of its edges, ascending, each once
+Vec2 placed(const LineGraph& graph, std::int32_t vertex, const std::vector<std::int32_t>& lines,
             const std::vector<SourceLine>& sources) {
+  const double grid = graph.grid;
+  const Vec2 snapped = graph.node(vertex);
+  const GridPoint at = on_grid(graph.snapped[static_cast<std::size_t>(vertex)], grid);
   std::optional<Vec2> end;
   for (const std::int32_t i : lines) {
     const SourceLine& s = sources[static_cast<std::size_t>(i)];
     for (const Vec2& p : {s.a, s.b}) {
-      if (on_grid(p, grid) != on_grid(snapped, grid)) continue;
+      if (on_grid(graph.axes * p, grid) != at) continue;
       if (s.role != SourceLine::Role::discontinuity) return p;
       if (!end) end = p;
     }
@@ -119,10 +168,17 @@ std::int32_t LineGraph::vertex_at(const Vec2& point) const {
   return static_cast<std::int32_t>(at - snapped.begin());
 }
 
-LineGraph node_lines(const std::vector<SourceLine>& sources, double grid) {
+LineGraph node_lines(const std::vector<SourceLine>& drawn, double grid) {
+  const Vec2 along_most = main_direction(drawn);
+  const bool turns = along_most.y() != 0.0;
+  LineGraph graph;
+  graph.grid = grid;
+  if (turns) graph.axes << along_most.x(), along_most.y(), -along_most.y(), along_most.x();
+  const std::vector<SourceLine> sources = turns ? turned(drawn, graph.axes) : drawn;
   const Geos geos;
   std::vector<GEOSGeometry*> lines;
-  for (const SourceLine& s : sources) {
+  for (const std::size_t i : drawing_order(sources.size())) {
+    const SourceLine& s = sources[i];
     const Vec2 along = (s.b - s.a).normalized();
     lines.push_back(geos.line(s.a - s.beyond_a * along, s.b + s.beyond_b * along));
   }
@@ -145,11 +201,10 @@ LineGraph node_lines(const std::vector<SourceLine>& sources, double grid) {
   std::sort(pieces.begin(), pieces.end());
   pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
 
-  LineGraph graph;
-  graph.grid = grid;
-  for (const GridPoint& p : points)
+  for (const GridPoint& p : points) {
     graph.snapped.emplace_back(static_cast<double>(p.second) * grid, static_cast<double>(p.first) * grid);
-  graph.vertices = graph.snapped;
+    graph.vertices.push_back(graph.axes.transpose() * graph.snapped.back());
+  }
   const auto number = [&](const GridPoint& p) {
     return static_cast<std::int32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
   };
@@ -174,7 +229,7 @@ void place_vertices(LineGraph& graph, const std::vector<SourceLine>& sources) {
     if (crowded[v] != 0) continue;
     std::sort(lines[v].begin(), lines[v].end());
     lines[v].erase(std::unique(lines[v].begin(), lines[v].end()), lines[v].end());
-    graph.vertices[v] = placed(graph.snapped[v], graph.grid, lines[v], sources);
+    graph.vertices[v] = placed(graph, static_cast<std::int32_t>(v), lines[v], sources);
   }
 }
 
@@ -216,6 +271,7 @@ Faces faces_of(const LineGraph& graph) {
     const auto inside = geos.own(GEOSPointOnSurface_r(geos.get(), g), "point in a polygon");
     GEOSGeomGetX_r(geos.get(), inside.get(), &face.inside.x());
     GEOSGeomGetY_r(geos.get(), inside.get(), &face.inside.y());
+    face.inside = graph.axes.transpose() * face.inside;
     out.faces.push_back(std::move(face));
   }
   return out;

@@ -27,18 +27,26 @@ struct GraphEdge {
 
 struct LineGraph {
   double grid = 0.0;             // [m]
-  std::vector<Vec2> snapped;     // vertices on the grid, sorted by y, then x: the graph is planar with these
-  std::vector<Vec2> vertices;    // the same, each where its lines meet in full precision, at most a grid width away
+  Mat2 axes = Mat2::Identity();  // rows: axes of the grid. Those of the model, or turned along very many parallel lines
+  std::vector<Vec2> snapped;   // vertices on the grid, in its axes, sorted by y, then x: the graph is planar with these
+  std::vector<Vec2> vertices;  // the same, each where its lines meet in full precision, at most a grid width away
   std::vector<GraphEdge> edges;  // sorted
 
-  /// The vertex at a point of the grid.   @pre there is one
+  /// A vertex on the grid, in the axes of the model.
+  [[nodiscard]] Vec2 node(std::int32_t vertex) const {
+    return axes.transpose() * snapped[static_cast<std::size_t>(vertex)];
+  }
+  /// The vertex at a point of the grid, in its axes.   @pre there is one
   [[nodiscard]] std::int32_t vertex_at(const Vec2& point) const;
 };
 
 /// Nodes the lines on a grid (snap rounding by GEOS), so that edges meet in vertices only.
-///   `vertices` equal `snapped` until place_vertices. Coordinates depend on the order of the lines in the last bit only
+///   `vertices` are on the grid until place_vertices. Coordinates depend on the order of the lines in the last bit only
 ///   where three or more meet; the caller sorts them.
+///   GEOS looks at all pairs of lines whose boxes overlap. Oblique parallel lines overlap all others, so the axes of
+///   the grid are turned along them where there are kManyLines or more.
 /// @param grid  [m]     @source [Hobby1999], snap rounding
+constexpr std::size_t kManyLines = 500;
 [[nodiscard]] LineGraph node_lines(const std::vector<SourceLine>& sources, double grid);
 
 /// Moves every vertex from the grid to where its lines meet: a corner of the outline or a region, else the intersection

@@ -137,6 +137,47 @@ TEST(CutBlocks, oblique_set_gives_corners_and_strips_of_known_area) {
   EXPECT_NEAR(c.report.least_angle, std::numbers::pi / 4.0, 1e-12);
 }
 
+TEST(CutBlocks, very_many_parallel_lines_are_cut_as_few_are) {
+  // From 500 lines on the grid lies along them. A trace crosses some; a region has a law of its own.
+  Domain d = square();
+  d.least_area = 0.0;
+  d.least_width = 0.0;
+  add_set(d, 30.0, 10.0 / 700.0, kRough, {0.0031, 0.0});
+  add_trace(d, {{0, 4}, {10, 6}}, kClay);
+  const Cutting c = cut_blocks(d);
+  std::size_t lines = 0, crossed = 0;
+  const Vec2 a(0, 4), along(10, 2);
+  for (const JointLine& l : c.lines) {
+    if (l.joint != kRough) continue;
+    ++lines;
+    if (cross(along, l.from - a) * cross(along, l.to - a) < 0.0) ++crossed;
+  }
+  ASSERT_GT(lines, 900U);  // the diagonal over the spacing
+  ASSERT_GT(crossed, 200U);
+  EXPECT_EQ(c.blocks.size(), lines + 1 + crossed + 1);
+  EXPECT_NEAR(total_area(c), 100.0, 1e-10);
+  double edges = 0.0, drawn = 0.0;
+  std::size_t corners = 0, of_trace = 0;
+  for (const Block& b : c.blocks)
+    for (std::size_t i = 0; i < b.polygon.outer.size(); ++i) {
+      const Vec2 &p = b.polygon.outer[i], &q = b.polygon.outer[(i + 1) % b.polygon.outer.size()];
+      edges += (q - p).norm();
+      if ((p.x() == 0.0 || p.x() == 10.0) && (p.y() == 0.0 || p.y() == 10.0)) ++corners;  // to the last bit
+      if (b.edges[0][i] != kClay) continue;
+      ++of_trace;
+      EXPECT_NEAR(cross(along, p - a), 0.0, 1e-12);
+      EXPECT_NEAR(cross(along, q - a), 0.0, 1e-12);
+    }
+  for (const JointLine& l : c.lines) drawn += (l.to - l.from).norm();
+  EXPECT_EQ(corners, 4U);
+  EXPECT_EQ(of_trace, 2 * (crossed + 1));
+  EXPECT_NEAR(0.5 * (edges - 40.0), drawn, 1e-8 * drawn);
+  EXPECT_EQ(bits_of(cut_blocks(d)), bits_of(c));
+  Model model;
+  model.blocks = c.blocks;
+  EXPECT_TRUE(check_geometry(model).empty());
+}
+
 TEST(CutBlocks, hole_stays_open_and_bounds_blocks) {
   Domain d = square();
   d.outline.holes.push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}});
