@@ -22,7 +22,7 @@ namespace scree::coupling {
 /// opposite, at one point: both momenta stay. It acts on the masses of blocks, not of corners, and is taken at the
 /// velocity after it: the stable explicit step stays as it is. Exempt are bodies that SlidingDamping exempts, divided
 /// ones, and joints that dilate.
-/// @source docs/theory/contact-law.md, "Stacks of blocks"
+/// @source docs/theory/contact-law.md, "Blocks that slide"
 class StackDamping {
  public:
   /// @param setup  must outlive it
