@@ -40,14 +40,15 @@ struct LineGraph {
   [[nodiscard]] std::int32_t vertex_at(const Vec2& point) const;
 };
 
+constexpr std::size_t kManyLines = 500;
+
 /// Nodes the lines on a grid (snap rounding by GEOS), so that edges meet in vertices only.
 ///   `vertices` are on the grid until place_vertices. Coordinates depend on the order of the lines in the last bit only
 ///   where three or more meet; the caller sorts them.
 ///   GEOS looks at all pairs of lines whose boxes overlap. Oblique parallel lines overlap all others, so the axes of
 ///   the grid are turned along them where there are kManyLines or more.
 /// @param grid  [m]     @source [Hobby1999], snap rounding
-constexpr std::size_t kManyLines = 500;
-[[nodiscard]] LineGraph node_lines(const std::vector<SourceLine>& sources, double grid);
+[[nodiscard]] LineGraph node_lines(const std::vector<SourceLine>& drawn, double grid);
 
 /// Moves every vertex from the grid to where its lines meet: a corner of the outline or a region, else the intersection
 /// of the two lines that cross most squarely, else the end of a line. Blocks then tile the domain to rounding, and cut

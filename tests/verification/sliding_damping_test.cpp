@@ -99,26 +99,26 @@ class ThrownStack : public testing::TestWithParam<Integrator> {
  protected:
   static constexpr double kDip = 25.0 * kDegree, kSpeed = 2.0;
   ThrownStack() {
-    scene.model.gravity = kGravity * Vec2(-std::sin(kDip), -std::cos(kDip));
-    scene.add("plane", rectangle(-20, -5, 30, 0), true);
+    scene_.model.gravity = kGravity * Vec2(-std::sin(kDip), -std::cos(kDip));
+    scene_.add("plane", rectangle(-20, -5, 30, 0), true);
     for (int i = 0; i < 5; ++i) {
-      blocks.push_back(scene.add("block-" + std::to_string(i), rectangle(0, 2 * i, 10, 2 * i + 2)));
-      scene.model.initial_velocities.push_back({blocks.back(), Vec2(kSpeed, 0.0), 0.0});
+      blocks_.push_back(scene_.add("block-" + std::to_string(i), rectangle(0, 2 * i, 10, 2 * i + 2)));
+      scene_.model.initial_velocities.push_back({blocks_.back(), Vec2(kSpeed, 0.0), 0.0});
     }
-    scene.stage("nmm", GetParam(), 2.2, GetParam() == Integrator::implicit ? std::optional(1e-3) : std::nullopt, 2.0);
+    scene_.stage("nmm", GetParam(), 2.2, GetParam() == Integrator::implicit ? std::optional(1e-3) : std::nullopt, 2.0);
   }
   [[nodiscard]] std::vector<double> ways(const Driver& run) const {
     std::vector<double> out;
-    for (const BlockId b : blocks) out.push_back(centre_of(run, b).x() - 5.0);
+    for (const BlockId b : blocks_) out.push_back(centre_of(run, b).x() - 5.0);
     return out;
   }
-  Scene scene{5e9, 0.2, 2600.0, 30.0};
-  std::vector<BlockId> blocks;
+  Scene scene_{5e9, 0.2, 2600.0, 30.0};
+  std::vector<BlockId> blocks_;
 };
 
 TEST_P(ThrownStack, of_meshed_blocks_stops_and_stays_where_it_is) {
   // Without StackDamping it bounces on, loses friction, and its top comes down by 0.17 m in the last second.
-  Driver run(scene.model, scene.plan, methods());
+  Driver run(scene_.model, scene_.plan, methods());
   (void)run.run(1.2);
   const std::vector<double> then = ways(run);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
