@@ -31,8 +31,21 @@ class Geos {
   };
   using Geometry = std::unique_ptr<GEOSGeometry, Free>;
   [[nodiscard]] Geometry own(GEOSGeometry* g, const char* what) const {
-    if (g == nullptr) throw std::runtime_error(std::string("GEOS: ") + what + " failed: " + last_error_);
+    if (g == nullptr) fail(what);
     return Geometry(g, Free{handle_});
+  }
+
+  /// A yes or no.   @throws std::runtime_error where GEOS could not tell
+  [[nodiscard]] bool holds(char answer, const char* what) const {
+    if (answer != 0 && answer != 1) fail(what);
+    return answer == 1;
+  }
+  /// After calls whose failure only the context is told of.   @throws std::runtime_error where there was one
+  void check(const char* what) const {
+    if (!last_error_.empty()) fail(what);
+  }
+  [[noreturn]] void fail(const char* what) const {
+    throw std::runtime_error(std::string("GEOS: ") + what + " failed: " + last_error_);
   }
 
   /// Room for points, not owned yet.

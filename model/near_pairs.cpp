@@ -71,6 +71,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(std::span<const Bl
     boxes.push_back(geos.own(geos.line(turned[i].lo, turned[i].hi), "box"));
     GEOSSTRtree_insert_r(geos.get(), tree.get(), boxes.back().get(), &index[i]);
   }
+  geos.check("tree of boxes");
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   std::vector<std::int32_t> found;
   const auto take = [](void* item, void* list) {
@@ -83,6 +84,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> near_pairs(std::span<const Bl
     for (const std::int32_t j : found)
       if (j > index[i] && overlap(upright[i], upright[static_cast<std::size_t>(j)])) pairs.emplace_back(index[i], j);
   }
+  geos.check("search for near boxes");
   return pairs;
 }
 

@@ -5,7 +5,9 @@
 namespace scree {
 
 struct Clipper::Impl {
-  explicit Impl(const Polygon& p) : polygon(geos.polygon(p)), prepared(GEOSPrepare_r(geos.get(), polygon.get())) {}
+  explicit Impl(const Polygon& p) : polygon(geos.polygon(p)), prepared(GEOSPrepare_r(geos.get(), polygon.get())) {
+    if (prepared == nullptr) geos.fail("preparation");
+  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() { GEOSPreparedGeom_destroy_r(geos.get(), prepared); }
@@ -19,9 +21,11 @@ Clipper::~Clipper() { delete impl_; }
 
 Clipper::Relation Clipper::relation(const Ring& cell) const {
   const auto g = impl_->geos.polygon(Polygon{cell, {}});
-  if (GEOSPreparedContainsProperly_r(impl_->geos.get(), impl_->prepared, g.get()) == 1) return Relation::inside;
-  return GEOSPreparedIntersects_r(impl_->geos.get(), impl_->prepared, g.get()) == 1 ? Relation::across
-                                                                                    : Relation::outside;
+  const Geos& geos = impl_->geos;
+  if (geos.holds(GEOSPreparedContainsProperly_r(geos.get(), impl_->prepared, g.get()), "relation"))
+    return Relation::inside;
+  return geos.holds(GEOSPreparedIntersects_r(geos.get(), impl_->prepared, g.get()), "relation") ? Relation::across
+                                                                                                : Relation::outside;
 }
 
 std::vector<Polygon> Clipper::intersection(const Ring& cell) const {
@@ -61,7 +65,7 @@ std::vector<Polygon> cut_by_lines(const Polygon& polygon, std::span<const CutLin
 std::string invalidity(const Polygon& polygon) {
   const Geos geos;
   const auto g = geos.polygon(polygon);
-  if (GEOSisValid_r(geos.get(), g.get()) == 1) return {};
+  if (geos.holds(GEOSisValid_r(geos.get(), g.get()), "validity")) return {};
   char* reason = GEOSisValidReason_r(geos.get(), g.get());
   std::string text = reason == nullptr ? "invalid polygon" : reason;
   GEOSFree_r(geos.get(), reason);
@@ -72,7 +76,7 @@ std::vector<Polygon> intersection(const Polygon& a, const Polygon& b) {
   const Geos geos;
   const auto ga = geos.polygon(a), gb = geos.polygon(b);
   std::vector<Polygon> pieces;
-  if (GEOSIntersects_r(geos.get(), ga.get(), gb.get()) != 1) return pieces;
+  if (!geos.holds(GEOSIntersects_r(geos.get(), ga.get(), gb.get()), "relation")) return pieces;
   const auto common = geos.own(GEOSIntersection_r(geos.get(), ga.get(), gb.get()), "intersection");
   geos.collect(common.get(), pieces);
   return pieces;
@@ -81,7 +85,7 @@ std::vector<Polygon> intersection(const Polygon& a, const Polygon& b) {
 double overlap_area(const Polygon& a, const Polygon& b) {
   const Geos geos;
   const auto ga = geos.polygon(a), gb = geos.polygon(b);
-  if (GEOSIntersects_r(geos.get(), ga.get(), gb.get()) != 1) return 0.0;
+  if (!geos.holds(GEOSIntersects_r(geos.get(), ga.get(), gb.get()), "relation")) return 0.0;
   const auto common = geos.own(GEOSIntersection_r(geos.get(), ga.get(), gb.get()), "intersection");
   double area = 0.0;
   GEOSArea_r(geos.get(), common.get(), &area);
