@@ -1,5 +1,6 @@
 #include "coupling/transfer/field_transfer.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

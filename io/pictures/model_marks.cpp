@@ -1,5 +1,6 @@
 #include "io/pictures/model_marks.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // A free block that spins a hundred turns: area and energy stay, where the classical incremental update grows.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
