@@ -28,12 +28,8 @@ Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize
   const Handle space(check(H5Screate_simple(rank, size.data(), limit.data()), file.path(), what), H5Sclose);
   const Handle list(check(H5Pcreate(H5P_DATASET_CREATE), file.path(), what), H5Pclose);
   check(H5Pset_chunk(list.get(), rank, chunk.data()), file.path(), what);
-  // Texts are references here, which hardly get smaller; and HDF5 1.10 frees what it has not got where an allocation
-  // fails as its filter says so.
-  if (H5Tget_class(type) != H5T_STRING) {
-    check(H5Pset_shuffle(list.get()), file.path(), what);
-    check(H5Pset_deflate(list.get(), kDeflate), file.path(), what);
-  }
+  check(H5Pset_shuffle(list.get()), file.path(), what);
+  check(H5Pset_deflate(list.get(), kDeflate), file.path(), what);
   Handle made(check(H5Dcreate2(file.id(), name.c_str(), type, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
                     file.path(), what),
               H5Dclose);
@@ -189,11 +185,18 @@ template class Series<std::int64_t>;
 template class Series<std::uint64_t>;
 template class Series<std::uint8_t>;
 
+namespace {
+/// Of a chunk of texts. It is deflated by HDF5, which lets it be where it would grow; HDF5 1.10 then frees what it has
+/// not got if an allocation fails just there. References to 64 texts or more, or zeros after them, always get smaller.
+hsize_t rows_of_texts(double rows_expected) {
+  return std::max(rows_of_chunk(rows_expected, sizeof(hvl_t)), hsize_t{64});
+}
+}  // namespace
+
 TextSeries::TextSeries(const Growing& in, std::string name, const Label& label)
     : path_(in.file->path()),
       name_(std::move(name)),
-      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_chunk(in.rows, sizeof(hvl_t)), label)) {
-}
+      dataset_(make_dataset(*in.file, name_, text_type(path_).get(), 1, rows_of_texts(in.rows), label)) {}
 
 void TextSeries::append(std::string text) {
   hash_.add(text.c_str(), text.size() + 1);

@@ -13,7 +13,8 @@ namespace {
 float ratio(const SlideMemory::Sum& sum) { return -std::copysign(1.0F, sum.slip) * sum.drag / sum.limit; }
 
 /// Adds a window to those in succession that lose friction, or that keep it.
-void add(const SlideMemory::Sum& window, SlideMemory& s) {
+/// @param still  nothing moves the ground or changes the loads any more
+void add(const SlideMemory::Sum& window, bool still, SlideMemory& s) {
   const bool loses = ratio(window) < FrictionCheck::kLeast;
   if (s.losing == 0 ? loses : !loses && s.keeping >= FrictionCheck::kBetween) {
     s.total = {};
@@ -24,7 +25,7 @@ void add(const SlideMemory::Sum& window, SlideMemory& s) {
   s.total.limit += window.limit;
   if (loses) {
     ++s.losing;
-    s.lost = 1;
+    if (still || s.losing >= FrictionCheck::kLosing) s.lost = 1;
   } else if (s.keeping <= FrictionCheck::kBetween) {
     ++s.keeping;
   }
@@ -62,7 +63,7 @@ void lengthen(float slip, SlideMemory& s) {
 
 /// Takes a window that is complete into the stretch, or ends the stretch.
 /// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
-/// @param longest  windows of a stretch that is not steady are lengthened up to this [s]
+/// @param longest  windows of a stretch that is not steady are lengthened up to this [s]; 0: something still acts
 void close_window(double stretch, double longest, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
@@ -73,7 +74,7 @@ void close_window(double stretch, double longest, SlideMemory& s) {
     return lengthen(slides ? window.slip : 0.0F, s);
   if (!slides || pace < 0.0F) return s.end();
   if (s.last.limit > 0.0F && steady) {
-    add(s.last, s);
+    add(s.last, longest > 0.0, s);
   } else {
     s.total = {};
     s.losing = s.keeping = 0;
