@@ -32,8 +32,9 @@ namespace scree::coupling {
 /// of another pace than the one before, makes the next windows twice as long instead of ending the stretch, up to
 /// kLongest natural periods.
 ///
-/// StackDamping acts on the blocks of a slide that has lost friction (SlideMemory::lost), until the stretch ends: in one
-/// window where no motion and no function acts any more, else in kLosing. A shock makes blocks hop, and that is no fault.
+/// StackDamping acts on the blocks of a slide that has lost friction (SlideMemory::lost), until the stretch ends: in
+/// one window where no motion and no function acts any more, else in kLosing. A shock makes blocks hop, and that is no
+/// fault.
 ///
 /// The sums are part of the contact's memory: they go with a vertex that passes to the next edge, with copies and
 /// restarts. Stages whose velocities are not physical (to rest, dynamics < 1) have no check.
