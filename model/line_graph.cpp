@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "model/cell_grid.h"
 #include "model/check.h"
 #include "model/geos.h"
+#include "model/main_direction.h"
 #include "model/random.h"
 
 namespace scree {
@@ -47,27 +47,12 @@ void each_piece(const Geos& geos, const GEOSGeometry* g, See&& see) {
   }
 }
 
-/// Unit vector along the direction of more than half of the length of the lines, one of 180 in half a turn: exactly
-/// that of its longest line. Else, or for few lines, the x axis.
+/// The direction of more than half of the length of very many lines; else the x axis.
 Vec2 main_direction(const std::vector<SourceLine>& sources) {
   if (sources.size() < kManyLines) return {1.0, 0.0};
-  constexpr std::size_t kParts = 180;
-  std::array<double, kParts> length{}, longest{};
-  std::array<Vec2, kParts> along;
-  double all = 0.0;
-  for (const SourceLine& s : sources) {
-    const Vec2 d = s.b - s.a;
-    const double turn = std::atan2(d.y(), d.x()) / std::numbers::pi + 1.0;  // 0 to 2, in half turns
-    const std::size_t part = static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * kParts)) % kParts;
-    const double l = d.norm();
-    all += l;
-    length[part] += l;
-    if (l <= longest[part]) continue;
-    longest[part] = l;
-    along[part] = d / l;
-  }
-  const auto most = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
-  return length[most] > 0.5 * all ? along[most] : Vec2(1.0, 0.0);
+  MainDirection main;
+  for (const SourceLine& s : sources) main.add(s.b - s.a);
+  return main.share() > 0.5 ? main.along() : Vec2(1.0, 0.0);
 }
 
 /// Lines in the order in which GEOS gets them. Its tree of nodes is not balanced: in the order of their ends very many

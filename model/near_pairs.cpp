@@ -1,37 +1,22 @@
 #include "model/near_pairs.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 #include "model/geos.h"
+#include "model/main_direction.h"
 
 namespace scree {
 namespace {
 
-/// Unit vector along the direction that has most of the outlines' length, of 180 in half a turn: exactly that of its
-/// longest edge.
+/// Of the outlines of the blocks.
 Vec2 main_direction(std::span<const Block> blocks) {
-  constexpr std::size_t kParts = 180;
-  std::array<double, kParts> length{}, longest{};
-  std::array<Vec2, kParts> along;
-  along.fill(Vec2(1.0, 0.0));
+  MainDirection main;
   for (const Block& b : blocks)
     for (std::size_t r = 0; r < b.polygon.rings(); ++r) {
       const Ring& ring = b.polygon.ring(r);
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 d = ring[(i + 1) % ring.size()] - ring[i];
-        const double turn = std::atan2(d.y(), d.x()) / std::numbers::pi + 1.0;  // 0 to 2, in half turns
-        const std::size_t part = static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * kParts)) % kParts;
-        const double l = d.norm();
-        length[part] += l;
-        if (l <= longest[part]) continue;
-        longest[part] = l;
-        along[part] = d / l;
-      }
+      for (std::size_t i = 0; i < ring.size(); ++i) main.add(ring[(i + 1) % ring.size()] - ring[i]);
     }
-  return along[static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin())];
+  return main.along();
 }
 
 /// Box of a block in axes along d, grown by a margin.

@@ -42,6 +42,14 @@ struct Pair {
       m.slide.lost = 1;
     }
   }
+  /// The rates of damping of the two as they slide.
+  [[nodiscard]] SlidingDamping sliding() const {
+    SlidingDamping out(*setup, 1.0);
+    out.begin();
+    out.count(setup->outlines(), list);
+    EXPECT_TRUE(out.find());
+    return out;
+  }
   static const Methods& methods() {
     static const Methods kAll = standard_methods();
     return kAll;
@@ -91,10 +99,7 @@ class StackDamping : public testing::TestWithParam<std::string> {};
 TEST_P(StackDamping, keeps_momenta_and_takes_the_energy_that_it_says) {
   Pair pair(GetParam());
   ASSERT_GE(pair.list.points.size(), 2U);
-  SlidingDamping sliding(*pair.setup, 1.0);
-  sliding.begin();
-  sliding.count(pair.setup->outlines(), pair.list);
-  ASSERT_TRUE(sliding.find());
+  const SlidingDamping sliding = pair.sliding();
   coupling::StackDamping stacks(*pair.setup, sliding);
   ASSERT_TRUE(stacks.find(sliding, pair.setup->outlines(), pair.list));
   for (const double time : {1e-7, 1e-5, 1e-3, 1.0}) {
@@ -129,10 +134,7 @@ TEST_P(StackDamping, brings_the_approach_of_two_blocks_to_rest_and_does_not_thro
   }
   for (const std::size_t b : {std::size_t{0}, std::size_t{1}})
     pair.place(b, b == 0 ? Vec2(2.0, 1.0) : Vec2(2.5, 3.25 - 1e-5), b == 0 ? Vec2(0.3, 0.0) : Vec2(0.0, -0.1), 0.0);
-  SlidingDamping sliding(*pair.setup, 1.0);
-  sliding.begin();
-  sliding.count(pair.setup->outlines(), pair.list);
-  ASSERT_TRUE(sliding.find());
+  const SlidingDamping sliding = pair.sliding();
   coupling::StackDamping stacks(*pair.setup, sliding);
   ASSERT_TRUE(stacks.find(sliding, pair.setup->outlines(), pair.list));
   const auto normal_force = [&](double time) {
@@ -161,10 +163,7 @@ TEST_P(StackDamping, brings_the_approach_of_two_blocks_to_rest_and_does_not_thro
 TEST_P(StackDamping, is_nothing_where_no_slide_has_lost_friction) {
   Pair pair(GetParam());
   for (ContactMemory& m : pair.list.memory) m.slide.lost = 0;
-  SlidingDamping sliding(*pair.setup, 1.0);
-  sliding.begin();
-  sliding.count(pair.setup->outlines(), pair.list);
-  ASSERT_TRUE(sliding.find());
+  const SlidingDamping sliding = pair.sliding();
   coupling::StackDamping stacks(*pair.setup, sliding);
   EXPECT_FALSE(stacks.find(sliding, pair.setup->outlines(), pair.list));
 }
