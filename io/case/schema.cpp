@@ -620,8 +620,7 @@ constexpr Key kKeys[] = {
      "Damping of the deformation of free blocks that slide, a fraction of critical for the lowest frequency of the "
      "block, in proportion to the share of its contact force that slips. It slows neither slide nor spin; without it "
      "blocks on steep planes vibrate and lose friction. Blocks on each other that lose friction all the same are "
-     "damped "
-     "along the normals of their contacts as well. Not attenuation of rock; 0 gives the bare equations."},
+     "damped along the normals of their contacts as well. Not attenuation of rock; 0 gives the bare equations."},
     {"stage[].newmark", Type::choice, "", kAny, "(\"damped\", in implicit stages)", false, "damped|trapezoidal",
      "Newmark's scheme of implicit steps. damped: beta 1/2, gamma 1; trapezoidal: beta 1/4, gamma 1/2, for studies "
      "without contacts."},
