@@ -376,7 +376,11 @@ OpenClose::ProposedState OpenClose::proposed_state(std::size_t i) const {
       return w;
     }
   }
-  if (switch_slack(i, w)) return w;
+  if (switch_slack(i, w)) {
+    if (w.violation > tolerance(i)) return w;
+    w.slack = t.slack;  // the dashpot hardly pulls: the friction must be right all the same
+    w.violation = 0.0;
+  }
   if (t.status == ContactStatus::stick) {
     const double cap = s.friction_limit(bearing_force(i));
     if (std::abs(t.ft) <= cap) return w;

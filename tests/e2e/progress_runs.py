@@ -3,7 +3,8 @@
 
 Usage: progress_runs.py SCREE [MODELS [FIRST]]
 A run may take 20 times the processor time of its implicit twin (and 5 s); one that takes more must have ended with its
-cause. The audit stays silent; 1, 2 and 3 threads give the same bits. Models: 200 with SCREE_FULL=1, else 2.
+cause. The audit stays silent, and no energy comes from nowhere; 1, 2 and 3 threads give the same bits. Models: 200 with
+SCREE_FULL=1, else the first and those in which faults were seen.
 """
 import json
 import os
@@ -15,6 +16,8 @@ import sys
 import tempfile
 
 FULL = bool(os.environ.get("SCREE_FULL"))
+# A slight friction force where nothing presses; a thin wedge whose tip was let through.
+SEEN = (67, 84)
 FLOOR = 5.0  # processor time that every run may take [s]
 TIMES = 20.0
 CASE = """
@@ -94,13 +97,13 @@ class Run:
 
 def main():
     scree = sys.argv[1]
-    models = int(sys.argv[2]) if len(sys.argv) > 2 else 200 if FULL else 2
     first = int(sys.argv[3]) if len(sys.argv) > 3 else 0
+    models = range(first, first + int(sys.argv[2])) if len(sys.argv) > 2 else range(200) if FULL else (0, *SEEN)
     tally = {}
     worst = 0.0
     with tempfile.TemporaryDirectory(prefix="scree-progress-") as scratch:
         scratch = pathlib.Path(scratch)
-        for k in range(first, first + models):
+        for k in models:
             rng = random.Random(k)
             told = model(rng)
             for young in (5e7, 5e9):
@@ -123,14 +126,14 @@ def main():
                     print(f"{what}: {len(blocks)} blocks, code {run.code}, {run.cpu:.2f} s, twin {twin:.2f} s {run.err[:150]!r}", flush=True)
                     if run.code not in (0, 4):
                         fault(f"{what}: exit code {run.code} after {run.cpu:.1f} s: {run.err[:300]}")
-                    elif run.code == 4 and "audit" in run.err:
+                    elif run.code == 4 and ("audit" in run.err or "energy from nowhere" in run.err):
                         fault(f"{what}: {run.err[:300]}")
                     if run.code == 0 and (FULL or k == first):
                         for threads in (2, 3):
                             again = Run(scree, case, scratch / "again", TIMES * run.cpu + FLOOR, threads)
                             if again.digest() != run.digest():
                                 fault(f"{what}: {threads} threads give another state")
-    print(f"{models} models: {tally}; the worst took {worst:.1f} times its implicit twin; {len(faults)} faults")
+    print(f"{len(models)} models: {tally}; the worst took {worst:.1f} times its implicit twin; {len(faults)} faults")
     sys.exit(1 if faults else 0)
 
 

@@ -98,6 +98,19 @@ TEST(CornerRules, corner_that_nothing_holds_leaves_by_the_nearer_edge) {
   }
 }
 
+/// The tip of a thin wedge, pressed into what lies below it: the corner there is above the wedge's upper side, by which
+/// it cannot be held since its rock lies below that, and the lower side goes on carrying.
+TEST(CornerRules, wide_corner_does_not_touch_the_side_above_it) {
+  Two two({{{-5, -2}, {10, -2}, {10, -0.7}, {0, 0}, {-5, 0}}, {}}, {{{0, 0}, {10, -0.7}, {10, 0}}, {}});
+  constexpr std::int32_t kCorner = 3, kLower = 0, kUpper = 2;
+  const ContactList now = two.at({-1e-7, -4e-7});
+  EXPECT_EQ(index_of(now, 0, kCorner, 1, kUpper), -1);
+  const std::ptrdiff_t carries = index_of(now, 0, kCorner, 1, kLower);
+  ASSERT_GE(carries, 0);
+  EXPECT_FALSE(now.points[static_cast<std::size_t>(carries)].suppressed);
+  EXPECT_LT(now.points[static_cast<std::size_t>(carries)].at.gap, 0.0);
+}
+
 /// What is more than half way through a plate when it is first seen has come in over its end.
 TEST(CornerRules, corner_first_seen_beyond_the_middle_of_a_plate_is_not_pressed_through) {
   Two two(rectangle(-1, 0, 1, 0.01), rectangle(0.95, 0.01, 2, 1));
