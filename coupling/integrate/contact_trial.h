@@ -9,7 +9,6 @@ namespace scree::coupling {
 struct ContactTrial {
   ContactStatus status = ContactStatus::open;
   double direction = 0.0;  // sign of the friction force while slipping
-  double load = 0.0;       // normal force that its friction limit was taken from [N]
   bool opens = false;      // it dilates while it slips: not at the end of dilation yet
   double opened = 0.0;     // by dilation in the step; the gap below is less by it [m]
   double fn = 0.0, ft = 0.0, gap = 0.0, stretch = 0.0, moved = 0.0;  // linear outcome; moved: tangential change

@@ -1,14 +1,10 @@
 // Open-close iteration: contact states of an implicit step.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "coupling/contact/contact_energy.h"
-#include "coupling/contact/law/dilation.h"
-#include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/block_solver.h"
-#include "coupling/integrate/contact_trial.h"
+#include "coupling/integrate/contact_states.h"
 #include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
 #include "coupling/integrate/step_springs.h"
@@ -73,11 +69,11 @@ class OpenClose {
   /// them.
   double add_forces(std::span<const double> d, std::span<double> out) const;
 
-  [[nodiscard]] const std::vector<Trial>& trials() const { return trial_; }
+  [[nodiscard]] const std::vector<Trial>& trials() const { return states_.trials(); }
   [[nodiscard]] const StepSprings& springs() const { return *springs_; }
   /// Rows of a point's gap and stretch in the step.
-  [[nodiscard]] DofRow normal(std::size_t i) const { return rows_[springs_->size() + 2 * i]; }
-  [[nodiscard]] DofRow tangential(std::size_t i) const { return rows_[springs_->size() + 2 * i + 1]; }
+  [[nodiscard]] DofRow normal(std::size_t i) const { return states_.normal(i); }
+  [[nodiscard]] DofRow tangential(std::size_t i) const { return states_.tangential(i); }
   [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
   /// The last step was solved by blocks.
@@ -95,16 +91,6 @@ class OpenClose {
   [[nodiscard]] bool update(StepReport& report);
   /// y = (A + springs + closed contacts, with friction of those that slip) x.
   void multiply(std::span<const double> x, std::span<double> y) const;
-  /// What the friction force of a slipping point loses as its gap opens [N/m].
-  [[nodiscard]] double friction_per_gap(std::size_t i) const;
-  [[nodiscard]] bool dilates(std::size_t i) const { return law_of(i).dilation > 0.0; }
-  /// Normal force of a slipping point that dilates, linear in gap and stretch.
-  [[nodiscard]] DilatingForce dilation(std::size_t i) const;
-  /// Slip left at the start of the step until dilation ends [m]; infinite: it does not.
-  [[nodiscard]] double slip_left(std::size_t i) const;
-  /// Stretch of a point's spring at the start of the step.
-  [[nodiscard]] double stretch_before(std::size_t i) const;
-  [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
   /// The largest force that a solution is made of [N].
   [[nodiscard]] double force_scale(std::span<const double> d) const;
   /// What round-off leaves of the forces inside the bodies and of the springs between them [N].
@@ -118,7 +104,6 @@ class OpenClose {
   /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
   [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
   // open_close_blocks.cpp: the same by blocks
-  [[nodiscard]] PointTangent tangent(std::size_t i) const;
   /// Finds whether the step is to be solved by blocks, and can be.
   void begin_blocks();
   /// Brings the matrix to the states, and makes a factor where there is none of use.   @return false: a pivot failed
@@ -129,12 +114,6 @@ class OpenClose {
   /// The rest of the step has a complete factor.
   void leave_blocks(StepReport& report);
   // open_close_clusters.cpp: states settled around the points that have switched
-  /// Forces of a point in its state: f_n = normal - nn dg - nt ds, f_t = tangential - tn dg - tt ds.
-  struct PointForce {
-    PointTangent k;
-    double normal = 0.0, tangential = 0.0;  // [N]
-  };
-  [[nodiscard]] PointForce linear_force(std::size_t i) const;
   /// The bodies of the points that have switched, and one ring of closed contacts around them, fall into clusters. In
   /// each that is not too large states settle while the bodies outside stay where they are: what a pass of all bodies
   /// would carry on by one body at a time.
@@ -148,47 +127,7 @@ class OpenClose {
   [[nodiscard]] bool solve_cluster(std::span<double> d);
   /// Which solver the next step begins with, from what this one has counted.
   void choose_solver();
-  void evaluate_points(std::span<const double> d);
-  void evaluate_point(std::size_t i, std::span<const double> d);
-  [[nodiscard]] double limit(std::size_t i) const;
-  /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
-  [[nodiscard]] double pressed(const Trial& t, double change) const { return -t.k * (t.at + change); }
-  /// The force of a slack point [N].
-  [[nodiscard]] double slack_force(std::size_t i) const {
-    return trial_[i].status == ContactStatus::stick ? -strength_[i].tension : 0.0;
-  }
-  /// Normal force that strength is taken from: bonds fail by the spring's force, not by the dashpot's [N].
-  [[nodiscard]] double bearing_force(std::size_t i) const;
-  [[nodiscard]] double normal_stiffness(std::size_t i) const;
-  [[nodiscard]] double tangential_stiffness(std::size_t i) const;
-  [[nodiscard]] bool may_close(std::size_t i) const;
-  /// True if the corner of a point is held by an edge beside it that faces the same way: once its foot has left that
-  /// edge, the contact passes over with its force.
-  [[nodiscard]] bool held_beside(std::size_t i) const;
-  /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
-  [[nodiscard]] double tolerance(std::size_t i) const;
-  /// The state that a point's forces and motions ask for, and how far they violate the one it has, as a force [N].
-  struct ProposedState {
-    ContactStatus status = ContactStatus::open;
-    double direction = 0.0;
-    bool opens = false, slack = false;
-    double violation = 0.0;
-  };
-  /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should switch
-  [[nodiscard]] bool switch_slack(std::size_t i, ProposedState& w) const;
-  [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
-  /// Lists a point in proposed_ if it is to switch.
-  void propose(std::size_t i);
-  void adopt(std::size_t i, const ProposedState& w);
-  /// A character for the state of a point.
-  [[nodiscard]] static char state_letter(const Trial& t);
-  /// @param only_worst  of all points of a body the one that violates its state most   @return points switched
-  [[nodiscard]] int switch_states(bool only_worst);
-  /// Open points that close where the first guess of a step takes them begin it closed.   @return their number
-  int predict_states(std::span<const double> guess);
   [[nodiscard]] bool refuse(StepReport& report) const;
-  /// Of the states of all points, so that a pass is known which had them before.
-  [[nodiscard]] std::size_t hash_of_states();
 
   const Setup* setup_;
   StepControl control_;
@@ -199,14 +138,9 @@ class OpenClose {
   const ContactList* list_ = nullptr;
   const StepSprings* springs_ = nullptr;
   std::span<const LowRank> damping_;
-  DofRows rows_;                // springs, then gap and stretch of every point
+  DofRows rows_;  // springs, then gap and stretch of every point
+  ContactStates states_;
   std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
-  std::vector<Trial> trial_;
-  std::vector<Strength> strength_;  // of the points
-  std::vector<double> mass_;        // of a body, as the model has it [kg]
-  std::vector<double> weight_;      // of the lighter free body at a point [N]
-  double largest_force_ = 0.0;      // of the points' normal forces in a pass [N]
-  double gap_round_off_ = 0.0;      // to which positions define a gap [m]
   std::vector<ChartRow> charts_;
   std::vector<std::int32_t> chart_of_node_;  // -1: not yet this step
   std::span<const double> A_;
@@ -220,10 +154,7 @@ class OpenClose {
     DilatingForce dilation;
   };
   std::vector<Slipping> slipping_;
-  std::vector<std::pair<std::size_t, ProposedState>> proposed_;  // of points that switch in a pass
-  std::vector<double> worst_;                                    // violation of a body's points [N]
-  std::string states_;                                           // of all points in a pass, a character each
-  std::vector<std::size_t> seen_;                                // hashes of the states that the passes have had
+  std::vector<std::size_t> seen_;  // hashes of the states that the passes have had
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
@@ -242,8 +173,7 @@ class OpenClose {
   struct Counts {
     int switches = 0, corrections = 0, factorisations = 0;
   };
-  Counts counts_;                      // of the step at hand
-  std::vector<std::size_t> switched_;  // points, in the last pass
+  Counts counts_;  // of the step at hand
   BodyClusters clusters_;
   Cholesky cholesky_;
 };

@@ -25,18 +25,6 @@ double solution_work(double bodies) { return 8.0 * bodies * std::log2(bodies + 1
 
 }  // namespace
 
-PointTangent OpenClose::tangent(std::size_t i) const {
-  PointTangent out{normal_stiffness(i), 0.0, 0.0, tangential_stiffness(i)};
-  if (trial_[i].status != ContactStatus::slip) return out;
-  const double friction = friction_per_gap(i);
-  if (!dilates(i) || trial_[i].slack) {
-    out.tn = friction;
-    return out;
-  }
-  const DilatingForce f = dilation(i);
-  return {f.per_gap, f.per_stretch, friction / trial_[i].k * f.per_gap, friction / trial_[i].k * f.per_stretch};
-}
-
 void OpenClose::begin_blocks() {
   BlockSolver& b = blocks_;
   b.work = 0.0;
@@ -49,8 +37,8 @@ void OpenClose::begin_blocks() {
 
 bool OpenClose::take_blocks(bool fresh, StepReport& report) {
   BlockSolver& b = blocks_;
-  b.tangents.resize(trial_.size());
-  for (std::size_t i = 0; i < trial_.size(); ++i) b.tangents[i] = tangent(i);
+  b.tangents.resize(states_.size());
+  for (std::size_t i = 0; i < states_.size(); ++i) b.tangents[i] = states_.tangent(i);
   b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), b.tangents);
   b.stale = true;
   // A factor of other states serves until the iterations that it takes more than a new one did are worth one.

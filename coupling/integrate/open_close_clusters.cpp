@@ -11,26 +11,6 @@ constexpr std::size_t kSide = kBlockSide;
 
 }  // namespace
 
-OpenClose::PointForce OpenClose::linear_force(std::size_t i) const {
-  const Trial& t = trial_[i];
-  PointForce out;
-  out.k = tangent(i);
-  if (t.status == ContactStatus::open) return out;
-  out.normal = t.slack ? slack_force(i) : -t.k * t.at;
-  if (t.status == ContactStatus::stick) {
-    out.tangential = -out.k.tt * stretch_before(i);
-    return out;
-  }
-  const double cohesion = t.direction * strength_[i].friction_limit(0.0);
-  if (dilates(i) && !t.slack) {
-    out.normal = -(out.k.nn * t.at + out.k.nt * stretch_before(i) + dilation(i).constant);
-    out.tangential = cohesion + friction_per_gap(i) / t.k * out.normal;
-  } else {
-    out.tangential = cohesion - out.k.tn * t.at;
-  }
-  return out;
-}
-
 void OpenClose::find_cluster_bodies() {
   BodyClusters& c = clusters_;
   const BlockSystem& system = blocks_.system;
@@ -41,13 +21,13 @@ void OpenClose::find_cluster_bodies() {
     c.inside[static_cast<std::size_t>(body)] = 1;
     c.bodies.push_back(body);
   };
-  for (const std::size_t i : switched_)
+  for (const std::size_t i : states_.changed())
     for (const std::int32_t body : system.bodies_of(i)) take(body);
   const std::size_t ring = c.bodies.size();
   for (std::size_t k = 0; k < ring; ++k)
     for (const BlockSystem::Incidence& at : system.incidences(c.bodies[k])) {
       const auto unit = static_cast<std::size_t>(at.unit);
-      if (unit < springs_->size() || trial_[unit - springs_->size()].status == ContactStatus::open) continue;
+      if (unit < springs_->size() || states_[unit - springs_->size()].status == ContactStatus::open) continue;
       for (const std::int32_t body : system.bodies_of(unit - springs_->size())) take(body);
     }
   std::sort(c.bodies.begin(), c.bodies.end());
@@ -109,13 +89,13 @@ void OpenClose::begin_cluster() {
 
 double OpenClose::find_cluster_residual(std::span<const double> d) {
   BodyClusters& c = clusters_;
-  c.normal.resize(trial_.size());
-  c.tangential.resize(trial_.size());
+  c.normal.resize(states_.size());
+  c.tangential.resize(states_.size());
   double largest = 0.0;
   for (const std::size_t i : c.points) {
-    const PointForce f = linear_force(i);
+    const LinearContactForce f = states_.linear_force(i);
     blocks_.system.set(i, f.k);
-    const double gap = normal(i).change(d), stretch = tangential(i).change(d);
+    const double gap = states_.normal(i).change(d), stretch = states_.tangential(i).change(d);
     c.normal[i] = f.normal - f.k.nn * gap - f.k.nt * stretch;
     c.tangential[i] = f.tangential - f.k.tn * gap - f.k.tt * stretch;
     largest = std::max({largest, std::abs(c.normal[i]), std::abs(c.tangential[i])});
@@ -182,27 +162,15 @@ void OpenClose::settle_cluster(std::span<double> d, StepReport& report) {
   for (int pass = 0; pass < kMost; ++pass) {
     ++report.local_passes;
     if (!solve_cluster(d)) return;
-    for (const std::size_t i : c.points) evaluate_point(i, d);
-    states_.clear();
-    for (const std::size_t i : c.points) states_.push_back(state_letter(trial_[i]));
-    const std::size_t now = std::hash<std::string>{}(states_);
+    for (const std::size_t i : c.points) states_.evaluate_point(i, d);
+    const std::size_t now = states_.hash(c.points);
     if (std::find(c.seen.begin(), c.seen.end(), now) != c.seen.end()) {
       if (only_worst) return;
       only_worst = true;
       c.seen.clear();
     }
     c.seen.push_back(now);
-    proposed_.clear();
-    for (const std::size_t i : c.points) propose(i);
-    if (proposed_.empty()) return;
-    if (only_worst) {
-      const auto worst = std::max_element(proposed_.begin(), proposed_.end(), [](const auto& a, const auto& b) {
-        return a.second.violation < b.second.violation;
-      });
-      std::swap(*proposed_.begin(), *worst);
-      proposed_.resize(1);
-    }
-    for (const auto& [i, w] : proposed_) adopt(i, w);
+    if (!states_.change_among(c.points, only_worst)) return;
   }
 }
 

@@ -20,16 +20,16 @@ void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
     }
   }
   for (const Slipping& s : slipping_) {
-    const double gap = normal(s.point).change(x) - normal(s.point).known;
+    const DofRow normal = states_.normal(s.point), tangential = states_.tangential(s.point);
+    const double gap = normal.change(x) - normal.known;
     if (!s.dilates) {
-      tangential(s.point).add_force(s.friction_per_gap * gap, y);
+      tangential.add_force(s.friction_per_gap * gap, y);
       continue;
     }
-    const double kn = trial_[s.point].k,
-                 loss = s.dilation.per_gap * gap +
-                        s.dilation.per_stretch * (tangential(s.point).change(x) - tangential(s.point).known);
-    normal(s.point).add_force(loss - kn * gap, y);
-    tangential(s.point).add_force(s.friction_per_gap / kn * loss, y);
+    const double kn = states_[s.point].k,
+                 loss = s.dilation.per_gap * gap + s.dilation.per_stretch * (tangential.change(x) - tangential.known);
+    normal.add_force(loss - kn * gap, y);
+    tangential.add_force(s.friction_per_gap / kn * loss, y);
   }
 }
 
