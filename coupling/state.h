@@ -8,6 +8,7 @@
 #include "coupling/bolt_memory.h"
 #include "coupling/contact_memory.h"
 #include "coupling/ledger/ledger.h"
+#include "coupling/step_limit.h"
 #include "coupling/support_force.h"
 #include "coupling/visit.h"
 #include "model/pool.h"
@@ -76,6 +77,7 @@ struct State {
   std::int32_t stage = 0;
   std::vector<Tick> stage_begin;   // of each stage so far: what may be counted from them begins there
   Tick last_step = 0;              // length of the step before, for the shadow term
+  StepLimit step_limit;            // of partitioned stages
   double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
   // Per body: 1 where it takes explicit steps, kDivided where one half of it does; partitioned stages, else empty.
@@ -163,6 +165,9 @@ void State::visit(Visitor&& see) const {
   see("stage", stage);
   see("stage_begin", stage_begin);
   see("last_step", last_step);
+  see("step_limit.length", step_limit.length);
+  see("step_limit.hold", step_limit.hold);
+  see("step_limit.next_hold", step_limit.next_hold);
   see("relaxing", relaxing);
   see.size("bodies", bodies);
   for (const BodyRecord& b : bodies) visit_body(see, b);

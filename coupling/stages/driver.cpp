@@ -234,6 +234,7 @@ void Driver::start() {
 
 void Driver::enter_time(const Stage& stage) {
   state_.stage_begin.push_back(state_.time);
+  state_.step_limit = {};
   stage_end_ = state_.time + stage.duration;  // at the latest
 }
 

@@ -31,6 +31,23 @@ constexpr double kGrowsBy = 1.5;
 /// ", about 2e+09 of them" where there are so many that a user would wonder what takes so long.
 std::string told_number(double steps) { return steps < 1e6 ? "" : fmt::format(", about {:.2g} of them", steps); }
 
+/// Length of the first attempt of a step, at most.
+Tick first_cap(const Stage& stage, const StepLimit& limit) {
+  return stage.integrator == Integrator::partitioned && limit.length > 0 ? limit.length
+                                                                         : std::numeric_limits<Tick>::max();
+}
+
+/// No shorter step mends it.
+bool is_hopeless(const StepReport& report) {
+  return report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
+}
+
+/// Length of the attempt after one that failed.
+Tick shorter(const StepReport& report, const StepControl& control, Tick h) {
+  const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : control.cut_factor;
+  return std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
+}
+
 }  // namespace
 
 Tick Driver::largest_step(const Stage& stage, bool first) {
@@ -146,7 +163,8 @@ std::string Driver::told_refusal(const StepReport& report, Tick h) const {
 
 RunEnd Driver::advance_step(const Stage& stage) {
   int cuts = 0;
-  Tick attempt_cap = std::numeric_limits<Tick>::max();
+  bool converged = true;  // in all attempts
+  Tick attempt_cap = first_cap(stage, state_.step_limit);
   // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
   committed_ = stats_;
   std::optional<Event> cut;  // told with the step that came of it
@@ -173,6 +191,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
+      if (stage.integrator == Integrator::partitioned) state_.step_limit.taken(h, converged, largest_);
       stats_.left_work += report.left_work;
       if (!stage.has_implicit_steps())
         stats_.element_steps +=
@@ -181,9 +200,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
     }
     ++stats_.cuts;
     const std::string text = told_refusal(report, h);
-    const bool hopeless =
-        report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
-    if (hopeless || ++cuts > step_control_.max_cuts || h <= 3) {
+    if (is_hopeless(report) || ++cuts > step_control_.max_cuts || h <= 3) {
       const auto status =
           report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
       const std::string reason =
@@ -196,9 +213,9 @@ RunEnd Driver::advance_step(const Stage& stage) {
       tell_cut();
       return slow;
     }
+    converged = converged && report.suggested > 0.0;  // its displacement was too large
     if (cuts == 1) cut = Event{EventKind::step_cut, seconds(state_.time), text, nullptr, nullptr};
-    const double factor = report.suggested > 0.0 ? std::clamp(report.suggested, 0.1, 0.9) : step_control_.cut_factor;
-    attempt_cap = std::max<Tick>(1, static_cast<Tick>(static_cast<double>(h) * factor));
+    attempt_cap = shorter(report, step_control_, h);
   }
 }
 

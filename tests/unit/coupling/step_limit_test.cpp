@@ -1,0 +1,56 @@
+#include "coupling/step_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace scree::coupling {
+namespace {
+
+/// A stage of steps that converge up to a length: those taken, and attempts in vain.
+struct Stage {
+  StepLimit limit;
+  int failed = 0;
+  std::vector<Tick> taken;
+  void step(Tick whole, Tick converges) {
+    Tick h = limit.length > 0 ? limit.length : whole;
+    bool converged = true;
+    for (; h > converges; h /= 3) {
+      converged = false;
+      ++failed;
+    }
+    limit.taken(h, converged, whole);
+    taken.push_back(h);
+  }
+};
+
+TEST(StepLimit, attempts_in_vain_become_rare) {
+  Stage s;
+  constexpr int kSteps = 500;
+  for (int i = 0; i < kSteps; ++i) s.step(900, 400);
+  EXPECT_LT(s.failed, kSteps / 10);
+  Tick way = 0;
+  for (const Tick h : s.taken) way += h;
+  EXPECT_GT(way, kSteps * Tick{160});  // and steps are in the mean 0.4 of what they could be, or more
+}
+
+TEST(StepLimit, once_steps_converge_again_they_are_whole_and_so_are_the_next) {
+  Stage s;
+  for (int i = 0; i < 100; ++i) s.step(900, 20);
+  for (int i = 0; i < 60; ++i) s.step(900, 900);
+  EXPECT_EQ(s.taken.back(), 900);
+  EXPECT_EQ(s.limit.length, 0);
+  EXPECT_EQ(s.limit.next_hold, 1);  // the past is forgotten
+  const int failed = s.failed;
+  for (int i = 0; i < 20; ++i) s.step(900, 900);
+  EXPECT_EQ(s.failed, failed);
+}
+
+TEST(StepLimit, steps_that_always_converge_are_never_limited) {
+  Stage s;
+  for (int i = 0; i < 20; ++i) s.step(900, 900);
+  EXPECT_EQ(s.taken, std::vector<Tick>(20, 900));
+}
+
+}  // namespace
+}  // namespace scree::coupling
