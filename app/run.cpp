@@ -209,6 +209,17 @@ void print(const io::DrawingReport& d) {
 
 /// What joint sets asked for against what was drawn; a mean that is off by more than 2.58 standard errors, which one in
 /// a hundred is by chance, is marked.
+void print(const coupling::Plan& plan, const GroundMotion& m) {
+  const MotionFacts f = m.facts();
+  const GroundMotion::Setting& how = m.setting();
+  const std::string stage =
+      how.stage.valid() ? fmt::format(" of stage '{}'", plan.stages[how.stage.index()].name) : std::string();
+  say("  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
+      "velocity {:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
+      how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
+      f.final_velocity, f.final_displacement, f.arias);
+}
+
 void print(const Model& model, const SetStatistics& s) {
   const auto told = [](const Sample& drawn, const Moments1& asked, const char* unit) {
     const double error = asked.deviation / std::sqrt(static_cast<double>(std::max<std::int64_t>(drawn.n, 1)));
@@ -468,17 +479,7 @@ int check(const CheckOptions& options) {
   if (c.drawing) print(*c.drawing);
   if (c.model.cutting) print(*c.model.cutting);
   for (const SetStatistics& set : c.model.joint_sets) print(c.model, set);
-  for (const GroundMotion& m : c.model.motions) {
-    const MotionFacts f = m.facts();
-    const GroundMotion::Setting& how = m.setting();
-    const std::string stage =
-        how.stage.valid() ? fmt::format(" of stage '{}'", c.plan.stages[how.stage.index()].name) : std::string();
-    say("  motion '{}': {} samples, {:.6g} s from {:g} s{} on, PGA {:.4g} m/s2 ({:.3g} g), PGV {:.4g} m/s, final "
-        "velocity "
-        "{:.2g} m/s, final displacement {:.3g} m, Arias {:.3g} m/s\n",
-        how.name, m.times().size(), f.duration, how.start, stage, f.pga, f.pga / kStandardGravity, f.pgv,
-        f.final_velocity, f.final_displacement, f.arias);
-  }
+  for (const GroundMotion& m : c.model.motions) print(c.plan, m);
   tell_meshes(c.model, c.plan);
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// What is wrong with the options as a whole; empty: nothing.
-std::string usage_error(const SlopeCommand& c) {
+/// What is wrong with the options of the slope; empty: nothing.
+std::string slope_error(const SlopeCommand& c) {
   const bool block = c.weight || c.length, face = c.height || c.face;
   if (block && face) return "the slope is given twice: --weight and --length, or --height and --face";
   if (face && !(c.height && c.face && c.dip && c.friction))
@@ -28,6 +28,12 @@ std::string usage_error(const SlopeCommand& c) {
   if (!face && (c.crack > 0.0 || c.water > 0.0))
     return "--crack and --water belong to a slope with --height and --face";
   if (c.dip.has_value() != c.friction.has_value()) return "--dip and --friction go together";
+  return {};
+}
+
+/// What is wrong with the options as a whole; empty: nothing.
+std::string usage_error(const SlopeCommand& c) {
+  if (std::string wrong = slope_error(c); !wrong.empty()) return wrong;
   if (c.records.empty() && !c.dip && !c.yield)
     return "nothing is asked: give --dip and --friction, --yield, or --record";
   if (c.records.empty() && !c.spectrum.empty()) return "--spectrum needs a --record";

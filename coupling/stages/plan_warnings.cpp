@@ -93,6 +93,14 @@ std::string group_text(const Model& model, const std::vector<BlockId>& blocks, b
                      held_elsewhere ? "; close the gap, or give one of them a support" : "");
 }
 
+/// Of blocks that supports hold along the other axis only.   @param axis  0: x, 1: y
+std::string half_held_text(const Model& model, const std::vector<BlockId>& blocks, int axis) {
+  const bool one = blocks.size() == 1;
+  return fmt::format("nothing holds {} {} along {}, where {} acts on {}: supports fix {} only",
+                     one ? "block" : "blocks", named_blocks(model, blocks), axis == 0 ? 'x' : 'y',
+                     model.gravity[axis] != 0.0 ? "gravity" : "a load", one ? "it" : "them", axis == 0 ? 'y' : 'x');
+}
+
 }  // namespace
 
 std::string named_blocks(const Model& model, const std::vector<BlockId>& blocks) {
@@ -134,10 +142,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
       moved = true;
       if (on_its_way || no_support) continue;
       if (held[g][static_cast<std::size_t>(1 - axis)])
-        told.push_back(fmt::format("nothing holds {} {} along {}, where {} acts on {}: supports fix {} only",
-                                   blocks.size() == 1 ? "block" : "blocks", named_blocks(model, blocks),
-                                   axis == 0 ? 'x' : 'y', model.gravity[axis] != 0.0 ? "gravity" : "a load",
-                                   blocks.size() == 1 ? "it" : "them", axis == 0 ? 'y' : 'x'));
+        told.push_back(half_held_text(model, blocks, axis));
       else if (blocks.size() == 1)
         alone.push_back(blocks.front());
       else

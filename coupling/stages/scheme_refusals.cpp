@@ -21,27 +21,35 @@ void check_subcycled(const Stage& stage, const Setup& setup, std::span<const cha
                          setup.model().blocks[b.block.index()].name));
 }
 
+namespace {
+
+[[noreturn]] void refuse_implicit(const Stage& stage, const std::string& why) {
+  throw PlanError(fmt::format("stage '{}' is {}: {}", stage.name,
+                              stage.integrator == Integrator::partitioned ? "partitioned" : "implicit", why));
+}
+
+void check_trapezoidal(const Stage& stage, const Model& model) {
+  const auto refuse = [&](const std::string& why) { refuse_implicit(stage, "the trapezoidal scheme " + why); };
+  if (stage.rest || stage.dynamics != 1.0)
+    refuse("carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
+  if (stage.kinematics == Kinematics::corotational && (stage.stiffness_damping > 0.0 || !model.viscous_edges.empty()))
+    refuse("takes stiffness damping and viscous edges with kinematics = \"linear\" only");
+  if (!model.bolts.empty()) refuse("has no bolts and no liners; use newmark = \"damped\"");
+  if (!stage.construction.absent.empty()) refuse("has no excavation; use newmark = \"damped\"");
+  if (!model.waters.empty()) refuse("has no contacts, and so no water in joints; use newmark = \"damped\"");
+}
+
+}  // namespace
+
 void check_implicit(const Stage& stage, const Setup& setup, std::span<const char> explicit_side) {
   const bool partitioned = stage.integrator == Integrator::partitioned;
-  const auto refuse = [&](const std::string& why) {
-    throw PlanError(fmt::format("stage '{}' is {}: {}", stage.name, partitioned ? "partitioned" : "implicit", why));
-  };
+  const auto refuse = [&](const std::string& why) { refuse_implicit(stage, why); };
   const bool trapezoidal = stage.newmark == NewmarkScheme::trapezoidal;
   if (partitioned && stage.rotation == BlockRotation::first_order)
     refuse("explicit blocks have no rotation of first order");
   if (partitioned && (trapezoidal || stage.rest))
     refuse("its implicit blocks take newmark = \"damped\", and it cannot run to rest");
-  if (trapezoidal && (stage.rest || stage.dynamics != 1.0))
-    refuse("the trapezoidal scheme carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
-  if (trapezoidal && stage.kinematics == Kinematics::corotational &&
-      (stage.stiffness_damping > 0.0 || !setup.model().viscous_edges.empty()))
-    refuse("the trapezoidal scheme takes stiffness damping and viscous edges with kinematics = \"linear\" only");
-  if (trapezoidal && !setup.model().bolts.empty())
-    refuse("the trapezoidal scheme has no bolts and no liners; use newmark = \"damped\"");
-  if (trapezoidal && !stage.construction.absent.empty())
-    refuse("the trapezoidal scheme has no excavation; use newmark = \"damped\"");
-  if (trapezoidal && !setup.model().waters.empty())
-    refuse("the trapezoidal scheme has no contacts, and so no water in joints; use newmark = \"damped\"");
+  if (trapezoidal) check_trapezoidal(stage, setup.model());
   for (const Body& b : setup.bodies()) {
     if (b.driven || (partitioned && explicit_side[b.block.index()] != 0)) continue;
     const Pool& pool = setup.pool_of(b);

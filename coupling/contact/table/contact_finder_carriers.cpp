@@ -16,6 +16,23 @@ bool passes_over(const ContactPoint& over, const ContactPoint& behind) {
   return (over.edge_edge && behind.edge_edge) || over.at.gap < -behind.at.gap;
 }
 
+/// Suppresses one of two contacts of a corner where it is plain which of the edges the corner stands on, or passes
+/// over.
+/// @return false: it is not plain, and nothing has changed
+bool suppress_by_place(bool at_start, ContactPoint& a, const ContactMemory& ma, ContactPoint& b,
+                       const ContactMemory& mb) {
+  if (const bool first_is_open = ma.status == ContactStatus::open;
+      at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
+    // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+    (first_is_open ? a : b).suppressed = true;
+    return true;
+  }
+  const bool over_a = passes_over(a, b);
+  if (!over_a && !passes_over(b, a)) return false;
+  if ((over_a ? mb : ma).bonded == 0) (over_a ? b : a).suppressed = true;
+  return true;
+}
+
 }  // namespace
 
 double ContactFinder::entry_depth(const ContactPoint& p) const {
@@ -93,17 +110,7 @@ void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) cons
 void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, ContactList& list) const {
   const ContactMemory &ma = list.memory[i], &mb = list.memory[j];
   ContactPoint &a = list.points[i], &b = list.points[j];
-  if (const bool first_is_open = ma.status == ContactStatus::open;
-      at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
-    // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
-    (first_is_open ? a : b).suppressed = true;
-    return;
-  }
-  if (passes_over(a, b) || passes_over(b, a)) {
-    const bool over_a = passes_over(a, b);
-    if ((over_a ? mb : ma).bonded == 0) (over_a ? b : a).suppressed = true;
-    return;
-  }
+  if (suppress_by_place(at_start, a, ma, b, mb)) return;
   const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
   if (!inside && !loaded) return;
   if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())

@@ -8,6 +8,15 @@
 #include "coupling/contact/table/contact_finder.h"
 
 namespace scree::coupling {
+namespace {
+
+/// Whether a point is what its memory is of: two edges that meet, or the same corner on the same edge.
+/// @param passed  from another vertex or edge
+bool same_kind(const ContactPoint& p, const ContactMemory& m, bool passed) {
+  return m.edge_edge == static_cast<std::int32_t>(p.edge_edge) && (p.edge_edge || !passed);
+}
+
+}  // namespace
 
 void ContactFinder::inherit(ContactList& out) {
   const Outlines& o = setup_->outlines();
@@ -82,8 +91,7 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   if (m.segment < 0) m.impact = 0.0;  // a body was made anew
   // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds(). In an
   // impact a point keeps all of it.
-  if (!closed ||
-      (m.impact == 0.0 && m.edge_edge == static_cast<std::int32_t>(p.edge_edge) && (p.edge_edge || !passed))) {
+  if (!closed || (m.impact == 0.0 && same_kind(p, m, passed))) {
     m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
     m.tributary = p.springs.tributary;
     m.kn = p.springs.kn;
