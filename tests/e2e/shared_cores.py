@@ -34,6 +34,9 @@ def main():
     try:
         one = seconds(sys.argv[1], 1)
         two = seconds(sys.argv[1], 2)
+        for _ in range(4):  # what else computes on the machine shows in single tries; threads that spin never come near
+            if two > MOST * one:
+                two = min(two, seconds(sys.argv[1], 2))
     finally:
         for other in others:
             other.kill()
