@@ -207,8 +207,6 @@ void print(const io::DrawingReport& d) {
         r.count, r.fate);
 }
 
-/// What joint sets asked for against what was drawn; a mean that is off by more than 2.58 standard errors, which one in
-/// a hundred is by chance, is marked.
 void print(const coupling::Plan& plan, const GroundMotion& m) {
   const MotionFacts f = m.facts();
   const GroundMotion::Setting& how = m.setting();
@@ -220,6 +218,8 @@ void print(const coupling::Plan& plan, const GroundMotion& m) {
       f.final_velocity, f.final_displacement, f.arias);
 }
 
+/// What joint sets asked for against what was drawn; a mean that is off by more than 2.58 standard errors, which one in
+/// a hundred is by chance, is marked.
 void print(const Model& model, const SetStatistics& s) {
   const auto told = [](const Sample& drawn, const Moments1& asked, const char* unit) {
     const double error = asked.deviation / std::sqrt(static_cast<double>(std::max<std::int64_t>(drawn.n, 1)));

@@ -8,9 +8,10 @@
 
 namespace scree::coupling {
 
-/// Steps whose iteration does not converge are repeated shorter; the next ones begin with what converged, and grow by a
-/// factor of two only after some steps, twice as many each time that was too early. Without it every step of a stage
-/// that needs shorter ones begins with attempts in vain, which cost more than all that follow.
+/// A step whose iteration does not converge is repeated with a shorter length. The next steps begin with the length that
+/// converged, and this length is doubled only after some steps: after twice as many each time that doubling failed.
+/// Without it every step of a stage that needs shorter steps begins with attempts that fail, each as costly as several
+/// steps that converge.
 struct StepLimit {
   Tick length = 0;             // longest attempt; 0: none
   std::int32_t hold = 0;       // steps until it grows

@@ -177,7 +177,8 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {
-  // The tolerance would let in a corner of nearly 180 degrees that lies on the inner side: neither side of it faces.
+  // Both sides of a corner of nearly 180 degrees may be within the tolerance though its rock lies on the inner side of
+  // the edge: then neither side faces the edge, and the corner does not touch it.
   if (pairs_.direction(pairs_.opposing_edge(p.vertex, p.edge)).dot(pairs_.direction(p.edge)) >= 0.0) return false;
   const Outlines& o = setup_->outlines();
   const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
