@@ -8,10 +8,10 @@
 
 namespace scree::coupling {
 
-/// A step whose iteration does not converge is repeated with a shorter length. The next steps begin with the length that
-/// converged, and this length is doubled only after some steps: after twice as many each time that doubling failed.
-/// Without it every step of a stage that needs shorter steps begins with attempts that fail, each as costly as several
-/// steps that converge.
+/// A step whose iteration does not converge is repeated with a shorter length. The next steps begin with the length
+/// that converged, and this length is doubled only after some steps: after twice as many each time that doubling
+/// failed. Without it every step of a stage that needs shorter steps begins with attempts that fail, each as costly as
+/// several steps that converge.
 struct StepLimit {
   Tick length = 0;             // longest attempt; 0: none
   std::int32_t hold = 0;       // steps until it grows
