@@ -28,6 +28,8 @@ std::size_t one_more_than_largest(const std::vector<std::int32_t>& values) {
                         : static_cast<std::size_t>(1 + std::max(0, *std::max_element(values.begin(), values.end())));
 }
 
+double whole_metres(double value) { return std::isfinite(value) ? std::round(value) : 0.0; }
+
 }  // namespace
 
 struct LiveSite::Data {
@@ -61,14 +63,7 @@ struct LiveSite::Data {
   }
 
   void take_info(const info_v1_t& info) {
-    if (info.header.session != session) {
-      forget(info.header.session);
-      const auto middle = [](double low, double high) {
-        const double value = std::round(0.5 * (low + high));
-        return std::isfinite(value) ? value : 0.0;
-      };
-      base = {middle(info.bounds[0], info.bounds[2]), middle(info.bounds[1], info.bounds[3])};
-    }
+    if (info.header.session != session) forget(info.header.session);
     stages[info.header.stage] = {info.stage_name, info.integrator};
   }
 
@@ -77,6 +72,8 @@ struct LiveSite::Data {
     if (!newest || newest == frame || newest->header.session != session) return;
     frame = newest;
     if (frame->mesh != mesh) {
+      // The first INFO of a run comes before its mesh and knows no bounds.
+      if (!mesh) base = {whole_metres(frame->mesh->base[0]), whole_metres(frame->mesh->base[1])};
       mesh = frame->mesh;
       blocks = std::max(blocks, one_more_than_largest(mesh->block));
       materials = std::max(materials, one_more_than_largest(mesh->material));
@@ -108,7 +105,7 @@ struct LiveSite::Data {
     const auto energy = reader->energy();
     const bool has_history = history && history->header.session == session,
                has_energy = energy && energy->header.session == session;
-    if (has_history || has_energy)
+    if (mesh && (has_history || has_energy))
       publish(kRows,
               rows_message(session, has_history ? history.get() : nullptr, has_energy ? &*energy : nullptr, base));
     bool news = false;
@@ -159,7 +156,7 @@ struct LiveSite::Data {
   std::array<Slot, kPlaces> slots;
   bool changed = false;
   std::int64_t session = -1, heard_count = 0;
-  std::array<double, 2> base{0.0, 0.0};
+  std::array<double, 2> base{0.0, 0.0};  // where the first mesh is; the page counts from it
   std::map<std::int32_t, std::pair<std::string, std::string>> stages;  // name, integrator
   std::vector<event_v1_t> events;                                      // by sequence
   std::shared_ptr<const LiveMesh> mesh;                                // as published

@@ -93,6 +93,10 @@ bool all_known(std::span<const Slot> slots) {
   return std::all_of(slots.begin(), slots.begin() + answer_slot, [](const Slot& s) { return s.version > 0; });
 }
 
+bool all_but_events_known(std::span<const Slot> slots) {
+  return std::all_of(slots.begin(), slots.begin() + events_slot, [](const Slot& s) { return s.version > 0; });
+}
+
 TEST(LiveSite, waits_until_something_streams) {
   LiveSite site(memory_bus(), "late <b>");
   EXPECT_TRUE(site.refresh());
@@ -163,6 +167,33 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
   EXPECT_EQ(decoded(site.slots()[status_slot]).head["status"], "running");
   sink.end({}, strip.frame);
   EXPECT_TRUE(refreshed(site, [](auto slots) { return decoded(slots[status_slot]).head["status"] == "done"; }));
+}
+
+TEST(LiveSite, places_are_exact_where_the_page_was_open_before_the_first_frame) {
+  const auto bus = memory_bus();
+  LiveSite site(bus, "");
+  Strip strip(30);
+  const coupling::Plan plan = plan_at(1000.0);
+  LiveSink sink(plan.live, {"trip", "0.1.0"}, {}, bus);
+  Model model = model_with_monitors(1);
+  model.origin = {7.0, -3.0};
+  sink.begin(model, plan);
+  const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0}, u{1.0, 2.0}, v{0.1, 0.2};
+  ASSERT_TRUE(refreshed(site, [&](auto slots) {  // the run computes: it has said its name and no more
+    sink.history({0.0, 0, at, u, v, {}, &strip.state.ledger, &strip.stats});
+    return decoded(slots[status_slot]).head["status"] == "running";
+  }));
+  EXPECT_EQ(site.slots()[rows_slot].version, 0U) << "rows count from where the mesh is";
+  ASSERT_TRUE(refreshed_with(site, sink, strip.frame, all_but_events_known));
+  const Json run = decoded(site.slots()[run_slot]).head;
+  const double x0 = run["origin"][0].get<double>() - 7.0, y0 = run["origin"][1].get<double>() + 3.0;
+  EXPECT_LT(std::hypot(x0 - 5.0e5, y0 - 4.0e6), 3.0) << "float32 of a survey's coordinates is good for 0.25 m";
+  const std::vector<double> origin = decoded(site.slots()[mesh_slot]).arrays.at("origin");
+  for (std::size_t i = 0; i < origin.size(); ++i)
+    EXPECT_NEAR(origin[i] + (i % 2 == 0 ? x0 : y0), strip.origin[i], 1e-6) << i;
+  const Json rows = decoded(site.slots()[rows_slot]).head;
+  EXPECT_NEAR(rows["monitors"]["list"][0]["at"][0].get<double>() + x0, 5.0e5 + 2.0, 1e-6);
+  sink.end({}, strip.frame);
 }
 
 TEST(LiveSite, names_and_what_is_drawn_over_blocks_come_with_the_frames) {
