@@ -27,12 +27,18 @@ namespace {
 
 bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empty() && flags[i] != 0; }
 
-/// What decides the pool of a body: its method, whether its forces are another integrator's, whether it is slow.
+/// What decides the pool of a body: its method, whether its forces are nobody's (it is held, so that it keeps its
+/// shape) or another integrator's, whether it is slow.
 using PoolKey = std::tuple<std::string, bool, bool>;
 PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
-  const bool held = record.absent || model.support_of(record.block) != nullptr,
-             foreign = flagged(ghosts.ghost, i) || (!ghosts.touch && held);
-  return {record.method, foreign, flagged(ghosts.slow, i)};
+  const bool held = record.absent || model.support_of(record.block) != nullptr;
+  return {record.method, held || flagged(ghosts.ghost, i), flagged(ghosts.slow, i)};
+}
+
+/// Appends [begin, end) to ranges, to the last one where it goes on from it.
+void extend(std::vector<Outlines::Range>& ranges, std::int32_t begin, std::size_t end) {
+  if (ranges.empty() || ranges.back().end != begin) ranges.push_back({begin, begin});
+  ranges.back().end = static_cast<std::int32_t>(end);
 }
 
 /// Body i but for its places in pools and arrays.
@@ -47,6 +53,7 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
   }
   b.ghost = !b.driven && flagged(ghosts.ghost, i);
   b.driven = b.driven || b.ghost;
+  b.resting = b.driven && !b.ghost && !b.motion.valid();
   b.touched = ghosts.shared ? b.ghost || !b.driven : !b.driven;
   if (b.absent || (ghosts.shared && !ghosts.touch)) b.touched = false;
   b.divided = record.form.division.divides() && record.form.division.acts != Division::Acts::both;
@@ -92,7 +99,11 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     const Pool& pool = pool_of(b);
     b.first_node = pool_first_[static_cast<std::size_t>(b.pool)] + pool.first_node(b.index);
     b.nodes = pool.first_node(b.index + 1) - pool.first_node(b.index);
-    if (b.driven) std::fill_n(kind_.begin() + b.first_node, b.nodes, b.ghost ? NodeKind::ghost : NodeKind::driven);
+    if (b.driven)
+      std::fill_n(kind_.begin() + b.first_node, b.nodes,
+                  b.ghost     ? NodeKind::ghost
+                  : b.resting ? NodeKind::resting
+                              : NodeKind::driven);
     for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
       if (pool.idle(pool.first_node(b.index) + k))
         kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::ghost;
@@ -132,7 +143,8 @@ void Setup::add_outline(std::int32_t body) {
   const Body& b = bodies_[static_cast<std::size_t>(body)];
   const Boundary& boundary = pool_of(b).boundary(b.index);
   Outlines& out = outlines_;
-  const auto node0 = static_cast<std::int32_t>(out.nodes.size());
+  const auto node0 = static_cast<std::int32_t>(out.nodes.size()),
+             segment0 = static_cast<std::int32_t>(out.segments.size());
   for (const Row& row : boundary.nodes) {
     out.nodes.push_back(global(b, row));
     out.node_body.push_back(body);
@@ -180,6 +192,9 @@ void Setup::add_outline(std::int32_t body) {
     out.vertices[ring_segment].edge_in = of;
   }
   add_cracks(body, boundary, node0);
+  if (b.resting) return;
+  extend(out.moving_nodes, node0, out.nodes.size());
+  extend(out.moving_segments, segment0, out.segments.size());
 }
 
 void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node) {
@@ -246,10 +261,21 @@ Vec2 Setup::driven_displacement(const Body& b, double time) const {
 
 void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
   for (const Body& b : bodies_) {
-    if (!b.driven || b.ghost) continue;
+    if (!b.resting) continue;
+    AffineMotion m;
+    m.c = b.centre;
+    const auto p = static_cast<std::size_t>(b.pool);
+    pool_of(b).place(b.index, m, part(q, p), part(v, p));
+  }
+  prescribe_motions(time, q, v);
+}
+
+void Setup::prescribe_motions(double time, std::span<double> q, std::span<double> v) const {
+  for (const Body& b : bodies_) {
+    if (!b.driven || b.ghost || b.resting) continue;
     AffineMotion m;
     m.c = b.centre + driven_displacement(b, time);
-    if (b.motion.valid()) m.vc = model_->motions[b.motion.index()].velocity(motion_time(b.motion, time));
+    m.vc = model_->motions[b.motion.index()].velocity(motion_time(b.motion, time));
     const auto p = static_cast<std::size_t>(b.pool);
     pool_of(b).place(b.index, m, part(q, p), part(v, p));
   }

@@ -22,6 +22,7 @@ struct Body {
   bool driven = false;                     // held or moved as a whole, or a ghost; has no unknowns
   bool absent = false;                     // not there; driven too, at rest where the model has it, and untouched
   bool ghost = false;                      // another integrator moves it (see Ghosts)
+  bool resting = false;                    // driven, and stays where the model has it
   bool divided = false;                    // another integrator moves one half of it
   bool slow = false;                       // its internal force is met at long steps only (see Ghosts)
   bool touched = true;                     // contact forces on it matter to some integrator of this setup
@@ -56,8 +57,12 @@ struct Outlines {
     std::int32_t edge_in, edge_out;
     bool convex;  // a corner with an interior angle below pi
   };
+  struct Range {
+    std::int32_t begin, end;
+  };
   std::vector<Row> nodes;
   std::vector<std::int32_t> node_body;
+  std::vector<Range> moving_nodes, moving_segments;  // those of bodies that do not rest
   std::vector<Segment> segments;
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;  // by block, ring, edge, part
@@ -89,7 +94,8 @@ class Setup {
   void divide_strength(const StrengthPlan& plan, double factor) { laws_.divide(plan, factor); }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
-  /// Pools whose forces and energies are this setup's: all but those of ghosts.
+  /// Pools of free bodies, whose forces and energies are this setup's. Driven bodies, ghosts among them, live in pools
+  /// of their own: they keep their shape, or another integrator knows their forces, and steps pass over them.
   [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
   /// The same in two: those whose internal force is met at every step, and those of slow bodies.
   [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
@@ -115,7 +121,7 @@ class Setup {
   /// Row of a pool with its nodes counted in the state's arrays, and back.
   [[nodiscard]] Row global(const Body& b, Row row) const;
   [[nodiscard]] Row local(const Body& b, Row row) const;
-  enum class NodeKind : char { free, driven, ghost };
+  enum class NodeKind : char { free, driven, resting, ghost };
   [[nodiscard]] NodeKind kind(std::int32_t node) const { return kind_[static_cast<std::size_t>(node)]; }
   /// True for a row on a node that another integrator moves.
   [[nodiscard]] bool on_ghost(const Row& row) const {
@@ -135,6 +141,8 @@ class Setup {
   }
   /// Puts driven bodies where they are at a time, with their velocity; ghosts stay.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
+  /// The same without those that rest: they are there already.
+  void prescribe_motions(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
   [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
   /// Displacement of a driven body at a time since the start.

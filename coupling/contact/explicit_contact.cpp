@@ -125,8 +125,10 @@ void ExplicitContact::foresee(double h, std::span<const double> q, std::span<con
 
 void ExplicitContact::set_velocities(std::span<const double> v, std::vector<Vec2>& out) const {
   const Outlines& o = setup_->outlines();
-  out.resize(o.nodes.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = position(o.nodes[i], v);
+  if (out.size() != o.nodes.size()) out.assign(o.nodes.size(), Vec2::Zero());  // bodies that rest have none
+  for (const Outlines::Range& r : o.moving_nodes)
+    for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
+      out[i] = position(o.nodes[i], v);
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,

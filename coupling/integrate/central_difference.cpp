@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/support_release.h"
@@ -127,7 +128,7 @@ void CentralDifference::sum_up(const Instant& at) {
     stress_right_ += partial_[index * sums];
     for (std::size_t w = 0; w + 1 < sums; ++w) weight_power_[w] += partial_[index * sums + w + 1];
   }
-  for (const auto* held : {&chunks_.driven(), &chunks_.ghosts()})
+  for (const auto* held : {&chunks_.driven(), &chunks_.resting(), &chunks_.ghosts()})
     for (const Chunk& c : *held)
       std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
                 total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
@@ -215,10 +216,7 @@ void CentralDifference::resume(const State& state, const IntegratorMemory& memor
   stiffness_.force = memory.stiffness;
   local_.force = memory.local;
   slow_ = {memory.slow_weight, memory.slow_weight, memory.slow_energy};
-  if (held_ != nullptr) {
-    std::fill(q_new_.begin(), q_new_.end(), 0.0);
-    held_->take(memory.held, q_new_);
-  }
+  if (held_ != nullptr) held_->take(memory.held, scratch());
   bound_ = memory.bound;
 }
 
@@ -328,8 +326,14 @@ StepReport CentralDifference::lost(const State& state, std::span<const double> f
 }
 
 void CentralDifference::move_driven(const State& state, double h, double end, double& farthest) {
+  if (!std::exchange(resting_placed_, true))
+    for (const Chunk& c : chunks_.resting())
+      for (std::size_t i = c.begin; i < c.end; ++i) {
+        v_half_[i] = 0.0;
+        q_new_[i] = state.q[i];
+      }
   for (const Body& b : setup_->bodies()) {
-    if (!b.driven || b.ghost) continue;
+    if (!b.driven || b.ghost || b.resting) continue;
     const Vec2 u = (setup_->driven_displacement(b, end) - setup_->driven_displacement(b, seconds(state.time))) / h;
     if (h * u.norm() > farthest) farthest = h * u.norm();
     const auto t = setup_->pool_of(b).translation(b.index);
@@ -342,6 +346,12 @@ void CentralDifference::move_driven(const State& state, double h, double end, do
   }
 }
 
+std::span<double> CentralDifference::scratch() {
+  resting_placed_ = false;
+  std::fill(q_new_.begin(), q_new_.end(), 0.0);
+  return q_new_;
+}
+
 void CentralDifference::turn(const State& state, double h) {
   for (const std::size_t p : setup_->own_pools())
     setup_->pool(p).turn(h, setup_->part(std::span<const double>(state.q), p),
@@ -349,10 +359,6 @@ void CentralDifference::turn(const State& state, double h) {
 }
 
 void CentralDifference::leave_instant(const State& state, double h) {
-  stress_left_driven_ = dot(chunks_.driven(), v_half_.data(), stress_.data());
-  for (const Chunk& c : chunks_.driven())
-    std::fill(stress_.begin() + static_cast<std::ptrdiff_t>(c.begin),
-              stress_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
   contact_.leave(v_half_);
   for (const auto& term : terms_) term->leave(h, v_half_);
   if (damps_all()) {
@@ -366,12 +372,9 @@ void CentralDifference::book_step(double h, double stress_energy, double driven_
   const double half = 0.5 * h, *v = v_half_.data();
   // Forces on driven nodes in total_ are those of contacts alone.
   ledger.book(Column::prescribed_motion, -half * (driven_before + dot(chunks_.driven(), v, total_.data())));
-  const double free = half * (stress_left_ + stress_right_),
-               driven = half * (stress_left_driven_ + dot(chunks_.driven(), v, stress_.data()));
   const double change = stress_energy - ledger[Column::elastic];
   ledger.set(Column::elastic, stress_energy);
-  ledger.book(Column::elastic_trapezoid, change + free + driven);
-  ledger.book(Column::prescribed_motion, -driven);
+  ledger.book(Column::elastic_trapezoid, change + half * (stress_left_ + stress_right_));
   for (const auto& term : terms_) term->arrive(h, v_half_, ledger);
   for (const auto& [lagged, column] :
        {std::pair(&stiffness_, Column::stiffness_damping), std::pair(&local_, Column::local_damping)})
@@ -490,7 +493,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   if (lags()) state.v_before.swap(v_half_);
   state.time += ticks_of_step;
   if (bolts_ != nullptr) bolts_->keep(state);
-  setup_->prescribe(end, state.q, state.v);
+  setup_->prescribe_motions(end, state.q, state.v);
   state.last_step = ticks_of_step;
   ++state.step;
   if (audit_ != nullptr) contact_.check(state.q, *audit_);
@@ -516,7 +519,7 @@ void CentralDifference::relax(State& state) {
   const double shadow = damped ? acceleration_energy(state) : 0.0;
   state.ledger.book(Column::rest_damping, kinetic);
   std::fill(state.v.begin(), state.v.end(), 0.0);
-  setup_->prescribe(seconds(state.time), state.q, state.v);
+  setup_->prescribe_motions(seconds(state.time), state.q, state.v);
   state.relaxing = 0.0;
   if (!damped) return;
   std::fill(state.v_before.begin(), state.v_before.end(), 0.0);

@@ -100,6 +100,8 @@ class CentralDifference final : public TimeIntegrator {
   void turn(const State& state, double h);  // what was moved, where nodes turn
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
+  /// q_new_, zero.
+  [[nodiscard]] std::span<double> scratch();
   /// The forces in q_new_ come on top of those at the present instant.
   void jump(State& state);
   void add_terms(const State& state);
@@ -148,7 +150,8 @@ class CentralDifference final : public TimeIntegrator {
   std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
   std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
-  double stress_left_ = 0.0, stress_left_driven_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
+  bool resting_placed_ = false;                         // bodies that rest are in both q_new_ and v_half_
+  double stress_left_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
   double stack_friction_ = 0.0;       // power of friction from stacks_ [W]
   std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
   std::vector<double> partial_;       // a chunk and a sum

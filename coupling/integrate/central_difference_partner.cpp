@@ -14,19 +14,17 @@ void CentralDifference::hold_nodes(std::vector<std::int32_t> nodes) {
 }
 
 void CentralDifference::hold(State& state, std::span<const double> force) {
-  std::fill(q_new_.begin(), q_new_.end(), 0.0);  // scratch
-  held_->take(force, q_new_);
+  held_->take(force, scratch());
   jump(state);
 }
 
 void CentralDifference::weigh(State& state, double weight) {
   slow_.next = weight;
   if (weight == slow_.now) return;
-  std::fill(q_new_.begin(), q_new_.end(), 0.0);
   const double factor = weight / slow_.now;
+  const std::span<double> changes = scratch();
   for (const std::size_t p : setup_->slow_pools()) {
-    const auto stress = setup_->part(std::span<double>(stress_), p),
-               change = setup_->part(std::span<double>(q_new_), p);
+    const auto stress = setup_->part(std::span<double>(stress_), p), change = setup_->part(changes, p);
     for (std::size_t i = 0; i < stress.size(); ++i) {
       const double force = factor * stress[i];
       change[i] = force - stress[i];
@@ -109,7 +107,7 @@ void CentralDifference::mark(Mark& out) const {
 void CentralDifference::go_back(State& state, const Mark& mark) {
   contact_.go_back(mark.contacts);
   state.contacts = mark.contacts.memory;
-  if (held_ != nullptr) held_->take(mark.held, q_new_);
+  if (held_ != nullptr) held_->take(mark.held, scratch());
   if (bolts_ != nullptr) bolts_->take(state);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
   stress_ = mark.stress;

@@ -5,11 +5,21 @@
 namespace scree::coupling {
 
 NodeChunks::NodeChunks(const Setup& setup) {
-  std::vector<std::vector<Chunk>*> kind(static_cast<std::size_t>(setup.nodes()), &free_);
-  for (std::size_t k = 0; k < kind.size(); ++k) {
-    const Setup::NodeKind of = setup.kind(static_cast<std::int32_t>(k));
-    if (of != Setup::NodeKind::free) kind[k] = of == Setup::NodeKind::ghost ? &ghosts_ : &driven_;
-  }
+  const auto list_of = [&](Setup::NodeKind kind) {
+    switch (kind) {
+      case Setup::NodeKind::driven:
+        return &driven_;
+      case Setup::NodeKind::resting:
+        return &resting_;
+      case Setup::NodeKind::ghost:
+        return &ghosts_;
+      case Setup::NodeKind::free:
+        break;
+    }
+    return &free_;
+  };
+  std::vector<std::vector<Chunk>*> kind;
+  for (std::int32_t k = 0; k < setup.nodes(); ++k) kind.push_back(list_of(setup.kind(k)));
   for (std::size_t k = 0; k < kind.size();) {
     std::size_t end = k + 1;
     while (end < kind.size() && kind[end] == kind[k] && end - k < static_cast<std::size_t>(kChunk)) ++end;

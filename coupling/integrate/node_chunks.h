@@ -15,7 +15,7 @@ struct Chunk {
   [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// The nodes of the free bodies and of the driven ones, cut into chunks that stay in a core's nearest cache.
+/// The nodes of the free bodies and of all others, cut into chunks that stay in a core's nearest cache.
 class NodeChunks {
  public:
   explicit NodeChunks(const Setup& setup);
@@ -40,12 +40,13 @@ class NodeChunks {
     return sum;
   }
   [[nodiscard]] std::size_t count() const { return free_.size(); }
-  /// Nodes of driven bodies, and of ghosts, which are driven by others.
+  /// Nodes of bodies that follow a motion, of those that rest, and of ghosts, which are driven by others.
   [[nodiscard]] const std::vector<Chunk>& driven() const { return driven_; }
+  [[nodiscard]] const std::vector<Chunk>& resting() const { return resting_; }
   [[nodiscard]] const std::vector<Chunk>& ghosts() const { return ghosts_; }
 
  private:
-  std::vector<Chunk> free_, driven_, ghosts_;
+  std::vector<Chunk> free_, driven_, resting_, ghosts_;
   std::size_t numbers_ = 0;
   mutable std::vector<double> partial_;
 };

@@ -1,6 +1,7 @@
 #include "coupling/contact/table/contact_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -91,10 +92,21 @@ ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segmen
 
 void ContactFinder::place_nodes(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = position(o.nodes[i], q);
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    frames_[i] =
-        segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
+  const auto place = [&](std::span<const Outlines::Range> nodes, std::span<const Outlines::Range> segments) {
+    for (const Outlines::Range& r : nodes)
+      for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
+        x_[i] = position(o.nodes[i], q);
+    for (const Outlines::Range& r : segments)
+      for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
+        frames_[i] =
+            segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
+  };
+  if (std::exchange(placed_, true)) {
+    place(o.moving_nodes, o.moving_segments);
+  } else {
+    place(std::array{Outlines::Range{0, static_cast<std::int32_t>(x_.size())}},
+          std::array{Outlines::Range{0, static_cast<std::int32_t>(frames_.size())}});
+  }
 }
 
 ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {

@@ -206,6 +206,7 @@ class ContactFinder {
   std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
   std::vector<Vec2> x_;                     // outline nodes
   std::vector<SegmentFrame> frames_;        // of segments
+  bool placed_ = false;                     // those of bodies that rest
   std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
   struct Kind {                                 // of a point, as the list has it

@@ -43,13 +43,19 @@ TEST(MassChain, exact_solution_satisfies_the_equation_of_motion) {
   ChainSetting s;
   s.n = 6;
   s.frequency = 70.0;
-  const double t = 0.2, d = 1e-4;
-  for (int i = 0; i < s.n; ++i) {
+  for (const double damping : {0.0, 0.3}) {
+    s.damping = damping;
+    const double t = 0.2, d = 1e-4;
     const auto u = [&](int k, double at) { return k < 0 ? 0.0 : MassChain::exact(s, k, at); };
-    const double a = (u(i, t + d) - 2.0 * u(i, t) + u(i, t - d)) / (d * d);
-    double f = -s.stiffness * (u(i, t) - u(i - 1, t));
-    f += i + 1 < s.n ? s.stiffness * (u(i + 1, t) - u(i, t)) : s.force * std::sin(s.frequency * t);
-    EXPECT_NEAR(s.mass * a, f, 1e-4 * s.force) << i;
+    const auto v = [&](int k) { return (u(k, t + d) - u(k, t - d)) / (2.0 * d); };
+    for (int i = 0; i < s.n; ++i) {
+      const double a = (u(i, t + d) - 2.0 * u(i, t) + u(i, t - d)) / (d * d);
+      double f = -s.stiffness * (u(i, t) - u(i - 1, t)) - s.dashpot() * (v(i) - v(i - 1));
+      f += i + 1 < s.n ? s.stiffness * (u(i + 1, t) - u(i, t)) + s.dashpot() * (v(i + 1) - v(i))
+                       : s.force * std::sin(s.frequency * t);
+      EXPECT_NEAR(s.mass * a, f, 1e-4 * s.force) << i << ", " << damping;
+    }
+    EXPECT_NEAR(MassChain::exact(s, 3, 0.0), 0.0, 1e-18);
   }
 }
 
@@ -67,6 +73,9 @@ TEST(MassChain, both_schemes_converge_with_their_orders) {
     return worst;
   };
   EXPECT_NEAR(std::log2(error(2e-4, false) / error(1e-4, false)), 2.0, 0.1);
+  EXPECT_NEAR(std::log2(error(2e-4, true) / error(1e-4, true)), 1.0, 0.1);
+  s.damping = 0.3;  // the explicit dashpots lag by half a step
+  EXPECT_NEAR(std::log2(error(2e-4, false) / error(1e-4, false)), 1.0, 0.1);
   EXPECT_NEAR(std::log2(error(2e-4, true) / error(1e-4, true)), 1.0, 0.1);
 }
 
