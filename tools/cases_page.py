@@ -2,21 +2,24 @@
 """docs/cases.md: the case library beside its two sources, from cases/sources.toml and from README.md and expected.toml of every case.
 
 usage: tools/cases_page.py [--check]            writes docs/cases.md, with what docs/cases-found.csv has; --check: compares only
-       tools/cases_page.py --run [SCREE] [CASE ...]   runs these cases (default: all), full tier, brings docs/cases-found.csv up to date, then writes the page
+       tools/cases_page.py --run [SCREE] [CASE ...]   runs these cases (default: all), full tier, brings docs/cases-found.csv, docs/cases-plots.csv and the
+                                                plots in docs/images/cases up to date, then writes the page
 
 A row of docs/cases-found.csv whose quantity or bound has changed since is not shown: run the case again. Values of timings differ from run to run.
 """
 import csv
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE, FOUND = ROOT / "docs/cases.md", ROOT / "docs/cases-found.csv"
-BLOB = "../cases"
+PAGE, FOUND, PLOTS = ROOT / "docs/cases.md", ROOT / "docs/cases-found.csv", ROOT / "docs/cases-plots.csv"
+IMAGES = ROOT / "docs/images/cases"
 
 
 def cases():
@@ -49,6 +52,21 @@ def found_rows():
         return {(r["case"], r["quantity"]): r for r in csv.DictReader(file)}
 
 
+def plot_rows():
+    """Titles of the plots in IMAGES by file name."""
+    if not PLOTS.exists():
+        return {}
+    with open(PLOTS, newline="") as file:
+        return {r["file"]: r["title"] for r in csv.DictReader(file)}
+
+
+def write_rows(path, columns, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def number(x):
     return f"{x:.6g}"
 
@@ -64,7 +82,7 @@ def wanted(q):
 
 
 def page():
-    names, found = cases(), found_rows()
+    names, found, plots = cases(), found_rows(), plot_rows()
     sources = tomllib.loads((ROOT / "cases/sources.toml").read_text())["source"]
     out = ["# The case library", "",
            "Every numbered example, table of results and figure of results of the two sources that Scree was built from, with the case that does it or the reason why there is none; then every case with all its rows.",
@@ -86,31 +104,43 @@ def page():
     out += ["## Cases of other origin", "", ", ".join(f"[{n}](#{n})" for n in others) + ".", "", "## The cases", ""]
     for name in names:
         expected = tomllib.loads((ROOT / "cases" / name / "expected.toml").read_text())
-        out += [f'### <a id="{name}"></a>{name}', "", lead(name), "", f"Case, reference and account: `cases/{name}`.", "", "| quantity | wanted | found | tier | why this bound |", "|---|---|---|---|---|"]
+        out += [f'### <a id="{name}"></a>{name}', "", lead(name), "", f"Case, reference and account: `cases/{name}`.", ""]
+        if (ROOT / "cases" / name / "picture.png").exists():  # HTML: it lies outside docs/; tools/docs_site.sh brings it along
+            out += [f'<img src="../cases/{name}/picture.png" alt="{name}" width="720">', ""]
+        out += ["| quantity | wanted | found | tier | why this bound |", "|---|---|---|---|---|"]
         for q, tier in tiers(expected):
             row = found.get((name, q["name"]))
             value = row["found"] if row and row["wanted"] == wanted(q) else ""
             value = f"{value} ({row['verdict']})" if value and row["verdict"] != "pass" else value
             out.append(f"| {cell(q['name'])} | {cell(wanted(q))} | {value} | {tier} | {cell(q['reason'])} |")
         out.append("")
+        for file, title in plots.items():
+            if file.rpartition("-")[0] == name:
+                out += [f"![{title}](images/cases/{file})", ""]
     return "\n".join(out)
 
 
 def run(arguments):
     scree = next((a for a in arguments if "/" in a), str(ROOT / "build/release/app/scree"))
     chosen = [a for a in arguments if "/" not in a] or cases()
-    rows = found_rows()
+    rows, plots = found_rows(), plot_rows()
+    IMAGES.mkdir(parents=True, exist_ok=True)
     for name in chosen:
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "t.csv")
-            subprocess.run([scree, "cases", "verify", name, "--full", "--table", table], check=False, cwd=ROOT)
+            subprocess.run([scree, "cases", "verify", name, "--full", "--table", table, "--report", folder], check=False, cwd=ROOT)
             with open(table, newline="") as file:
                 new = {(r["case"], r["quantity"]): r for r in csv.DictReader(file)}
+            for old in [f for f in plots if f.rpartition("-")[0] == name]:
+                del plots[old]
+                (IMAGES / old).unlink(missing_ok=True)
+            for title, file in re.findall(r"^!\[(.*)\]\((\S+\.png)\)$", pathlib.Path(folder, "cases.md").read_text(), re.M):
+                plots[file] = title
+                shutil.copy(os.path.join(folder, file), IMAGES / file)
         rows = {k: r for k, r in rows.items() if k[0] != name} | new
-        with open(FOUND, "w", newline="") as file:   # after each case: a run that is stopped loses nothing
-            writer = csv.DictWriter(file, ["case", "quantity", "wanted", "found", "verdict"], lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows[k] for k in sorted(rows))
+        # After each case: a run that is stopped loses nothing.
+        write_rows(FOUND, ["case", "quantity", "wanted", "found", "verdict"], (rows[k] for k in sorted(rows)))
+        write_rows(PLOTS, ["file", "title"], ({"file": f, "title": plots[f]} for f in sorted(plots, key=lambda f: (f.rpartition("-")[0], int(f.rpartition("-")[2][:-4])))))
 
 
 def main():

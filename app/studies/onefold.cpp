@@ -68,17 +68,18 @@ Forms forms_of(double width, bool model_triangle) {
   finder.find(q, none, true, contacts);
   Forms out;
   out.of = onefold_forms(setup, q, contacts);
-  setup.pool(0).body_force(Vec2(0.0, -kGravity), f);
+  const std::size_t free = setup.own_pools()[0];
+  setup.pool(free).body_force(Vec2(0.0, -kGravity), setup.part(std::span<double>(f), free));
   const Eigen::Index n = out.of.map.rows();
-  // The free blocks follow the floor, whose six numbers come first.
-  out.weight_stars = Eigen::Map<const Eigen::VectorXd>(f.data() + 6, n);
+  const auto begin = 2 * static_cast<Eigen::Index>(setup.pool_first(free));  // of the free blocks
+  out.weight_stars = Eigen::Map<const Eigen::VectorXd>(f.data() + begin, n);
   out.weight = Eigen::VectorXd::Zero(n);
   const Outlines& o = setup.outlines();
   out.reach = out.reach_stars = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(o.nodes.size()), n);
   for (std::size_t k = 0; k < o.nodes.size(); ++k) {
     if (o.node_body[k] == 0) continue;
     const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[k])];
-    const auto r = 2 * static_cast<Eigen::Index>(k), first = static_cast<Eigen::Index>(2 * b.first_node - 6);
+    const auto r = 2 * static_cast<Eigen::Index>(k), first = static_cast<Eigen::Index>(2 * b.first_node) - begin;
     const ChartRow row = setup.pool_of(b).chart_row(b.index, setup.local(b, o.nodes[k]), q);
     for (std::size_t u = 0; u < static_cast<std::size_t>(row.n); ++u) {
       out.reach(r, first + row.dof[u]) = row.tx[u];
@@ -86,7 +87,7 @@ Forms forms_of(double width, bool model_triangle) {
     }
     for (std::size_t s = 0; s < 3; ++s)
       for (Eigen::Index d = 0; d < 2; ++d)
-        out.reach_stars(r + d, 2 * static_cast<Eigen::Index>(o.nodes[k].node[s]) - 6 + d) = o.nodes[k].w[s];
+        out.reach_stars(r + d, 2 * static_cast<Eigen::Index>(o.nodes[k].node[s]) - begin + d) = o.nodes[k].w[s];
     const double mass = setup.pool_of(b).totals(b.index, q, v).mass;
     out.weight[first + 1] = -kGravity * mass;
   }

@@ -14,7 +14,7 @@ namespace {
 std::string found(const Row& r) { return r.trouble.empty() ? fmt::format("{:.6g}", r.found) : "-"; }
 const char* verdict(const Row& r) { return r.skipped ? "skipped" : r.pass ? "pass" : "FAIL"; }
 
-std::string picture(const CaseReport& report, std::size_t i) { return fmt::format("{}-{}.svg", report.name, i + 1); }
+std::string picture(const CaseReport& report, std::size_t i) { return fmt::format("{}-{}.png", report.name, i + 1); }
 
 std::string escaped_html(const std::string& text) {
   std::string out;

@@ -184,9 +184,9 @@ TEST(Report, markup_in_texts_stays_text) {
   EXPECT_EQ(html.find("<did>"), std::string::npos);
   for (const std::string* text : {&markdown, &html}) {
     EXPECT_NE(text->find("1 cases, 2 quantities, 2 failed"), std::string::npos);
-    EXPECT_NE(text->find("odd-1.svg"), std::string::npos);
+    EXPECT_NE(text->find("odd-1.png"), std::string::npos);
   }
-  EXPECT_EQ(markdown_report({strange_report()}, false).find("svg"), std::string::npos);
+  EXPECT_EQ(markdown_report({strange_report()}, false).find("png"), std::string::npos);
   EXPECT_NE(terminal_text(strange_report()).find("FAIL"), std::string::npos);
 }
 
@@ -195,7 +195,7 @@ TEST(Report, folder_holds_tables_and_plots) {
   write_report({strange_report()}, folder.path() / "new" / "report");
   EXPECT_NE(folder.text("new/report/cases.md").find("## odd"), std::string::npos);
   EXPECT_NE(folder.text("new/report/cases.html").find("<h2 id=\"odd\">"), std::string::npos);
-  EXPECT_NE(folder.text("new/report/odd-1.svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(folder.text("new/report/odd-1.png").substr(1, 3), "PNG");
 }
 
 TEST(Report, table_is_of_the_kind_that_its_name_says) {
