@@ -27,6 +27,7 @@ constexpr double kRamp = 0.5;                               // gravity comes on 
 constexpr double kPulse = 3.0, kBegin = 1.0, kWidth = 0.2;  // horizontal half sine down the slope [m/s2], [s]
 constexpr double kEnd = 2.6;                                // [s]
 constexpr double kElastic = 0.005;                          // runs further from rigid are compared with elastic blocks
+constexpr double kSteeper = 2.0;                            // friction than the slope, under a pulse [deg]
 constexpr double kThickness = 3.0;                          // of the plane [m]
 constexpr double kDensity = 2600.0, kPoisson = 0.2, kBetween = 15.0;  // blocks hold on each other better by [deg]
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -88,7 +89,7 @@ bool stands(const Shape& shape, int stack, double slope_deg) {
 
 double friction(const Setting& s) {
   const double a = s.slope_deg * kDegree;
-  return s.drive == Drive::pulse ? std::tan(a + 2.0 * kDegree) : (std::sin(a) - 0.01) / std::cos(a);
+  return s.drive == Drive::pulse ? std::tan(a + kSteeper * kDegree) : (std::sin(a) - 0.01) / std::cos(a);
 }
 
 /// Accelerations along the plane (downwards) and into it.
@@ -334,7 +335,12 @@ std::vector<Setting> whole_table(const std::vector<Shape>& all) {
   std::map<std::size_t, Pack> packs;  // by the number of schemes
   const auto deal = [&](const Setting& s) {
     const std::vector<Setting> schemes = every_scheme(s);
-    for (std::size_t i = 0; i < kSchemes; ++i) out.push_back(schemes[packs[schemes.size()].deal(schemes.size())]);
+    for (std::size_t i = 0; i < kSchemes; ++i) {
+      const Setting& dealt = schemes[packs[schemes.size()].deal(schemes.size())];
+      // While it slides the force of a block leans by the angle of friction.
+      if (stands(*s.shape, s.stack, s.drive == Drive::pulse ? s.slope_deg + kSteeper : s.slope_deg))
+        out.push_back(dealt);
+    }
   };
   for (const Shape& shape : all)
     for (const double slope : {15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0})

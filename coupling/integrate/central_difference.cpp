@@ -67,7 +67,7 @@ CentralDifference::CentralDifference(const Setup& setup, const StepControl& cont
   if (damping.stiffness > 0.0) stiffness_.force.assign(n, 0.0);
   if (damping.local > 0.0) local_.force.assign(n, 0.0);
   if (!sliding_.used()) return;
-  for (auto* v : {&rigid_x_, &rigid_y_, &rigid_turn_, &momentum_, &turn_momentum_, &unit_mass_}) v->assign(n, 0.0);
+  for (auto* v : {&rigid_turn_, &momentum_, &turn_momentum_, &unit_mass_}) v->assign(n, 0.0);
   for (const std::size_t p : setup.own_pools())
     setup.pool(p).body_force({1.0, 1.0}, setup.part(std::span<double>(unit_mass_), p));
 }

@@ -132,8 +132,8 @@ class CentralDifference final : public TimeIntegrator {
   NodeChunks chunks_;
   SlidingDamping sliding_;
   StackDamping stacks_;
-  // Scratch of damp_sliding(): rigid motions of a body, momenta of its velocity and of its rotation.
-  std::vector<double> rigid_x_, rigid_y_, rigid_turn_, momentum_, turn_momentum_;
+  // Scratch of damp_sliding(): rotation of a body, momenta of its velocity and of its rotation.
+  std::vector<double> rigid_turn_, momentum_, turn_momentum_;
   std::vector<double> unit_mass_;  // M of a translation by 1
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // per weight: its factor at the present instant

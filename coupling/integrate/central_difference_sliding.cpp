@@ -7,13 +7,26 @@
 namespace scree::coupling {
 namespace {
 
-/// Sum of x.y over a range of numbers.
-double dot(std::size_t begin, std::size_t end, const double* x, const double* y) {
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = begin; i < end; ++i) sum += x[i] * y[i];
-  return sum;
-}
+/// Products of the three rigid motions x, y, turn of a body with the momenta of translations (m), of the turn (L) and
+/// of its velocity (P), in one pass over its nodes.
+struct RigidSums {
+  double mass = 0.0, lx = 0.0, ly = 0.0, inertia = 0.0, px = 0.0, py = 0.0, spin = 0.0;
+  RigidSums(std::span<const double> t, const double* turn, const double* m, const double* L, const double* P) {
+    double s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0, s4 = 0.0, s5 = 0.0, s6 = 0.0;
+#pragma omp simd reduction(+ : s0, s1, s2, s3, s4, s5, s6)
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const std::size_t i = 2 * k;
+      s0 += t[k] * m[i];
+      s1 += t[k] * L[i];
+      s2 += t[k] * L[i + 1];
+      s3 += turn[i] * L[i] + turn[i + 1] * L[i + 1];
+      s4 += t[k] * P[i];
+      s5 += t[k] * P[i + 1];
+      s6 += turn[i] * P[i] + turn[i + 1] * P[i + 1];
+    }
+    mass = s0, lx = s1, ly = s2, inertia = s3, px = s4, py = s5, spin = s6;
+  }
+};
 
 }  // namespace
 
@@ -25,29 +38,33 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
     state.sliding.clear();
     return;
   }
-  state.sliding.assign(q.size(), 0.0);
+  if (state.sliding.size() != q.size()) {
+    state.sliding.assign(q.size(), 0.0);
+  } else {  // driven nodes have none
+    chunks_.for_free([&](const Chunk& c, std::size_t) {
+      std::fill_n(state.sliding.begin() + static_cast<std::ptrdiff_t>(c.begin), c.size(), 0.0);
+    });
+  }
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
     const double rate = sliding_.rates()[i];
     if (rate == 0.0) continue;
     const Body& b = setup_->bodies()[i];
     const Pool& pool = setup_->pool_of(b);
-    const auto p = static_cast<std::size_t>(b.pool), begin = 2 * static_cast<std::size_t>(b.first_node),
-               end = begin + 2 * static_cast<std::size_t>(b.nodes);
-    rigid_motions(*setup_, b, q, rigid_x_, rigid_y_, rigid_turn_);
+    const auto p = static_cast<std::size_t>(b.pool), begin = 2 * static_cast<std::size_t>(b.first_node);
+    rigid_turn(*setup_, b, q, rigid_turn_);
     const auto momentum_of = [&](const std::vector<double>& v, std::vector<double>& out) {
       pool.mass_apply(b.index, setup_->part(q, p), setup_->part(std::span<const double>(v), p),
                       setup_->part(std::span<double>(out), p));
     };
     momentum_of(v_new_, momentum_);
     momentum_of(rigid_turn_, turn_momentum_);
-    const double *x = rigid_x_.data(), *y = rigid_y_.data(), *turn = rigid_turn_.data(), *P = momentum_.data(),
-                 *L = turn_momentum_.data(), *m = unit_mass_.data();
+    const std::span<const double> t = pool.translation(b.index);
+    const double *turn = rigid_turn_.data(), *P = momentum_.data(), *L = turn_momentum_.data(), *m = unit_mass_.data();
     // G = R^T M R, R = (x, y, turn).
-    const double mass = dot(begin, end, x, m), lx = dot(begin, end, x, L), ly = dot(begin, end, y, L);
+    const RigidSums sum(t, turn + begin, m + begin, L + begin, P + begin);
     const Eigen::Matrix3d G =
-        (Eigen::Matrix3d() << mass, 0.0, lx, 0.0, mass, ly, lx, ly, dot(begin, end, turn, L)).finished();
-    const Eigen::Vector3d rigid =
-        G.inverse() * Eigen::Vector3d(dot(begin, end, x, P), dot(begin, end, y, P), dot(begin, end, turn, P));
+        (Eigen::Matrix3d() << sum.mass, 0.0, sum.lx, 0.0, sum.mass, sum.ly, sum.lx, sum.ly, sum.inertia).finished();
+    const Eigen::Vector3d rigid = G.inverse() * Eigen::Vector3d(sum.px, sum.py, sum.spin);
     // v_d <- v_d/(1 + a h/2), the force -a M v_d, and what it takes from the acceleration.
     const double factor = 1.0 / (1.0 + rate * half);
     double *v = v_new_.data(), *a = a_new_.data(), *f = state.sliding.data();
@@ -57,10 +74,11 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
       a[k] -= rate * w;
       f[k] = -rate * factor * (P[k] - t_momentum - rigid.z() * L[k]);
     };
-    for (std::size_t k = begin; k < end; k += 2) {
-      if (b.divided && pool.idle(static_cast<std::int32_t>((k - begin) / 2) + pool.first_node(b.index))) continue;
-      damp(k, rigid.x() * m[k], rigid.x() * x[k]);
-      damp(k + 1, rigid.y() * m[k + 1], rigid.y() * y[k + 1]);
+    for (std::size_t n = 0; n < t.size(); ++n) {
+      if (b.divided && pool.idle(static_cast<std::int32_t>(n) + pool.first_node(b.index))) continue;
+      const std::size_t k = begin + 2 * n;
+      damp(k, rigid.x() * m[k], rigid.x() * t[n]);
+      damp(k + 1, rigid.y() * m[k + 1], rigid.y() * t[n]);
     }
   }
   if (!stacks_.find(sliding_, setup_->outlines(), contact_.list())) return;

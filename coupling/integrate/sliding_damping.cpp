@@ -102,18 +102,27 @@ Vec2 centre_of_turn(const Setup& setup, const Body& body, std::span<const double
   return c / sum;
 }
 
-void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
-                   std::span<double> y, std::span<double> turn) {
+void rigid_turn(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> turn) {
   const std::span<const double> t = setup.pool_of(body).translation(body.index);
   const Vec2 c = centre_of_turn(setup, body, q);
   const auto first = 2 * static_cast<std::size_t>(body.first_node);
   for (std::size_t k = 0; k < t.size(); ++k) {
     const std::size_t i = first + 2 * k;
-    x[i] = y[i + 1] = t[k];
-    x[i + 1] = y[i] = 0.0;
     turn[i] = -(q[i + 1] - t[k] * c.y());
     turn[i + 1] = q[i] - t[k] * c.x();
   }
+}
+
+void rigid_motions(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> x,
+                   std::span<double> y, std::span<double> turn) {
+  const std::span<const double> t = setup.pool_of(body).translation(body.index);
+  const auto first = 2 * static_cast<std::size_t>(body.first_node);
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const std::size_t i = first + 2 * k;
+    x[i] = y[i + 1] = t[k];
+    x[i + 1] = y[i] = 0.0;
+  }
+  rigid_turn(setup, body, q, turn);
 }
 
 }  // namespace scree::coupling

@@ -63,6 +63,10 @@ class SlidingDamping {
 /// The point c of a body's rotation below: the mean of its nodes, weighted by t.
 [[nodiscard]] Vec2 centre_of_turn(const Setup& setup, const Body& body, std::span<const double> q);
 
+/// The rotation W (q_k - t_k c) of a body about c, W the quarter turn.
+/// @param turn  of the setup's node arrays, written on the body's nodes only
+void rigid_turn(const Setup& setup, const Body& body, std::span<const double> q, std::span<double> turn);
+
 /// The three rigid motions of a body on its nodes: translations t_k e_x, t_k e_y with the translation weights t, and
 /// the rotation W (q_k - t_k c) about a point c near its centre, W the quarter turn.
 /// @param out  3 spans of the setup's node arrays, written on the body's nodes only
