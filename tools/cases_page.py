@@ -20,6 +20,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE, FOUND, PLOTS = ROOT / "docs/cases.md", ROOT / "docs/cases-found.csv", ROOT / "docs/cases-plots.csv"
 IMAGES = ROOT / "docs/images/cases"
+SHOWN = 3  # plots of a case; `scree cases verify --report` draws all
 
 
 def cases():
@@ -134,7 +135,7 @@ def run(arguments):
             for old in [f for f in plots if f.rpartition("-")[0] == name]:
                 del plots[old]
                 (IMAGES / old).unlink(missing_ok=True)
-            for title, file in re.findall(r"^!\[(.*)\]\((\S+\.png)\)$", pathlib.Path(folder, "cases.md").read_text(), re.M):
+            for title, file in re.findall(r"^!\[(.*)\]\((\S+\.png)\)$", pathlib.Path(folder, "cases.md").read_text(), re.M)[:SHOWN]:
                 plots[file] = title
                 shutil.copy(os.path.join(folder, file), IMAGES / file)
         rows = {k: r for k, r in rows.items() if k[0] != name} | new
