@@ -211,6 +211,7 @@ double elastic_mean(const Setting& s, double from, double rigid) {
   e.young = s.young;
   e.poisson = kPoisson;
   e.friction_plane = friction(s);
+  e.sliding_damping = std::max(1.0, 2.0 * std::pow(friction(s), 3));  // as SlidingDamping: steep slides flutter more
   e.friction_between = std::tan(std::atan(friction(s)) + kBetween * kDegree);
   if (s.stiffer != 1.0) {
     e.stiffness_plane = e.stiffness_stack = e.stiffness_row = contact_stiffness(s);
