@@ -1,10 +1,11 @@
 #include "model/elasticity.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "model/dense_algebra.h"
 
 namespace scree {
 
@@ -120,12 +121,12 @@ Tangent linear_tangent(const Elasticity& law) {
 }
 
 Tangent positive_part(const Tangent& tangent) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(tangent);
-  if (eigen.eigenvalues()(0) >= 0.0) return tangent;
+  const Modes modes = symmetric_modes(tangent);
+  if (modes.values(0) >= 0.0) return tangent;
   Tangent out = Tangent::Zero();
   for (Eigen::Index k = 0; k < 4; ++k) {
-    const Eigen::Vector4d x = eigen.eigenvectors().col(k);
-    out += std::max(eigen.eigenvalues()(k), 0.0) * x * x.transpose();
+    const Eigen::Vector4d x = modes.vectors.col(k);
+    out += std::max(modes.values(k), 0.0) * x * x.transpose();
   }
   return out;
 }

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "model/check.h"
+#include "model/dense_algebra.h"
 
 namespace scree {
 namespace {
@@ -120,8 +121,7 @@ Samples correct_baseline(Samples record, Baseline degree, Between between) {
       root_weight[i] = std::sqrt(0.5 * (time[std::min(j + 1, time.size() - 1)] - time[j > 0 ? j - 1 : 0]));
     }
     const Eigen::MatrixXd free = V.rightCols(terms - 1) - V.col(0) * share;
-    const Eigen::VectorXd x =
-        (root_weight.asDiagonal() * free).colPivHouseholderQr().solve(root_weight.asDiagonal() * v);
+    const Eigen::VectorXd x = least_squares(root_weight.asDiagonal() * free, root_weight.asDiagonal() * v);
     c.tail(terms - 1) = x;
     c[0] -= share.dot(x);
   }

@@ -1,10 +1,10 @@
 #include "nmm/consistent_mass.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <stdexcept>
 
+#include "model/dense_algebra.h"
 #include "model/parallel.h"
 
 namespace scree::nmm {
@@ -29,7 +29,7 @@ Correction correction(std::span<const MassElement> elements, double density, con
     const Vec2 r = e.material.centroid - centre;
     S += density * (e.material.second + e.material.area * r * r.transpose());
   }
-  const Mat2 L_to = second.llt().matrixL(), L_from = S.llt().matrixL();
+  const Mat2 L_to = cholesky_factor(second), L_from = cholesky_factor(S);
   return {centre, L_to * L_from.inverse()};
 }
 

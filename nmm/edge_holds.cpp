@@ -1,9 +1,11 @@
 #include "nmm/edge_holds.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "model/dense_algebra.h"
 
 namespace scree::nmm {
 namespace {
@@ -166,8 +168,7 @@ double hold_frequency(std::span<const EdgeHold> holds, const CoverMesh& mesh, co
       folded.row(i) *= root;
       folded.col(i) *= root;
     }
-    const double largest = std::max(
-        0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(folded, Eigen::EigenvaluesOnly).eigenvalues()(n - 1));
+    const double largest = std::max(0.0, symmetric_eigenvalues(folded)(n - 1));
     for (const std::int32_t c : places) sum[c] += largest;
   }
   double worst = 0.0;

@@ -1,9 +1,10 @@
 #include "nmm/lumped_mass.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
+#include "model/dense_algebra.h"
 #include "model/parallel.h"
 
 namespace scree::nmm {
@@ -113,8 +114,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
       affine.bottomRightCorner<2, 2>() = exact[static_cast<std::size_t>(p)].second;
       part.inverse_correction = affine.inverse() - part.hat_inverse;
       part.correction = part.hat_inverse * (hat - affine) * part.hat_inverse;
-      part.theta = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(hat, affine, Eigen::EigenvaluesOnly)
-                       .eigenvalues()(2);
+      part.theta = generalized_eigenvalues(hat, affine)(2);
       const Eigen::Vector3d y = part.hat_inverse * affine.col(0);
       for (std::size_t k = 0; k < covers; ++k)
         if (mesh.component[k] == p) unit_[begin + k] = lumped[k] * affine_basis(X_[begin + k]).dot(y);

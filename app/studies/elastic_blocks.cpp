@@ -1,11 +1,12 @@
 #include "app/studies/elastic_blocks.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "model/dense_algebra.h"
 #include "model/elasticity.h"
 
 namespace scree::app {
@@ -49,9 +50,9 @@ class RitzBlock {
                             2.0 * g * (d.row(0).transpose() * d.row(0) + d.row(3).transpose() * d.row(3)));
         }
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> own(stiffness, mass);
-    modes_ = own.eigenvectors();
-    square_ = own.eigenvalues();
+    const Modes own = generalized_modes(stiffness, mass);
+    modes_ = own.vectors;
+    square_ = own.values;
     square_.head(3).setZero();  // the rigid motions
     load_ = MatrixXd(2, n);
     for (const int k : {0, 1}) load_.row(k) = displacement(centre_).row(k) * mass * modes_;

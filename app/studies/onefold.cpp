@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +9,7 @@
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/onefold/onefold_forms.h"
 #include "coupling/transfer/transfer.h"
+#include "model/dense_algebra.h"
 
 namespace scree::app {
 namespace {
@@ -119,8 +120,8 @@ StudyResult onefold(bool) {
                           off = mapped.transpose() * of.stars.springs.asDiagonal() * mapped - contact;
     contact_error = std::max(contact_error, off.norm() / contact.norm());
     // The same step solved in either form: where the corners go.
-    const Eigen::VectorXd u_stars = f.reach_stars * A.ldlt().solve(f.weight_stars),
-                          u = f.reach * B.ldlt().solve(f.weight);
+    const Eigen::VectorXd u_stars = f.reach_stars * solve_symmetric(A, f.weight_stars),
+                          u = f.reach * solve_symmetric(B, f.weight);
     const double apart = (u_stars - u).lpNorm<Eigen::Infinity>() / u.lpNorm<Eigen::Infinity>();
     most = std::max(most, apart);
     worst = std::max(worst, apart / (std::numeric_limits<double>::epsilon() * step.back()));

@@ -144,7 +144,8 @@ void Setup::add_outline(std::int32_t body) {
   const Boundary& boundary = pool_of(b).boundary(b.index);
   Outlines& out = outlines_;
   const auto node0 = static_cast<std::int32_t>(out.nodes.size()),
-             segment0 = static_cast<std::int32_t>(out.segments.size());
+             segment0 = static_cast<std::int32_t>(out.segments.size()),
+             edge0 = static_cast<std::int32_t>(out.edges.size());
   for (const Row& row : boundary.nodes) {
     out.nodes.push_back(global(b, row));
     out.node_body.push_back(body);
@@ -195,6 +196,7 @@ void Setup::add_outline(std::int32_t body) {
   if (b.resting) return;
   extend(out.moving_nodes, node0, out.nodes.size());
   extend(out.moving_segments, segment0, out.segments.size());
+  extend(out.moving_edges, edge0, out.edges.size());
 }
 
 void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node) {

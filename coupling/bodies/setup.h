@@ -62,7 +62,7 @@ struct Outlines {
   };
   std::vector<Row> nodes;
   std::vector<std::int32_t> node_body;
-  std::vector<Range> moving_nodes, moving_segments;  // those of bodies that do not rest
+  std::vector<Range> moving_nodes, moving_segments, moving_edges;  // those of bodies that do not rest
   std::vector<Segment> segments;
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;  // by block, ring, edge, part

@@ -1,8 +1,10 @@
 #include "coupling/integrate/implicit_bolts.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "model/dense_algebra.h"
 
 namespace scree::coupling {
 
@@ -107,9 +109,9 @@ bool ImplicitBolts::linearise(StepSprings& springs) {
       if (rows.liner) {  // no slip joins its segments
         one.values = tangent.diagonal();
       } else {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(tangent);
-        one.values = parts.eigenvalues().cwiseMax(0.0);
-        one.vectors = parts.eigenvectors();
+        Modes parts = symmetric_modes(tangent);
+        one.values = parts.values.cwiseMax(0.0);
+        one.vectors = std::move(parts.vectors);
       }
     }
     for (std::size_t m = 0; m < rows.segments; ++m) {

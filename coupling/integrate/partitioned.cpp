@@ -1,9 +1,11 @@
 #include "coupling/integrate/partitioned.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+
+#include "model/dense_algebra.h"
 
 namespace scree::coupling {
 Ghosts Partitioned::ghosts(const Setup& whole, const State& state, bool is_explicit, bool shared) {
@@ -123,7 +125,8 @@ void Partitioned::find_constraint_mass() {
   // Covers that follow the same others have no mass of their own against each other: a little keeps it definite.
   compliance = 0.5 * (compliance + compliance.transpose()).eval();
   compliance.diagonal() *= 1.0 + 1e-6;
-  const Eigen::MatrixXd mass = compliance.llt().solve(Eigen::MatrixXd::Identity(n, n)), factor = mass.llt().matrixL();
+  const Eigen::MatrixXd mass = solve_positive(compliance, Eigen::MatrixXd::Identity(n, n)),
+                        factor = cholesky_factor(mass);
   constraint_mass_.assign(factor.data(), factor.data() + factor.size());
   constraint_factor_ = constraint_mass_;
 }

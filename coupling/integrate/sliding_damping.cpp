@@ -1,10 +1,10 @@
 #include "coupling/integrate/sliding_damping.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/integrate/point_springs.h"
+#include "model/dense_algebra.h"
 
 namespace scree::coupling {
 
@@ -18,8 +18,7 @@ double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticit
   K(1, 1) = K(2, 2) = K(1, 2) = K(2, 1) = shape.area * law.mu;
   M.topLeftCorner<2, 2>() = M.bottomRightCorner<2, 2>() = shape.second;
   // The rotation is the one motion without energy.
-  return std::sqrt(
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix4d>(K, M, Eigen::EigenvaluesOnly).eigenvalues()(1));
+  return std::sqrt(generalized_eigenvalues(K, M)(1));
 }
 
 SlidingDamping::SlidingDamping(const Setup& setup, double fraction) {

@@ -1,10 +1,10 @@
 #include "coupling/onefold/onefold_forms.h"
 
-#include <Eigen/SVD>
 #include <array>
 #include <utility>
 
 #include "model/check.h"
+#include "model/dense_algebra.h"
 #include "nmm/nmm_pool.h"
 #include "nmm/tangent.h"
 
@@ -88,7 +88,7 @@ OnefoldForms onefold_forms(const Setup& setup, std::span<const double> q, const 
 }
 
 double condition_number(const Eigen::MatrixXd& A) {
-  const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  const Eigen::VectorXd s = singular_values(A);
   return s[0] / s[s.size() - 1];
 }
 

@@ -1,6 +1,6 @@
 #include "io/pictures/recovered_stress.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,8 +115,9 @@ class Recovery {
     Mat2 spread = Mat2::Zero();
     for (const std::size_t c : cells)
       spread += area_[c] / weight * (middle_[c] - centre) * (middle_[c] - centre).transpose();
-    const Eigen::SelfAdjointEigenSolver<Mat2> axes(spread);
-    const bool plane = cells.size() >= kEnough && axes.eigenvalues()[0] > kFlat * kFlat * axes.eigenvalues()[1];
+    // Eigenvalues of the spread: half of its trace, more or less the radius.
+    const double mean = 0.5 * spread.trace(), radius = std::hypot(0.5 * (spread(0, 0) - spread(1, 1)), spread(0, 1));
+    const bool plane = cells.size() >= kEnough && mean - radius > kFlat * kFlat * (mean + radius);
     const Vec2 lever = plane ? Vec2(spread.inverse() * (at - centre)) : Vec2(Vec2::Zero());
     std::array<double, kComponents> out{};
     for (std::size_t k = 0; k < kComponents; ++k) {

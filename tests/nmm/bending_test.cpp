@@ -6,6 +6,7 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "model/dense_algebra.h"
 #include "tests/support/nmm_block.h"
 #include "tests/support/order_table.h"
 #include "tests/support/scene.h"
@@ -86,10 +87,10 @@ std::vector<double> block_frequencies(const NmmBlock& block, double guess, int c
     for (int j = 0; j < m; ++j) Y.col(j) = solver.solve(mass(X.col(j)));
     Eigen::MatrixXd MY(n, m);
     for (int j = 0; j < m; ++j) MY.col(j) = mass(Y.col(j));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(Y.transpose() * (K * Y), Y.transpose() * MY);
-    X = Y * ritz.eigenvectors();
-    const double change = (ritz.eigenvalues() - lambda).cwiseAbs().head(3 + count).maxCoeff();
-    lambda = ritz.eigenvalues();
+    const Modes ritz = generalized_modes(Y.transpose() * (K * Y), Y.transpose() * MY);
+    X = Y * ritz.vectors;
+    const double change = (ritz.values - lambda).cwiseAbs().head(3 + count).maxCoeff();
+    lambda = ritz.values;
     if (change < 1e-10 * lambda[3 + count - 1]) break;
   }
   std::vector<double> out;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/dense_algebra.h"
 #include "tests/support/nmm_block.h"
 #include "tests/support/order_table.h"
 
@@ -79,7 +80,7 @@ Errors solve(const Polygon& polygon, double h) {
     A += w * modes.transpose() * modes;
     b += w * modes.transpose() * d;
   });
-  const Eigen::Vector3d rigid = A.ldlt().solve(b);
+  const Eigen::Vector3d rigid = solve_symmetric(A, b);
   Errors sum{0.0, 0.0, 0.0};
   block.integrate([&](std::size_t e, const Vec2& x, double w) {
     const Vec2 r = x - block.centre();

@@ -1,7 +1,6 @@
 // Another mesh for the same block: what its covers keep of a field, against the best fit there is.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "coupling/bodies/setup.h"
 #include "coupling/transfer/transfer.h"
+#include "model/dense_algebra.h"
 #include "nmm/cover_mesh.h"
 #include "nmm/field_projection.h"
 #include "tests/support/scene.h"
@@ -162,7 +162,7 @@ struct BestFit {
     const Eigen::MatrixXd old =
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(u.data(), u.size() / 2, 2);
     const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> out =
-        to.free * M.llt().solve(to.free.transpose() * mixed * old);
+        to.free * solve_positive(M, to.free.transpose() * mixed * old);
     return Eigen::Map<const Eigen::VectorXd>(out.data(), out.size());
   }
   /// min int (e' - e):C:(e' - e), without rigid motion on the covers: the most energy that the new mesh can hold of u.
@@ -186,7 +186,7 @@ struct BestFit {
     const Eigen::MatrixXd R = T.transpose() * rigid;  // holds the three motions that have no strain
     const double scale = stiff.trace() / R.squaredNorm();
     const Eigen::MatrixXd K = T.transpose() * stiff * T + scale * R * R.transpose();
-    return T * K.llt().solve(T.transpose() * rhs);
+    return T * solve_positive(K, T.transpose() * rhs);
   }
 };
 

@@ -2,7 +2,6 @@
 // `affine` form: the same motion; and the form in the stars against the centroidal one: the same step.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/onefold/onefold_forms.h"
+#include "model/dense_algebra.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
@@ -338,9 +338,9 @@ TEST(OnefoldForms, stars_and_centroidal_form_are_the_same_step) {
 
     const Eigen::MatrixXd A = f.stars.of_step(h), B = f.centroidal.of_step(h);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(B.rows(), -1.0, 2.0);  // on the centroidal unknowns
-    const Eigen::VectorXd d = B.ldlt().solve(load);
-    const Eigen::VectorXd of_stars = f.map.transpose().partialPivLu().solve(load);
-    const Eigen::VectorXd difference = A.ldlt().solve(of_stars) - f.map * d;
+    const Eigen::VectorXd d = solve_symmetric(B, load);
+    const Eigen::VectorXd of_stars = solve_general(f.map.transpose(), load);
+    const Eigen::VectorXd difference = solve_symmetric(A, of_stars) - f.map * d;
     const double apart = difference.norm() / (f.map * d).norm(), condition = condition_number(A);
     std::printf(
         "model/block %6.0f: condition %.2e in the stars, %.2e centroidal; contact %.1e, rounded "

@@ -2,8 +2,7 @@
 // beating load, against its motion exact in time.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "coupling/integrate/newmark.h"
 #include "coupling/transfer/transfer.h"
+#include "model/dense_algebra.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/nmm_block.h"
 #include "tests/support/order_table.h"
@@ -128,7 +128,7 @@ Eigen::MatrixXd Equations::mass() const {
       inverse.col(unknown_[c] + static_cast<int>(d)) = free(a);
       f[2 * c + d] = 0.0;
     }
-  const Eigen::MatrixXd M = inverse.inverse();
+  const Eigen::MatrixXd M = inverse_of(inverse);
   return 0.5 * (M + M.transpose());
 }
 
@@ -142,14 +142,14 @@ void Equations::advance_by_modes(Motion& m, double t0, double t1) const {
       K += *model_.point_supports[i].stiffness * r * r.transpose();
     }
   const Eigen::MatrixXd M = mass();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, M);
-  const Eigen::MatrixXd& modes = solver.eigenvectors();  // modes^T M modes = I
+  const Modes solution = generalized_modes(K, M);
+  const Eigen::MatrixXd& modes = solution.vectors;  // modes^T M modes = I
 
   std::vector<double> weight(block_.q.size(), 0.0);
   block_.pool.body_force(model_.gravity, weight);
   const PointLoad& load = model_.point_loads[0];
   const double W = 2.0 * std::numbers::pi * model_.functions[load.function.index()].frequency;
-  const Eigen::ArrayXd w2 = solver.eigenvalues(), w = w2.sqrt(),
+  const Eigen::ArrayXd w2 = solution.values, w = w2.sqrt(),
                        rest = (modes.transpose() * block_.folded(weight)).array() / w2,
                        beat = (modes.transpose() * point_force(row_of(load.point), load.force)).array() / (w2 - W * W);
   const auto forced = [&](double t) -> Eigen::ArrayXd { return rest + beat * std::sin(W * t); };

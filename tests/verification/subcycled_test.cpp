@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <array>
 #include <cstdio>
 
 #include "coupling/bodies/partition.h"
 #include "coupling/integrate/step_bound.h"
 #include "coupling/transfer/transfer.h"
+#include "model/dense_algebra.h"
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
@@ -85,7 +86,7 @@ Map map_of(const Springs& s, double h, int m, double xi = 0.0) {
   return a;
 }
 
-double radius(const Map& a) { return a.eigenvalues().cwiseAbs().maxCoeff(); }
+double radius(const Map& a) { return eigenvalues(a).cwiseAbs().maxCoeff(); }
 
 /// The pair as blocks that are bonded, with nothing to damp them.
 Scene pair(const Springs& s, double dt, int substeps, double duration) {

@@ -2,12 +2,13 @@
 // of the real integrator, for 132 sets of parameters and m up to 50, beside the schemes that suggest themselves.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <array>
 #include <cstdio>
 
 #include "coupling/integrate/partitioned.h"
 #include "coupling/transfer/transfer.h"
+#include "model/dense_algebra.h"
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
@@ -137,7 +138,7 @@ class Pair {
 
 /// Infinite where a step was refused.
 double radius(const Eigen::Matrix4d& a) {
-  return a.allFinite() ? a.eigenvalues().cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
+  return a.allFinite() ? eigenvalues(a).cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
 }
 
 /// The schemes that suggest themselves, on the same numbers.

@@ -4,41 +4,79 @@
 
 namespace scree::coupling {
 
-void EdgeOverlap::add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against,
-                      const Vec2& along, bool middle) {
-  const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
-  const auto put = [&](std::int32_t vertex) {
-    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node);
-    Kink& k = kinks_.emplace_back();
-    k.s = along.dot(x[node]);
-    k.vertex = vertex;
-    k.edge = against;
-  };
-  put(e.first_segment);
-  if (middle)
-    for (std::int32_t k = 1; k < e.segments; ++k) put(e.first_segment + k);
-  put(e.end_vertex);
-}
+namespace {
+
+/// Places along a direction of the vertices of an edge, rising or falling from its start to its end. Vertices between
+/// the ends lie in that order but where an edge is bent back on itself.
+class Places {
+ public:
+  Places(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, const Vec2& along, bool falls)
+      : outlines_(&o), x_(x), edge_(&o.edges[static_cast<std::size_t>(edge)]), along_(along), falls_(falls) {
+    start_ = at(0);
+    end_ = at(edge_->segments);
+  }
+  [[nodiscard]] std::int32_t vertex(std::int32_t k) const {
+    return k == edge_->segments ? edge_->end_vertex : edge_->first_segment + k;
+  }
+  [[nodiscard]] double at(std::int32_t k) const {
+    return along_.dot(x_[static_cast<std::size_t>(outlines_->vertices[static_cast<std::size_t>(vertex(k))].node)]);
+  }
+  [[nodiscard]] double start() const { return start_; }
+  [[nodiscard]] double end() const { return end_; }
+  /// see(k, s) for the vertices within [low, high], found without a look at the others.
+  template <class See>
+  void within(double low, double high, bool middle, See&& see) const {
+    const auto inside = [&](double s) { return s >= low && s <= high; };
+    if (inside(start_)) see(0, start_);
+    if (middle) {
+      std::int32_t k = 1, after = edge_->segments;
+      while (k < after) {  // the first that is not before the overlap
+        const std::int32_t half = k + (after - k) / 2;
+        (falls_ ? at(half) > high : at(half) < low) ? k = half + 1 : after = half;
+      }
+      for (; k < edge_->segments; ++k) {
+        const double s = at(k);
+        if (!inside(s)) break;
+        see(k, s);
+      }
+    }
+    if (inside(end_)) see(edge_->segments, end_);
+  }
+
+ private:
+  const Outlines* outlines_;
+  std::span<const Vec2> x_;
+  const Outlines::Edge* edge_;
+  Vec2 along_;
+  bool falls_;
+  double start_ = 0.0, end_ = 0.0;
+};
+
+}  // namespace
 
 std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a,
                                                   std::int32_t b, const Vec2& along, bool middle) {
   kinks_.clear();
   points_.clear();
-  add(o, x, a, b, along, middle);
-  const std::size_t of_a = kinks_.size();
-  add(o, x, b, a, along, middle);
-  const double low = std::max(kinks_.front().s, kinks_.back().s), high = std::min(kinks_[of_a - 1].s, kinks_[of_a].s);
+  const Places of_a(o, x, a, along, false), of_b(o, x, b, along, true);
+  const double low = std::max(of_a.start(), of_b.end()), high = std::min(of_a.end(), of_b.start());
   if (!(high > low)) return points_;
-  std::reverse(kinks_.begin() + static_cast<std::ptrdiff_t>(of_a), kinks_.end());
-  const auto out = [&](const Kink& k) { return k.s < low || k.s > high; };
+  const auto add = [&](const Places& places, std::int32_t against) {
+    places.within(low, high, middle, [&](std::int32_t k, double s) {
+      kinks_.push_back({s, places.vertex(k), against});
+    });
+  };
+  add(of_a, b);
+  const auto count = static_cast<std::ptrdiff_t>(kinks_.size());
+  add(of_b, a);
+  const auto end_a = kinks_.begin() + count;
+  std::reverse(end_a, kinks_.end());
   const auto before = [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.vertex < q.vertex; };
-  const auto begin_b = kinks_.begin() + static_cast<std::ptrdiff_t>(of_a),
-             end_a = std::remove_if(kinks_.begin(), begin_b, out), end_b = std::remove_if(begin_b, kinks_.end(), out);
-  merged_.resize(static_cast<std::size_t>((end_a - kinks_.begin()) + (end_b - begin_b)));
-  if (std::is_sorted(kinks_.begin(), end_a, before) && std::is_sorted(begin_b, end_b, before)) {
-    std::merge(kinks_.begin(), end_a, begin_b, end_b, merged_.begin(), before);
+  merged_.resize(kinks_.size());
+  if (std::is_sorted(kinks_.begin(), end_a, before) && std::is_sorted(end_a, kinks_.end(), before)) {
+    std::merge(kinks_.begin(), end_a, end_a, kinks_.end(), merged_.begin(), before);
   } else {  // an edge that is bent back on itself
-    std::copy(begin_b, end_b, std::copy(kinks_.begin(), end_a, merged_.begin()));
+    std::copy(kinks_.begin(), kinks_.end(), merged_.begin());
     std::sort(merged_.begin(), merged_.end(), before);
   }
   double behind = 0.0;

@@ -33,8 +33,6 @@ class EdgeOverlap {
     double s = 0.0;
     std::int32_t vertex = -1, edge = -1;
   };
-  void add(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, std::int32_t against, const Vec2& along,
-           bool middle);
   std::vector<Kink> kinks_, merged_;
   std::vector<OverlapPoint> points_;
 };

@@ -148,12 +148,10 @@ bool Search::refit(std::span<const Vec2> x, bool all) {
   };
   for (const std::size_t i : s.moved) s.has_moved[i] = 0;
   s.moved.clear();
-  if (all || s.tree == nullptr)
-    for (std::size_t i = 0; i < o.segments.size(); ++i) note(i);
-  else
-    for (std::size_t n = 0; n < x.size(); ++n) {
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       // Processors do not look ahead from one page of memory to the next by themselves.
-      if (n + kAhead < x.size()) {
+      if (n + kAhead < end) {
         __builtin_prefetch(&s.room[n + kAhead]);
         __builtin_prefetch(&x[n + kAhead]);
       }
@@ -161,6 +159,12 @@ bool Search::refit(std::span<const Vec2> x, bool all) {
       if ((x[n].array() >= room.lo.array()).all() && (x[n].array() <= room.hi.array()).all()) continue;
       for (std::size_t k = s.first[n]; k < s.first[n + 1]; ++k) note(s.segments_at[k]);
     }
+  };
+  if (all || s.tree == nullptr)
+    for (std::size_t i = 0; i < o.segments.size(); ++i) note(i);
+  else
+    for (const Outlines::Range& r : o.moving_nodes)
+      look(static_cast<std::size_t>(r.begin), static_cast<std::size_t>(r.end));
   for (const std::size_t i : s.moved) s.fatten(i, x);
   for (const std::size_t i : s.moved)
     for (const std::int32_t node : {o.segments[i].a, o.segments[i].b}) s.set_room(static_cast<std::size_t>(node));

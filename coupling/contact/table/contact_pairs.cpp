@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace scree::coupling {
 namespace {
@@ -165,15 +166,12 @@ void ContactPairs::refresh() {
   }
 }
 
-std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
-  const auto wanted = [&](std::int32_t a, std::int32_t b) {
-    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
-  };
+void ContactPairs::place_edges(std::span<const Vec2> x, Outlines::Range range) {
   const Outlines& o = setup_->outlines();
-  for (std::size_t e = 0; e < o.edges.size(); ++e) {
-    const auto node = [&](std::int32_t v) {
-      return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
-    };
+  const auto node = [&](std::int32_t v) {
+    return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
+  };
+  for (auto e = static_cast<std::size_t>(range.begin); e < static_cast<std::size_t>(range.end); ++e) {
     ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
     Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
@@ -182,6 +180,18 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
       box.lo = box.lo.cwiseMin(at);
       box.hi = box.hi.cwiseMax(at);
     }
+  }
+}
+
+std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
+  const auto wanted = [&](std::int32_t a, std::int32_t b) {
+    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
+  };
+  const Outlines& o = setup_->outlines();
+  if (std::exchange(placed_, true)) {
+    for (const Outlines::Range& r : o.moving_edges) place_edges(x, r);
+  } else {
+    place_edges(x, {0, static_cast<std::int32_t>(box_.size())});
   }
   listed_ = 0;
   same_ = true;

@@ -50,6 +50,8 @@ class ContactPairs {
 
  private:
   [[nodiscard]] bool edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
+  /// Ends, direction and box of edges as they lie now.
+  void place_edges(std::span<const Vec2> x, Outlines::Range range);
   void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
   void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
   /// True if what is in the boxes is farther apart than half the reach.
@@ -72,6 +74,7 @@ class ContactPairs {
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge
+  bool placed_ = false;                    // those of bodies that rest
   std::vector<VertexEdge> pairs_, unsorted_;
   std::size_t listed_ = 0;  // of unsorted_, so far
   bool same_ = false;       // they are those of the last time
