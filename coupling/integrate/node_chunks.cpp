@@ -19,6 +19,7 @@ NodeChunks::NodeChunks(const Setup& setup) {
     return &free_;
   };
   std::vector<std::vector<Chunk>*> kind;
+  kind.reserve(static_cast<std::size_t>(setup.nodes()));
   for (std::int32_t k = 0; k < setup.nodes(); ++k) kind.push_back(list_of(setup.kind(k)));
   for (std::size_t k = 0; k < kind.size();) {
     std::size_t end = k + 1;

@@ -60,7 +60,7 @@ class Heap {
   }
   [[nodiscard]] const Setup& setup() const { return *hand_->setup; }
   [[nodiscard]] const std::vector<Vec2>& points() const { return x_; }
-  /// Moves, turns and stretches every block at random; some jump far away.
+  /// Moves, turns and stretches every block that is not held at random; some jump far away.
   void tumble(double step, double jumps) {
     const auto signed_uniform = [&] { return 2.0 * random_->uniform() - 1.0; };
     for (std::size_t i = 0; i < centre_.size(); ++i) {
@@ -78,6 +78,7 @@ class Heap {
     const Setup& setup = *hand_->setup;
     for (std::size_t i = 0; i < centre_.size(); ++i) {
       const Body& b = setup.bodies()[i];
+      if (b.resting && !x_.empty()) continue;  // the search relies on it that they stay
       AffineMotion m;
       m.c = centre_[i];
       m.F = rotation(angle_[i]) * (Mat2() << 1.0 + 0.01 * random_->uniform(), 0.01, 0.0, 1.0).finished();
