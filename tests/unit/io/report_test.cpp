@@ -279,7 +279,7 @@ TEST(Report, water_returns_from_the_results) {
   EXPECT_TRUE(waters[1].joints.empty()) << "all";
   const RunText text(run, scratch.path() / "run", "1");
   const auto page = nlohmann::json::parse(text.text());
-  const Vec2 base = text.base();
+  const Vec2& base = text.base();
   EXPECT_EQ(page["model"]["water"][0]["joints"], nlohmann::json({1}));
   EXPECT_NEAR(page["model"]["water"][1]["line"][4].get<double>(), 3.0 - base.x(), 1e-6);
   EXPECT_NEAR(page["model"]["water"][1]["line"][5].get<double>(), 0.75 - base.y(), 1e-6);
