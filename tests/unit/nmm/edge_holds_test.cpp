@@ -156,6 +156,7 @@ TEST(EdgeHolds, patch_test_with_all_edges_held_on_an_affine_field) {
   for (int trial = 0; trial < 60; ++trial) {
     const double angle = between(random, 0.0, std::numbers::pi), h = between(random, 0.12, 0.45);
     std::vector<EdgeSupport> all;
+    all.reserve(4);
     for (std::int32_t edge = 0; edge < 4; ++edge) all.push_back(held(edge, Mat2::Identity()));
     NmmBlock b(square(1.0, angle, {between(random, -1.0, 1.0), between(random, -1.0, 1.0)}), linear(h), stiff(),
                Plane::strain, {}, all);
@@ -184,6 +185,7 @@ TEST(EdgeHolds, matrix_is_positive_definite_wherever_the_mesh_cuts) {
   for (int trial = 0; trial < 150; ++trial) {
     const double angle = between(random, 0.0, std::numbers::pi), h = between(random, 0.15, 0.6);
     std::vector<EdgeSupport> all;
+    all.reserve(4);
     for (std::int32_t edge = 0; edge < 4; ++edge) all.push_back(held(edge, Mat2::Identity()));
     NmmBlock b(square(1.0, angle, {between(random, -1.0, 1.0), between(random, -1.0, 1.0)}), linear(h), stiff(),
                Plane::strain, {}, all);
