@@ -97,6 +97,19 @@ bool all_but_events_known(std::span<const Slot> slots) {
   return std::all_of(slots.begin(), slots.begin() + events_slot, [](const Slot& s) { return s.version > 0; });
 }
 
+/// A run that has begun, far from the zero of its coordinates, and the page that listens to it.
+struct Trip {
+  std::shared_ptr<LiveBus> bus = memory_bus();
+  LiveSite site{bus, ""};
+  Strip strip{30};
+  LiveSink sink{plan_at(1000.0).live, {"trip", "0.1.0"}, {}, bus};
+  explicit Trip(int monitors) {
+    Model model = model_with_monitors(monitors);
+    model.origin = {7.0, -3.0};
+    sink.begin(model, plan_at(1000.0));
+  }
+};
+
 TEST(LiveSite, waits_until_something_streams) {
   LiveSite site(memory_bus(), "late <b>");
   EXPECT_TRUE(site.refresh());
@@ -117,14 +130,8 @@ TEST(LiveSite, waits_until_something_streams) {
 }
 
 TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
-  const auto bus = memory_bus();
-  LiveSite site(bus, "");
-  Strip strip(30);
-  const coupling::Plan plan = plan_at(1000.0);
-  LiveSink sink(plan.live, {"trip", "0.1.0"}, {}, bus);
-  Model model = model_with_monitors(2);
-  model.origin = {7.0, -3.0};
-  sink.begin(model, plan);
+  Trip trip(2);
+  auto& [bus, site, strip, sink] = trip;
   sink.event({coupling::EventKind::stage_start, 0.0, "only </script>", nullptr});
   const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0, 5.0e5 + 4.0, 4.0e6 + 2.0}, u{1.0, 2.0, 0.5, 0.25},
       v{0.1, 0.2, 0.3, 0.4};
@@ -170,14 +177,8 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
 }
 
 TEST(LiveSite, places_are_exact_where_the_page_was_open_before_the_first_frame) {
-  const auto bus = memory_bus();
-  LiveSite site(bus, "");
-  Strip strip(30);
-  const coupling::Plan plan = plan_at(1000.0);
-  LiveSink sink(plan.live, {"trip", "0.1.0"}, {}, bus);
-  Model model = model_with_monitors(1);
-  model.origin = {7.0, -3.0};
-  sink.begin(model, plan);
+  Trip trip(1);
+  auto& [bus, site, strip, sink] = trip;
   const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0}, u{1.0, 2.0}, v{0.1, 0.2};
   ASSERT_TRUE(refreshed(site, [&](auto slots) {  // the run computes: it has said its name and no more
     sink.history({0.0, 0, at, u, v, {}, &strip.state.ledger, &strip.stats});
