@@ -131,7 +131,9 @@ TEST(LiveSite, waits_until_something_streams) {
 
 TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
   Trip trip(2);
-  auto& [bus, site, strip, sink] = trip;
+  LiveSite& site = trip.site;
+  Strip& strip = trip.strip;
+  LiveSink& sink = trip.sink;
   sink.event({coupling::EventKind::stage_start, 0.0, "only </script>", nullptr});
   const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0, 5.0e5 + 4.0, 4.0e6 + 2.0}, u{1.0, 2.0, 0.5, 0.25},
       v{0.1, 0.2, 0.3, 0.4};
@@ -178,7 +180,9 @@ TEST(LiveSite, frames_rows_and_events_are_those_of_the_run) {
 
 TEST(LiveSite, places_are_exact_where_the_page_was_open_before_the_first_frame) {
   Trip trip(1);
-  auto& [bus, site, strip, sink] = trip;
+  LiveSite& site = trip.site;
+  Strip& strip = trip.strip;
+  LiveSink& sink = trip.sink;
   const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0}, u{1.0, 2.0}, v{0.1, 0.2};
   ASSERT_TRUE(refreshed(site, [&](auto slots) {  // the run computes: it has said its name and no more
     sink.history({0.0, 0, at, u, v, {}, &strip.state.ledger, &strip.stats});
