@@ -191,7 +191,15 @@ RunEnd Driver::advance_step(const Stage& stage) {
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
-      if (stage.integrator == Integrator::partitioned) state_.step_limit.taken(h, converged, largest_);
+      if (stage.integrator == Integrator::partitioned) {
+        using Iteration = StepLimit::Iteration;
+        const bool halve = shorter_is_cheaper(report, stats_, fast_elements_);
+        state_.step_limit.taken(h,
+                                !converged ? Iteration::failed
+                                : halve    ? Iteration::long_
+                                           : Iteration::short_,
+                                largest_);
+      }
       stats_.left_work += report.left_work;
       if (!stage.has_implicit_steps())
         stats_.element_steps +=

@@ -14,6 +14,10 @@ namespace scree::coupling {
 /// @param elements  of the explicit side
 [[nodiscard]] double effort(const StepReport& report, const RunStats& stats, double elements);
 
+/// True where two steps of half the length take less than this one: its iteration was long, and repeated explicit steps
+/// are most of its effort. Half a step has half of them to repeat, and about two thirds of the iterations.
+[[nodiscard]] bool shorter_is_cheaper(const StepReport& report, const RunStats& stats, double elements);
+
 /// What implicit steps of all blocks take, a step.
 [[nodiscard]] double implicit_effort(const RunStats& stats);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace scree::coupling {
@@ -11,15 +13,16 @@ namespace {
 struct Stage {
   StepLimit limit;
   int failed = 0;
+  Tick quick = std::numeric_limits<Tick>::max();  // longer steps take long iterations
   std::vector<Tick> taken;
   void step(Tick whole, Tick converges) {
     Tick h = limit.length > 0 ? limit.length : whole;
-    bool converged = true;
+    StepLimit::Iteration iteration = h > quick ? StepLimit::Iteration::long_ : StepLimit::Iteration::short_;
     for (; h > converges; h /= 3) {
-      converged = false;
+      iteration = StepLimit::Iteration::failed;
       ++failed;
     }
-    limit.taken(h, converged, whole);
+    limit.taken(h, iteration, whole);
     taken.push_back(h);
   }
 };
@@ -44,6 +47,18 @@ TEST(StepLimit, once_steps_converge_again_they_are_whole_and_so_are_the_next) {
   const int failed = s.failed;
   for (int i = 0; i < 20; ++i) s.step(900, 900);
   EXPECT_EQ(s.failed, failed);
+}
+
+TEST(StepLimit, steps_of_long_iterations_are_halved_and_seldom_tried_again) {
+  Stage s;
+  s.quick = 300;
+  constexpr int kSteps = 500;
+  for (int i = 0; i < kSteps; ++i) s.step(900, 900);
+  EXPECT_EQ(s.failed, 0);
+  EXPECT_LT(std::count_if(s.taken.begin(), s.taken.end(), [&](Tick h) { return h > s.quick; }), kSteps / 10);
+  s.quick = 900;
+  for (int i = 0; i < 60; ++i) s.step(900, 900);
+  EXPECT_EQ(s.limit.length, 0);
 }
 
 TEST(StepLimit, steps_that_always_converge_are_never_limited) {
