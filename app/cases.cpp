@@ -58,7 +58,7 @@ int cases_verify(const VerifyCommand& command) {
   std::vector<CaseReport> reports;
   int failed = 0, skipped = 0;
   for (const std::string& name : names) {
-    reports.push_back(evaluate_case(library / name, command.full));
+    reports.push_back(evaluate_case(library / name, command.tier));
     failed += reports.back().failed();
     skipped += reports.back().skipped();
     say("{}", terminal_text(reports.back()));

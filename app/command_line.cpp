@@ -219,7 +219,15 @@ void add_cases(CLI::App& app, Line& line) {
   command->add_option("names", o->names, "cases (default: all)");
   command->add_flag_callback(
       "--quick", [] {}, "the quick tier (default)");
-  command->add_flag("--full", o->full, "the quick and the full tier")->excludes("--quick");
+  command
+      ->add_flag_callback(
+          "--full", [o] { o->tier = Tier::full; }, "the quick and the full tier: an hour")
+      ->excludes("--quick");
+  command
+      ->add_flag_callback(
+          "--exhaustive", [o] { o->tier = Tier::exhaustive; }, "everything, as the whole of long tables: hours")
+      ->excludes("--quick")
+      ->excludes("--full");
   add_threads(command, o->threads);
   command->add_option("--table", o->table, "write the table to a file")
       ->check(CLI::Validator(

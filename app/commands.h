@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/studies/tier.h"
+
 namespace scree::app {
 
 /// Exit codes (io-and-live): 0 done, 2 usage, 3 bad case, 4 did not converge, 5 files, 130 interrupted.
@@ -57,8 +59,8 @@ int cases_list();
 /// Names of the cases there are; none where no library is found.
 [[nodiscard]] std::vector<std::string> case_names();
 struct VerifyCommand {
-  std::vector<std::string> names;       // empty: all
-  bool full = false;                    // the full tier too
+  std::vector<std::string> names;  // empty: all
+  Tier tier = Tier::quick;
   int threads = 0;                      // 0: as many as OpenMP takes
   std::filesystem::path table, report;  // a table as .md or .html; a folder for tables and plots; empty: none
 };

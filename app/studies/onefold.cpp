@@ -101,7 +101,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y, std::si
 
 }  // namespace
 
-StudyResult onefold(bool) {
+StudyResult onefold(Tier) {
   StudyResult out;
   std::vector<double> width, step, mass, step_centroidal, mass_centroidal;
   double contact_error = 0.0, worst = 0.0, most = 0.0;

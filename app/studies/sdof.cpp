@@ -91,7 +91,7 @@ double stable_radius(const NewmarkTheory& scheme, double Omega) {
 
 }  // namespace
 
-StudyResult sdof(bool) {
+StudyResult sdof(Tier) {
   StudyResult out;
   const std::vector<double> betas{0.50, 0.52, 0.54, 0.60, 1.00};
   io::LinePlot damping{"Damping of Newmark's scheme, gamma = 1", "Omega", "xi", {}};

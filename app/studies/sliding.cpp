@@ -328,16 +328,16 @@ class Pack {
   std::size_t size_ = 0;
 };
 
-/// Blocks, slope, drive and contacts of the whole table; each meets `kSchemes` schemes. All schemes of all of them
-/// would be 4,600 runs and take hours.
-constexpr std::size_t kSchemes = 2;
-std::vector<Setting> whole_table(const std::vector<Shape>& all) {
+/// Blocks, slope, drive and contacts of the long table; each meets one of its schemes, or two in the whole of it. All
+/// schemes of all of them would be 4,600 runs and take a day.
+std::vector<Setting> long_table(const std::vector<Shape>& all, bool whole) {
   std::vector<Setting> out;
   std::map<std::size_t, Pack> packs;  // by the number of schemes
   const auto deal = [&](const Setting& s) {
     const std::vector<Setting> schemes = every_scheme(s);
-    for (std::size_t i = 0; i < kSchemes; ++i) {
+    for (const bool first : {true, false}) {
       const Setting& dealt = schemes[packs[schemes.size()].deal(schemes.size())];
+      if (!first && !whole) continue;
       // While it slides the force of a block leans by the angle of friction.
       if (stands(*s.shape, s.stack, s.drive == Drive::pulse ? s.slope_deg + kSteeper : s.slope_deg))
         out.push_back(dealt);
@@ -390,7 +390,7 @@ std::vector<Setting> short_table(const std::vector<Shape>& all) {
   return out;
 }
 
-std::string told(const Outcome& o) {
+std::string shown(const Outcome& o) {
   std::string rigid = fmt::format("{:+.3f} %", 100.0 * o.error);
   if (std::isnan(o.elastic)) return rigid;
   return fmt::format("{}, all {:+.3f} %, of elastic blocks {:+.3f} %", rigid, 100.0 * o.mean, 100.0 * o.elastic);
@@ -409,7 +409,7 @@ std::vector<Outcome> slide_all(const std::vector<Setting>& settings, bool tell) 
       if (!tell) continue;
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
       const std::scoped_lock lock(telling);
-      fmt::print(stderr, "{:>4} of {}  {}: {}, {:.1f} s\n", i + 1, settings.size(), settings[i].name(), told(out[i]),
+      fmt::print(stderr, "{:>4} of {}  {}: {}, {:.1f} s\n", i + 1, settings.size(), settings[i].name(), shown(out[i]),
                  took.count());
     }
   };
@@ -421,20 +421,21 @@ std::vector<Outcome> slide_all(const std::vector<Setting>& settings, bool tell) 
 
 }  // namespace
 
-StudyResult sliding(bool full) {
+StudyResult sliding(Tier tier) {
   StudyResult result;
   const std::vector<Shape> all = shapes();
   double worst_steady = 0.0, worst_pulse = 0.0, closure = 0.0;
-  const std::vector<Setting> settings = full ? whole_table(all) : short_table(all);
-  const std::vector<Outcome> outcomes = slide_all(settings, full);
+  const bool told = tier >= Tier::full;
+  const std::vector<Setting> settings = told ? long_table(all, tier == Tier::exhaustive) : short_table(all);
+  const std::vector<Outcome> outcomes = slide_all(settings, told);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];
     const Outcome& o = outcomes[i];
     double& worst = s.drive == Drive::steady ? worst_steady : worst_pulse;
     worst = std::max(worst, o.least());
     closure = std::max(closure, o.closure);
-    if (full || o.least() > 0.01)
-      result.notes.push_back(fmt::format("{}: {}, ledger {:.0e}", s.name(), told(o), o.closure));
+    if (told || o.least() > 0.01)
+      result.notes.push_back(fmt::format("{}: {}, ledger {:.0e}", s.name(), shown(o), o.closure));
   }
   result.numbers["worst_steady"] = worst_steady;
   result.numbers["worst_pulse"] = worst_pulse;

@@ -84,7 +84,7 @@ double cost_ratio(int n, int rounds, double damping = 0.0) {
 
 }  // namespace
 
-StudyResult spring_chain(bool full) {
+StudyResult spring_chain(Tier tier) {
   StudyResult out;
   const std::vector<int> sizes{10, 50, 100, 200, 500};
   io::PlotSeries ratios{"Scree", {}, {}, true},
@@ -97,13 +97,13 @@ StudyResult spring_chain(bool full) {
     out.numbers[fmt::format("difference_{}", n)] = relative_difference(h.central, h.implicit, h.exact);
     out.numbers[fmt::format("explicit_error_{}", n)] = relative_difference(h.central, h.exact, h.exact);
     out.numbers[fmt::format("implicit_error_{}", n)] = relative_difference(h.implicit, h.exact, h.exact);
-    out.numbers[fmt::format("cost_ratio_{}", n)] = cost_ratio(n, full ? 10 : 4);
+    out.numbers[fmt::format("cost_ratio_{}", n)] = cost_ratio(n, tier >= Tier::full ? 10 : 4);
     for (io::PlotSeries* s : {&ratios, &thesis, &damped_ratios, &damped_thesis}) s->x.push_back(n);
     ratios.y.push_back(out.numbers[fmt::format("cost_ratio_{}", n)]);
     const Histories d = histories(n, kDt, 1, kDamping);
     damped_explicit = std::max(damped_explicit, relative_difference(d.central, d.exact, d.exact));
     damped_difference = std::max(damped_difference, relative_difference(d.central, d.implicit, d.exact));
-    damped_ratios.y.push_back(cost_ratio(n, full ? 10 : 4, kDamping));
+    damped_ratios.y.push_back(cost_ratio(n, tier >= Tier::full ? 10 : 4, kDamping));
     out.numbers[fmt::format("damped_cost_ratio_{}", n)] = damped_ratios.y.back();
     if (n == 100)
       out.plots.push_back({"Displacement of the pushed mass, n = 100",
@@ -118,7 +118,7 @@ StudyResult spring_chain(bool full) {
   out.numbers["cost_ratio_fall"] = out.numbers["cost_ratio_10"] / out.numbers["cost_ratio_500"];
 
   std::vector<double> steps, differences, explicit_errors, implicit_errors;
-  for (int refine = 1; refine <= (full ? 16 : 4); refine *= 2) {
+  for (int refine = 1; refine <= (tier >= Tier::full ? 16 : 4); refine *= 2) {
     const Histories h = histories(100, kDt / refine, refine);
     steps.push_back(kDt / refine);
     differences.push_back(relative_difference(h.central, h.implicit, h.exact));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/studies/tier.h"
 #include "io/pictures/line_plot.h"
 
 namespace scree::app {
@@ -15,19 +16,19 @@ struct StudyResult {
   std::vector<std::string> notes;  // lines for the report
 };
 
-using Study = StudyResult (*)(bool full);
+using Study = StudyResult (*)(Tier tier);
 /// All studies by name. A new one is a file of this folder and an entry.
 [[nodiscard]] const std::map<std::string, Study>& studies();
 
 /// One oscillator: theory of Newmark's schemes and what Scree's steps really do ([Qu2013] 2.5.1).
-[[nodiscard]] StudyResult sdof(bool full);
+[[nodiscard]] StudyResult sdof(Tier tier);
 /// Blocks on onefold covers: conditions of an implicit step in the stars of a model-wide triangle and in centroidal
 /// form, and that both are the same step
 /// (docs/theory/kinematics-and-nmm.md, "Onefold covers").
-[[nodiscard]] StudyResult onefold(bool full);
+[[nodiscard]] StudyResult onefold(Tier tier);
 /// Blocks that slide on steep planes, by every scheme, against a rigid block.
-[[nodiscard]] StudyResult sliding(bool full);
+[[nodiscard]] StudyResult sliding(Tier tier);
 /// Chains of masses and springs, explicit against implicit ([Qu2013] 2.5.2).
-[[nodiscard]] StudyResult spring_chain(bool full);
+[[nodiscard]] StudyResult spring_chain(Tier tier);
 
 }  // namespace scree::app

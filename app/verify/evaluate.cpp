@@ -22,10 +22,10 @@ io::Case read(const std::filesystem::path& file, const std::vector<std::string>&
   return io::read_case(file, set, methods);
 }
 
-std::vector<const Quantity*> wanted_quantities(const Expected& expected, bool full) {
+std::vector<const Quantity*> wanted_quantities(const Expected& expected, Tier tier) {
   std::vector<const Quantity*> wanted;
   for (const Quantity& q : expected.quantities)
-    if (full || !q.full) wanted.push_back(&q);
+    if (q.tier <= tier) wanted.push_back(&q);
   return wanted;
 }
 
@@ -71,8 +71,8 @@ RunRecords run_variants(const std::map<std::string, io::Case>& cases, const Expe
   return runs;
 }
 
-void evaluate_runs(const std::filesystem::path& folder, const Expected& expected, bool full, CaseReport& report) {
-  const std::vector<const Quantity*> wanted = wanted_quantities(expected, full);
+void evaluate_runs(const std::filesystem::path& folder, const Expected& expected, Tier tier, CaseReport& report) {
+  const std::vector<const Quantity*> wanted = wanted_quantities(expected, tier);
   std::map<std::string, io::Case> cases;
   for (const Quantity* q : wanted) {
     if (!lacked_by(*q, expected).empty()) continue;
@@ -106,7 +106,7 @@ void evaluate_runs(const std::filesystem::path& folder, const Expected& expected
   }
 }
 
-void evaluate_study(const Expected& expected, const std::filesystem::path& file, bool full, CaseReport& report) {
+void evaluate_study(const Expected& expected, const std::filesystem::path& file, Tier tier, CaseReport& report) {
   const auto study = studies().find(expected.study);
   if (study == studies().end()) {
     std::vector<std::string> known;
@@ -117,10 +117,10 @@ void evaluate_study(const Expected& expected, const std::filesystem::path& file,
                          .allowed = io::listed(known),
                          .hint = io::did_you_mean(expected.study, known, "")});
   }
-  StudyResult result = study->second(full);
+  StudyResult result = study->second(tier);
   std::vector<std::string> known;
   for (const auto& [name, number] : result.numbers) known.push_back(name);
-  for (const Quantity* q : wanted_quantities(expected, full)) {
+  for (const Quantity* q : wanted_quantities(expected, tier)) {
     const auto number = result.numbers.find(q->text("of"));
     if (number == result.numbers.end())
       throw q->error("of", fmt::format("the study gives no number {}", io::in_quotes(q->text("of"))), io::listed(known),
@@ -147,7 +147,7 @@ std::string case_title(const std::filesystem::path& folder) {
   return read(folder / "case.toml", {}).model.title;
 }
 
-CaseReport evaluate_case(const std::filesystem::path& folder, bool full) {
+CaseReport evaluate_case(const std::filesystem::path& folder, Tier tier) {
   const std::filesystem::path file = folder / "expected.toml";
   const Expected expected = read_expected(file);
   CaseReport report;
@@ -155,9 +155,9 @@ CaseReport evaluate_case(const std::filesystem::path& folder, bool full) {
   report.title = case_title(folder);
   const auto start = std::chrono::steady_clock::now();
   if (expected.study.empty())
-    evaluate_runs(folder, expected, full, report);
+    evaluate_runs(folder, expected, tier, report);
   else
-    evaluate_study(expected, file, full, report);
+    evaluate_study(expected, file, tier, report);
   report.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -29,9 +29,9 @@ struct CaseReport {
 };
 
 /// A case of the library: a folder with expected.toml, and case.toml or the name of a study.
-/// @param full  also quantities of the full tier
+/// @param tier  quantities of it and of those before it
 /// @throws io::CaseError for what is wrong in the files; a run that does not end fails its rows
-[[nodiscard]] CaseReport evaluate_case(const std::filesystem::path& folder, bool full);
+[[nodiscard]] CaseReport evaluate_case(const std::filesystem::path& folder, Tier tier);
 
 /// Title of a case.      @throws as evaluate_case
 [[nodiscard]] std::string case_title(const std::filesystem::path& folder);

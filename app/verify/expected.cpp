@@ -72,10 +72,12 @@ class Reader {
     each(key, "a list of numbers", [&](const io::Value& v) { out.push_back(number_of(v, key)); });
     return out;
   }
-  [[nodiscard]] bool full() const {
+  [[nodiscard]] Tier tier() const {
     const std::string tier = text("tier").value_or("quick");
-    if (tier != "quick" && tier != "full") throw wrong(*table_->find("tier"), "tier", "\"quick\" or \"full\"");
-    return tier == "full";
+    if (tier == "quick") return Tier::quick;
+    if (tier == "full") return Tier::full;
+    if (tier == "exhaustive") return Tier::exhaustive;
+    throw wrong(*table_->find("tier"), "tier", "\"quick\", \"full\" or \"exhaustive\"");
   }
   [[nodiscard]] io::CaseError missing(const std::string& key, std::string allowed) const {
     return error(*table_, fmt::format("{} has no {}", what_, io::in_quotes(key)), std::move(allowed), "add " + key);
@@ -132,7 +134,7 @@ Variant read_variant(const Reader& r, const std::vector<Variant>& before) {
                   "each name once");
   v.case_file = r.text("case").value_or(v.case_file);
   v.set = r.texts("set");
-  v.full = r.full();
+  v.tier = r.tier();
   v.needs = r.text("needs").value_or("");
   const double repeats = r.number("repeats").value_or(1.0);
   if (repeats < 1.0 || repeats > 100.0 || repeats != std::floor(repeats))
@@ -215,7 +217,7 @@ void read_variants(const Reader& r, const std::vector<Variant>& known, Quantity&
       throw r.error(r.table(),
                     fmt::format("quantity {} names an unknown variant {}", io::in_quotes(q.name), io::in_quotes(name)),
                     io::listed(names), io::did_you_mean(name, names, ""));
-    q.full = q.full || known[static_cast<std::size_t>(at - names.begin())].full;
+    q.tier = std::max(q.tier, known[static_cast<std::size_t>(at - names.begin())].tier);
   }
 }
 
@@ -227,7 +229,7 @@ Quantity read_quantity(const Reader& r, const std::string& file, const Expected&
   q.name = r.needed_text("name");
   read_measure(r, q);
   q.reason = r.needed_text("reason");
-  q.full = r.full();
+  q.tier = r.tier();
   if ((q.measure == "study") == expected.study.empty())
     throw q.error("measure",
                   fmt::format("measure {} does not go with {}", io::in_quotes(q.measure),

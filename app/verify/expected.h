@@ -7,7 +7,7 @@
 //   name = "fine"
 //   case = "case.toml"            default
 //   set = ["stage.0.dt=1e-6"]     as --set
-//   tier = "quick"                or "full": only with --full
+//   tier = "quick"                or "full", "exhaustive": only with --full, --exhaustive
 //   repeats = 1                   runs for timing; variants with repeats take turns
 //   needs = "SCREE_RECORDS"       environment variable without which its quantities are skipped
 //
@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#include "app/studies/tier.h"
 #include "io/case/case_error.h"
 
 namespace scree::app {
@@ -35,7 +36,7 @@ struct Variant {
   std::string name, case_file = "case.toml";
   std::vector<std::string> set;
   std::string needs;  // environment variable; empty: none
-  bool full = false;
+  Tier tier = Tier::quick;
   int repeats = 1;
 
   /// Whether the environment variable that it needs is missing or empty.
@@ -52,7 +53,7 @@ struct Quantity {
   std::map<std::string, double> numbers;       // keys of the measure
   double low = 0.0, high = 0.0;                // bounds; infinite where open
   std::optional<double> reference, tolerance;  // tolerance in the quantity's unit
-  bool full = false;                           // its own tier, or that of a variant
+  Tier tier = Tier::quick;                     // its own, or that of a variant if that is later
 
   [[nodiscard]] bool is_order() const { return !sizes.empty(); }
   [[nodiscard]] const std::string& text(const std::string& key) const { return texts.at(key); }

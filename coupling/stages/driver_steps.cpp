@@ -37,6 +37,13 @@ Tick first_cap(const Stage& stage, const StepLimit& limit) {
                                                                          : std::numeric_limits<Tick>::max();
 }
 
+/// @param elements   of the explicit side
+/// @param converged  in all attempts of the step
+StepLimit::Iteration iteration_of(const StepReport& report, const RunStats& stats, double elements, bool converged) {
+  if (!converged) return StepLimit::Iteration::failed;
+  return shorter_is_cheaper(report, stats, elements) ? StepLimit::Iteration::long_ : StepLimit::Iteration::short_;
+}
+
 /// No shorter step mends it.
 bool is_hopeless(const StepReport& report) {
   return report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
@@ -191,15 +198,8 @@ RunEnd Driver::advance_step(const Stage& stage) {
     if (report.status == StepReport::Status::ok) {
       tell_cut();
       ++stats_.steps;
-      if (stage.integrator == Integrator::partitioned) {
-        using Iteration = StepLimit::Iteration;
-        const bool halve = shorter_is_cheaper(report, stats_, fast_elements_);
-        state_.step_limit.taken(h,
-                                !converged ? Iteration::failed
-                                : halve    ? Iteration::long_
-                                           : Iteration::short_,
-                                largest_);
-      }
+      if (stage.integrator == Integrator::partitioned)
+        state_.step_limit.taken(h, iteration_of(report, stats_, fast_elements_, converged), largest_);
       stats_.left_work += report.left_work;
       if (!stage.has_implicit_steps())
         stats_.element_steps +=

@@ -59,9 +59,9 @@ std::string end_of(const std::string& variant, double reference) {
 class Evaluate : public ::testing::Test {
  protected:
   Evaluate() { folder_.put("case.toml", kCase); }
-  CaseReport evaluate(const std::string& quantities, bool full = false) {
+  CaseReport evaluate(const std::string& quantities, Tier tier = Tier::quick) {
     folder_.put("expected.toml", kVariants + quantities);
-    return evaluate_case(folder_.path(), full);
+    return evaluate_case(folder_.path(), tier);
   }
   Folder folder_;
 };
@@ -92,7 +92,7 @@ TEST_F(Evaluate, position_in_survey_coordinates_is_as_the_case_counts) {
 
 TEST_F(Evaluate, only_what_the_tier_needs_is_run) {
   EXPECT_EQ(evaluate(end_of("fall", -0.05) + end_of("long", -0.2)).notes.size(), 1U);
-  const CaseReport full = evaluate(end_of("fall", -0.05) + end_of("long", -0.2), true);
+  const CaseReport full = evaluate(end_of("fall", -0.05) + end_of("long", -0.2), Tier::full);
   EXPECT_EQ(full.notes.size(), 2U);
   EXPECT_EQ(full.failed(), 0);
 }
@@ -112,7 +112,7 @@ TEST_F(Evaluate, quantity_whose_variable_is_not_set_is_skipped_and_says_so) {
                                "set = ['stage.0.duration=0.05']\n";
   folder_.put("expected.toml", variants + end_of("recorded", -0.0125) + end_of("fall", -0.05));
   ASSERT_EQ(unsetenv("SCREE_TEST_RECORDS"), 0);
-  const CaseReport without = evaluate_case(folder_.path(), false);
+  const CaseReport without = evaluate_case(folder_.path(), Tier::quick);
   ASSERT_EQ(without.rows.size(), 2U);
   EXPECT_TRUE(without.rows[0].skipped);
   EXPECT_EQ(without.rows[0].trouble, "SCREE_TEST_RECORDS is not set");
@@ -121,7 +121,7 @@ TEST_F(Evaluate, quantity_whose_variable_is_not_set_is_skipped_and_says_so) {
   EXPECT_EQ(without.skipped(), 1);
   EXPECT_NE(terminal_text(without).find("skipped"), std::string::npos);
   ASSERT_EQ(setenv("SCREE_TEST_RECORDS", "anywhere", 1), 0);
-  const CaseReport with = evaluate_case(folder_.path(), false);
+  const CaseReport with = evaluate_case(folder_.path(), Tier::quick);
   ASSERT_EQ(unsetenv("SCREE_TEST_RECORDS"), 0);
   EXPECT_EQ(with.skipped(), 0);
   EXPECT_TRUE(with.rows[0].pass);
@@ -137,28 +137,28 @@ TEST_F(Evaluate, same_state_is_of_equal_runs_alone) {
   folder_.put("expected.toml", std::string(kVariants) +
                                    "[[variant]]\nname = \"two threads\"\nset = ['run.threads=2']\n" +
                                    same("two threads", "fall", 1) + same("shorter steps", "fall", 0));
-  const CaseReport report = evaluate_case(folder_.path(), false);
+  const CaseReport report = evaluate_case(folder_.path(), Tier::quick);
   ASSERT_EQ(report.rows.size(), 4U);
   EXPECT_EQ(report.failed(), 0);
 }
 
 TEST_F(Evaluate, overrides_that_do_not_fit_the_case_are_its_errors) {
   folder_.put("expected.toml", "[[variant]]\nname = \"a\"\nset = [\"stage.0.dtt=1\"]\n" + end_of("a", 0.0));
-  EXPECT_THROW((void)evaluate_case(folder_.path(), false), io::CaseError);
+  EXPECT_THROW((void)evaluate_case(folder_.path(), Tier::quick), io::CaseError);
 }
 
 TEST_F(Evaluate, unknown_study_and_number_are_refused) {
   const std::string quantity = "[[quantity]]\nname=\"a\"\nmeasure=\"study\"\nof=\"nothing\"\nat_most=1\nreason=\"b\"\n";
   folder_.put("expected.toml", "title=\"t\"\nstudy=\"sdoff\"\n" + quantity);
   try {
-    (void)evaluate_case(folder_.path(), false);
+    (void)evaluate_case(folder_.path(), Tier::quick);
     FAIL();
   } catch (const io::CaseError& e) {
     EXPECT_NE(e.hint.find("\"sdof\""), std::string::npos);
   }
   folder_.put("expected.toml", "title=\"t\"\nstudy=\"sdof\"\n" + quantity);
   try {
-    (void)evaluate_case(folder_.path(), false);
+    (void)evaluate_case(folder_.path(), Tier::quick);
     FAIL();
   } catch (const io::CaseError& e) {
     EXPECT_EQ(e.line, 6);

@@ -70,7 +70,7 @@ TEST(Expected, good_file_is_read_whole) {
   EXPECT_EQ(e.variants[0].set, (std::vector<std::string>{"stage.0.cover_size=0.5", "stage.0.dt=1e-3"}));
   EXPECT_EQ(e.variants[0].case_file, "case.toml");
   EXPECT_EQ(e.variants[1].case_file, "other.toml");
-  EXPECT_TRUE(e.variants[1].full);
+  EXPECT_EQ(e.variants[1].tier, Tier::full);
   EXPECT_EQ(e.variants[1].repeats, 3);
   ASSERT_EQ(e.quantities.size(), 3U);
   EXPECT_EQ(e.quantities[0].variants, std::vector<std::string>{"coarse"});
@@ -85,9 +85,9 @@ TEST(Expected, good_file_is_read_whole) {
 
 TEST(Expected, quantity_of_a_full_variant_is_of_the_full_tier) {
   const Expected e = read(kGood);
-  EXPECT_FALSE(e.quantities[0].full);
-  EXPECT_TRUE(e.quantities[1].full);
-  EXPECT_TRUE(e.quantities[2].full);
+  EXPECT_EQ(e.quantities[0].tier, Tier::quick);
+  EXPECT_EQ(e.quantities[1].tier, Tier::full);
+  EXPECT_EQ(e.quantities[2].tier, Tier::full);
 }
 
 TEST(Expected, without_variants_there_is_one_run_of_the_case) {
@@ -141,7 +141,7 @@ TEST(Expected, every_variant_of_a_quantity_is_run_and_sets_its_tier) {
       "measure = \"harmonic\"\nof = \"m\"\ncomponent = \"vx\"\nfrequency = 5\nvariant = \"coarse\"\nminus = \"fine\"");
   const Quantity q = read(harmonic).quantities[2];
   EXPECT_EQ(q.runs(), (std::vector<std::string>{"coarse", "fine"}));
-  EXPECT_TRUE(q.full);
+  EXPECT_EQ(q.tier, Tier::full);
   std::string wrong = harmonic;
   wrong.replace(wrong.find("minus = \"fine\""), 14, "minus = \"fone\"");
   EXPECT_NE(fault(wrong).problem.find("unknown variant"), std::string::npos);

@@ -80,7 +80,7 @@ TEST(MassChain, both_schemes_converge_with_their_orders) {
 }
 
 TEST(Studies, sdof_gives_the_same_numbers_twice) {
-  const StudyResult a = sdof(false), b = sdof(true);
+  const StudyResult a = sdof(Tier::quick), b = sdof(Tier::full);
   EXPECT_EQ(a.numbers, b.numbers);
   EXPECT_EQ(a.plots.size(), 3U);
 }

@@ -1,0 +1,9 @@
+// How much of the case library is run.
+#pragma once
+
+namespace scree::app {
+
+/// Each has the rows of those before it: minutes, an hour, hours.
+enum class Tier { quick, full, exhaustive };
+
+}  // namespace scree::app
