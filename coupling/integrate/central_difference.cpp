@@ -554,10 +554,10 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
   bound_.clear();
   for (std::size_t i = 0; i < list.points.size(); ++i)
     bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
-  return certified_step(*setup_,
-                        {contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state), damping_,
-                         bolt_springs(*setup_, state)},
-                        binding);
+  if (!step_bound_) step_bound_.emplace(*setup_);
+  return step_bound_->certified_step({contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state),
+                                      damping_, bolt_springs(*setup_, state)},
+                                     binding);
 }
 
 bool CentralDifference::step_still_stable() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "coupling/contact/explicit_contact.h"
 #include "coupling/integrate/bolt_forces.h"
@@ -164,6 +165,7 @@ class CentralDifference final : public TimeIntegrator {
     std::vector<double> from, to;
   };
   Lead lead_;
+  std::optional<StepBound> step_bound_;         // once the step is asked for
   std::vector<IntegratorMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
 };
 

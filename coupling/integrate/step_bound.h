@@ -37,10 +37,47 @@ struct StepParts {
 /// for driven bodies), k_c the larger of the two stiffnesses of a point, c_d the larger coefficient of a dashpot.
 /// Mass-proportional damping is taken at the new velocity and leaves the bound as it is. Local damping makes a force up
 /// to 1 + alpha times as large: lambda (1 + alpha), an estimate, since it is not linear.
-/// @param binding  receives the block that binds the step and the shares of what does it, if given
-/// @return the bound [s]; infinite if nothing is stiff
 /// @source docs/theory/time-integration.md, "Certified step bound"; [Qu2013] 5.3.2
-[[nodiscard]] double certified_step(const Setup& setup, const StepParts& parts, std::string* binding);
+class StepBound {
+ public:
+  /// @param setup  must outlive it
+  explicit StepBound(const Setup& setup);
+
+  /// @param binding  receives the block that binds the step and the shares of what does it, if given
+  /// @return the bound [s]; infinite if nothing is stiff
+  [[nodiscard]] double certified_step(const StepParts& parts, std::string* binding);
+
+ private:
+  enum class Kind { contact, support, bolt, viscous };
+  struct Part {  // one spring or dashpot of a body
+    Kind kind = Kind::contact;
+    std::int32_t other = -1;             // the body on the other side of a contact
+    double size = 0.0;                   // k mu [1/s2], c mu of a dashpot [1/s]
+    std::int32_t first = 0, groups = 0;  // in groups_
+  };
+
+  [[nodiscard]] double compliance(std::int32_t body, const Row& row) const;
+  /// Groups of an outline's node, or of any row, come to touched_.
+  void touch_node(std::int32_t node);
+  void touch_row(std::int32_t body, const Row& row);
+  /// Adds a spring or dashpot to the sums of what has been touched, and forgets that.
+  void add(Kind kind, std::int32_t other, double size);
+  void collect(const StepParts& in);
+  void collect_contacts(const StepParts& in);
+  [[nodiscard]] std::int32_t worst(const Body& b, bool viscous) const;
+  [[nodiscard]] double sum(std::int32_t group, bool viscous) const;
+  [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
+
+  const Setup* setup_;
+  std::vector<double> node_compliance_;                 // of the outlines' nodes [1/kg]
+  std::vector<std::int32_t> node_first_, node_groups_;  // their groups, by the first node of each
+  std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
+  std::vector<std::int32_t> touched_;
+  bool listed_ = false;  // parts are kept one by one, for who tells what binds the step
+  std::vector<Part> list_;
+  std::vector<std::int32_t> groups_;  // of the parts
+  std::vector<std::int32_t> found_;   // scratch
+};
 
 /// Longest step between two meetings of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:
 ///   H w <= 1/2

@@ -60,7 +60,12 @@ Tick shorter(const StepReport& report, const StepControl& control, Tick h) {
 Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
-  const double bound = integrator_->stable_step(state_, &binding);
+  // What binds it is told as a stage begins, and of a step that is refused.
+  const double bound = integrator_->stable_step(state_, first ? &binding : nullptr);
+  const auto refused = [&] {
+    (void)integrator_->stable_step(state_, &binding);
+    return std::string_view(binding);
+  };
   if (stage.subcycled()) check_slow_step(stage, first);
   if (stage.integrator == Integrator::partitioned) {
     const std::int32_t m = stage.partition.substeps;
@@ -69,7 +74,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
           "t = {:.6g} s, stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are above the certified stable "
           "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the "
           "same",
-          seconds(state_.time), stage.name, *stage.dt / m, m, bound, binding, std::ceil(*stage.dt / bound)));
+          seconds(state_.time), stage.name, *stage.dt / m, m, bound, refused(), std::ceil(*stage.dt / bound)));
     if (m > 0 && *stage.dt > m * bound && first)
       event(EventKind::warning,
             fmt::format("stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are forced above the certified "
@@ -92,7 +97,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
       throw PlanError(fmt::format(
           "t = {:.6g} s, stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by "
           "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
-          seconds(state_.time), stage.name, *stage.dt, bound, binding));
+          seconds(state_.time), stage.name, *stage.dt, bound, refused()));
     if (*stage.dt > bound && first)
       event(EventKind::warning,
             fmt::format("stage '{}': the explicit step {:.4g} s is forced above the certified stable one, {:.4g} s, "
