@@ -51,6 +51,7 @@ TEST(Pace, stiff_stack_goes_on_in_shorter_steps) {
   scene.model.joints[0].normal_stiffness = 5e11;
   scene.add("base", rectangle(-1.0, -1.0, 4.0, 0.0), true);
   std::vector<BlockId> blocks;
+  blocks.reserve(3);
   for (int i = 0; i < 3; ++i)
     blocks.push_back(scene.add("block " + std::to_string(i), rectangle(0.0, i, 3.0, i + 1.0)));
   scene.stage("nmm", Integrator::partitioned, 0.01, 1e-3, 0.25).partition.explicit_blocks = {blocks[0], blocks[2]};
