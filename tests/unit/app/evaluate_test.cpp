@@ -47,6 +47,10 @@ set = ["stage.0.dt=0.05", "output.history_every=0.05"]
 name = "long"
 set = ["stage.0.duration=0.2"]
 tier = "full"
+[[variant]]
+name = "longest"
+set = ["stage.0.duration=0.3"]
+tier = "exhaustive"
 )";
 
 /// A quantity of the middle's uy at the end.
@@ -91,10 +95,14 @@ TEST_F(Evaluate, position_in_survey_coordinates_is_as_the_case_counts) {
 }
 
 TEST_F(Evaluate, only_what_the_tier_needs_is_run) {
-  EXPECT_EQ(evaluate(end_of("fall", -0.05) + end_of("long", -0.2)).notes.size(), 1U);
-  const CaseReport full = evaluate(end_of("fall", -0.05) + end_of("long", -0.2), Tier::full);
+  const std::string all = end_of("fall", -0.05) + end_of("long", -0.2) + end_of("longest", -0.45);
+  EXPECT_EQ(evaluate(all).notes.size(), 1U);
+  const CaseReport full = evaluate(all, Tier::full);
   EXPECT_EQ(full.notes.size(), 2U);
   EXPECT_EQ(full.failed(), 0);
+  const CaseReport exhaustive = evaluate(all, Tier::exhaustive);
+  EXPECT_EQ(exhaustive.notes.size(), 3U);
+  EXPECT_EQ(exhaustive.failed(), 0);
 }
 
 TEST_F(Evaluate, refused_run_fails_its_rows_but_for_the_refusal_itself) {
