@@ -221,11 +221,11 @@ void add_cases(CLI::App& app, Line& line) {
       "--quick", [] {}, "the quick tier (default)");
   command
       ->add_flag_callback(
-          "--full", [o] { o->tier = Tier::full; }, "the quick and the full tier: an hour")
+          "--full", [o] { o->tier = Tier::full; }, "the quick and the full tier")
       ->excludes("--quick");
   command
       ->add_flag_callback(
-          "--exhaustive", [o] { o->tier = Tier::exhaustive; }, "everything, as the whole of long tables: hours")
+          "--exhaustive", [o] { o->tier = Tier::exhaustive; }, "everything: the whole of long tables too")
       ->excludes("--quick")
       ->excludes("--full");
   add_threads(command, o->threads);

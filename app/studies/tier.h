@@ -3,7 +3,7 @@
 
 namespace scree::app {
 
-/// Each has the rows of those before it: minutes, an hour, hours.
+/// Each has the rows of those before it.
 enum class Tier { quick, full, exhaustive };
 
 }  // namespace scree::app
