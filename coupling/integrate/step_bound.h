@@ -57,10 +57,10 @@ class StepBound {
   };
 
   [[nodiscard]] double compliance(std::int32_t body, const Row& row) const;
-  /// Groups of an outline's node, or of any row, come to touched_.
+  /// Append the groups of an outline node, or of any row, to touched_.
   void touch_node(std::int32_t node);
   void touch_row(std::int32_t body, const Row& row);
-  /// Adds a spring or dashpot to the sums of what has been touched, and forgets that.
+  /// Adds a spring or dashpot to the sums of the groups in touched_, and empties that.
   void add(Kind kind, std::int32_t other, double size);
   void collect(const StepParts& in);
   void collect_contacts(const StepParts& in);
@@ -73,7 +73,7 @@ class StepBound {
   std::vector<std::int32_t> node_first_, node_groups_;  // their groups, by the first node of each
   std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
   std::vector<std::int32_t> touched_;
-  bool listed_ = false;  // parts are kept one by one, for who tells what binds the step
+  bool listed_ = false;  // each part is recorded, for the message about what binds the step
   std::vector<Part> list_;
   std::vector<std::int32_t> groups_;  // of the parts
   std::vector<std::int32_t> found_;   // scratch

@@ -60,7 +60,7 @@ Tick shorter(const StepReport& report, const StepControl& control, Tick h) {
 Tick Driver::largest_step(const Stage& stage, bool first) {
   if (stage.integrator == Integrator::implicit) return ticks(*stage.dt);
   std::string binding;
-  // What binds it is told as a stage begins, and of a step that is refused.
+  // The block that binds the step is named when a stage begins and when a step is refused.
   const double bound = integrator_->stable_step(state_, first ? &binding : nullptr);
   const auto refused = [&] {
     (void)integrator_->stable_step(state_, &binding);
