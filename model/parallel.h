@@ -25,11 +25,12 @@ void parallel_for(std::int64_t n, Body&& body, std::int64_t serial_below = kSeri
 }
 
 /// chunk(begin, end) over [0, n) in chunks of kChunk.
+/// @param serial_below  fewer items are not worth waking threads
 template <class Chunk>
-void parallel_for_chunks(std::int64_t n, Chunk&& chunk) {
+void parallel_for_chunks(std::int64_t n, Chunk&& chunk, std::int64_t serial_below = kSerialBelow) {
   const std::int64_t chunks = (n + kChunk - 1) / kChunk;
   const auto end_of = [n](std::int64_t c) { return c * kChunk + kChunk < n ? c * kChunk + kChunk : n; };
-  if (n < kSerialBelow) {
+  if (n < serial_below) {
     for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, end_of(c));
     return;
   }

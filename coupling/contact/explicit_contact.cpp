@@ -8,9 +8,12 @@
 
 #include "coupling/contact/law/explicit_law.h"
 #include "coupling/contact/law/joint_strength.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
+
+constexpr std::int64_t kFewPoints = 1024, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
 
 /// What the law has to know of a point; at rest until a step says how it moved.
 PointMotion motion_of(const ContactPoint& p) {
@@ -44,6 +47,12 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   kinds_.reserve(expected);
   slides_.reserve(expected);
   energy_.reserve(expected);
+  forces_.resize(setup.outlines().nodes.size());
+  chunks_.resize((expected + kChunk - 1) / kChunk);
+  for (Chunk& chunk : chunks_) {
+    chunk.slides.reserve(static_cast<std::size_t>(kChunk));
+    chunk.kinds.reserve(static_cast<std::size_t>(kChunk));
+  }
   opened_.reserve(expected);
 }
 
@@ -107,11 +116,60 @@ void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
 
 void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactPoint& p = list.points[i];
-    const ContactMemory& m = list.memory[i];
-    if (m.fn != 0.0 || m.water != 0.0) add_row_force(o, p, gap_row(p.at), m.fn + m.water, f);
-    if (m.ft != 0.0) add_row_force(o, p, stretch_row(p.at, m.anchor), m.ft, f);
+  const auto nodes = static_cast<std::int64_t>(o.nodes.size());
+  const std::int64_t parts = std::ssize(list.points) < kFewPoints ? 1 : omp_get_max_threads();
+  // Each part of the outline nodes takes its forces from all points, in their order, whatever the number of parts.
+  const auto collect = [&](std::int64_t part) {
+    const std::int64_t begin = nodes * part / parts, end = nodes * (part + 1) / parts;
+    std::fill(forces_.begin() + begin, forces_.begin() + end, Vec2::Zero());
+    const auto is_here = [&](std::int32_t node) { return node >= begin && node < end; };
+    for (std::size_t i = 0; i < list.points.size(); ++i) {
+      const ContactPoint& p = list.points[i];
+      const ContactMemory& m = list.memory[i];
+      const double normal = m.fn + m.water;
+      if ((normal == 0.0 && m.ft == 0.0) || !std::any_of(p.node.begin(), p.node.end(), is_here)) continue;
+      const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (is_here(p.node[k])) forces_[static_cast<std::size_t>(p.node[k])] += normal * gap[k] + m.ft * stretch[k];
+    }
+  };
+  parallel_for(parts, collect, 2);
+  // Bodies share no node of the state.
+  const auto first_of_body = [&](std::int64_t i) {
+    while (i > 0 && i < nodes &&
+           o.node_body[static_cast<std::size_t>(i)] == o.node_body[static_cast<std::size_t>(i - 1)])
+      ++i;
+    return i;
+  };
+  const auto pass_on = [&](std::int64_t part) {
+    const std::int64_t end = first_of_body(nodes * (part + 1) / parts);
+    for (std::int64_t k = first_of_body(nodes * part / parts); k < end; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (!forces_[i].isZero(0.0)) add_force(o.nodes[i], forces_[i], f);
+    }
+  };
+  parallel_for(parts, pass_on, nodes < kFewNodes ? parts + 1 : 2);
+}
+
+template <class OfRange>
+void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
+  const std::int64_t size = std::ssize(now_.points);
+  const auto count = static_cast<std::size_t>((size + kChunk - 1) / kChunk);
+  if (chunks_.size() < count) chunks_.resize(count);
+  const auto of_chunk = [&](std::int64_t begin, std::int64_t end) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(begin / kChunk)];
+    chunk.ledger = {};
+    chunk.slides.clear();
+    chunk.kinds.clear();
+    of_range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), chunk);
+  };
+  parallel_for_chunks(size, of_chunk, kFewPoints);
+  slides_.clear();
+  kinds_.clear();
+  for (const Chunk& chunk : std::span(chunks_).first(count)) {
+    ledger.add(chunk.ledger);
+    slides_.insert(slides_.end(), chunk.slides.begin(), chunk.slides.end());
+    kinds_.insert(kinds_.end(), chunk.kinds.begin(), chunk.kinds.end());
   }
 }
 
@@ -353,19 +411,20 @@ void ExplicitContact::arrive_anew(double h, State& state) {
     follow_slides(h, seconds(state.time));
     friction_evolution_.advance(h, now_.memory);
   }
-  kept_.assign(before_.points.size(), 0);
-  kinds_.clear();
-  for (std::size_t b = 0; b < now_.points.size(); ++b) {
-    const Half arriving = half_work(h, now_.points[b], now_.memory[b], v_);
-    if (ContactFinder::may_adopt(now_.points[b], now_.memory[b])) kinds_.push_back(static_cast<std::int32_t>(b));
-    if (now_.points[b].from >= 0) {
-      const auto a = static_cast<std::size_t>(now_.points[b].from);
-      kept_[a] = 1;
-      book_pair(left_[a], b, arriving, ledger);
-    } else {
-      book_new(b, arriving, ledger);
+  for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
+    for (std::size_t b = begin; b < end; ++b) {
+      const ContactPoint& p = now_.points[b];
+      const Half arriving = half_work(h, p, now_.memory[b], v_);
+      if (ContactFinder::may_adopt(p, now_.memory[b])) chunk.kinds.push_back(static_cast<std::int32_t>(b));
+      if (p.from >= 0)
+        book_pair(left_[static_cast<std::size_t>(p.from)], b, arriving, chunk.ledger);
+      else
+        book_new(b, arriving, chunk.ledger);
     }
-  }
+  });
+  kept_.assign(before_.points.size(), 0);
+  for (const ContactPoint& p : now_.points)
+    if (p.from >= 0) kept_[static_cast<std::size_t>(p.from)] = 1;
   for (std::size_t i = 0; i < before_.points.size(); ++i)
     if (kept_[i] == 0) book_ended(i, ledger);
   // Those that closed points have taken over: booked as dropped, and where the others changed.
@@ -395,42 +454,45 @@ void ExplicitContact::make_way(double h) {
   finder_.settle(now_);
 }
 
+void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk, State& state) {
+  const ContactPoint& p = now_.points[i];
+  ContactMemory& m = now_.memory[i];
+  const Left left = first != nullptr ? *first : left_by(h, p, m);
+  if (first == nullptr)
+    finder_.move(i, now_);
+  else if (finder_.made(i))
+    transfer_impact_energy(h, p, left, m);
+  if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
+  respond(h, i, now_);
+  const double slip = way(i, left);
+  if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
+  const Half arriving = half_work(h, p, m, v_);
+  if (p.from >= 0)
+    book_pair(left, i, arriving, chunk.ledger);
+  else
+    book_new(i, arriving, chunk.ledger);
+  if (ContactFinder::may_adopt(p, m)) chunk.kinds.push_back(static_cast<std::int32_t>(i));
+  energy_[i] = normal_energy(p, m) + tangential_energy(m);
+  finder_.note(i, m);
+  state.contacts[i] = m;
+}
+
 void ExplicitContact::arrive_in_place(double h, State& state) {
   make_way(h);
   Ledger& ledger = state.ledger;
   const std::size_t size = now_.points.size();
   for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
   state.contacts.resize(size);
-  slides_.clear();
-  kinds_.clear();
+  const std::span<const std::int32_t> first = finder_.moves_first();
   // All else goes point by point, while it is at hand: the list does not fit a core's cache.
-  auto waiting = finder_.moves_first().begin();
-  const auto last = finder_.moves_first().end();
-  for (std::size_t i = 0; i < size; ++i) {
-    const ContactPoint& p = now_.points[i];
-    ContactMemory& m = now_.memory[i];
-    Left left;
-    if (waiting != last && static_cast<std::size_t>(*waiting) == i) {
-      left = left_first_[static_cast<std::size_t>(waiting++ - finder_.moves_first().begin())];
-      if (finder_.made(i)) transfer_impact_energy(h, p, left, m);
-    } else {
-      left = left_by(h, p, m);
-      finder_.move(i, now_);
+  for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
+    auto waiting = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool waits = waiting != first.end() && static_cast<std::size_t>(*waiting) == i;
+      arrive_point(h, i, waits ? &left_first_[static_cast<std::size_t>(waiting++ - first.begin())] : nullptr, chunk,
+                   state);
     }
-    if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
-    respond(h, i, now_);
-    const double slip = way(i, left);
-    if (slip != 0.0 || m.slide.length > 0.0F) slides_.push_back({static_cast<std::int32_t>(i), slip});
-    const Half arriving = half_work(h, p, m, v_);
-    if (p.from >= 0)
-      book_pair(left, i, arriving, ledger);
-    else
-      book_new(i, arriving, ledger);
-    if (ContactFinder::may_adopt(p, m)) kinds_.push_back(static_cast<std::int32_t>(i));
-    energy_[i] = normal_energy(p, m) + tangential_energy(m);
-    finder_.note(i, m);
-    state.contacts[i] = m;
-  }
+  });
   for (const ContactFinder::Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k)
       if (finder_.gone(static_cast<std::size_t>(k))) book_ended(static_cast<std::size_t>(k), ledger);

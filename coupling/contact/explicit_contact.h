@@ -65,6 +65,11 @@ class ExplicitContact {
   struct Half {
     double normal = 0.0, damping = 0.0, tangential = 0.0, water = 0.0;  // h/2 times force times rate [J]
   };
+  /// A point that the check of friction follows, and its slip in the step [m].
+  struct Slide {
+    std::int32_t point;
+    double way;
+  };
   /// A point at the instant left, what the books of a step ask of it.
   struct Left {
     Half work;
@@ -104,6 +109,18 @@ class ExplicitContact {
   void arrive_anew(double h, State& state);
   /// arrive() where all points are still there: nothing is listed anew, nothing copied.
   void arrive_in_place(double h, State& state);
+  /// What a range of points adds to the books, and those of them that something else has to be done with.
+  struct Chunk {
+    Ledger ledger;
+    std::vector<Slide> slides;
+    std::vector<std::int32_t> kinds;
+  };
+  /// Calls of_range(begin, end, chunk) for ranges of the points of now_, on threads; then books what the chunks have in
+  /// their order, and gathers slides_ and kinds_.
+  template <class OfRange>
+  void for_points(Ledger& ledger, OfRange&& of_range);
+  /// Of arrive_in_place(): what concerns one point alone.   @param first  of a point of moves_first(), else null
+  void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk, State& state);
   /// Of arrive_in_place(): points that come and go, and those that others may depend on.
   void make_way(double h);
   /// Of arrive_in_place(): the check of friction sees the points that slide, their friction changes.
@@ -136,13 +153,11 @@ class ExplicitContact {
   };
   std::vector<Anchor> anchor_;
   std::vector<std::int32_t> kinds_;  // points that may take it
-  struct Slide {
-    std::int32_t point;
-    double way;
-  };
-  std::vector<Slide> slides_;   // points that the check of friction follows
-  std::vector<double> energy_;  // of a point's springs [J]
-  std::vector<double> opened_;  // by dilation in the step, a point of the list at hand [m]
+  std::vector<Slide> slides_;        // points that the check of friction follows
+  std::vector<double> energy_;       // of a point's springs [J]
+  std::vector<Chunk> chunks_;
+  mutable std::vector<Vec2> forces_;  // on outline nodes, scratch of add() [N]
+  std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

@@ -97,6 +97,11 @@ void Ledger::book(Column column, double increment) {
   moved_ += std::abs(increment);
 }
 
+void Ledger::add(const Ledger& booked) {
+  for (std::size_t i = 0; i < value_.size(); ++i) value_[i] += booked.value_[i];
+  moved_ += booked.moved_;
+}
+
 Ledger Ledger::joined(const Ledger& base, const Ledger& a, const Ledger& b) {
   Ledger out = base;
   for (std::size_t i = 0; i < kInfo.size(); ++i) {

@@ -91,6 +91,8 @@ class Ledger {
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);
+  /// Adds what has been booked in another ledger, which was empty before.
+  void add(const Ledger& booked);
 
   /// Of a system in two parts: the energies are those of the parts (the reservoir's is the base's), what was done to
   /// them since they were opened comes on top of the base.

@@ -9,6 +9,7 @@
 
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/contact/table/contact_finder_rules.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -38,12 +39,12 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   const Outlines& o = setup.outlines();
   const std::size_t expected = 2 * o.vertices.size();  // so that steps need not allocate
   moving_.reserve(expected);
+  unchanged_.reserve(expected);
   for (auto* kinds : {&kind_, &next_kind_}) kinds->reserve(expected);
   for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
   constexpr std::size_t kFew = 1000;
   changed_.reserve(std::min(expected, kFew));
   shift_.reserve(std::min(expected, kFew));
-  of_vertex_.reserve(std::min(expected, kFew));
   made_.points.reserve(std::min(expected, kFew));
   made_.memory.reserve(std::min(expected, kFew));
   made_.briefs.reserve(std::min(expected, kFew));
@@ -94,12 +95,16 @@ void ContactFinder::place_nodes(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
   const auto place = [&](std::span<const Outlines::Range> nodes, std::span<const Outlines::Range> segments) {
     for (const Outlines::Range& r : nodes)
-      for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
+      parallel_for(r.end - r.begin, [&](std::int64_t k) {
+        const auto i = static_cast<std::size_t>(r.begin + k);
         x_[i] = position(o.nodes[i], q);
+      });
     for (const Outlines::Range& r : segments)
-      for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
+      parallel_for(r.end - r.begin, [&](std::int64_t k) {
+        const auto i = static_cast<std::size_t>(r.begin + k);
         frames_[i] =
             segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
+      });
   };
   if (std::exchange(placed_, true)) {
     place(o.moving_nodes, o.moving_segments);

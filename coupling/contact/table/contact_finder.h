@@ -117,14 +117,25 @@ class ContactFinder {
   [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   /// Completes it: springs, lengths of joint.
   void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// Of keeps(), what the vertices of one chunk give.
+  struct Kept {
+    bool anew = false;                    // find() must do it
+    std::vector<std::int32_t> changed;    // vertices whose points do not stay as they are
+    std::vector<ContactPoint> of_vertex;  // scratch of passes_on()
+  };
   /// Of keeps(): whether a vertex has a corner that goes over to another edge.
   /// @param first,last  points of the vertex
-  [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list);
+  [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
+                               std::vector<ContactPoint>& of_vertex) const;
   /// Of keeps(): whether the pair is a point just as it was before.
   /// @param row  its point in the list, or -1   @param segment  receives the one it is over
-  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment);
-  /// Of keeps(): whether pairs `k` to `k_end` are points `row` to `end` of the list, of one vertex.
-  [[nodiscard]] bool stay(std::size_t k, std::size_t k_end, std::size_t row, std::size_t end, const ContactList& list);
+  /// @param anew  becomes true where find() must do it
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment,
+                           bool& anew) const;
+  /// Of keeps(): whether the pairs of a vertex are its points of the list; then moving_ has them.
+  [[nodiscard]] bool stay(std::size_t vertex, const ContactList& list, Kept& kept);
+  /// Of keeps(): makes the points of changed vertices anew, and gives moving_ room for them.
+  void make_changed();
   /// The points of one vertex.   @param old  the first of the known ones that may be of it
   void list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out);
   /// Completes what keeps() has made.   @return false: find() must do it
@@ -219,12 +230,12 @@ class ContactFinder {
   };
   std::vector<Moving> moving_;
   std::vector<Changed> changed_;
-  ContactList made_;                     // of changed()
-  bool anew_ = false;                    // of keeps(): find() must do it
-  std::vector<std::ptrdiff_t> shift_;    // scratch of splice()
-  std::vector<std::int32_t> first_;      // see moves_first()
-  std::vector<ContactPoint> of_vertex_;  // scratch of passes_on()
-  std::vector<EdgePair> added_;          // joints of points that a mesh has added, in order
+  ContactList made_;                   // of changed()
+  std::vector<Moving> unchanged_;      // scratch of make_changed()
+  std::vector<Kept> kept_;             // a chunk of vertices
+  std::vector<std::ptrdiff_t> shift_;  // scratch of splice()
+  std::vector<std::int32_t> first_;    // see moves_first()
+  std::vector<EdgePair> added_;        // joints of points that a mesh has added, in order
   /// A remembered point by the edges that its joint may be of.
   struct OnJoint {
     EdgePair joint;

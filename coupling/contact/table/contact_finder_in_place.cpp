@@ -3,9 +3,12 @@
 #include <limits>
 
 #include "coupling/contact/table/contact_finder.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
+
+constexpr std::int64_t kFewVertices = 2048;  // fewer vertices are not worth waking threads
 
 bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partner[1]) >= 0; }
 
@@ -25,7 +28,8 @@ void ContactFinder::take_noted(const ContactList& list) {
     known_.take_noted(list.briefs);
 }
 
-bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment) {
+bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment,
+                          bool& anew) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
   const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row));
@@ -41,11 +45,12 @@ bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const Contac
   p.from = row;
   const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
   if (touches(pair, was, closed, p) != listed) return false;
-  anew_ = anew_ || (closed && tip_beside(p) >= 0);
+  anew = anew || (closed && tip_beside(p) >= 0);
   return true;
 }
 
-bool ContactFinder::passes_on(std::size_t first, std::size_t last, const ContactList& list) {
+bool ContactFinder::passes_on(std::size_t first, std::size_t last, const ContactList& list,
+                              std::vector<ContactPoint>& of_vertex) const {
   const std::span<const VertexEdge> pairs = pairs_.pairs();
   const auto pair_of = [&](std::size_t i) -> const VertexEdge& {
     return pairs[static_cast<std::size_t>(moving_[i].pair)];
@@ -59,70 +64,83 @@ bool ContactFinder::passes_on(std::size_t first, std::size_t last, const Contact
       open = true;
   }
   if (!open || !passing) return false;
-  of_vertex_.clear();
+  of_vertex.clear();
   for (std::size_t i = first; i < last; ++i) {
-    ContactPoint& p = of_vertex_.emplace_back();
+    ContactPoint& p = of_vertex.emplace_back();
     p.segment = moving_[i].segment;
     p.from = moving_[i].from;
     const auto was = static_cast<std::size_t>(p.from);
     (void)touches(pair_of(i), &list.memory[was], known_.closed(was), p);
   }
-  return std::any_of(of_vertex_.begin(), of_vertex_.end(),
-                     [this](const ContactPoint& p) { return successor(p, of_vertex_) != nullptr; });
+  return std::any_of(of_vertex.begin(), of_vertex.end(),
+                     [&](const ContactPoint& p) { return successor(p, of_vertex) != nullptr; });
 }
 
-bool ContactFinder::stay(std::size_t k, std::size_t k_end, std::size_t row, std::size_t end, const ContactList& list) {
+bool ContactFinder::stay(std::size_t vertex, const ContactList& list, Kept& kept) {
   const std::span<const VertexEdge> pairs = pairs_.pairs();
-  const std::size_t first = moving_.size();
-  for (; k < k_end; ++k) {
+  const std::size_t first = known_.first_point(vertex), end = known_.first_point(vertex + 1);
+  std::size_t row = first;
+  for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
-    Moving m;
-    if (!stays(pairs[k], listed ? static_cast<std::int32_t>(row) : -1, list, m.segment)) return false;
+    std::int32_t segment = -1;
+    if (!stays(pairs[k], listed ? static_cast<std::int32_t>(row) : -1, list, segment, kept.anew)) return false;
     if (!listed) continue;
-    m.pair = static_cast<std::int32_t>(k);
-    m.from = static_cast<std::int32_t>(row);
-    moving_.push_back(m);
+    moving_[row] = {static_cast<std::int32_t>(k), segment, static_cast<std::int32_t>(row)};
     ++row;
   }
-  return row == end && !(moving_.size() - first > 1 && passes_on(first, moving_.size(), list));
+  return row == end && !(end - first > 1 && passes_on(first, end, list, kept.of_vertex));
 }
 
 bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   place_nodes(q);
-  const std::span<const VertexEdge> pairs = pairs_.update(x_, known_, ContactPairs::Of::all);
+  (void)pairs_.update(x_, known_, ContactPairs::Of::all);
   if (known_.divided()) return false;
-  const std::size_t size = known_.size();
+  const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
+  moving_.resize(size);
+  kept_.resize((vertices + kChunk - 1) / kChunk);
+  const auto of_vertices = [&](std::int64_t begin, std::int64_t end) {
+    Kept& kept = kept_[static_cast<std::size_t>(begin / kChunk)];
+    kept.anew = false;
+    kept.changed.clear();
+    for (std::int64_t v = begin; v < end; ++v)
+      if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
+  };
+  parallel_for_chunks(static_cast<std::int64_t>(vertices), of_vertices, kFewVertices);
+  if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.anew; })) return false;
   gone_.assign(size, 0);
-  anew_ = false;
-  moving_.clear();
   changed_.clear();
+  if (std::all_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.changed.empty(); })) return true;
+  make_changed();
+  return complete_made(list);
+}
+
+void ContactFinder::make_changed() {
   made_.points.clear();
   made_.memory.clear();
   made_.briefs.clear();
   fresh_.clear();
-  for (std::size_t k = 0, row = 0; k < pairs.size() || row < size;) {
-    constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
-    const std::int32_t vertex =
-        std::min(k < pairs.size() ? pairs[k].vertex : kNone, row < size ? known_.vertex(row) : kNone);
-    std::size_t k_end = k, end = row;
-    while (k_end < pairs.size() && pairs[k_end].vertex == vertex) ++k_end;
-    while (end < size && known_.vertex(end) == vertex) ++end;
-    const std::size_t before = moving_.size();
-    if (!stay(k, k_end, row, end, list)) {
-      moving_.resize(before);
-      const std::size_t first = made_.points.size();
-      std::fill(gone_.begin() + static_cast<std::ptrdiff_t>(row), gone_.begin() + static_cast<std::ptrdiff_t>(end), 1);
-      list_vertex(pairs.subspan(k, k_end - k), row, false, made_);
+  unchanged_.swap(moving_);
+  moving_.clear();
+  std::size_t next = 0;  // of the known points, the first that has no place in moving_ yet
+  const auto take_unchanged = [&](std::size_t end) {
+    for (; next < end; ++next) moving_.push_back(unchanged_[next]);
+  };
+  for (const Kept& kept : kept_)
+    for (const std::int32_t changed : kept.changed) {
+      const auto vertex = static_cast<std::size_t>(changed);
+      const std::size_t begin = known_.first_point(vertex), end = known_.first_point(vertex + 1),
+                        pair = pairs_.first_pair(vertex), first = made_.points.size();
+      take_unchanged(begin);
+      std::fill(gone_.begin() + static_cast<std::ptrdiff_t>(begin), gone_.begin() + static_cast<std::ptrdiff_t>(end),
+                1);
+      list_vertex(pairs_.pairs().subspan(pair, pairs_.first_pair(vertex + 1) - pair), begin, false, made_);
       const std::size_t count = made_.points.size() - first;
-      changed_.push_back({static_cast<std::int32_t>(row), static_cast<std::int32_t>(end),
+      changed_.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end),
                           static_cast<std::int32_t>(first), static_cast<std::int32_t>(count)});
-      moving_.resize(before + count, {-1, -1, -1, true});
+      moving_.resize(moving_.size() + count, {-1, -1, -1, true});
+      next = end;
     }
-    if (anew_) return false;
-    k = k_end;
-    row = end;
-  }
-  return changed_.empty() || complete_made(list);
+  take_unchanged(known_.size());
 }
 
 bool ContactFinder::complete_made(const ContactList& list) {

@@ -4,10 +4,13 @@
 #include <iterator>
 #include <utility>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 namespace {
 
-constexpr double kFaces = 0.9962;   // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr std::int64_t kFewPairs = 2048;  // fewer pairs of edges are not worth waking threads
 constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
 
 }  // namespace
@@ -27,7 +30,8 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
   const std::size_t expected = 2 * setup.outlines().vertices.size();
   deep_.reserve(expected);
   pairs_.reserve(expected);
-  unsorted_.reserve(expected);
+  found_.resize(2);
+  for (Found& f : found_) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kChunk)));
   place_.reserve(expected);
   seen_.reserve(expected);
 }
@@ -69,30 +73,38 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const 
   return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
 }
 
-void ContactPairs::list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind,
-                        double ahead) {
-  if (listed_ == unsorted_.size()) unsorted_.emplace_back();
-  VertexEdge& p = unsorted_[listed_++];  // made where it stays, as contact points are
-  same_ = same_ && p.vertex == vertex && p.edge == edge && p.own == own;
-  p.vertex = vertex;
-  p.edge = edge;
-  p.own = own;
-  p.tributary = tributary;
-  p.behind = behind;
-  p.ahead = ahead;
+void ContactPairs::Found::list(const VertexEdge& pair) {
+  if (count == pairs.size()) pairs.emplace_back();
+  VertexEdge& p = pairs[count++];
+  same = same && p.vertex == pair.vertex && p.edge == pair.edge && p.own == pair.own;
+  p = pair;
 }
 
-void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known) {
+void ContactPairs::Found::end() {
+  if (count == pairs.size()) return;
+  pairs.resize(count);
+  same = false;
+}
+
+template <class See>
+void ContactPairs::for_found(See&& see) const {
+  std::size_t k = 0;
+  for (const Found& f : found_)
+    for (const VertexEdge& pair : f.pairs) see(pair, k++);
+}
+
+void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known, Found& out) const {
   const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
   if (!v.convex) return;
   const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
   if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
     return;
   if (edge_edge(v.edge_in, edge, known)) return;
-  list(vertex, edge, opposing_edge(vertex, edge), 0.0, 0.0, 0.0);
+  out.list({vertex, edge, opposing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
-void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known) {
+void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known,
+                             Found& out) const {
   const Outlines& o = setup_->outlines();
   if (too_far(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) {
     bool closed = false;
@@ -101,26 +113,32 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
   }
   if (edge_edge(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
-    for (const OverlapPoint& p : overlap_.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
+    for (const OverlapPoint& p : out.overlap.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
       if (p.edge == a)
-        list(p.vertex, p.edge, b, p.tributary, p.behind, p.ahead);
+        out.list({p.vertex, p.edge, b, p.tributary, p.behind, p.ahead});
       else  // b runs against the direction
-        list(p.vertex, p.edge, a, p.tributary, p.ahead, p.behind);
+        out.list({p.vertex, p.edge, a, p.tributary, p.ahead, p.behind});
   } else {
-    try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known);
-    try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known);
+    try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known, out);
+    try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known, out);
   }
 }
 
 void ContactPairs::sort() {
-  std::fill(first_.begin(), first_.end(), 0);
-  for (const VertexEdge& p : unsorted_) ++first_[static_cast<std::size_t>(p.vertex) + 1];
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  pairs_.resize(unsorted_.size());
-  for (const VertexEdge& p : unsorted_)
-    pairs_[static_cast<std::size_t>(first_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  std::size_t count = 0;
+  for (const Found& f : found_) count += f.pairs.size();
+  next_.assign(first_.size(), 0);
+  for_found([&](const VertexEdge& p, std::size_t) { ++next_[static_cast<std::size_t>(p.vertex) + 1]; });
+  for (std::size_t v = 1; v < next_.size(); ++v) next_[v] += next_[v - 1];
+  pairs_.resize(count);
+  for_found([&](const VertexEdge& p, std::size_t) {
+    pairs_[static_cast<std::size_t>(next_[static_cast<std::size_t>(p.vertex)]++)] = p;
+  });
   auto kept = pairs_.begin();
+  std::size_t next = 0;  // vertex without a first pair yet
   for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
+    for (; next <= static_cast<std::size_t>(begin->vertex); ++next)
+      first_[next] = static_cast<std::int32_t>(kept - pairs_.begin());
     while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
     std::sort(begin, end);
     for (const auto first = kept; begin != end; ++begin) {
@@ -137,22 +155,20 @@ void ContactPairs::sort() {
     }
   }
   pairs_.erase(kept, pairs_.end());
+  for (; next < first_.size(); ++next) first_[next] = static_cast<std::int32_t>(pairs_.size());
   // Where each of those that were listed has gone.
-  for (std::size_t i = pairs_.size(); i-- > 0;)
-    first_[static_cast<std::size_t>(pairs_[i].vertex)] = static_cast<std::int32_t>(i);
-  place_.resize(unsorted_.size());
+  place_.resize(count);
   seen_.assign(pairs_.size(), 0);
-  for (std::size_t k = 0; k < unsorted_.size(); ++k) {
-    auto at = static_cast<std::size_t>(first_[static_cast<std::size_t>(unsorted_[k].vertex)]);
-    while (pairs_[at].edge != unsorted_[k].edge) ++at;
+  for_found([&](const VertexEdge& p, std::size_t k) {
+    auto at = first_pair(static_cast<std::size_t>(p.vertex));
+    while (pairs_[at].edge != p.edge) ++at;
     place_[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
     seen_[at] = 1;
-  }
+  });
 }
 
 void ContactPairs::refresh() {
-  for (std::size_t k = 0; k < unsorted_.size(); ++k) {
-    const VertexEdge& from = unsorted_[k];
+  for_found([&](const VertexEdge& from, std::size_t k) {
     VertexEdge& to = pairs_[static_cast<std::size_t>(place_[k].pair)];
     if (place_[k].adds) {  // to one other at most: sums of two have no order
       to.tributary += from.tributary;
@@ -163,7 +179,7 @@ void ContactPairs::refresh() {
       to.behind = from.behind;
       to.ahead = from.ahead;
     }
-  }
+  });
 }
 
 void ContactPairs::place_edges(std::span<const Vec2> x, Outlines::Range range) {
@@ -171,7 +187,8 @@ void ContactPairs::place_edges(std::span<const Vec2> x, Outlines::Range range) {
   const auto node = [&](std::int32_t v) {
     return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
   };
-  for (auto e = static_cast<std::size_t>(range.begin); e < static_cast<std::size_t>(range.end); ++e) {
+  parallel_for(range.end - range.begin, [&](std::int64_t i) {
+    const auto e = static_cast<std::size_t>(range.begin + i);
     ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
     Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
@@ -180,25 +197,11 @@ void ContactPairs::place_edges(std::span<const Vec2> x, Outlines::Range range) {
       box.lo = box.lo.cwiseMin(at);
       box.hi = box.hi.cwiseMax(at);
     }
-  }
+  });
 }
 
-std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
-  const auto wanted = [&](std::int32_t a, std::int32_t b) {
-    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
-  };
+void ContactPairs::find_deep(const KnownContacts& known) {
   const Outlines& o = setup_->outlines();
-  if (std::exchange(placed_, true)) {
-    for (const Outlines::Range& r : o.moving_edges) place_edges(x, r);
-  } else {
-    place_edges(x, {0, static_cast<std::int32_t>(box_.size())});
-  }
-  listed_ = 0;
-  same_ = true;
-  const std::span<const EdgePair> near = search_.update(x);
-  for (const auto& [a, b] : near)
-    if (wanted(a, b)) try_edges(x, a, b, known);
-  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   deep_.clear();
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (!known.closed(i)) continue;
@@ -211,14 +214,43 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   }
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
+}
+
+std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
+  const auto wanted = [&](std::int32_t a, std::int32_t b) {
+    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
+  };
+  if (std::exchange(placed_, true)) {
+    for (const Outlines::Range& r : setup_->outlines().moving_edges) place_edges(x, r);
+  } else {
+    place_edges(x, {0, static_cast<std::int32_t>(box_.size())});
+  }
+  const std::span<const EdgePair> near = search_.update(x);
+  const auto size = static_cast<std::int64_t>(near.size());
+  const auto chunks = static_cast<std::size_t>((size + kChunk - 1) / kChunk);
+  bool same = found_.size() == chunks + 1;
+  found_.resize(chunks + 1);
+  parallel_for_chunks(
+      size,
+      [&](std::int64_t begin, std::int64_t end) {
+        Found& out = found_[static_cast<std::size_t>(begin / kChunk)];
+        out.begin();
+        for (const EdgePair& pair :
+             near.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)))
+          if (wanted(pair.a, pair.b)) try_edges(x, pair.a, pair.b, known, out);
+        out.end();
+      },
+      kFewPairs);
+  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+  find_deep(known);
+  Found& deep = found_.back();
+  deep.begin();
   for (const EdgePair& pair : deep_)
     if (wanted(pair.a, pair.b) && !std::binary_search(near.begin(), near.end(), pair))
-      try_edges(x, pair.a, pair.b, known);
-  if (listed_ != unsorted_.size()) {
-    unsorted_.resize(listed_);
-    same_ = false;
-  }
-  if (same_)
+      try_edges(x, pair.a, pair.b, known, deep);
+  deep.end();
+  for (const Found& f : found_) same = same && f.same;
+  if (same)
     refresh();
   else
     sort();

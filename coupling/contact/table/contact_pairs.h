@@ -38,6 +38,9 @@ class ContactPairs {
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
   /// What update() returned last.
   [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
+  /// The pairs of a vertex begin here among them, and end where those of the next begin.
+  /// @param vertex  0 to the number of vertices
+  [[nodiscard]] std::size_t first_pair(std::size_t vertex) const { return static_cast<std::size_t>(first_[vertex]); }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
@@ -49,17 +52,31 @@ class ContactPairs {
   [[nodiscard]] std::int32_t opposing_edge(std::int32_t vertex, std::int32_t edge) const;
 
  private:
+  /// What the pairs of edges of one chunk give, in their order. Kept from one update to the next.
+  struct Found {
+    std::vector<VertexEdge> pairs;
+    std::size_t count = 0;  // of them, so far
+    bool same = false;      // they are those of the last time
+    EdgeOverlap overlap;    // scratch
+
+    void begin() { count = 0, same = true; }
+    void list(const VertexEdge& pair);
+    void end();
+  };
   [[nodiscard]] bool edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
   /// Ends, direction and box of edges as they lie now.
   void place_edges(std::span<const Vec2> x, Outlines::Range range);
-  void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known);
-  void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known);
+  void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known, Found& out) const;
+  void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known, Found& out) const;
+  /// Lists the edges of closed contacts that are deeper than the search looks.
+  void find_deep(const KnownContacts& known);
   /// True if what is in the boxes is farther apart than half the reach.
   [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
-  /// Lists a pair.
-  void list(std::int32_t vertex, std::int32_t edge, std::int32_t own, double tributary, double behind, double ahead);
+  /// Calls see(pair, k) for all that was found, k counted through all chunks.
+  template <class See>
+  void for_found(See&& see) const;
   /// Brings the pairs into order: by vertex in one pass, then the few of each vertex, with those of one edge made one.
   void sort();
   /// The same vertices against the same edges were listed as last time, in the same order: no order is to be found.
@@ -69,23 +86,21 @@ class ContactPairs {
   const JointSprings* springs_;
   double reach_ = 0.0;
   Search search_;
-  EdgeOverlap overlap_;
   std::vector<char> ghost_;  // an edge: 1 if its body is a ghost
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge
   bool placed_ = false;                    // those of bodies that rest
-  std::vector<VertexEdge> pairs_, unsorted_;
-  std::size_t listed_ = 0;  // of unsorted_, so far
-  bool same_ = false;       // they are those of the last time
+  std::vector<VertexEdge> pairs_;
+  std::vector<Found> found_;  // a chunk of pairs of edges; last those of deep_
   struct Place {
     std::int32_t pair;
     bool adds;
   };
-  std::vector<Place> place_;         // of unsorted_, in pairs_
-  std::vector<char> seen_;           // scratch of sort()
-  std::vector<std::int32_t> first_;  // per vertex: its pairs, counted one further on; then its first pair
-  std::vector<EdgePair> deep_;       // of closed contacts deeper than the search looks
+  std::vector<Place> place_;                // of what was found, in pairs_
+  std::vector<char> seen_;                  // scratch of sort()
+  std::vector<std::int32_t> first_, next_;  // per vertex: its first pair; where sort() puts the next
+  std::vector<EdgePair> deep_;              // of closed contacts deeper than the search looks
 };
 
 }  // namespace scree::coupling

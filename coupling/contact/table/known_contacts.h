@@ -72,6 +72,9 @@ class KnownContacts {
   [[nodiscard]] bool divided() const { return divided_; }
   [[nodiscard]] bool closed_divided() const { return closed_divided_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// The points of a vertex begin here among them, and end where those of the next begin.
+  /// @param vertex  0 to the number of vertices
+  [[nodiscard]] std::size_t first_point(std::size_t vertex) const { return static_cast<std::size_t>(first_[vertex]); }
   [[nodiscard]] std::int32_t vertex(std::size_t i) const { return places_[i].vertex; }
   [[nodiscard]] std::int32_t edge(std::size_t i) const { return places_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
