@@ -24,18 +24,19 @@ void parallel_for(std::int64_t n, Body&& body, std::int64_t serial_below = kSeri
   for (std::int64_t i = 0; i < n; ++i) body(i);
 }
 
-/// chunk(begin, end) over [0, n) in chunks of kChunk.
+/// chunk(begin, end) over [0, n) in chunks of `size`.
 /// @param serial_below  fewer items are not worth waking threads
 template <class Chunk>
-void parallel_for_chunks(std::int64_t n, Chunk&& chunk, std::int64_t serial_below = kSerialBelow) {
-  const std::int64_t chunks = (n + kChunk - 1) / kChunk;
-  const auto end_of = [n](std::int64_t c) { return c * kChunk + kChunk < n ? c * kChunk + kChunk : n; };
+void parallel_for_chunks(std::int64_t n, Chunk&& chunk, std::int64_t serial_below = kSerialBelow,
+                         std::int64_t size = kChunk) {
+  const std::int64_t chunks = (n + size - 1) / size;
+  const auto end_of = [n, size](std::int64_t c) { return c * size + size < n ? c * size + size : n; };
   if (n < serial_below) {
-    for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, end_of(c));
+    for (std::int64_t c = 0; c < chunks; ++c) chunk(c * size, end_of(c));
     return;
   }
 #pragma omp parallel for schedule(static)
-  for (std::int64_t c = 0; c < chunks; ++c) chunk(c * kChunk, end_of(c));
+  for (std::int64_t c = 0; c < chunks; ++c) chunk(c * size, end_of(c));
 }
 
 /// Sum of chunk(begin, end) over [0, n) in chunks of kChunk: the same bits for any number of threads.

@@ -13,7 +13,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewPoints = 1024, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
+constexpr std::int64_t kFewPoints = 512, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
 
 /// What the law has to know of a point; at rest until a step says how it moved.
 PointMotion motion_of(const ContactPoint& p) {
@@ -48,10 +48,10 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   slides_.reserve(expected);
   energy_.reserve(expected);
   forces_.resize(setup.outlines().nodes.size());
-  chunks_.resize((expected + kChunk - 1) / kChunk);
+  chunks_.resize((expected + kContactChunk - 1) / kContactChunk);
   for (Chunk& chunk : chunks_) {
-    chunk.slides.reserve(static_cast<std::size_t>(kChunk));
-    chunk.kinds.reserve(static_cast<std::size_t>(kChunk));
+    chunk.slides.reserve(static_cast<std::size_t>(kContactChunk));
+    chunk.kinds.reserve(static_cast<std::size_t>(kContactChunk));
   }
   opened_.reserve(expected);
 }
@@ -154,16 +154,16 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
 template <class OfRange>
 void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
   const std::int64_t size = std::ssize(now_.points);
-  const auto count = static_cast<std::size_t>((size + kChunk - 1) / kChunk);
+  const auto count = static_cast<std::size_t>((size + kContactChunk - 1) / kContactChunk);
   if (chunks_.size() < count) chunks_.resize(count);
   const auto of_chunk = [&](std::int64_t begin, std::int64_t end) {
-    Chunk& chunk = chunks_[static_cast<std::size_t>(begin / kChunk)];
+    Chunk& chunk = chunks_[static_cast<std::size_t>(begin / kContactChunk)];
     chunk.ledger = {};
     chunk.slides.clear();
     chunk.kinds.clear();
     of_range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), chunk);
   };
-  parallel_for_chunks(size, of_chunk, kFewPoints);
+  parallel_for_chunks(size, of_chunk, kFewPoints, kContactChunk);
   slides_.clear();
   kinds_.clear();
   for (const Chunk& chunk : std::span(chunks_).first(count)) {

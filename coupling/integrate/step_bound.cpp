@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace scree::coupling {
@@ -30,7 +31,8 @@ StepBound::StepBound(const Setup& setup)
     node_compliance_.push_back(compliance(o.node_body[i], o.nodes[i]));
     touched_.clear();
     touch_row(o.node_body[i], o.nodes[i]);
-    node_groups_.insert(node_groups_.end(), touched_.begin(), touched_.end());
+    std::sort(touched_.begin(), touched_.end());
+    node_groups_.insert(node_groups_.end(), touched_.begin(), std::unique(touched_.begin(), touched_.end()));
     node_first_.push_back(static_cast<std::int32_t>(node_groups_.size()));
   }
   touched_.clear();
@@ -41,9 +43,17 @@ double StepBound::compliance(std::int32_t body, const Row& row) const {
   return b.driven || setup_->on_ghost(row) ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, row));
 }
 
-void StepBound::touch_node(std::int32_t node) {
+std::span<const std::int32_t> StepBound::groups_of(std::int32_t node) const {
   const auto i = static_cast<std::size_t>(node);
-  touched_.insert(touched_.end(), node_groups_.begin() + node_first_[i], node_groups_.begin() + node_first_[i + 1]);
+  return std::span(node_groups_.begin() + node_first_[i], node_groups_.begin() + node_first_[i + 1]);
+}
+
+std::span<const std::int32_t> StepBound::groups_of(std::int32_t a, std::int32_t b) {
+  const auto of_a = groups_of(a), of_b = groups_of(b);
+  if (std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end())) return of_a;
+  found_.clear();
+  std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(found_));
+  return found_;
 }
 
 void StepBound::touch_row(std::int32_t body, const Row& row) {
@@ -56,18 +66,19 @@ void StepBound::touch_row(std::int32_t body, const Row& row) {
   for (const std::int32_t g : found_) touched_.push_back(first + g);
 }
 
-void StepBound::add(Kind kind, std::int32_t other, double size) {
-  if (touched_.size() > 1) {
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  }
+void StepBound::add(Kind kind, std::int32_t other, double size, std::span<const std::int32_t> groups) {
   std::vector<double>& sums = kind == Kind::viscous ? viscous_ : stiff_;
-  for (const std::int32_t g : touched_) sums[static_cast<std::size_t>(g)] += size;
-  if (listed_ && !touched_.empty()) {
-    list_.push_back(
-        {kind, other, size, static_cast<std::int32_t>(groups_.size()), static_cast<std::int32_t>(touched_.size())});
-    groups_.insert(groups_.end(), touched_.begin(), touched_.end());
-  }
+  for (const std::int32_t g : groups) sums[static_cast<std::size_t>(g)] += size;
+  if (!listed_ || groups.empty()) return;
+  list_.push_back(
+      {kind, other, size, static_cast<std::int32_t>(groups_.size()), static_cast<std::int32_t>(groups.size())});
+  groups_.insert(groups_.end(), groups.begin(), groups.end());
+}
+
+void StepBound::add_touched(Kind kind, double size) {
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  add(kind, -1, size, touched_);
   touched_.clear();
 }
 
@@ -93,11 +104,9 @@ void StepBound::collect_contacts(const StepParts& in) {
     const double xi = setup_->model().joints[static_cast<std::size_t>(in.contacts.memory[i].joint)].damping;
     const double shrink = std::sqrt(1.0 + xi * xi) - xi;
     const double k = (std::max(in.contacts.memory[i].kn, in.contacts.memory[i].kt) + p.margin) / (shrink * shrink);
-    touch_node(p.node[0]);
-    add(Kind::contact, o.node_body[static_cast<std::size_t>(p.node[1])], k * mu);
-    touch_node(p.node[1]);
-    touch_node(p.node[2]);
-    add(Kind::contact, o.node_body[static_cast<std::size_t>(p.node[0])], k * mu);
+    const auto body_of = [&](std::size_t n) { return o.node_body[static_cast<std::size_t>(p.node[n])]; };
+    add(Kind::contact, body_of(1), k * mu, groups_of(p.node[0]));
+    add(Kind::contact, body_of(0), k * mu, groups_of(p.node[1], p.node[2]));
   }
 }
 
@@ -109,14 +118,14 @@ void StepBound::collect(const StepParts& in) {
   collect_contacts(in);
   for (const PointSpring& s : in.springs) {
     touch_row(s.body, s.row);
-    add(Kind::support, -1, s.k.maxCoeff() * compliance(s.body, s.row));
+    add_touched(Kind::support, s.k.maxCoeff() * compliance(s.body, s.row));
   }
   for (const BoltSpring& s : in.bolts) {
     double mu = 0.0;
     for (std::size_t k = 0; k < s.rows.size(); ++k) mu += compliance(s.body[k], s.rows[k]);
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
       touch_row(s.body[k], s.rows[k]);
-      add(Kind::bolt, -1, s.k * mu);
+      add_touched(Kind::bolt, s.k * mu);
     }
   }
   for (const Dashpot& d : in.dashpots) {
@@ -125,7 +134,7 @@ void StepBound::collect(const StepParts& in) {
       // The compliance of a point between the rows is convex in s. At a row only that one is touched.
       if (s != 1.0) touch_row(d.stretch.body, d.stretch.a);
       if (s != 0.0) touch_row(d.stretch.body, d.stretch.b);
-      add(Kind::viscous, -1, std::max(d.normal, d.shear) * ((1.0 - s) * mu_a + s * mu_b));
+      add_touched(Kind::viscous, std::max(d.normal, d.shear) * ((1.0 - s) * mu_a + s * mu_b));
     }
   }
 }

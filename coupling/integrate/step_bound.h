@@ -1,6 +1,7 @@
 // Certified bound of the explicit step with contacts, supports and damping.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,11 +58,15 @@ class StepBound {
   };
 
   [[nodiscard]] double compliance(std::int32_t body, const Row& row) const;
-  /// Append the groups of an outline node, or of any row, to touched_.
-  void touch_node(std::int32_t node);
+  /// The groups of an outline node, or of two, in order.   @return valid until the next call
+  [[nodiscard]] std::span<const std::int32_t> groups_of(std::int32_t node) const;
+  [[nodiscard]] std::span<const std::int32_t> groups_of(std::int32_t a, std::int32_t b);
+  /// Appends the groups of any row to touched_.
   void touch_row(std::int32_t body, const Row& row);
-  /// Adds a spring or dashpot to the sums of the groups in touched_, and empties that.
-  void add(Kind kind, std::int32_t other, double size);
+  /// Adds a spring or dashpot to the sums of groups, each of which is there once.
+  void add(Kind kind, std::int32_t other, double size, std::span<const std::int32_t> groups);
+  /// The same for the groups in touched_, which it empties.
+  void add_touched(Kind kind, double size);
   void collect(const StepParts& in);
   void collect_contacts(const StepParts& in);
   [[nodiscard]] std::int32_t worst(const Body& b, bool viscous) const;

@@ -8,7 +8,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewVertices = 2048;  // fewer vertices are not worth waking threads
+constexpr std::int64_t kFewVertices = 1024;  // fewer vertices are not worth waking threads
 
 bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partner[1]) >= 0; }
 
@@ -97,15 +97,15 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   if (known_.divided()) return false;
   const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
   moving_.resize(size);
-  kept_.resize((vertices + kChunk - 1) / kChunk);
+  kept_.resize((vertices + kContactChunk - 1) / kContactChunk);
   const auto of_vertices = [&](std::int64_t begin, std::int64_t end) {
-    Kept& kept = kept_[static_cast<std::size_t>(begin / kChunk)];
+    Kept& kept = kept_[static_cast<std::size_t>(begin / kContactChunk)];
     kept.anew = false;
     kept.changed.clear();
     for (std::int64_t v = begin; v < end; ++v)
       if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
   };
-  parallel_for_chunks(static_cast<std::int64_t>(vertices), of_vertices, kFewVertices);
+  parallel_for_chunks(static_cast<std::int64_t>(vertices), of_vertices, kFewVertices, kContactChunk);
   if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.anew; })) return false;
   gone_.assign(size, 0);
   changed_.clear();

@@ -10,7 +10,7 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other
-constexpr std::int64_t kFewPairs = 2048;  // fewer pairs of edges are not worth waking threads
+constexpr std::int64_t kFewPairs = 1024;  // fewer pairs of edges are not worth waking threads
 constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
 
 }  // namespace
@@ -31,7 +31,7 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
   deep_.reserve(expected);
   pairs_.reserve(expected);
   found_.resize(2);
-  for (Found& f : found_) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kChunk)));
+  for (Found& f : found_) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kContactChunk)));
   place_.reserve(expected);
   seen_.reserve(expected);
 }
@@ -227,20 +227,20 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
   }
   const std::span<const EdgePair> near = search_.update(x);
   const auto size = static_cast<std::int64_t>(near.size());
-  const auto chunks = static_cast<std::size_t>((size + kChunk - 1) / kChunk);
+  const auto chunks = static_cast<std::size_t>((size + kContactChunk - 1) / kContactChunk);
   bool same = found_.size() == chunks + 1;
   found_.resize(chunks + 1);
   parallel_for_chunks(
       size,
       [&](std::int64_t begin, std::int64_t end) {
-        Found& out = found_[static_cast<std::size_t>(begin / kChunk)];
+        Found& out = found_[static_cast<std::size_t>(begin / kContactChunk)];
         out.begin();
         for (const EdgePair& pair :
              near.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)))
           if (wanted(pair.a, pair.b)) try_edges(x, pair.a, pair.b, known, out);
         out.end();
       },
-      kFewPairs);
+      kFewPairs, kContactChunk);
   // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   find_deep(known);
   Found& deep = found_.back();

@@ -14,6 +14,8 @@ namespace scree::coupling {
 inline constexpr double kStillFaces = 0.9848;    // cosine of 10 degrees: closed edges face each other up to here
 inline constexpr double kWedgeTolerance = 0.17;  // sine of 10 degrees: how far a corner's sides may lean into the edge
 
+inline constexpr std::int64_t kContactChunk = 128;  // pairs of edges, vertices or points that one thread takes at once
+
 /// A vertex against an edge.
 struct VertexEdge {
   std::int32_t vertex = -1, edge = -1;
