@@ -1,4 +1,6 @@
 // The stream of the server to viewers: WebSocket, who may have it, and what a slow or wrong viewer gets.
+#include <algorithm>
+
 #include "tests/unit/io/serve_client.h"
 
 namespace scree::io::test {

@@ -1,7 +1,9 @@
 // The server of `scree view`: what it answers, what it refuses, and that it lives on whatever is sent to it. Requests
 // are written by hand over plain sockets, so that nothing of what is tested takes part in testing it.
+#include <fstream>
 #include <map>
 #include <random>
+#include <sstream>
 
 #include "io/serve/request_rules.h"
 #include "tests/unit/io/serve_client.h"
