@@ -48,6 +48,9 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   slides_.reserve(expected);
   energy_.reserve(expected);
   forces_.resize(setup.outlines().nodes.size());
+  rests_.assign(forces_.size(), 1);
+  for (const Outlines::Range& r : setup.outlines().moving_nodes)
+    std::fill(rests_.begin() + r.begin, rests_.begin() + r.end, 0);
   chunks_.resize((expected + kContactChunk - 1) / kContactChunk);
   for (Chunk& chunk : chunks_) {
     chunk.slides.reserve(static_cast<std::size_t>(kContactChunk));
@@ -115,22 +118,39 @@ void ExplicitContact::undo(State& state) {
 void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
 
 void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
+  if (list.points.empty()) return;
   const Outlines& o = setup_->outlines();
   const auto nodes = static_cast<std::int64_t>(o.nodes.size());
   const std::int64_t parts = std::ssize(list.points) < kFewPoints ? 1 : omp_get_max_threads();
-  // Each part of the outline nodes takes its forces from all points, in their order, whatever the number of parts.
+  const auto for_moving = [&](std::int64_t begin, std::int64_t end, const auto& of_range) {
+    for (const Outlines::Range& r : o.moving_nodes)
+      of_range(std::clamp<std::int64_t>(r.begin, begin, end), std::clamp<std::int64_t>(r.end, begin, end));
+  };
+  // Each part of the outline nodes takes its forces from all points, in their order, whatever the number of parts. What
+  // rests takes them at once, in the first: it may have many nodes, which steps pass over.
   const auto collect = [&](std::int64_t part) {
     const std::int64_t begin = nodes * part / parts, end = nodes * (part + 1) / parts;
-    std::fill(forces_.begin() + begin, forces_.begin() + end, Vec2::Zero());
+    for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
+      std::fill(forces_.begin() + first, forces_.begin() + last, Vec2::Zero());
+    });
     const auto is_here = [&](std::int32_t node) { return node >= begin && node < end; };
+    const auto rests = [&](std::int32_t node) { return rests_[static_cast<std::size_t>(node)] != 0; };
+    const auto takes = [&](std::int32_t node) { return rests(node) ? part == 0 : is_here(node); };
     for (std::size_t i = 0; i < list.points.size(); ++i) {
       const ContactPoint& p = list.points[i];
       const ContactMemory& m = list.memory[i];
       const double normal = m.fn + m.water;
-      if ((normal == 0.0 && m.ft == 0.0) || !std::any_of(p.node.begin(), p.node.end(), is_here)) continue;
+      if ((normal == 0.0 && m.ft == 0.0) || !std::any_of(p.node.begin(), p.node.end(), takes)) continue;
       const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
-      for (std::size_t k = 0; k < 3; ++k)
-        if (is_here(p.node[k])) forces_[static_cast<std::size_t>(p.node[k])] += normal * gap[k] + m.ft * stretch[k];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!takes(p.node[k])) continue;
+        const auto node = static_cast<std::size_t>(p.node[k]);
+        const Vec2 force = normal * gap[k] + m.ft * stretch[k];
+        if (rests(p.node[k]))
+          add_force(o.nodes[node], force, f);
+        else
+          forces_[node] += force;
+      }
     }
   };
   parallel_for(parts, collect, 2);
@@ -142,11 +162,11 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
     return i;
   };
   const auto pass_on = [&](std::int64_t part) {
-    const std::int64_t end = first_of_body(nodes * (part + 1) / parts);
-    for (std::int64_t k = first_of_body(nodes * part / parts); k < end; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      if (!forces_[i].isZero(0.0)) add_force(o.nodes[i], forces_[i], f);
-    }
+    const std::int64_t begin = first_of_body(nodes * part / parts), end = first_of_body(nodes * (part + 1) / parts);
+    for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        if (!forces_[i].isZero(0.0)) add_force(o.nodes[i], forces_[i], f);
+    });
   };
   parallel_for(parts, pass_on, nodes < kFewNodes ? parts + 1 : 2);
 }

@@ -156,7 +156,8 @@ class ExplicitContact {
   std::vector<Slide> slides_;        // points that the check of friction follows
   std::vector<double> energy_;       // of a point's springs [J]
   std::vector<Chunk> chunks_;
-  mutable std::vector<Vec2> forces_;  // on outline nodes, scratch of add() [N]
+  mutable std::vector<Vec2> forces_;  // on outline nodes that move, scratch of add() [N]
+  std::vector<char> rests_;           // per outline node: 1 where its body rests
   std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
 };
 

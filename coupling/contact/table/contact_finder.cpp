@@ -42,9 +42,14 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   unchanged_.reserve(expected);
   for (auto* kinds : {&kind_, &next_kind_}) kinds->reserve(expected);
   for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
-  constexpr std::size_t kFew = 1000;
+  constexpr std::size_t kFew = 1000, kFewOfVertex = 16;
   changed_.reserve(std::min(expected, kFew));
   shift_.reserve(std::min(expected, kFew));
+  kept_.resize((o.vertices.size() + kContactChunk - 1) / kContactChunk);
+  for (Kept& kept : kept_) {
+    kept.changed.reserve(std::min(expected, kFewOfVertex));
+    kept.of_vertex.reserve(std::min(expected, kFewOfVertex));
+  }
   made_.points.reserve(std::min(expected, kFew));
   made_.memory.reserve(std::min(expected, kFew));
   made_.briefs.reserve(std::min(expected, kFew));

@@ -97,11 +97,14 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   if (known_.divided()) return false;
   const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
   moving_.resize(size);
-  kept_.resize((vertices + kContactChunk - 1) / kContactChunk);
   const auto of_vertices = [&](std::int64_t begin, std::int64_t end) {
     Kept& kept = kept_[static_cast<std::size_t>(begin / kContactChunk)];
     kept.anew = false;
     kept.changed.clear();
+    const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
+    const bool none =
+        pairs_.first_pair(first) == pairs_.first_pair(last) && known_.first_point(first) == known_.first_point(last);
+    if (none) return;  // a long outline has many such, on a block that is held above all
     for (std::int64_t v = begin; v < end; ++v)
       if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
   };

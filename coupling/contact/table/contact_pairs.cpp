@@ -30,6 +30,7 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
   const std::size_t expected = 2 * setup.outlines().vertices.size();
   deep_.reserve(expected);
   pairs_.reserve(expected);
+  next_.reserve(first_.size());
   found_.resize(2);
   for (Found& f : found_) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kContactChunk)));
   place_.reserve(expected);
