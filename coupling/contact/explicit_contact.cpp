@@ -13,7 +13,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewPoints = 512, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
+constexpr std::int64_t kFewPoints = 1024, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
 
 /// What the law has to know of a point; at rest until a step says how it moved.
 PointMotion motion_of(const ContactPoint& p) {
@@ -126,8 +126,9 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
     for (const Outlines::Range& r : o.moving_nodes)
       of_range(std::clamp<std::int64_t>(r.begin, begin, end), std::clamp<std::int64_t>(r.end, begin, end));
   };
-  // Each part of the outline nodes takes its forces from all points, in their order, whatever the number of parts. What
-  // rests takes them at once, in the first: it may have many nodes, which steps pass over.
+  // The outline nodes are divided into parts, one a thread. Each part adds the forces of all points on its nodes in the
+  // order of the points, so that sums do not depend on the number of parts. A body that rests may have many nodes, most
+  // of them without contact: forces on it go into f directly, by the first part.
   const auto collect = [&](std::int64_t part) {
     const std::int64_t begin = nodes * part / parts, end = nodes * (part + 1) / parts;
     for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
@@ -154,7 +155,7 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
     }
   };
   parallel_for(parts, collect, 2);
-  // Bodies share no node of the state.
+  // Parts begin with a body here: bodies share no node of the state.
   const auto first_of_body = [&](std::int64_t i) {
     while (i > 0 && i < nodes &&
            o.node_body[static_cast<std::size_t>(i)] == o.node_body[static_cast<std::size_t>(i - 1)])

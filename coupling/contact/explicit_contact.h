@@ -109,14 +109,14 @@ class ExplicitContact {
   void arrive_anew(double h, State& state);
   /// arrive() where all points are still there: nothing is listed anew, nothing copied.
   void arrive_in_place(double h, State& state);
-  /// What a range of points adds to the books, and those of them that something else has to be done with.
+  /// Of a range of points: increments of the ledger, points that slide, points that may take springs of another kind.
   struct Chunk {
     Ledger ledger;
     std::vector<Slide> slides;
     std::vector<std::int32_t> kinds;
   };
-  /// Calls of_range(begin, end, chunk) for ranges of the points of now_, on threads; then books what the chunks have in
-  /// their order, and gathers slides_ and kinds_.
+  /// Calls of_range(begin, end, chunk) for ranges of the points of now_, on threads; then adds the increments of the
+  /// chunks to the ledger in their order, and lists slides_ and kinds_.
   template <class OfRange>
   void for_points(Ledger& ledger, OfRange&& of_range);
   /// Of arrive_in_place(): what concerns one point alone.   @param first  of a point of moves_first(), else null

@@ -91,7 +91,7 @@ class Ledger {
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);
-  /// Adds what has been booked in another ledger, which was empty before.
+  /// Adds the columns and the energy moved of another ledger, in which increments alone were booked.
   void add(const Ledger& booked);
 
   /// Of a system in two parts: the energies are those of the parts (the reservoir's is the base's), what was done to

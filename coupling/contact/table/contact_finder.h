@@ -117,7 +117,7 @@ class ContactFinder {
   [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   /// Completes it: springs, lengths of joint.
   void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
-  /// Of keeps(), what the vertices of one chunk give.
+  /// Of keeps(): the result for one chunk of vertices.
   struct Kept {
     bool anew = false;                    // find() must do it
     std::vector<std::int32_t> changed;    // vertices whose points do not stay as they are

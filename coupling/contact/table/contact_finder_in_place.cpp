@@ -104,7 +104,7 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
     const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
     const bool none =
         pairs_.first_pair(first) == pairs_.first_pair(last) && known_.first_point(first) == known_.first_point(last);
-    if (none) return;  // a long outline has many such, on a block that is held above all
+    if (none) return;  // most vertices of a long outline have no contact near
     for (std::int64_t v = begin; v < end; ++v)
       if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
   };

@@ -54,7 +54,7 @@ class ContactPairs {
   [[nodiscard]] std::int32_t opposing_edge(std::int32_t vertex, std::int32_t edge) const;
 
  private:
-  /// What the pairs of edges of one chunk give, in their order. Kept from one update to the next.
+  /// Vertices against edges that one chunk of edge pairs yields, in order. Kept from one update to the next.
   struct Found {
     std::vector<VertexEdge> pairs;
     std::size_t count = 0;  // of them, so far
