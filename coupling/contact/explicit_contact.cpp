@@ -127,16 +127,16 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
       of_range(std::clamp<std::int64_t>(r.begin, begin, end), std::clamp<std::int64_t>(r.end, begin, end));
   };
   // The outline nodes are divided into parts, one a thread. Each part adds the forces of all points on its nodes in the
-  // order of the points, so that sums do not depend on the number of parts. A body that rests may have many nodes, most
-  // of them without contact: forces on it go into f directly, by the first part.
+  // order of the points, so that sums do not depend on the number of parts. Bodies that rest take no force: they may
+  // have many nodes, over which no step passes.
   const auto collect = [&](std::int64_t part) {
     const std::int64_t begin = nodes * part / parts, end = nodes * (part + 1) / parts;
     for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
       std::fill(forces_.begin() + first, forces_.begin() + last, Vec2::Zero());
     });
-    const auto is_here = [&](std::int32_t node) { return node >= begin && node < end; };
-    const auto rests = [&](std::int32_t node) { return rests_[static_cast<std::size_t>(node)] != 0; };
-    const auto takes = [&](std::int32_t node) { return rests(node) ? part == 0 : is_here(node); };
+    const auto takes = [&](std::int32_t node) {
+      return node >= begin && node < end && rests_[static_cast<std::size_t>(node)] == 0;
+    };
     for (std::size_t i = 0; i < list.points.size(); ++i) {
       const ContactPoint& p = list.points[i];
       const ContactMemory& m = list.memory[i];
@@ -145,12 +145,7 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
       const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
       for (std::size_t k = 0; k < 3; ++k) {
         if (!takes(p.node[k])) continue;
-        const auto node = static_cast<std::size_t>(p.node[k]);
-        const Vec2 force = normal * gap[k] + m.ft * stretch[k];
-        if (rests(p.node[k]))
-          add_force(o.nodes[node], force, f);
-        else
-          forces_[node] += force;
+        forces_[static_cast<std::size_t>(p.node[k])] += normal * gap[k] + m.ft * stretch[k];
       }
     }
   };

@@ -128,10 +128,12 @@ void CentralDifference::sum_up(const Instant& at) {
     stress_right_ += partial_[index * sums];
     for (std::size_t w = 0; w + 1 < sums; ++w) weight_power_[w] += partial_[index * sums + w + 1];
   }
-  for (const auto* held : {&chunks_.driven(), &chunks_.resting(), &chunks_.ghosts()})
+  for (const auto* held : {&chunks_.driven(), &chunks_.resting(), &chunks_.ghosts()}) {
+    if (held == &chunks_.resting() && terms_.empty()) continue;  // contacts leave no force on bodies that rest
     for (const Chunk& c : *held)
       std::fill(total_.begin() + static_cast<std::ptrdiff_t>(c.begin),
                 total_.begin() + static_cast<std::ptrdiff_t>(c.end), 0.0);
+  }
   contact_.add(total_);
   for (const auto& term : terms_) term->add(at, total_);
   if (!stiffness_.force.empty()) {

@@ -8,7 +8,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewVertices = 1024;  // fewer vertices are not worth waking threads
+constexpr std::size_t kFewPairs = 1024;  // fewer pairs of vertex and edge are not worth waking threads
 
 bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partner[1]) >= 0; }
 
@@ -108,7 +108,9 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
     for (std::int64_t v = begin; v < end; ++v)
       if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
   };
-  parallel_for_chunks(static_cast<std::int64_t>(vertices), of_vertices, kFewVertices, kContactChunk);
+  // Most vertices of a large base have nothing near: it is the pairs that count.
+  const auto count = static_cast<std::int64_t>(vertices);
+  parallel_for_chunks(count, of_vertices, pairs_.pairs().size() < kFewPairs ? count + 1 : 0, kContactChunk);
   if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.anew; })) return false;
   gone_.assign(size, 0);
   changed_.clear();
