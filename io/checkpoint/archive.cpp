@@ -4,6 +4,23 @@
 
 namespace scree::io {
 
+void Packer::flush() {
+  if (piece_.empty()) return;
+  pass_on_(piece_);
+  total_ += piece_.size();
+  piece_.clear();
+}
+
+void Packer::long_bytes(std::string_view text) {
+  flush();
+  if (text.size() > kPiece) {
+    pass_on_(text);
+    total_ += text.size();
+  } else {
+    piece_.append(text);
+  }
+}
+
 void Packer::operator()(const char*, const std::string& text) {
   count(text.size());
   bytes(text.data(), text.size());

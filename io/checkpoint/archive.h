@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "model/geometry.h"
@@ -17,10 +19,15 @@ namespace scree::io {
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-/// Appends what it is shown to a string.
+/// Passes the bytes of what it is shown on, in pieces.
 class Packer {
  public:
-  explicit Packer(std::string& out) : out_(&out) {}
+  using PassOn = std::function<void(std::string_view)>;
+  explicit Packer(PassOn pass_on) : pass_on_(std::move(pass_on)) { piece_.reserve(kPiece); }
+  /// Passes on what is left of the last piece.
+  void flush();
+  /// Number of bytes of all that it was shown.
+  [[nodiscard]] std::uint64_t total() const { return total_ + piece_.size(); }
 
   template <Plain T>
   void operator()(const char*, const T& value) {
@@ -45,10 +52,18 @@ class Packer {
   }
 
  private:
-  void bytes(const void* data, std::size_t size) { out_->append(static_cast<const char*>(data), size); }
+  static constexpr std::size_t kPiece = 1 << 16;  // bytes
+
+  void bytes(const void* data, std::size_t size) {
+    if (piece_.size() + size > kPiece) return long_bytes({static_cast<const char*>(data), size});
+    piece_.append(static_cast<const char*>(data), size);
+  }
+  void long_bytes(std::string_view text);
   void count(std::uint64_t n) { bytes(&n, sizeof n); }
 
-  std::string* out_;
+  PassOn pass_on_;
+  std::string piece_;
+  std::uint64_t total_ = 0;  // of what was passed on
 };
 
 /// The bytes end before the values do, or the other way round.

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <system_error>
 
 #include "io/checkpoint/archive.h"
 #include "io/results/atomic_file.h"
@@ -36,7 +36,11 @@ std::string read_bytes(const std::filesystem::path& path) {
   require_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path, std::string("cannot open the checkpoint: ") + std::strerror(errno));
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::error_code error;
+  std::string bytes(std::filesystem::file_size(path, error), '\0');
+  if (error) throw FileError(path, "cannot read the checkpoint: " + error.message());
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
   if (in.bad()) throw FileError(path, std::string("cannot read the checkpoint: ") + std::strerror(errno));
   return bytes;
 }
@@ -44,18 +48,29 @@ std::string read_bytes(const std::filesystem::path& path) {
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint) {
-  std::string body;
-  Packer pack(body);
-  checkpoint.visit(pack);
-  pack("state hash", coupling::state_hash(checkpoint.checkpoint.state));
+  const std::uint64_t hash = coupling::state_hash(checkpoint.checkpoint.state);
+  const auto pack_body = [&](Packer& pack) {
+    checkpoint.visit(pack);
+    pack("state hash", hash);
+  };
+  // The length stands before the bytes; they may be many, and are nowhere in memory as a whole.
+  Packer counts([](std::string_view) {});
+  pack_body(counts);
 
-  std::string bytes(kMagic);
+  AtomicFile file(path);
+  Sha256 digest;
+  Packer pack([&](std::string_view piece) {
+    digest.add(piece);
+    file.write(piece);
+  });
   Head head;
-  head.length = body.size() + kDigest;
-  head.visit(Packer(bytes));
-  bytes += body;
-  bytes += sha256(bytes);
-  write_atomically(path, bytes);
+  head.length = counts.total() + kDigest;
+  for (const char c : kMagic) pack("magic", c);
+  head.visit(pack);
+  pack_body(pack);
+  pack.flush();
+  file.write(digest.digest());
+  file.commit();
 }
 
 StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::string& version) {

@@ -1,6 +1,7 @@
 #include "coupling/contact/geometry/edge_overlap.h"
 
 #include <algorithm>
+#include <array>
 
 namespace scree::coupling {
 
@@ -23,6 +24,13 @@ class Places {
   }
   [[nodiscard]] double start() const { return start_; }
   [[nodiscard]] double end() const { return end_; }
+  [[nodiscard]] bool straight() const { return edge_->segments == 1; }
+  /// see(vertex, s) for the two ends, where they lie within [low, high].
+  template <class See>
+  void ends_within(double low, double high, See&& see) const {
+    if (start_ >= low && start_ <= high) see(edge_->first_segment, start_);
+    if (end_ >= low && end_ <= high) see(edge_->end_vertex, end_);
+  }
   /// see(k, s) for the vertices within [low, high], found without a look at the others.
   template <class See>
   void within(double low, double high, bool middle, See&& see) const {
@@ -56,11 +64,24 @@ class Places {
 
 std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a,
                                                   std::int32_t b, const Vec2& along, bool middle) {
-  kinks_.clear();
   points_.clear();
   const Places of_a(o, x, a, along, false), of_b(o, x, b, along, true);
   const double low = std::max(of_a.start(), of_b.end()), high = std::min(of_a.end(), of_b.start());
   if (!(high > low)) return points_;
+  const auto before = [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.vertex < q.vertex; };
+  if (of_a.straight() && of_b.straight()) {  // two ends of the overlap; four vertices where they meet exactly
+    std::array<Kink, 4> ends;
+    std::size_t count = 0;
+    const auto put = [&](std::int32_t against) {
+      return [&, against](std::int32_t vertex, double s) { ends[count++] = {s, vertex, against}; };
+    };
+    of_a.ends_within(low, high, put(b));
+    of_b.ends_within(low, high, put(a));
+    std::sort(ends.begin(), ends.begin() + count, before);
+    share(std::span(ends).first(count));
+    return points_;
+  }
+  kinks_.clear();
   const auto add = [&](const Places& places, std::int32_t against) {
     places.within(low, high, middle, [&](std::int32_t k, double s) {
       kinks_.push_back({s, places.vertex(k), against});
@@ -71,7 +92,6 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
   add(of_b, a);
   const auto end_a = kinks_.begin() + count;
   std::reverse(end_a, kinks_.end());
-  const auto before = [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.vertex < q.vertex; };
   merged_.resize(kinks_.size());
   if (std::is_sorted(kinks_.begin(), end_a, before) && std::is_sorted(end_a, kinks_.end(), before)) {
     std::merge(kinks_.begin(), end_a, end_a, kinks_.end(), merged_.begin(), before);
@@ -79,21 +99,25 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
     std::copy(kinks_.begin(), kinks_.end(), merged_.begin());
     std::sort(merged_.begin(), merged_.end(), before);
   }
+  share(merged_);
+  return points_;
+}
+
+void EdgeOverlap::share(std::span<const Kink> kinks) {
   double behind = 0.0;
-  for (std::size_t i = 0; i < merged_.size(); ++i) {
-    const double ahead = i + 1 < merged_.size() ? merged_[i + 1].s - merged_[i].s : 0.0,
+  for (std::size_t i = 0; i < kinks.size(); ++i) {
+    const double ahead = i + 1 < kinks.size() ? kinks[i + 1].s - kinks[i].s : 0.0,
                  tributary = 0.5 * behind + 0.5 * ahead;
     if (tributary > 0.0) {
       OverlapPoint& p = points_.emplace_back();
-      p.vertex = merged_[i].vertex;
-      p.edge = merged_[i].edge;
+      p.vertex = kinks[i].vertex;
+      p.edge = kinks[i].edge;
       p.tributary = tributary;
       p.behind = behind;
       p.ahead = ahead;
     }
     behind = ahead;
   }
-  return points_;
 }
 
 }  // namespace scree::coupling

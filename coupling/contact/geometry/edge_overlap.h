@@ -33,6 +33,8 @@ class EdgeOverlap {
     double s = 0.0;
     std::int32_t vertex = -1, edge = -1;
   };
+  /// Gives each kink half of the pieces beside it.   @param kinks  in order
+  void share(std::span<const Kink> kinks);
   std::vector<Kink> kinks_, merged_;
   std::vector<OverlapPoint> points_;
 };

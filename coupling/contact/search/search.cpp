@@ -224,6 +224,7 @@ void Search::collect() {
   else
     s.list_moved();
   s.sort();
+  ++times_listed_;
 }
 
 }  // namespace scree::coupling

@@ -30,6 +30,8 @@ class Search {
   /// @param x  positions of the outline nodes, in their order
   /// @return pairs in order, each once; valid until the next call
   std::span<const EdgePair> update(std::span<const Vec2> x);
+  /// How often pairs have been listed so far.
+  [[nodiscard]] std::size_t times_listed() const { return times_listed_; }
   /// How far every outline node may move before update() can find a pair [m]; 0 if there are pairs already. Fattens all
   /// boxes anew, which is worth it where the answer saves many updates.   @pre update() was called with x
   double clearance(std::span<const Vec2> x);
@@ -43,6 +45,7 @@ class Search {
 
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  std::size_t times_listed_ = 0;
 };
 
 }  // namespace scree::coupling

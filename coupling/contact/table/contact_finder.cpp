@@ -247,7 +247,7 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const double part =
       p.full_tributary > 0.0 && m.edge_edge != 0 ? std::sqrt(std::min(1.0, m.tributary / p.full_tributary)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
-  p.ct = 2.0 * fraction * part * std::sqrt(m.kt / mu);
+  p.ct = m.kt == m.kn ? p.cn : 2.0 * fraction * part * std::sqrt(m.kt / mu);
 }
 
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {

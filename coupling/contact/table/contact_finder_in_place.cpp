@@ -16,6 +16,7 @@ bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partne
 
 void ContactFinder::index(const ContactList& list) {
   known_.index(list);
+  pairs_.forget();
   kind_.resize(list.points.size());
   for (std::size_t i = 0; i < kind_.size(); ++i) kind_[i] = {has_partner(list.points[i]), !list.points[i].edge_edge};
 }
@@ -93,7 +94,7 @@ bool ContactFinder::stay(std::size_t vertex, const ContactList& list, Kept& kept
 
 bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   place_nodes(q);
-  (void)pairs_.update(x_, known_, ContactPairs::Of::all);
+  (void)pairs_.update(x_, known_, ContactPairs::Of::all_in_turn);
   if (known_.divided()) return false;
   const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
   moving_.resize(size);

@@ -1,7 +1,9 @@
 #include "coupling/contact/table/contact_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "model/parallel.h"
@@ -12,6 +14,10 @@ namespace {
 constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other
 constexpr std::int64_t kFewPairs = 1024;  // fewer pairs of edges are not worth waking threads
 constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
+constexpr double kLeast = -kWedgeTolerance - kRounding;
+
+/// Distance of two boxes along the axis along which they are farthest apart; negative where they overlap [m].
+double distance(const Box& a, const Box& b) { return (a.lo - b.hi).cwiseMax(b.lo - a.hi).maxCoeff(); }
 
 }  // namespace
 
@@ -59,9 +65,42 @@ std::int32_t ContactPairs::opposing_edge(std::int32_t vertex, std::int32_t edge)
   return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
 }
 
-bool ContactPairs::too_far(const Box& a, const Box& b) const {
-  const double far = 0.5 * reach_ * (1.0 + kRounding);
-  return (a.lo.array() - b.hi.array() > far).any() || (b.lo.array() - a.hi.array() > far).any();
+bool ContactPairs::too_far(const Box& a, const Box& b) const { return distance(a, b) > far(); }
+
+double ContactPairs::far() const { return 0.5 * reach_ * (1.0 + kRounding); }
+
+double ContactPairs::corner_room(std::int32_t vertex, std::int32_t edge) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+  if (!v.convex) return std::numeric_limits<double>::infinity();
+  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
+  const double apart = 0.5 * (distance({at, at}, box_[static_cast<std::size_t>(edge)]) - far());
+  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  const Vec2& t = direction(edge);
+  const Vec2 n(t.y(), -t.x());
+  double turned = -direction(v.edge_in).dot(t) - kFaces;  // the side before it faces the edge, and is listed with it
+  if (!bent(edge) && !bent(v.edge_in) && !bent(v.edge_out))
+    turned = std::max({turned, kLeast - n.dot(direction(v.edge_out)), kLeast + n.dot(direction(v.edge_in))});
+  return std::max(apart, turned / turn_by({edge, v.edge_in, v.edge_out}));
+}
+
+double ContactPairs::room(std::int32_t a, std::int32_t b) const {
+  const auto& edges = setup_->outlines().edges;
+  const double apart = 0.5 * (distance(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)]) - far());
+  if (apart > 0.0) return apart;
+  const double faces = (kFaces + direction(a).dot(direction(b))) / turn_by({a, b});
+  return std::min({faces, corner_room(edges[static_cast<std::size_t>(a)].first_segment, b),
+                   corner_room(edges[static_cast<std::size_t>(b)].first_segment, a)});
+}
+
+double ContactPairs::turn_by(std::initializer_list<std::int32_t> edges) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const std::int32_t e : edges) {
+    const auto& [begin, end] = ends_[static_cast<std::size_t>(e)];
+    shortest = std::min(shortest, (end - begin).squaredNorm());
+  }
+  // |u - u'| <= 2 |d - d'|/|d| for the unit vectors u of d, where |d - d'| is twice the way of a node at most.
+  return 8.0 / std::sqrt(shortest);
 }
 
 bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const {
@@ -70,8 +109,7 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const 
   if (bent(edge) || bent(v.edge_in) || bent(v.edge_out)) return false;
   const Vec2& t = direction(edge);
   const Vec2 n(t.y(), -t.x());
-  const double least = -kWedgeTolerance - kRounding;
-  return n.dot(direction(v.edge_out)) < least || -n.dot(direction(v.edge_in)) < least;
+  return n.dot(direction(v.edge_out)) < kLeast || -n.dot(direction(v.edge_in)) < kLeast;
 }
 
 void ContactPairs::Found::list(const VertexEdge& pair) {
@@ -114,7 +152,9 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
   }
   if (edge_edge(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
-    for (const OverlapPoint& p : out.overlap.divide(o, x, a, b, along, springs_->per_area(springs_->law_of(a, b))))
+    const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+    const bool middle = (bent(a) || bent(b)) && springs_->per_area(springs_->law_of(a, b));
+    for (const OverlapPoint& p : out.overlap.divide(o, x, a, b, along, middle))
       if (p.edge == a)
         out.list({p.vertex, p.edge, b, p.tributary, p.behind, p.ahead});
       else  // b runs against the direction
@@ -219,7 +259,7 @@ void ContactPairs::find_deep(const KnownContacts& known) {
 
 std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
   const auto wanted = [&](std::int32_t a, std::int32_t b) {
-    return of == Of::all || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
+    return of != Of::ghosts || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
   };
   if (std::exchange(placed_, true)) {
     for (const Outlines::Range& r : setup_->outlines().moving_edges) place_edges(x, r);
@@ -227,6 +267,12 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
     place_edges(x, {0, static_cast<std::int32_t>(box_.size())});
   }
   const std::span<const EdgePair> near = search_.update(x);
+  const bool in_turn = of == Of::all_in_turn;
+  if (in_turn)
+    quiet_.begin(x, setup_->outlines().moving_nodes, near, search_.times_listed() != times_listed_);
+  else
+    quiet_.forget();
+  times_listed_ = search_.times_listed();
   const auto size = static_cast<std::int64_t>(near.size());
   const auto chunks = static_cast<std::size_t>((size + kContactChunk - 1) / kContactChunk);
   bool same = found_.size() == chunks + 1;
@@ -236,9 +282,13 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
       [&](std::int64_t begin, std::int64_t end) {
         Found& out = found_[static_cast<std::size_t>(begin / kContactChunk)];
         out.begin();
-        for (const EdgePair& pair :
-             near.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)))
-          if (wanted(pair.a, pair.b)) try_edges(x, pair.a, pair.b, known, out);
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+          const EdgePair& pair = near[k];
+          if ((in_turn && quiet_.quiet(k)) || !wanted(pair.a, pair.b)) continue;
+          const std::size_t before = out.count;
+          try_edges(x, pair.a, pair.b, known, out);
+          if (in_turn && out.count == before) quiet_.set(k, room(pair.a, pair.b));
+        }
         out.end();
       },
       kFewPairs, kContactChunk);

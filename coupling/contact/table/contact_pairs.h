@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "coupling/contact/geometry/edge_overlap.h"
 #include "coupling/contact/search/search.h"
 #include "coupling/contact/table/known_contacts.h"
+#include "coupling/contact/table/quiet_pairs.h"
 
 namespace scree::coupling {
 
@@ -34,10 +36,14 @@ class ContactPairs {
 
   /// @param x      positions of the outline nodes
   /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
-  /// @param of     leave out pairs of two bodies that are not ghosts, which whoever asks does not need
+  /// @param of     ghosts: leave out pairs of two bodies that are not ghosts, which the caller does not need;
+  ///               all_in_turn: the call before was of the instant before, from which `known` follows: edges that
+  ///               cannot have come near each other since are not examined again
   /// @return pairs in order, each once; valid until the next call
-  enum class Of { all, ghosts };
+  enum class Of { all, all_in_turn, ghosts };
   std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
+  /// `known` of the next update() does not follow from the one before.
+  void forget() { quiet_.forget(); }
   /// What update() returned last.
   [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
   /// The pairs of a vertex begin here among them, and end where those of the next begin.
@@ -74,6 +80,14 @@ class ContactPairs {
   void find_deep(const KnownContacts& known);
   /// True if what is in the boxes is farther apart than half the reach.
   [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
+  /// Distance from which on open edges are not listed [m].
+  [[nodiscard]] double far() const;
+  /// How far every node may move, at least, before two edges that yield nothing now can yield a vertex [m].
+  [[nodiscard]] double room(std::int32_t a, std::int32_t b) const;
+  /// By how much the product of the directions of two of the edges changes, at most, per displacement of nodes [1/m].
+  [[nodiscard]] double turn_by(std::initializer_list<std::int32_t> edges) const;
+  /// The same as room() of a corner against an edge that it does not touch.
+  [[nodiscard]] double corner_room(std::int32_t vertex, std::int32_t edge) const;
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
   /// Calls see(pair, k) for all that was found, k counted through all chunks.
@@ -88,7 +102,9 @@ class ContactPairs {
   const JointSprings* springs_;
   double reach_ = 0.0;
   Search search_;
-  std::vector<char> ghost_;  // an edge: 1 if its body is a ghost
+  QuietPairs quiet_;
+  std::size_t times_listed_ = 0;  // of the pairs in quiet_
+  std::vector<char> ghost_;       // an edge: 1 if its body is a ghost
   std::vector<Vec2> direction_;
   std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
   std::vector<Box> box_;                   // of an edge

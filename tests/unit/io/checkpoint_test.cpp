@@ -58,11 +58,12 @@ class Every final : public coupling::Keeper {
 class Witness final : public coupling::Sink {
  public:
   void history(const coupling::HistoryView& h) override {
-    Packer pack(text);
+    Packer pack([this](std::string_view piece) { text += piece; });
     pack("", h.tick);
     for (const auto& span : {h.position, h.velocity, h.stress})
       for (const double x : span) pack("", x);
     pack("", h.ledger->moved());
+    pack.flush();
   }
   void event(const coupling::Event& e) override { text += std::string(coupling::name(e.kind)) + e.text; }
   void topology(const coupling::MeshView& mesh) override { meshes.insert(mesh.id); }

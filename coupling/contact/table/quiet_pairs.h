@@ -1,0 +1,39 @@
+// Pairs of edges that cannot touch before nodes have moved farther.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupling/contact/search/search.h"
+
+namespace scree::coupling {
+
+/// Keeps, per pair of edges, how far nodes may travel before the pair has to be examined again. Whoever examines a
+/// pair gives a bound that no motion of its nodes can beat, so results are those of examining every pair each time.
+class QuietPairs {
+ public:
+  /// Every pair is to be examined.
+  void forget() { known_ = false; }
+  /// Nodes are at x now; the pairs are those that may touch.
+  /// @param x       positions of the outline nodes [m], in their order
+  /// @param moving  nodes of bodies that do not rest
+  /// @param near    pairs in order   @param listed_anew  they are not those of the last call
+  void begin(std::span<const Vec2> x, std::span<const Outlines::Range> moving, std::span<const EdgePair> near,
+             bool listed_anew);
+  /// True if pair k yields nothing wherever its nodes have gone since.
+  [[nodiscard]] bool quiet(std::size_t k) const { return until_[k] > travel_; }
+  /// Pair k yields nothing while no node is farther than `room` from where it is now [m].
+  void set(std::size_t k, double room) { until_[k] = travel_ + kSafe * room; }
+
+ private:
+  static constexpr double kSafe = 0.99;  // for round-off
+
+  bool known_ = false;
+  double travel_ = 0.0;        // largest displacement of any node, summed over the calls [m]
+  std::vector<double> until_;  // per pair: the travel up to which it is quiet [m]
+  std::vector<EdgePair> pairs_, before_;
+  std::vector<double> until_before_;
+  std::vector<Vec2> x_;
+};
+
+}  // namespace scree::coupling
