@@ -56,13 +56,13 @@ std::vector<Offset> offsets(const JointSet& set, const Window& w, Random& random
 }
 
 /// Traces along a line of half length `half`, as intervals of the distance from its pivot.
-struct Interval {
+struct TraceInterval {
   double from, to;
 };
-std::vector<Interval> intervals(const JointSet& set, double foot, std::int64_t k, double half, Random& random,
-                                SetStatistics& drawn) {
+std::vector<TraceInterval> intervals(const JointSet& set, double foot, std::int64_t k, double half, Random& random,
+                                     SetStatistics& drawn) {
   if (!set.length) return {{-half, half}};
-  std::vector<Interval> out;
+  std::vector<TraceInterval> out;
   const double period = set.length->mean + set.gap.mean;
   if (!set.length->varies() && !set.gap.varies()) {
     const double start = foot + static_cast<double>(k) * set.stagger * period;
@@ -120,7 +120,7 @@ void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t inde
     drawn.drawn_dip.add(dip);
     const Vec2 along = direction_deg(dip);
     const double half = 1.1 * w.radius;  // the window and a margin for lines turned about their pivot
-    for (const Interval& i : intervals(set, -w.s, offset.k, half, random, drawn)) {
+    for (const TraceInterval& i : intervals(set, -w.s, offset.k, half, random, drawn)) {
       const Segment whole{pivot + i.from * along, pivot + i.to * along};
       if (!set.region) {
         append(lines, whole, domain, set.joint, JointLine::Kind::joint_set, index);
@@ -190,7 +190,7 @@ std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon) {
   }
   std::erase_if(cuts, [](double t) { return !(t >= 0.0 && t <= 1.0); });
   std::sort(cuts.begin(), cuts.end());
-  std::vector<Interval> kept;
+  std::vector<TraceInterval> kept;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (cuts[i + 1] - cuts[i] <= 1e-13) continue;
     if (!contains(polygon, segment.a + 0.5 * (cuts[i] + cuts[i + 1]) * d)) continue;
@@ -202,7 +202,7 @@ std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon) {
   const auto at = [&](double t) -> Vec2 { return t == 0.0 ? segment.a : t == 1.0 ? segment.b : segment.a + t * d; };
   std::vector<Segment> out;
   out.reserve(kept.size());
-  for (const Interval& i : kept) out.push_back({at(i.from), at(i.to)});
+  for (const TraceInterval& i : kept) out.push_back({at(i.from), at(i.to)});
   return out;
 }
 

@@ -23,13 +23,13 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
-struct Interval {
+struct TimeSpan {
   double from, until;
 };
 
-Interval kept_part(const Samples& record, const RecordProcessing& how) {
+TimeSpan kept_part(const Samples& record, const RecordProcessing& how) {
   const double first = record.time.front(), last = record.time.back();
-  const Interval kept{how.from.value_or(first), how.until.value_or(last)};
+  const TimeSpan kept{how.from.value_or(first), how.until.value_or(last)};
   const char* hint = "times of the record count as in its file, not as in the simulation";
   if (!(kept.from >= first && kept.from < last))
     throw ProcessingError("from", "nothing of the record begins there", fmt::format("{} <= value < {} s", first, last),
@@ -144,7 +144,7 @@ double peak(const Samples& record) { return as_vector(record.acceleration).lpNor
 
 Samples process(Samples record, const RecordProcessing& how) {
   if (how.from || how.until) {
-    const Interval kept = kept_part(record, how);
+    const TimeSpan kept = kept_part(record, how);
     record = window(record, kept.from, kept.until, how.between);
   }
   const double duration = record.time.back() - record.time.front();

@@ -16,7 +16,7 @@ struct Part {
   int column;  // from 1
 };
 
-constexpr const char* kForm = "key=value, for example stage.0.duration=0.1";
+constexpr const char* kOverrideForm = "key=value, for example stage.0.duration=0.1";
 
 /// One option being read.
 class Override {
@@ -45,7 +45,7 @@ class Override {
       Part part{"", static_cast<int>(i) + 1};
       if (i < option_.size() && (option_[i] == '"' || option_[i] == '\'')) {
         const std::size_t end = option_.find(option_[i], i + 1);
-        if (end == std::string::npos) fail(part.column, "the quotation mark is not closed", kForm, "close it");
+        if (end == std::string::npos) fail(part.column, "the quotation mark is not closed", kOverrideForm, "close it");
         part.text = option_.substr(i + 1, end - i - 1);
         i = end + 1;
       } else {
@@ -54,17 +54,18 @@ class Override {
         i = end;
         while (!part.text.empty() && part.text.back() == ' ') part.text.pop_back();
         if (part.text.empty())
-          fail(part.column, "a part of the key is empty", kForm, "write the key, an equals sign and the value");
+          fail(part.column, "a part of the key is empty", kOverrideForm, "write the key, an equals sign and the value");
       }
       parts_.push_back(std::move(part));
       while (i < option_.size() && option_[i] == ' ') ++i;
       if (i >= option_.size())
-        fail(static_cast<int>(i) + 1, "the equals sign is missing", kForm, "write key=value without spaces");
+        fail(static_cast<int>(i) + 1, "the equals sign is missing", kOverrideForm, "write key=value without spaces");
       if (parts_.size() > static_cast<std::size_t>(kDeepest))
         fail(1, "the key has too many parts", "at most 64", "no key needs more than four");
       if (option_[i] == '=') break;
       if (option_[i] != '.')
-        fail(static_cast<int>(i) + 1, "a dot or an equals sign is wanted here", kForm, "quote names that hold dots");
+        fail(static_cast<int>(i) + 1, "a dot or an equals sign is wanted here", kOverrideForm,
+             "quote names that hold dots");
       ++i;
     }
     equals_ = i;

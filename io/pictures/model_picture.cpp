@@ -17,8 +17,8 @@
 namespace scree::io {
 namespace {
 
-constexpr double kWidth = 504.0, kTop = 34.0, kEdge = 8.0;                    // of the page [pt]
-constexpr double kAxis = 38.0, kRow = 13.0, kMotion = 74.0, kColumn = 158.0;  // below the section [pt]
+constexpr double kPictureWidth = 504.0, kPictureTop = 34.0, kPictureEdge = 8.0;  // of the page [pt]
+constexpr double kAxis = 38.0, kRow = 13.0, kMotion = 74.0, kColumn = 158.0;     // below the section [pt]
 constexpr std::size_t kMostMotions = 4;
 
 Colour tint(std::size_t material) {
@@ -46,11 +46,18 @@ Box box_of(const Model& model, const ModelPictureOptions& options) {
 }
 
 PlotArea placed(const Box& box, double left) {
-  const double w = kWidth - left - kEdge;
+  const double w = kPictureWidth - left - kPictureEdge;
   const Vec2 size = box.hi - box.lo;
   const double h = w * std::clamp(size.y() / size.x(), 0.22, 1.0), metres = std::max(size.x() / w, size.y() / h);
   const Vec2 middle = 0.5 * (box.lo + box.hi), half(0.5 * w * metres, 0.5 * h * metres);
-  return {left, kTop, w, h, middle.x() - half.x(), middle.x() + half.x(), middle.y() - half.y(), middle.y() + half.y()};
+  return {left,
+          kPictureTop,
+          w,
+          h,
+          middle.x() - half.x(),
+          middle.x() + half.x(),
+          middle.y() - half.y(),
+          middle.y() + half.y()};
 }
 
 void block_path(const Canvas& canvas, const PlotArea& area, const Block& block) {
@@ -188,7 +195,7 @@ void draw_motion(const Canvas& canvas, const GroundMotion& motion, double left, 
   range.widen(0.06);
   const double t0 = motion.setting().start + motion.times().front(),
                t1 = motion.setting().start + motion.times().back();
-  const PlotArea area{left, y, kWidth - left - kEdge, kMotion - 40.0, t0, t1, range.low, range.high};
+  const PlotArea area{left, y, kPictureWidth - left - kPictureEdge, kMotion - 40.0, t0, t1, range.low, range.high};
   std::vector<double> t = motion.times();
   for (double& v : t) v += motion.setting().start;
   {
@@ -215,9 +222,9 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
   const auto ticks_of = [](double low, double high, double length) {
     return round_ticks(low, high, std::clamp(static_cast<int>(length / 48.0), 3, 9));
   };
-  const Canvas ruler(kWidth, 10.0, 64);
+  const Canvas ruler(kPictureWidth, 10.0, 64);
   const PlotArea guess = placed(box, 50.0);
-  const double left = kEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
+  const double left = kPictureEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
   const PlotArea area = placed(box, left);
 
   // What the legend will hold is known once all is drawn: a first time on a page that nobody sees.
@@ -237,13 +244,13 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
     draw_monitors(canvas, area, model, model.monitors.size() <= 12 || options.names, marks);
     cairo_restore(canvas.get());
   };
-  draw_section(Canvas(kWidth, area.y + area.h, 64));
+  draw_section(Canvas(kPictureWidth, area.y + area.h, 64));
   const std::size_t columns = 3, entries = legend_of(ruler, model, laws, marks).size(),
                     motions = std::min(model.motions.size(), kMostMotions);
   const std::size_t rows = (entries + columns - 1) / columns;
   const double below = area.y + area.h + kAxis, legend_height = kRow * static_cast<double>(rows) + 6.0;
-  const Canvas canvas(kWidth, below + legend_height + kMotion * static_cast<double>(motions) + kEdge, options.width,
-                      format);
+  const Canvas canvas(kPictureWidth, below + legend_height + kMotion * static_cast<double>(motions) + kPictureEdge,
+                      options.width, format);
   draw_section(canvas);
   draw_axes(canvas, area, ticks_of(area.x0, area.x1, area.w), ticks_of(area.y0, area.y1, area.h),
             axis_label('x', model.origin.x()), axis_label('y', model.origin.y()), false);

@@ -9,8 +9,8 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kTick = 3.0, kGap = 2.5, kFrame = 0.6;  // [pt]
-constexpr double kBar = 10.0, kArrow = 8.0;              // [pt]
+constexpr double kTickLength = 3.0, kTickGap = 2.5, kFrame = 0.6;  // [pt]
+constexpr double kBar = 10.0, kArrow = 8.0;                        // [pt]
 
 }  // namespace
 
@@ -35,18 +35,19 @@ void draw_axes(const Canvas& canvas, const PlotArea& a, const Ticks& x, const Ti
   for (std::size_t i = 0; i < x.at.size(); ++i) {
     const double px = a.px(x.at[i]);
     if (grid) canvas.line(px, a.y, px, a.y + a.h, 0.35, kFaint);
-    canvas.line(px, a.y + a.h, px, a.y + a.h + kTick, kFrame, kInk);
-    if (!x_label.empty()) canvas.text(px, a.y + a.h + kTick + kGap, x.label[i], below);
+    canvas.line(px, a.y + a.h, px, a.y + a.h + kTickLength, kFrame, kInk);
+    if (!x_label.empty()) canvas.text(px, a.y + a.h + kTickLength + kTickGap, x.label[i], below);
   }
   for (std::size_t i = 0; i < y.at.size(); ++i) {
     const double py = a.py(y.at[i]);
     if (grid) canvas.line(a.x, py, a.x + a.w, py, 0.35, kFaint);
-    canvas.line(a.x - kTick, py, a.x, py, kFrame, kInk);
-    canvas.text(a.x - kTick - kGap, py, y.label[i], left);
+    canvas.line(a.x - kTickLength, py, a.x, py, kFrame, kInk);
+    canvas.text(a.x - kTickLength - kTickGap, py, y.label[i], left);
   }
   canvas.frame(a.x, a.y, a.w, a.h, kFrame, kInk);
-  if (!x_label.empty()) canvas.text(a.x + 0.5 * a.w, a.y + a.h + kTick + kGap + 11.0, x_label, title);
-  canvas.text(a.x - kTick - kGap - std::max(widest(canvas, y), a.numbers) - 6.0, a.y + 0.5 * a.h, y_label, turned);
+  if (!x_label.empty()) canvas.text(a.x + 0.5 * a.w, a.y + a.h + kTickLength + kTickGap + 11.0, x_label, title);
+  canvas.text(a.x - kTickLength - kTickGap - std::max(widest(canvas, y), a.numbers) - 6.0, a.y + 0.5 * a.h, y_label,
+              turned);
 }
 
 double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale,
@@ -80,10 +81,10 @@ double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const
   right.up = 0.5;
   turned.across = 0.5, turned.up = 1.0, turned.turned = true;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
-    canvas.line(x + kBar, bar.py(ticks.at[i]), x + kBar + kTick, bar.py(ticks.at[i]), kFrame, kInk);
-    canvas.text(x + kBar + kTick + kGap, bar.py(ticks.at[i]), ticks.label[i], right);
+    canvas.line(x + kBar, bar.py(ticks.at[i]), x + kBar + kTickLength, bar.py(ticks.at[i]), kFrame, kInk);
+    canvas.text(x + kBar + kTickLength + kTickGap, bar.py(ticks.at[i]), ticks.label[i], right);
   }
-  const double numbers = kBar + kTick + kGap + widest(canvas, ticks) + 6.0;
+  const double numbers = kBar + kTickLength + kTickGap + widest(canvas, ticks) + 6.0;
   canvas.text(x + numbers, y + 0.5 * h, canvas.fitted(label, std::max(h, 90.0), turned), turned);
   return numbers + kLabelText.size;
 }

@@ -11,11 +11,11 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0, kPanel = 105.0;                // page, a panel [pt]
-constexpr double kTop = 52.0, kBetween = 14.0, kBottom = 38.0;  // [pt]
-constexpr double kGap = 10.0, kSample = 20.0, kLine = 12.0;     // legend [pt]
-constexpr double kMostNames = 130.0;                            // widest of its names [pt]
-constexpr int kPixels = 1680;
+constexpr double kHistoryWidth = 504.0, kHistoryPanel = 105.0;                       // page, a panel [pt]
+constexpr double kHistoryTop = 52.0, kHistoryBetween = 14.0, kHistoryBottom = 38.0;  // [pt]
+constexpr double kHistoryGap = 10.0, kHistorySample = 20.0, kHistoryLine = 12.0;     // legend [pt]
+constexpr double kWidestNames = 130.0;                                               // widest of its names [pt]
+constexpr int kHistoryPixels = 1680;
 
 /// One quantity of every monitor.
 struct Panel {
@@ -91,9 +91,9 @@ void shorten_names(std::vector<StoredMonitor>& monitors, const std::vector<Store
 void draw_legend(const Canvas& canvas, double x, double y, double room, const std::vector<StoredMonitor>& monitors) {
   TextStyle style = kTickText;
   style.up = 0.5;
-  for (std::size_t m = 0; m < monitors.size(); ++m, y += kLine) {
-    canvas.line(x, y, x + kSample, y, 1.2, distinct_colour(m));
-    canvas.text(x + kSample + 4.0, y, canvas.fitted(monitors[m].name, room, style), style);
+  for (std::size_t m = 0; m < monitors.size(); ++m, y += kHistoryLine) {
+    canvas.line(x, y, x + kHistorySample, y, 1.2, distinct_colour(m));
+    canvas.text(x + kHistorySample + 4.0, y, canvas.fitted(monitors[m].name, room, style), style);
   }
 }
 
@@ -112,26 +112,27 @@ void plot_history(const std::filesystem::path& run_folder, const std::vector<std
   if (!(time.low < time.high)) time.widen(0.0);
 
   // Margins come from the widths of what stands in them, so nothing overlaps.
-  const Canvas ruler(kWidth, 10.0, 64);
+  const Canvas ruler(kHistoryWidth, 10.0, 64);
   double numbers = 0.0, widest_name = 0.0;
   for (const Panel& p : panels) numbers = std::max(numbers, widest(ruler, p.ticks));
   for (const StoredMonitor& m : monitors) widest_name = std::max(widest_name, ruler.text_width(m.name, kTickText));
-  widest_name = std::min(widest_name + 1.0, kMostNames);
-  const double left = 8.0 + 22.0 + numbers, right = kGap + kSample + 4.0 + widest_name + 8.0;
+  widest_name = std::min(widest_name + 1.0, kWidestNames);
+  const double left = 8.0 + 22.0 + numbers, right = kHistoryGap + kHistorySample + 4.0 + widest_name + 8.0;
   const auto count = static_cast<double>(panels.size());
-  const double legend = kLine * static_cast<double>(monitors.size());
-  const double height = std::max(kPanel, (legend - (count - 1.0) * kBetween) / count);
+  const double legend = kHistoryLine * static_cast<double>(monitors.size());
+  const double height = std::max(kHistoryPanel, (legend - (count - 1.0) * kHistoryBetween) / count);
 
-  PlotArea area{left, kTop, kWidth - left - right, height, time.low, time.high, 0.0, 1.0, numbers};
-  const Canvas canvas(kWidth, kTop + count * height + (count - 1.0) * kBetween + kBottom, kPixels, format);
+  PlotArea area{left, kHistoryTop, kHistoryWidth - left - right, height, time.low, time.high, 0.0, 1.0, numbers};
+  const Canvas canvas(kHistoryWidth, kHistoryTop + count * height + (count - 1.0) * kHistoryBetween + kHistoryBottom,
+                      kHistoryPixels, format);
   TextStyle title{10.5};
   title.bold = true;
-  canvas.text(left, kTop - 33.0, canvas.fitted(run.title(), kWidth - left - 8.0, title), title);
-  canvas.text(left, kTop - 20.0, "Histories of the monitors", {8.5});
-  draw_legend(canvas, left + area.w + kGap, kTop + 0.5 * kLine, widest_name, monitors);
+  canvas.text(left, kHistoryTop - 33.0, canvas.fitted(run.title(), kHistoryWidth - left - 8.0, title), title);
+  canvas.text(left, kHistoryTop - 20.0, "Histories of the monitors", {8.5});
+  draw_legend(canvas, left + area.w + kHistoryGap, kHistoryTop + 0.5 * kHistoryLine, widest_name, monitors);
   const Ticks seconds = round_ticks(time.low, time.high, 7);
   const std::vector<StoredStage> stages = run.stages();
-  for (std::size_t i = 0; i < panels.size(); ++i, area.y += height + kBetween) {
+  for (std::size_t i = 0; i < panels.size(); ++i, area.y += height + kHistoryBetween) {
     area.y0 = panels[i].low, area.y1 = panels[i].high;
     draw_axes(canvas, area, seconds, panels[i].ticks, i + 1 == panels.size() ? "time [s]" : "", panels[i].label, true);
     draw_stages(canvas, area, stages, i == 0);

@@ -11,10 +11,10 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0, kUpper = 200.0, kLower = 90.0;    // page, panels [pt]
-constexpr double kTop = 52.0, kBetween = 14.0, kBottom = 38.0;     // [pt]
-constexpr double kLegendGap = 10.0, kSample = 20.0, kLine = 12.0;  // [pt]
-constexpr int kPixels = 1680;
+constexpr double kLedgerWidth = 504.0, kUpper = 200.0, kLower = 90.0;             // page, panels [pt]
+constexpr double kLedgerTop = 52.0, kLedgerBetween = 14.0, kLedgerBottom = 38.0;  // [pt]
+constexpr double kLegendGap = 10.0, kLedgerSample = 20.0, kLedgerLine = 12.0;     // [pt]
+constexpr int kLedgerPixels = 1680;
 
 struct Curve {
   std::string side, name;
@@ -61,15 +61,15 @@ void draw_legend(const Canvas& canvas, double x, double y, const std::vector<Cur
   std::string side;
   for (const Curve& curve : curves) {
     if (curve.side != side) {
-      y += side.empty() ? 0.5 * kLine : 1.3 * kLine;
+      y += side.empty() ? 0.5 * kLedgerLine : 1.3 * kLedgerLine;
       side = curve.side;
       canvas.text(x, y, side == "dissipated" ? "dissipation" : side, head);
     }
-    y += kLine;
+    y += kLedgerLine;
     use_dashes(canvas.get(), curve.side);
-    canvas.line(x, y, x + kSample, y, 1.2, curve.colour);
+    canvas.line(x, y, x + kLedgerSample, y, 1.2, curve.colour);
     use_dashes(canvas.get(), "");
-    canvas.text(x + kSample + 4.0, y, curve.name, text);
+    canvas.text(x + kLedgerSample + 4.0, y, curve.name, text);
   }
 }
 
@@ -123,28 +123,28 @@ void plot_ledger(const std::filesystem::path& run_folder, const std::filesystem:
   if (!(time.low < time.high)) time.widen(0.0);
   const Unit unit = prefixed("J", std::max(std::abs(energy.low), std::abs(energy.high)));
 
-  const Canvas ruler(kWidth, 10.0, 64);
+  const Canvas ruler(kLedgerWidth, 10.0, 64);
   const auto first = time.low, last = time.high;
   const double low = energy.low / unit.factor, high = energy.high / unit.factor;
   const Ticks joules = round_ticks(low, high, 6);
   const double numbers = std::max(widest(ruler, joules), widest(ruler, power_ticks(-17, -16, 2)));
   double names = 0.0;
   for (const Curve& c : curves) names = std::max(names, ruler.text_width(c.name, kTickText));
-  const double left = 8.0 + 22.0 + numbers, right = kLegendGap + kSample + 4.0 + names + 8.0;
-  const double w = kWidth - left - right;
+  const double left = 8.0 + 22.0 + numbers, right = kLegendGap + kLedgerSample + 4.0 + names + 8.0;
+  const double w = kLedgerWidth - left - right;
   std::size_t sides = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) sides += i == 0 || curves[i].side != curves[i - 1].side;
-  const double legend = kLine * (static_cast<double>(curves.size()) + 1.3 * static_cast<double>(sides));
+  const double legend = kLedgerLine * (static_cast<double>(curves.size()) + 1.3 * static_cast<double>(sides));
   const double upper_height = std::max(kUpper, legend - kLower);  // the legend may reach down beside the lower panel
-  const PlotArea upper{left, kTop, w, upper_height, first, last, low, high, numbers};
-  const PlotArea lower{left, kTop + upper_height + kBetween, w, kLower, first, last, 0.0, 1.0, numbers};
+  const PlotArea upper{left, kLedgerTop, w, upper_height, first, last, low, high, numbers};
+  const PlotArea lower{left, kLedgerTop + upper_height + kLedgerBetween, w, kLower, first, last, 0.0, 1.0, numbers};
 
-  const Canvas canvas(kWidth, lower.y + lower.h + kBottom, kPixels, format);
+  const Canvas canvas(kLedgerWidth, lower.y + lower.h + kLedgerBottom, kLedgerPixels, format);
   TextStyle title{10.5};
   title.bold = true;
-  const double room = kWidth - left - 8.0;
-  canvas.text(left, kTop - 33.0, canvas.fitted(run.title(), room, title), title);
-  canvas.text(left, kTop - 20.0, "Energy ledger; columns below a thousandth of the largest are left out", {8.5});
+  const double room = kLedgerWidth - left - 8.0;
+  canvas.text(left, kLedgerTop - 33.0, canvas.fitted(run.title(), room, title), title);
+  canvas.text(left, kLedgerTop - 20.0, "Energy ledger; columns below a thousandth of the largest are left out", {8.5});
   const Ticks seconds = round_ticks(first, last, 7);
   draw_axes(canvas, upper, seconds, joules, "", "energy [" + unit.name + "]", true);
   draw_stages(canvas, upper, stages, true);

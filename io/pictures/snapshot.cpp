@@ -20,10 +20,10 @@ namespace scree::io {
 
 namespace {
 
-constexpr double kWidth = 504.0;               // of the page: 7 inches [pt]
-constexpr double kTop = 40.0, kBottom = 50.0;  // title; ticks, label and key [pt]
-constexpr double kBarGap = 10.0, kEdge = 8.0;  // [pt]
-constexpr std::size_t kMostNames = 24;         // in a legend
+constexpr double kSnapshotWidth = 504.0;                       // of the page: 7 inches [pt]
+constexpr double kSnapshotTop = 40.0, kSnapshotBottom = 50.0;  // title; ticks, label and key [pt]
+constexpr double kBarGap = 10.0, kSnapshotEdge = 8.0;          // [pt]
+constexpr std::size_t kMostLegendNames = 24;                   // in a legend
 
 /// Everything a drawing of one frame needs.
 struct Scene {
@@ -123,12 +123,19 @@ Box shown_box(const Scene& s) {
 
 /// The plot on a page of fixed width, equal scales; a model much wider or taller than usual gets air around it.
 PlotArea placed(const Box& box, double left, double right) {
-  const double w = kWidth - left - right;
+  const double w = kSnapshotWidth - left - right;
   const Vec2 size = box.hi - box.lo;
   const double h = w * std::clamp(size.y() / size.x(), 0.28, 1.1);
   const double metres = std::max(size.x() / w, size.y() / h);  // a point of the page
   const Vec2 middle = 0.5 * (box.lo + box.hi), half(0.5 * w * metres, 0.5 * h * metres);
-  return {left, kTop, w, h, middle.x() - half.x(), middle.x() + half.x(), middle.y() - half.y(), middle.y() + half.y()};
+  return {left,
+          kSnapshotTop,
+          w,
+          h,
+          middle.x() - half.x(),
+          middle.x() + half.x(),
+          middle.y() - half.y(),
+          middle.y() + half.y()};
 }
 
 void cell_path(const Canvas& canvas, const PlotArea& area, const StoredFrame& f, std::size_t cell) {
@@ -290,7 +297,7 @@ std::vector<Entry> legend_of(const Scene& s) {
   std::set<std::size_t> used;
   for (std::size_t c = 0; c < s.values.size(); ++c)
     if (!s.held[c]) used.insert(static_cast<std::size_t>(s.values[c]));
-  if (used.size() > kMostNames) return {};
+  if (used.size() > kMostLegendNames) return {};
   std::vector<Entry> entries;
   entries.reserve(used.size());
   for (const std::size_t n : used) entries.push_back({s.name_of(n), n});
@@ -350,7 +357,7 @@ void draw_key(const Canvas& canvas, const PlotArea& area, const Scene& s, const 
 void draw_title(const Canvas& canvas, const PlotArea& area, const Scene& s) {
   TextStyle title{10.5}, line{8.5};
   title.bold = true;
-  const double room = canvas.width() - area.x - kEdge;
+  const double room = canvas.width() - area.x - kSnapshotEdge;
   std::string second = fmt::format("t = {:.6g} s", s.frame.time);
   if (!s.frame.stage.empty()) second += fmt::format(",  stage “{}” ({})", s.frame.stage, s.frame.integrator);
   if (s.run.title().empty()) {
@@ -384,21 +391,21 @@ void snapshot(const std::filesystem::path& run_folder, const SnapshotOptions& op
   const Box box = shown_box(s);
 
   // Margins come from the widths of what stands in them, so nothing overlaps.
-  const Canvas ruler(kWidth, 10.0, 64);
+  const Canvas ruler(kSnapshotWidth, 10.0, 64);
   const std::vector<Entry> legend = legend_of(s);
   double names = 0.0;
   for (const Entry& e : legend) names = std::max(names, ruler.text_width(e.name, kTickText) + 14.0);
   names = std::min(names, 110.0);
   const double bar = 46.0 + (s.named() ? 0.0 : widest(ruler, round_ticks(s.scale.low, s.scale.high, 6)) - 10.0);
-  const double right = kEdge + (legend.empty() && s.named() ? 0.0 : kBarGap + (s.named() ? names : bar));
+  const double right = kSnapshotEdge + (legend.empty() && s.named() ? 0.0 : kBarGap + (s.named() ? names : bar));
   const PlotArea guess = placed(box, 50.0, right);
   const auto ticks_of = [](double low, double high, double length) {
     return round_ticks(low, high, std::clamp(static_cast<int>(length / 48.0), 3, 9));
   };
-  const double left = kEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
+  const double left = kSnapshotEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
   const PlotArea area = placed(box, left, right);
 
-  const Canvas canvas(kWidth, area.y + area.h + kBottom, options.width, format);
+  const Canvas canvas(kSnapshotWidth, area.y + area.h + kSnapshotBottom, options.width, format);
   cairo_save(canvas.get());
   cairo_rectangle(canvas.get(), area.x, area.y, area.w, area.h);
   cairo_clip(canvas.get());

@@ -12,7 +12,7 @@
 namespace scree::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRows = 4000;  // of histories and the ledger: more than a chart has pixels
 
@@ -25,8 +25,8 @@ Vec2 base_of(const RunReader& run) {
   return {std::round(0.5 * (low.x() + high.x())), std::round(0.5 * (low.y() + high.y()))};
 }
 
-Json ring_json(const Ring& ring, const Vec2& base) {
-  Json out = Json::array();
+OrderedJson ring_json(const Ring& ring, const Vec2& base) {
+  OrderedJson out = OrderedJson::array();
   for (const Vec2& p : ring) {
     out.push_back(static_cast<float>(p.x() - base.x()));
     out.push_back(static_cast<float>(p.y() - base.y()));
@@ -34,10 +34,10 @@ Json ring_json(const Ring& ring, const Vec2& base) {
   return out;
 }
 
-Json model_json(const RunReader& run, const Vec2& base) {
-  Json blocks = Json::array(), materials = Json::array(), laws = Json::array();
+OrderedJson model_json(const RunReader& run, const Vec2& base) {
+  OrderedJson blocks = OrderedJson::array(), materials = OrderedJson::array(), laws = OrderedJson::array();
   for (const StoredBlock& b : run.blocks()) {
-    Json rings = Json::array({ring_json(b.polygon.outer, base)});
+    OrderedJson rings = OrderedJson::array({ring_json(b.polygon.outer, base)});
     for (const Ring& hole : b.polygon.holes) rings.push_back(ring_json(hole, base));
     blocks.push_back({{"name", b.name}, {"material", b.material}, {"held", b.held}, {"rings", std::move(rings)}});
   }
@@ -50,25 +50,25 @@ Json model_json(const RunReader& run, const Vec2& base) {
                     {"cohesion", law.cohesion},
                     {"tensile_strength", law.tensile_strength}});
   const auto lines = [&](const std::vector<StoredJointLine>& pieces) {
-    Json out = Json::array();
+    OrderedJson out = OrderedJson::array();
     for (const StoredJointLine& l : pieces)
       out.push_back({static_cast<float>(l.from.x() - base.x()), static_cast<float>(l.from.y() - base.y()),
                      static_cast<float>(l.to.x() - base.x()), static_cast<float>(l.to.y() - base.y()), l.law});
     return out;
   };
-  Json supports = Json::array();
+  OrderedJson supports = OrderedJson::array();
   for (const StoredSupport& s : run.supports())
     supports.push_back(
         {static_cast<float>(s.point.x() - base.x()), static_cast<float>(s.point.y() - base.y()), s.fix_x, s.fix_y});
-  Json edges = Json::array();
+  OrderedJson edges = OrderedJson::array();
   for (const StoredEdgeSupport& s : run.edge_supports()) {
-    Json edge = Json::array();
+    OrderedJson edge = OrderedJson::array();
     for (const Vec2& p : {s.from, s.to})
       for (const Eigen::Index axis : {0, 1}) edge.push_back(static_cast<float>(p[axis] - base[axis]));
     edge.push_back(s.held.trace() > 1.5);  // both directions
     edges.push_back(std::move(edge));
   }
-  Json waters = Json::array();
+  OrderedJson waters = OrderedJson::array();
   for (const StoredWater& w : run.waters())
     if (!w.line.empty()) waters.push_back({{"line", ring_json(w.line, base)}, {"joints", w.joints}});
   return {{"blocks", std::move(blocks)},
@@ -80,15 +80,15 @@ Json model_json(const RunReader& run, const Vec2& base) {
           {"joints", {{"laws", std::move(laws)}, {"lines", lines(joints.lines)}, {"cracks", lines(joints.cracks)}}}};
 }
 
-Json asked_json(const RunReader& run) {
+OrderedJson asked_json(const RunReader& run) {
   const std::vector<std::string> text = run.provenance_list("case"), names = run.provenance_list("library"),
                                  versions = run.provenance_list("library_version");
-  Json libraries = Json::array();
+  OrderedJson libraries = OrderedJson::array();
   for (std::size_t i = 0; i < std::min(names.size(), versions.size()); ++i)
     libraries.push_back({names[i], versions[i]});
-  Json out{{"case", text.empty() ? std::string() : text.front()},
-           {"set", run.provenance_list("set")},
-           {"libraries", std::move(libraries)}};
+  OrderedJson out{{"case", text.empty() ? std::string() : text.front()},
+                  {"set", run.provenance_list("set")},
+                  {"libraries", std::move(libraries)}};
   for (const char* key : {"command_line", "case_sha256", "version", "commit", "compiler", "instruction_set", "status",
                           "reason", "resumed"})
     out[key] = run.provenance(key);
@@ -96,13 +96,13 @@ Json asked_json(const RunReader& run) {
 }
 
 /// summary.json of the run; null where there is none, as in a run that was killed, or none that can be read.
-Json found_json(const std::filesystem::path& run_folder) {
+OrderedJson found_json(const std::filesystem::path& run_folder) {
   std::ifstream in(RunFolder::open(run_folder).summary(), std::ios::binary);
   if (!in) return nullptr;
   std::ostringstream text;
   text << in.rdbuf();
-  Json found = Json::parse(text.str(), nullptr, false);
-  return found.is_object() ? found : Json(nullptr);
+  OrderedJson found = OrderedJson::parse(text.str(), nullptr, false);
+  return found.is_object() ? found : OrderedJson(nullptr);
 }
 
 /// Rows that a chart shows: all, or every k-th and the last.
@@ -123,8 +123,8 @@ void add_rows(Chunk& chunk, const std::string& name, const std::vector<double>& 
 }
 
 /// Monitors and the ledger: what they are as JSON, their rows in the chunk.
-Json history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
-  Json monitors = Json::array(), columns = Json::array();
+OrderedJson history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
+  OrderedJson monitors = OrderedJson::array(), columns = OrderedJson::array();
   bool all = true;
   const std::vector<StoredMonitor> stored = run.monitors();
   for (std::size_t i = 0; i < stored.size(); ++i) {
@@ -136,7 +136,7 @@ Json history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
     add_rows(chunk, at + "u", m.displacement, 2, rows);
     add_rows(chunk, at + "v", m.velocity, 2, rows);
     if (!m.stress.empty()) add_rows(chunk, at + "s", m.stress, 3, rows);
-    Json entry{{"name", m.name}, {"stress", !m.stress.empty()}};
+    OrderedJson entry{{"name", m.name}, {"stress", !m.stress.empty()}};
     std::size_t first = 0;  // sample in which its block is there
     while (first + 1 < m.position.size() && !std::isfinite(m.position[first])) first += 2;
     if (first + 1 < m.position.size())
@@ -161,18 +161,18 @@ Json history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
   return {{"monitors", std::move(monitors)}, {"ledger", std::move(columns)}, {"whole", all}};
 }
 
-Json stages_json(const RunReader& run) {
-  Json out = Json::array();
+OrderedJson stages_json(const RunReader& run) {
+  OrderedJson out = OrderedJson::array();
   for (const StoredStage& s : run.stages()) {
-    Json stage{{"name", s.name}, {"integrator", s.integrator}, {"duration", s.duration}};
-    stage["start"] = s.start ? Json(*s.start) : Json(nullptr);
+    OrderedJson stage{{"name", s.name}, {"integrator", s.integrator}, {"duration", s.duration}};
+    stage["start"] = s.start ? OrderedJson(*s.start) : OrderedJson(nullptr);
     out.push_back(std::move(stage));
   }
   return out;
 }
 
-Json frames_json(const ReportFrames& frames) {
-  Json list = Json::array(), ranges = Json::object();
+OrderedJson frames_json(const ReportFrames& frames) {
+  OrderedJson list = OrderedJson::array(), ranges = OrderedJson::object();
   for (const ReportFrame& f : frames.frames)
     list.push_back({{"index", f.index},
                     {"time", f.time},
@@ -191,7 +191,7 @@ Json frames_json(const ReportFrames& frames) {
 }  // namespace
 
 struct RunText::Data {
-  Json page;
+  OrderedJson page;
   Vec2 base;
   Chunk history;
 };
@@ -211,7 +211,7 @@ RunText::RunText(const RunReader& run, const std::filesystem::path& run_folder, 
                  {"bolts", run.has_bolts()},
                  {"asked", asked_json(run)},
                  {"found", found_json(run_folder)}};
-  data_->page["events"] = Json::array();
+  data_->page["events"] = OrderedJson::array();
   for (const StoredEvent& e : run.events()) data_->page["events"].push_back({e.time, e.kind, e.text});
   if (run.times().empty()) return;
   if (const std::string rock = rock_use_text(rock_use(run, run.times().size() - 1)); !rock.empty())
@@ -223,6 +223,6 @@ RunText::~RunText() = default;
 const Vec2& RunText::base() const { return data_->base; }
 const Chunk& RunText::history() const { return data_->history; }
 void RunText::add_frames(const ReportFrames& frames) { data_->page["frames"] = frames_json(frames); }
-std::string RunText::text() const { return data_->page.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string RunText::text() const { return data_->page.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
 
 }  // namespace scree::io

@@ -11,8 +11,8 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kFaces = 0.9962;         // cosine of 5 degrees: edges this nearly anti-parallel face each other
-constexpr std::int64_t kFewPairs = 1024;  // fewer pairs of edges are not worth waking threads
+constexpr double kFaces = 0.9962;             // cosine of 5 degrees: edges this nearly anti-parallel face each other
+constexpr std::int64_t kFewEdgePairs = 1024;  // fewer pairs of edges are not worth waking threads
 constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
 constexpr double kLeast = -kWedgeTolerance - kRounding;
 
@@ -291,7 +291,7 @@ std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const 
         }
         out.end();
       },
-      kFewPairs, kContactChunk);
+      kFewEdgePairs, kContactChunk);
   // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
   find_deep(known);
   Found& deep = found_.back();
