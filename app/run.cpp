@@ -482,6 +482,7 @@ int check(const CheckOptions& options) {
   for (const GroundMotion& m : c.model.motions) print(c.plan, m);
   tell_meshes(c.model, c.plan);
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
+  std::size_t warned = 0;
   for (std::size_t i = 0; i < c.plan.stages.size(); ++i) {
     const coupling::Stage& s = c.plan.stages[i];
     const coupling::Setup setup(c.model, methods,
@@ -500,8 +501,11 @@ int check(const CheckOptions& options) {
         seconds(s.duration), cells, unknowns);
     print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
     if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
-    if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i)))
-      say("    {}{}\n", coupling::damps_much(*damping) ? "warning: " : "", coupling::text(*damping));
+    if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i))) {
+      const bool much = coupling::damps_much(*damping);
+      say("    {}{}\n", much ? "warning: " : "", coupling::text(*damping));
+      warned += much ? 1 : 0;
+    }
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused
@@ -516,9 +520,10 @@ int check(const CheckOptions& options) {
     }
     say("  picture in {}\n", options.picture.string());
   }
-  say("  {}\n", warnings.empty()       ? "fine"
-                : warnings.size() == 1 ? "valid, with a warning"
-                                       : fmt::format("valid, with {} warnings", warnings.size()));
+  warned += warnings.size();
+  say("  {}\n", warned == 0   ? "fine"
+                : warned == 1 ? "valid, with a warning"
+                              : fmt::format("valid, with {} warnings", warned));
   return kDone;
 }
 

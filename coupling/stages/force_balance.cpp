@@ -7,6 +7,8 @@
 
 namespace scree::coupling {
 
+constexpr double kNoStrain = 1e-9;  // stresses of a smaller strain count as none
+
 ForceBalance::ForceBalance(const Setup& setup, const State& state)
     : setup_(&setup),
       loads_(load_vectors(setup, state)),
@@ -16,10 +18,12 @@ ForceBalance::ForceBalance(const Setup& setup, const State& state)
   for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
     const Body& b = setup.bodies()[i];
     if (b.driven) continue;
+    const double size = std::sqrt(state.bodies[i].shape.area);
+    least_ = std::max(least_, kNoStrain * setup.model().elasticity_of(b.block).p_modulus() * size);
     const auto moves = setup.pool_of(b).translation(b.index);
     const auto first = static_cast<std::size_t>(b.first_node);
     for (std::size_t k = 0; k < static_cast<std::size_t>(b.nodes); ++k)
-      lever_[first + k] = moves[k] != 0.0 ? 1.0 : std::sqrt(state.bodies[i].shape.area);
+      lever_[first + k] = moves[k] != 0.0 ? 1.0 : size;
   }
 }
 
@@ -71,7 +75,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
       out.body = static_cast<std::int32_t>(i);
     }
   }
-  out.ratio = largest_ > 0.0 ? out.force / largest_ : 0.0;
+  out.ratio = out.force / std::max(largest_, least_);
   return out;
 }
 

@@ -11,12 +11,12 @@
 namespace scree::coupling {
 
 /// The largest force on an unknown of a free body that nothing balances, against the largest single force: weight,
-/// loads, stress inside, supports, contacts. Moments count as forces at the root area of their block. Constant during
-/// a stage.
+/// loads, stress inside, supports, contacts; at least that of a strain of 1e-9, so that a model which comes to be free
+/// of stress is at rest. Moments count as forces at the root area of their block. Constant during a stage.
 class ForceBalance {
  public:
   struct Result {
-    double ratio = 0.0;      // unbalanced over the largest single force; 0 where there is no force at all
+    double ratio = 0.0;      // unbalanced over the largest single force
     double force = 0.0;      // unbalanced [N]
     std::int32_t body = -1;  // with the largest unbalanced force
   };
@@ -32,7 +32,7 @@ class ForceBalance {
   std::vector<PointSpring> supports_;
   std::vector<double> lever_;  // per node: what its force is divided by, 0 for driven bodies
   std::vector<double> term_, total_;
-  double largest_ = 0.0;
+  double largest_ = 0.0, least_ = 0.0;  // [N]
 };
 
 /// First block without a path of closed contacts to a block that is held, or to one with a point support; invalid:

@@ -96,12 +96,16 @@ double step_that_damps(double frequency, double per_second) {
 double driven_frequency(const Model& model, std::span<const char> acts) {
   double most = 0.0;
   const auto counts = [&](std::size_t i) { return acts.empty() || acts[i] != 0; };
-  for (const BlockSupport& s : model.block_supports) {
-    if (!s.motion.valid() || !counts(s.motion.index())) continue;
-    const GroundMotion& m = model.motions[s.motion.index()];
+  MotionId seen{};  // edges of a base have the same one
+  const auto see_motion = [&](MotionId id) {
+    if (!id.valid() || !counts(id.index()) || id == seen) return;
+    seen = id;
+    const GroundMotion& m = model.motions[id.index()];
     most = std::max(most, bandwidth(m.times().front() + m.setting().start, m.times().back() + m.setting().start,
                                     m.times().size(), [&](double t) { return m.direction().dot(m.acceleration(t)); }));
-  }
+  };
+  for (const BlockSupport& s : model.block_supports) see_motion(s.motion);
+  for (const ViscousEdge& e : model.viscous_edges) see_motion(e.motion);
   const auto see = [&](FunctionId f) {
     if (f.valid() && counts(model.motions.size() + f.index()))
       most = std::max(most, frequency_of(model.functions[f.index()]));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -18,6 +19,7 @@ namespace scree::coupling {
 namespace {
 
 constexpr std::size_t kMostNames = 5;
+constexpr double kSlender = 0.5;  // base over height, below which a block that shakes is told to rock
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Blocks that hang together by touching.
@@ -286,6 +288,64 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
   return out;
 }
 
+std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, const std::vector<Touch>& touches) {
+  const bool shaken = std::any_of(model.block_supports.begin(), model.block_supports.end(),
+                                  [](const BlockSupport& s) { return s.motion.valid(); }) ||
+                      std::any_of(model.body_accelerations.begin(), model.body_accelerations.end(),
+                                  [](const BodyAcceleration& a) { return a.function.valid(); });
+  const Vec2 up = -weight_direction(model);
+  if (!shaken || up == Vec2::Zero()) return {};
+  struct Base {
+    double length = 0.0, friction = 0.0;
+    bool automatic = true, alone = true;
+  };
+  std::vector<Base> bases(model.blocks.size());
+  const auto stand = [&](BlockId b, const Vec2& push, const Stretch& s) {
+    Base& base = bases[b.index()];
+    if (!s.law.valid() || up.dot(push) < std::numbers::sqrt2 / 2.0) {
+      base.alone = false;
+      return;
+    }
+    const JointLaw& law = model.joints[s.law.index()];
+    base.length += s.length;
+    base.friction = std::max(base.friction, law.friction);
+    base.automatic = base.automatic && !law.normal_stiffness && !law.penalty && law.tensile_strength == 0.0;
+  };
+  for (const Touch& t : touches)
+    for (const Stretch& s : t.facing) {
+      stand(t.b, s.normal, s);
+      stand(t.a, -s.normal, s);
+    }
+  const auto rocks = [&](BlockId b) {
+    const Base& base = bases[b.index()];
+    if (!base.alone || !base.automatic || base.length == 0.0 || model.support_of(b) != nullptr) return false;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec2& x : model.blocks[b.index()].polygon.outer) {
+      low = std::min(low, up.dot(x));
+      high = std::max(high, up.dot(x));
+    }
+    return base.length < std::min(kSlender, std::tan(base.friction)) * (high - low);  // it rocks before it slides
+  };
+  for (const Stage& stage : plan.stages) {
+    if (!dynamic(stage)) continue;
+    const std::vector<BodyRequest> request = body_requests(model, stage);
+    std::vector<BlockId> soft;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+      const BodyRequest& w = request[i];
+      const BlockId b{static_cast<std::int32_t>(i)};
+      if (w.method == "nmm" && !w.form.onefold && rocks(b) && bases[i].length > w.form.cover_size) soft.push_back(b);
+    }
+    if (soft.empty()) continue;
+    return {fmt::format(
+        "stage '{}': {} {} rock on a joint with normal_stiffness = \"auto\" that the NMM divides: its edge gives way, "
+        "so that a block rocks farther than a rigid one, by a fifth or more under a short pulse, and overturns "
+        "somewhat earlier; a normal_stiffness a hundred times the automatic one, or the DDA, comes nearer to rigid "
+        "blocks",
+        stage.name, soft.size() == 1 ? "block" : "blocks", named_blocks(model, soft) + " may")};
+  }
+  return {};
+}
+
 std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches) {
   const std::size_t n = model.blocks.size();
   std::vector<char> stands(n, 0);
@@ -335,7 +395,9 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
     }
   std::vector<BlockId> stones;
   for (std::size_t b = 0; b < n; ++b)
-    if (const auto& from = pushed[static_cast<std::size_t>(groups.of[b])]; stands[b] == 0 && from[0] && from[1])
+    // One block between two sides, as in a notch, has no hinge that could give way.
+    if (const auto group = static_cast<std::size_t>(groups.of[b]);
+        stands[b] == 0 && pushed[group][0] && pushed[group][1] && groups.blocks[group].size() > 1)
       stones.emplace_back(static_cast<std::int32_t>(b));
   return stones;
 }
@@ -343,9 +405,10 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
 std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   const std::vector<Touch> touches = touching_blocks(model);
   std::vector<std::string> out = support_warnings(model, touches, plan.stages.front().construction.absent);
-  for (const auto& more : {damping_warnings(model, plan), partition_warnings(model, plan),
-                           sliding_warnings(model, plan, touches), arch_warnings(model, plan, touches),
-                           stiffness_warnings(model), size_warnings(model), lawless_warnings(model, touches)})
+  for (const auto& more :
+       {damping_warnings(model, plan), partition_warnings(model, plan), sliding_warnings(model, plan, touches),
+        arch_warnings(model, plan, touches), rocking_warnings(model, plan, touches), stiffness_warnings(model),
+        size_warnings(model), lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

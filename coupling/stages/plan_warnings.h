@@ -35,6 +35,10 @@ struct SlidingNeeds {
                                                         const std::vector<Touch>& touches);
 [[nodiscard]] std::vector<std::string> arch_warnings(const Model& model, const Plan& plan,
                                                      const std::vector<Touch>& touches);
+/// Slender blocks that stand alone on one joint of automatic stiffness, which a mesh divides, and that may be shaken:
+/// the joint gives way at its edge, a rigid block's does not.
+[[nodiscard]] std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan,
+                                                        const std::vector<Touch>& touches);
 
 /// Free blocks that only the thrust of their neighbours can carry, from both sides, as the stones of an arch: no chain
 /// of joints that are less steep than their friction leads from them down to what is held.

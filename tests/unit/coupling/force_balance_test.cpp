@@ -8,7 +8,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::force_balance_test {
 namespace {
 
 using namespace coupling;
@@ -61,6 +61,16 @@ TEST(ForceBalance, what_is_left_is_measured_by_the_largest_single_force) {
   }
 }
 
+TEST(ForceBalance, round_off_in_a_model_that_is_free_of_stress_is_rest) {
+  for (const char* method : {"dda", "nmm"}) {
+    Scene scene = block(method);
+    scene.model.point_loads.push_back({BlockId{1}, {1.0, 1.5}, {1e-8, 0.0}, {}});  // a strain of 1e-16
+    const ForceBalance::Result r = measured(scene);
+    EXPECT_GT(r.force, 1e-10) << method;
+    EXPECT_LT(r.ratio, 1e-7) << method;
+  }
+}
+
 TEST(ForceBalance, loads_are_those_of_the_present_time) {
   Scene scene = block("dda");
   TimeFunction ramp;
@@ -80,4 +90,4 @@ TEST(ForceBalance, loads_are_those_of_the_present_time) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::force_balance_test

@@ -8,7 +8,7 @@
 
 #include "coupling/bodies/clocks.h"
 
-namespace scree::coupling {
+namespace scree::coupling::implicit_damping_test {
 namespace {
 
 /// What is left of an amplitude after a second of steps. Two solutions span an area of the phase plane (u, v/w), which
@@ -88,6 +88,13 @@ TEST(ImplicitDamping, record_of_a_sine_drives_with_its_frequency) {
   model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
   model.block_supports.push_back({BlockId{0}, MotionId{0}});
   EXPECT_NEAR(driven_frequency(model), 3.0, 0.2);
+  Model compliant = model;  // the wave that comes in through a base
+  compliant.block_supports.clear();
+  compliant.viscous_edges.push_back({{BlockId{0}, {0, 0}, 0.0, 1.0}, MotionId{0}, 1.0});
+  EXPECT_EQ(driven_frequency(compliant), driven_frequency(model));
+  EXPECT_EQ(driven_frequency(compliant, std::vector<char>{0}), 0.0);
+  compliant.viscous_edges[0].motion = {};
+  EXPECT_EQ(driven_frequency(compliant), 0.0);
 }
 
 TEST(ImplicitDamping, what_is_over_or_to_come_does_not_drive_a_stage) {
@@ -112,4 +119,4 @@ TEST(ImplicitDamping, what_is_over_or_to_come_does_not_drive_a_stage) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::implicit_damping_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::plan_warnings_test {
 namespace {
 
 using coupling::Integrator;
@@ -209,6 +209,52 @@ TEST(Warnings, stones_of_an_arch_on_soft_joints_of_the_nmm) {
   }
 }
 
+/// A column on a base that shakes.
+Scene shaken_column(double width, const std::string& method) {
+  Scene scene(5e9, 0.2, 2500.0, 35.0);
+  scene.model.motions.push_back(
+      {{0.0, 0.01, 0.03, 0.04}, {0.0, 1.0, -1.0, 0.0}, {1.0, 0.0}, {0.0, Between::linear, "shake", StageId{}}});
+  scene.add("base", rectangle(-5, -1, 5, 0));
+  scene.model.block_supports.push_back({BlockId{0}, MotionId{0}});
+  scene.add("column", rectangle(0, 0, width, 2));
+  scene.stage(method, Integrator::explicit_, 0.1, std::nullopt, 0.2);
+  return scene;
+}
+
+TEST(Warnings, slender_blocks_that_may_rock_on_soft_joints_of_the_nmm) {
+  expect_one(shaken_column(0.5, "nmm"), "rock on a joint");
+  EXPECT_TRUE(warned(shaken_column(0.5, "dda")).empty());
+  EXPECT_TRUE(warned(shaken_column(1.6, "nmm")).empty());  // slides first
+  Scene stiff = shaken_column(0.5, "nmm");
+  stiff.model.joints[0].normal_stiffness = 1e12;
+  EXPECT_TRUE(warned(stiff).empty());
+  Scene coarse = shaken_column(0.5, "nmm");
+  coarse.plan.stages[0].cover_size = 0.6;
+  EXPECT_TRUE(warned(coarse).empty());
+  Scene between = shaken_column(0.5, "nmm");  // neighbours on either side
+  between.add("left", rectangle(-2, 0, 0, 2));
+  between.add("right", rectangle(0.5, 0, 2.5, 2));
+  EXPECT_TRUE(warned(between).empty());
+  Scene still = shaken_column(0.5, "nmm");
+  still.model.block_supports[0].motion = {};
+  EXPECT_TRUE(warned(still).empty());
+  Scene pushed = still;
+  TimeFunction pulse;
+  pulse.shape = TimeFunction::Shape::half_sine, pulse.duration = 0.1;
+  pushed.model.functions.push_back(pulse);
+  pushed.model.body_accelerations.push_back({{}, Vec2(5.0, 0.0), FunctionId{0}});
+  expect_one(pushed, "rock on a joint");
+}
+
+TEST(Warnings, no_arch_in_a_notch) {
+  Scene notch(5e9, 0.2, 2500.0, 10.0);
+  notch.add("left", {{{-2, -1}, {0, 0}, {-1, 2}, {-2, 2}}, {}}, true);
+  notch.add("right", {{{0, 0}, {2, -1}, {4, 2}, {2, 1}}, {}}, true);
+  notch.add("block", {{{0, 0}, {2, 1}, {1, 3}, {-1, 2}}, {}});
+  notch.stage("nmm", Integrator::implicit, 0.1, 1e-3, 0.4);
+  EXPECT_TRUE(warned(notch).empty());
+}
+
 TEST(Warnings, no_arch_in_a_wall_a_pile_or_a_row_that_slides) {
   Scene wall(1e9, 0.2, 2600.0, 30.0);
   wall.add("ground", rectangle(-1, -1, 9, 0), true);
@@ -230,4 +276,4 @@ TEST(Warnings, no_arch_in_a_wall_a_pile_or_a_row_that_slides) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::plan_warnings_test
