@@ -4,7 +4,7 @@
 #include "tests/allocation/counting_new.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::allocation_test {
 namespace {
 
 using namespace coupling;
@@ -67,4 +67,4 @@ TEST_P(Allocation, of_sliding_blocks_is_none) {
 INSTANTIATE_TEST_SUITE_P(methods, Allocation, testing::Values("nmm", "dda"));
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::allocation_test

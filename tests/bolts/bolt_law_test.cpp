@@ -11,7 +11,7 @@
 #include "model/random.h"
 #include "tests/support/bolted.h"
 
-namespace scree::test {
+namespace scree::test::bolt_law_test {
 namespace {
 
 using namespace coupling;
@@ -222,4 +222,4 @@ TEST(BoltShape, forces_have_no_resultant_and_no_moment) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::bolt_law_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/bolted.h"
 
-namespace scree::test {
+namespace scree::test::bolt_runs_test {
 namespace {
 
 using namespace coupling;
@@ -156,4 +156,4 @@ TEST(BoltBound, stiff_bolt_shortens_the_explicit_step_to_what_it_bears) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::bolt_runs_test

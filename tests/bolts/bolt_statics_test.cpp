@@ -7,7 +7,7 @@
 #include "coupling/bolts/bolt_rows.h"
 #include "tests/support/bolted.h"
 
-namespace scree::test {
+namespace scree::test::bolt_statics_test {
 namespace {
 
 using namespace coupling;
@@ -266,4 +266,4 @@ TEST_P(Bolts, slack_bar_does_not_push) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::bolt_statics_test

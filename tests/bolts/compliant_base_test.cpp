@@ -7,7 +7,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::compliant_base_test {
 namespace {
 
 using namespace coupling;
@@ -83,4 +83,4 @@ TEST_P(CompliantBase, wave_doubles_at_the_free_top_and_leaves_through_the_base) 
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::compliant_base_test

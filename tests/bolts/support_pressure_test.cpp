@@ -8,7 +8,7 @@
 #include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::support_pressure_test {
 namespace {
 
 using namespace coupling;
@@ -81,4 +81,4 @@ TEST(SupportPressure, wall_moves_in_as_lame_says_at_every_part_released) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::support_pressure_test

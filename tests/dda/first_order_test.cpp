@@ -7,7 +7,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::first_order_test {
 namespace {
 
 using namespace coupling;
@@ -192,4 +192,4 @@ TEST(FirstOrderRotation, steps_of_two_kinds_refuse_it) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::first_order_test

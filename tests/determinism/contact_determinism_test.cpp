@@ -10,7 +10,7 @@
 #include "coupling/integrate/central_difference.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::contact_determinism_test {
 namespace {
 
 using namespace coupling;
@@ -92,4 +92,4 @@ TEST(Threads, explicit_contact_has_the_same_hash_and_two_threads_are_faster) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::contact_determinism_test

@@ -11,7 +11,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::determinism_test {
 namespace {
 
 using namespace coupling;
@@ -123,4 +123,4 @@ TEST(Copies, new_integrators_on_a_copied_state_continue_bit_for_bit) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::determinism_test

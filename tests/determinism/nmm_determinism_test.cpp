@@ -7,7 +7,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::nmm_determinism_test {
 namespace {
 
 using namespace coupling;
@@ -156,4 +156,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Case>& p) { return std::string(p.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::nmm_determinism_test

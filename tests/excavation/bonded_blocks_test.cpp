@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::bonded_blocks_test {
 namespace {
 
 using namespace coupling;
@@ -126,4 +126,4 @@ TEST(Excavation, bonded_blocks_come_to_lame_as_their_joints_get_stiffer) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::bonded_blocks_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::kept_reactions_test {
 namespace {
 
 using namespace coupling;
@@ -91,4 +91,4 @@ TEST_P(KeptReactions, column_neither_sinks_nor_reflects_and_its_top_has_twice_th
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::kept_reactions_test

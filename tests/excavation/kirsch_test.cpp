@@ -9,7 +9,7 @@
 #include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::kirsch_test {
 namespace {
 
 using namespace coupling;
@@ -111,4 +111,4 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::kirsch_test

@@ -9,7 +9,7 @@
 #include "tests/support/circle.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::lame_test {
 namespace {
 
 using namespace coupling;
@@ -91,4 +91,4 @@ TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::lame_test

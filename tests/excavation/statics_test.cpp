@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::statics_test {
 namespace {
 
 using namespace coupling;
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Construct, ::testing::ValuesIn(kAllSchemes),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::statics_test

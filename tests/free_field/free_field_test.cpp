@@ -14,7 +14,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::free_field_test {
 namespace {
 
 using namespace coupling;
@@ -376,4 +376,4 @@ TEST(FreeFieldRigidBase, ground_moves_as_the_layer_beside_it_through_reflections
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::free_field_test

@@ -9,7 +9,7 @@
 #include "model/free_field.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::ground_history_test {
 namespace {
 
 constexpr double kDensity = 2000.0, kHeight = 8.0, kBottom = -3.0, kStart = 0.07;
@@ -126,4 +126,4 @@ TEST(FreeFieldSides, have_dashpots_and_tractions_over_their_whole_length) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::ground_history_test

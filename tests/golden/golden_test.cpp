@@ -10,7 +10,7 @@
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
 
-namespace scree::test {
+namespace scree::test::golden_test {
 namespace {
 
 struct Golden {
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Golden, Scenes, testing::ValuesIn(kScenes),
                          [](const testing::TestParamInfo<Golden>& scene) { return std::string(scene.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::golden_test

@@ -11,7 +11,7 @@
 #include "tests/support/circle.h"
 #include "tests/support/lined.h"
 
-namespace scree::test {
+namespace scree::test::liner_law_test {
 namespace {
 
 using namespace coupling;
@@ -228,4 +228,4 @@ TEST(LinerLaw, a_broken_bar_bears_neither_thrust_nor_moment_and_its_plastic_work
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::liner_law_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/lined.h"
 
-namespace scree::test {
+namespace scree::test::liner_runs_test {
 namespace {
 
 using namespace coupling;
@@ -146,4 +146,4 @@ TEST(LinerBound, counts_stretch_and_bending) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::liner_runs_test

@@ -8,7 +8,7 @@
 #include "tests/support/circle.h"
 #include "tests/support/lined.h"
 
-namespace scree::test {
+namespace scree::test::liner_statics_test {
 namespace {
 
 using namespace coupling;
@@ -227,4 +227,4 @@ TEST(LinedHole, liner_that_comes_when_half_is_released_takes_its_part_of_the_oth
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::liner_statics_test

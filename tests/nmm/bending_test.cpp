@@ -11,7 +11,7 @@
 #include "tests/support/order_table.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::bending_test {
 namespace {
 
 struct Bar {
@@ -125,4 +125,4 @@ TEST(Bending, first_three_frequencies_of_a_free_bar) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::bending_test

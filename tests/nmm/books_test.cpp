@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::books_test {
 namespace {
 
 using namespace coupling;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(, NmmBooks, testing::Bool(),
                          [](const auto& p) { return p.param ? "in_situ_stress" : "no_stress"; });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::books_test

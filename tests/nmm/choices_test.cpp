@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::choices_test {
 namespace {
 
 using namespace coupling;
@@ -88,4 +88,4 @@ TEST(Choices, linear_kinematics_after_a_turn_is_refused) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::choices_test

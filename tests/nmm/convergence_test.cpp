@@ -8,7 +8,7 @@
 #include "tests/support/nmm_block.h"
 #include "tests/support/order_table.h"
 
-namespace scree::test {
+namespace scree::test::convergence_test {
 namespace {
 
 /// u = (sin(2x + 1) cos(1.5 y), cos(x) sin(2 y) + x y) times a small number, and what follows from it.
@@ -126,4 +126,4 @@ TEST(Convergence, manufactured_solution_with_cut_boundary) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::convergence_test

@@ -8,7 +8,7 @@
 #include "tests/support/nmm_block.h"
 #include "tests/support/order_table.h"
 
-namespace scree::test {
+namespace scree::test::cracks_test {
 namespace {
 
 const Material kRock{"rock", 2000.0, 1e9, 0.25};
@@ -157,4 +157,4 @@ TEST(Cracks, centre_crack_opens_as_westergaard_has_it) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::cracks_test

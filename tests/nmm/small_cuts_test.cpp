@@ -10,7 +10,7 @@
 #include "model/dense_algebra.h"
 #include "tests/support/nmm_block.h"
 
-namespace scree::test {
+namespace scree::test::small_cuts_test {
 namespace {
 
 /// Highest eigenvalue of M~^-1 K on the free covers: a dense solution, no bound and no iteration that stops early.
@@ -122,4 +122,4 @@ TEST(SmallCuts, thousand_placements_keep_the_step_the_mass_and_the_patch) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::small_cuts_test

@@ -9,7 +9,7 @@
 #include "tests/support/nmm_block.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::spin_test {
 namespace {
 
 using std::numbers::pi;
@@ -130,4 +130,4 @@ TEST(Spin, classical_incremental_update_grows) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::spin_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/nmm_block.h"
 
-namespace scree::test {
+namespace scree::test::torture_test {
 namespace {
 
 const Material kRock{"rock", 2000.0, 1e9, 0.25};
@@ -325,4 +325,4 @@ TEST(Torture, blocks_far_from_the_origin_are_cut_alike) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::torture_test

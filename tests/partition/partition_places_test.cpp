@@ -11,7 +11,7 @@
 #include "coupling/bodies/partition.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::partition_places_test {
 namespace {
 
 using namespace scree::coupling;
@@ -167,4 +167,4 @@ TEST(PartitionPlaces, random_regions_run_and_close) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::partition_places_test

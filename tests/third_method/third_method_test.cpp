@@ -7,7 +7,7 @@
 #include "tests/support/scene.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::third_method_test {
 namespace {
 
 using coupling::Integrator;
@@ -128,4 +128,4 @@ TEST(ThirdMethod, rigid_spin_keeps_edges_and_rate) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::third_method_test

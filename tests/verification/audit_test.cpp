@@ -7,7 +7,7 @@
 
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::audit_test {
 namespace {
 
 using coupling::Integrator;
@@ -166,4 +166,4 @@ TEST(Audit, not_a_number_is_a_violation) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::audit_test

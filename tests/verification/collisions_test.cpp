@@ -7,7 +7,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::collisions_test {
 namespace {
 
 using namespace coupling;
@@ -126,4 +126,4 @@ TEST(Collisions, no_column_creates_energy_in_a_slide) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::collisions_test

@@ -8,7 +8,7 @@
 #include "tests/support/outlines.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::contact_claims_test {
 namespace {
 
 using namespace coupling;
@@ -256,4 +256,4 @@ TEST_P(Thrown, thin_plate_is_not_passed) {
 INSTANTIATE_TEST_SUITE_P(schemes, Thrown, testing::ValuesIn(kQuick), scheme_name);
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::contact_claims_test

@@ -7,7 +7,7 @@
 #include "coupling/integrate/central_difference.h"
 #include "tests/support/scene.h"
 
-namespace scree {
+namespace scree::contact_patch_test {
 namespace {
 
 using coupling::Integrator;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(methods, ContactPatch,
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::contact_patch_test

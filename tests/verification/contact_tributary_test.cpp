@@ -9,7 +9,7 @@
 #include "coupling/contact/table/contact_point.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::contact_tributary_test {
 namespace {
 
 using namespace coupling;
@@ -566,4 +566,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, HeadOn,
                          });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::contact_tributary_test

@@ -6,7 +6,7 @@
 #include "coupling/integrate/newmark.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::crack_contact_test {
 namespace {
 
 using coupling::Integrator;
@@ -196,4 +196,4 @@ TEST(CrackContact, tractions_outlive_a_new_mesh) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::crack_contact_test

@@ -10,7 +10,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::damping_rates_test {
 namespace {
 
 using namespace coupling;
@@ -166,4 +166,4 @@ TEST(DecayRateOfFlight, dynamics_hands_its_fraction_of_the_velocity_on) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::damping_rates_test

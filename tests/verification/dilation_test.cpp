@@ -6,7 +6,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::dilation_test {
 namespace {
 
 using namespace coupling;
@@ -157,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, Dilation, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::dilation_test

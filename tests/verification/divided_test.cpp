@@ -10,7 +10,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::divided_test {
 namespace {
 
 using namespace scree::coupling;
@@ -331,4 +331,4 @@ TEST(SharedContacts, move_blocks_as_separated_ones_do_and_close_the_ledger) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::divided_test

@@ -7,7 +7,7 @@
 #include "coupling/integrate/point_springs.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::edge_support_test {
 namespace {
 
 using namespace coupling;
@@ -177,4 +177,4 @@ TEST(EdgeSupports, change_of_method_keeps_what_holds_a_block_at_rest) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::edge_support_test

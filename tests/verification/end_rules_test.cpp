@@ -5,7 +5,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::end_rules_test {
 namespace {
 
 using namespace coupling;
@@ -170,4 +170,4 @@ TEST(EndRules, hold_waits_until_a_settling_stack_has_come_to_rest) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::end_rules_test

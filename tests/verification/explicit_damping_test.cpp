@@ -4,7 +4,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::explicit_damping_test {
 namespace {
 
 using namespace coupling;
@@ -147,4 +147,4 @@ TEST(ViscousEdge, takes_a_pressure_wave_out_of_a_bar) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::explicit_damping_test

@@ -6,7 +6,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::finite_end_test {
 namespace {
 
 using namespace coupling;
@@ -87,4 +87,4 @@ TEST(FiniteEnd, a_ledger_names_its_first_number_that_is_not_finite) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::finite_end_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::free_motion_test {
 namespace {
 
 using coupling::Integrator;
@@ -123,4 +123,4 @@ TEST(TransferReport, in_situ_stress_goes_along_both_ways) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::free_motion_test

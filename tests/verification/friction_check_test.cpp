@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::friction_check_test {
 namespace {
 
 using namespace coupling;
@@ -409,4 +409,4 @@ TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::friction_check_test

@@ -11,7 +11,7 @@
 #include "model/local_origin.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::hard_geometry_test {
 namespace {
 
 using namespace coupling;
@@ -264,4 +264,4 @@ TEST(HardGeometryRefused, sliver_that_the_extent_swallows) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::hard_geometry_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::held_bodies_test {
 namespace {
 
 using namespace coupling;
@@ -104,4 +104,4 @@ TEST(HeldBodies, have_pools_apart_from_those_that_move) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::held_bodies_test

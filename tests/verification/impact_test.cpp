@@ -14,7 +14,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::impact_test {
 namespace {
 
 using namespace coupling;
@@ -417,4 +417,4 @@ TEST_P(ObliqueImpact, friction_stays_in_its_cone) {
 INSTANTIATE_TEST_SUITE_P(all, ObliqueImpact, testing::ValuesIn(kSchemes), kSchemeName);
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::impact_test

@@ -5,7 +5,7 @@
 #include "coupling/integrate/newmark.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::implicit_nmm_test {
 namespace {
 
 using coupling::Column;
@@ -349,4 +349,4 @@ INSTANTIATE_TEST_SUITE_P(all, RestByForce,
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::implicit_nmm_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::joint_strength_test {
 namespace {
 
 using namespace coupling;
@@ -434,4 +434,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, Strength, testing::ValuesIn(kSchemes), kNames)
 INSTANTIATE_TEST_SUITE_P(schemes, Shear, testing::ValuesIn(kBlocks), kNames);
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::joint_strength_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::joint_water_test {
 namespace {
 
 using namespace coupling;
@@ -214,4 +214,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, Water, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::joint_water_test

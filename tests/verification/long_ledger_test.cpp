@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::long_ledger_test {
 namespace {
 
 using namespace scree::coupling;
@@ -80,4 +80,4 @@ TEST(LongLedger, closes_through_shaking_friction_damping_and_every_change) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::long_ledger_test

@@ -14,7 +14,7 @@
 #include "nmm/field_projection.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::mesh_best_fit_test {
 namespace {
 
 using nmm::CoverMesh;
@@ -324,4 +324,4 @@ TEST(MeshBestFit, a_stage_hands_on_the_best_fit_and_the_momenta) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::mesh_best_fit_test

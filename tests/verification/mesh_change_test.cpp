@@ -12,7 +12,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::mesh_change_test {
 namespace {
 
 using coupling::Column;
@@ -293,4 +293,4 @@ TEST(MeshChange, contact_forces_stay_and_what_rests_rests) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::mesh_change_test

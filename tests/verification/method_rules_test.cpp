@@ -7,7 +7,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::method_rules_test {
 namespace {
 
 using namespace coupling;
@@ -169,4 +169,4 @@ TEST(MethodRulesApart, stages_that_cannot_are_refused_before_their_first_step) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::method_rules_test

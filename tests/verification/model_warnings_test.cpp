@@ -6,7 +6,7 @@
 #include "coupling/stages/plan_warnings.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::model_warnings_test {
 namespace {
 
 using namespace coupling;
@@ -61,4 +61,4 @@ TEST(ModelWarnings, a_model_on_lines_is_held_along_what_they_fix) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::model_warnings_test

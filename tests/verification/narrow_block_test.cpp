@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::narrow_block_test {
 namespace {
 
 using coupling::Integrator;
@@ -41,4 +41,4 @@ TEST(NarrowBlock, goes_on_in_flight_where_its_mesh_comes_or_goes_with_its_mass) 
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::narrow_block_test

@@ -10,7 +10,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::new_mesh_memory_test {
 namespace {
 
 using namespace coupling;
@@ -161,4 +161,4 @@ TEST(NewContactMemory, points_that_reach_the_next_block_of_a_sheared_joint_take_
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::new_mesh_memory_test

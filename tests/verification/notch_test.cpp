@@ -6,7 +6,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::notch_test {
 namespace {
 
 using namespace coupling;
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, NotchRest, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::notch_test

@@ -13,7 +13,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::onefold_test {
 namespace {
 
 using namespace coupling;
@@ -377,4 +377,4 @@ TEST(OnefoldForms, stars_of_the_model_triangle_are_shared_in_place) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::onefold_test

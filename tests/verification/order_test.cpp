@@ -17,7 +17,7 @@
 #include "tests/support/order_table.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::order_test {
 namespace {
 
 using coupling::CentralDifference;
@@ -377,4 +377,4 @@ INSTANTIATE_TEST_SUITE_P(all, UnsynchronisedOrder, testing::Values(Kinematics::l
                          });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::order_test

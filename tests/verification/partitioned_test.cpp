@@ -10,7 +10,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::partitioned_test {
 namespace {
 
 using namespace scree::coupling;
@@ -164,4 +164,4 @@ TEST(PartitionedSlide, one_substep_is_gone_through_once_where_contacts_are_fores
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::partitioned_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::passing_over_test {
 namespace {
 
 using namespace coupling;
@@ -49,4 +49,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, PassingOver, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::passing_over_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::passing_vertex_test {
 namespace {
 
 using namespace coupling;
@@ -171,4 +171,4 @@ INSTANTIATE_TEST_SUITE_P(all, PassingVertex,
                          });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::passing_vertex_test

@@ -8,7 +8,7 @@
 #include "coupling/stages/round_off.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::random_audit_test {
 namespace {
 
 using coupling::Integrator;
@@ -128,4 +128,4 @@ TEST(LastPlaces, are_far_below_what_an_audit_allows_where_something_moves) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::random_audit_test

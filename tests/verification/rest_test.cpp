@@ -6,7 +6,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::rest_test {
 namespace {
 
 using namespace coupling;
@@ -223,4 +223,4 @@ TEST_F(HandOverOfContacts, moving_blocks_close_the_books_through_every_change) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::rest_test

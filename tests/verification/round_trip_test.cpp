@@ -12,7 +12,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::round_trip_test {
 namespace {
 
 using coupling::Column;
@@ -284,4 +284,4 @@ TEST(RoundTrip, another_mesh_takes_the_fields_up) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::round_trip_test

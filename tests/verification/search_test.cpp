@@ -12,7 +12,7 @@
 #include "model/random.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::search_test {
 namespace {
 
 using namespace coupling;
@@ -228,4 +228,4 @@ TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::search_test

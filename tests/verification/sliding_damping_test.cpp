@@ -4,7 +4,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::sliding_damping_test {
 namespace {
 
 using namespace coupling;
@@ -139,4 +139,4 @@ INSTANTIATE_TEST_SUITE_P(Steps, ThrownStack, testing::Values(Integrator::explici
                          [](const auto& of) { return of.param == Integrator::implicit ? "implicit" : "explicit"; });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::sliding_damping_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::sliding_test {
 namespace {
 
 using coupling::Integrator;
@@ -96,4 +96,4 @@ TEST_P(Holding, incline_steeper_friction_stays) {
 INSTANTIATE_TEST_SUITE_P(all, Holding, testing::Values("nmm-explicit", "nmm-implicit", "dda-explicit", "dda-implicit"));
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::sliding_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::stage_times_test {
 namespace {
 
 using namespace coupling;
@@ -166,4 +166,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, StageTimes, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::stage_times_test

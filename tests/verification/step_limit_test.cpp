@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::step_limit_test {
 namespace {
 
 using coupling::Integrator;
@@ -61,4 +61,4 @@ TEST(StepLimit, larger_step_is_refused_with_its_bound_and_unstable_when_forced) 
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::step_limit_test

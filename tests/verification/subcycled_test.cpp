@@ -15,7 +15,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::subcycled_test {
 namespace {
 
 using namespace scree::coupling;
@@ -440,4 +440,4 @@ TEST(Subcycled, step_above_that_of_slow_forces_is_refused) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::subcycled_test

@@ -12,7 +12,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::subcycling_test {
 namespace {
 
 using namespace scree::coupling;
@@ -241,4 +241,4 @@ TEST(Subcycling, momentum_and_energy_are_exact_wherever_the_iteration_stops) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::subcycling_test

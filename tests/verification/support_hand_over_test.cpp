@@ -6,7 +6,7 @@
 #include "coupling/integrate/point_springs.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::support_hand_over_test {
 namespace {
 
 using namespace coupling;
@@ -73,4 +73,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, SupportHandOver,
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::support_hand_over_test

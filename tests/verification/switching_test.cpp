@@ -10,7 +10,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::switching_test {
 namespace {
 
 using namespace scree::coupling;
@@ -158,4 +158,4 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::switching_test

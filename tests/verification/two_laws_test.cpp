@@ -7,7 +7,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::two_laws_test {
 namespace {
 
 using namespace coupling;
@@ -107,4 +107,4 @@ INSTANTIATE_TEST_SUITE_P(schemes, TwoLaws, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::two_laws_test

@@ -7,7 +7,7 @@
 #include "coupling/contact/law/friction_laws.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::velocity_weakening_test {
 namespace {
 
 using coupling::Integrator;
@@ -105,4 +105,4 @@ TEST(VelocityWeakeningSlide, stages_to_rest_leave_friction_as_it_is) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::velocity_weakening_test

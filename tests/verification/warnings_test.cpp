@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::warnings_test {
 namespace {
 
 using namespace coupling;
@@ -103,4 +103,4 @@ TEST(IdleRules, that_fired_before_a_checkpoint_are_not_told_after_it) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::warnings_test

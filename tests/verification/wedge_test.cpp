@@ -10,7 +10,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::wedge_test {
 namespace {
 
 using namespace coupling;
@@ -229,4 +229,4 @@ TEST(Wedges, steep_ones_that_dilate_are_held_too) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::wedge_test

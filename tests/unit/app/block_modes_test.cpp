@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace scree::app {
+namespace scree::app::block_modes_test {
 namespace {
 
 BlockMotion motion(Vec2 displacement, double rotation, double slip, bool touches = true) {
@@ -50,4 +50,4 @@ TEST(BlockModes, of_many_the_one_with_most_way_leads) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::block_modes_test

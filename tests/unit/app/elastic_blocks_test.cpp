@@ -8,7 +8,7 @@
 
 #include "model/elasticity.h"
 
-namespace scree::app {
+namespace scree::app::elastic_blocks_test {
 namespace {
 
 constexpr double kSlope = 30.0 * std::numbers::pi / 180.0, kGravity = 9.81, kRamp = 0.5, kEnd = 1.5;
@@ -71,4 +71,4 @@ TEST(ElasticBlocks, stay_where_friction_holds) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::elastic_blocks_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::emit_test {
 namespace {
 
 Workflow example() {
@@ -96,4 +96,4 @@ TEST(SlurmScript, asks_for_an_array_of_the_runs) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::emit_test

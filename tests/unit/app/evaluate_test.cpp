@@ -6,7 +6,7 @@
 #include "io/results/file_error.h"
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::evaluate_test {
 namespace {
 
 constexpr const char* kCase = R"(title = "Free fall"
@@ -220,4 +220,4 @@ TEST(Report, table_is_of_the_kind_that_its_name_says) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::evaluate_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace scree::app {
+namespace scree::app::expected_test {
 namespace {
 
 constexpr const char* kGood = R"(title = "A case"
@@ -190,4 +190,4 @@ TEST(Expected, empty_and_broken_files_are_refused) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::expected_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace scree::app {
+namespace scree::app::fos_search_test {
 namespace {
 
 using State = FosSearch::State;
@@ -111,4 +111,4 @@ TEST(FosSearch, zero_of_a_line_over_one_over_f) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::fos_search_test

@@ -9,7 +9,7 @@
 #include "app/verify/reference.h"
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::measures_test {
 namespace {
 
 constexpr int kSamples = 101;  // of a second
@@ -298,4 +298,4 @@ TEST(Reference, interpolation_is_straight_and_stays_at_the_ends) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::measures_test

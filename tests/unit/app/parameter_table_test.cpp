@@ -6,7 +6,7 @@
 #include "io/case/case_error.h"
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::parameter_table_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -71,4 +71,4 @@ TEST(CsvField, reads_back_as_it_was) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::parameter_table_test

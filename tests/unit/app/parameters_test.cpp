@@ -4,7 +4,7 @@
 
 #include "io/case/case_error.h"
 
-namespace scree::app {
+namespace scree::app::parameters_test {
 namespace {
 
 std::vector<std::string> values(const std::string& option) {
@@ -89,4 +89,4 @@ TEST(RunName, has_four_digits_or_as_many_as_needed) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::parameters_test

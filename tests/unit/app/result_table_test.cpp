@@ -8,7 +8,7 @@
 #include "io/results/file_error.h"
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::result_table_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -142,4 +142,4 @@ TEST(RunOutcome, is_told_by_the_summary_of_the_same_case_and_parameters) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::result_table_test

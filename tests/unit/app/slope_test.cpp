@@ -10,7 +10,7 @@
 #include "io/case/case_error.h"
 #include "tests/unit/app/folder.h"
 
-namespace scree::app {
+namespace scree::app::slope_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180.0, kG = kStandardGravity;
@@ -220,4 +220,4 @@ TEST(SlopeReport, shared_records_have_the_catalogues_pga_and_arias) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::slope_test

@@ -8,7 +8,7 @@
 #include "app/studies/mass_chain.h"
 #include "app/studies/oscillator.h"
 
-namespace scree::app {
+namespace scree::app::studies_test {
 namespace {
 
 TEST(MeasuredStep, map_of_a_sequence_is_found) {
@@ -86,4 +86,4 @@ TEST(Studies, sdof_gives_the_same_numbers_twice) {
 }
 
 }  // namespace
-}  // namespace scree::app
+}  // namespace scree::app::studies_test

@@ -10,7 +10,7 @@
 #include "coupling/linear/conjugate_residuals.h"
 #include "model/dense_algebra.h"
 
-namespace scree::coupling {
+namespace scree::coupling::block_ilu_test {
 namespace {
 
 using Pairs = std::vector<BlockMatrix::Pair>;
@@ -223,4 +223,4 @@ TEST(BlockIlu, makes_conjugate_residuals_meet_the_dense_solution) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::block_ilu_test

@@ -6,7 +6,7 @@
 #include "coupling/integrate/newmark.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::coupling {
+namespace scree::coupling::block_solver_test {
 namespace {
 
 using test::rectangle;
@@ -144,4 +144,4 @@ TEST(BlockChoice, failed_pivot_falls_back_within_the_pass_and_is_counted) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::block_solver_test

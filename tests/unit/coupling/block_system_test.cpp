@@ -9,7 +9,7 @@
 
 #include "tests/support/by_hand.h"
 
-namespace scree::coupling {
+namespace scree::coupling::block_system_test {
 namespace {
 
 constexpr int kBodies = 5, kSprings = 3, kPoints = 12;
@@ -173,4 +173,4 @@ TEST(BlockSystem, is_of_whole_bodies_and_of_pairs) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::block_system_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace scree::coupling {
+namespace scree::coupling::box_tree_test {
 namespace {
 
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
@@ -71,4 +71,4 @@ TEST(BoxTree, overlaps_are_those_of_all_pairs_as_boxes_move) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::box_tree_test

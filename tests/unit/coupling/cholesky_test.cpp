@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace scree::coupling {
+namespace scree::coupling::cholesky_test {
 namespace {
 
 /// Cells of six unknowns on a square grid, and springs between neighbours: the shape of a system of blocks.
@@ -177,4 +177,4 @@ TEST(Cholesky, system_without_unknowns_is_solved) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::cholesky_test

@@ -8,7 +8,7 @@
 
 #include "coupling/bodies/setup.h"
 
-namespace scree::coupling {
+namespace scree::coupling::clocks_test {
 namespace {
 
 TimeFunction made(TimeFunction::Shape shape, double start, double duration, int stage = -1) {
@@ -122,4 +122,4 @@ TEST(TimeFaults, stage_that_ends_early_takes_a_time_on_the_clock_out_of_reach_an
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::clocks_test

@@ -8,7 +8,7 @@
 
 #include "model/dense_algebra.h"
 
-namespace scree::coupling {
+namespace scree::coupling::conjugate_residuals_test {
 namespace {
 
 Eigen::MatrixXd drawn(int n, double unsymmetric, std::mt19937_64& random) {
@@ -82,4 +82,4 @@ TEST(ConjugateResiduals, says_where_it_is_not_there_in_time) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::conjugate_residuals_test

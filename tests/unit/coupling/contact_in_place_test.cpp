@@ -7,7 +7,7 @@
 
 #include "tests/support/by_hand.h"
 
-namespace scree {
+namespace scree::contact_in_place_test {
 namespace {
 
 using coupling::CentralDifference;
@@ -158,4 +158,4 @@ TEST(ContactInPlace, of_bonds_dilation_weakening_and_water_is_that_listed_anew) 
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::contact_in_place_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace scree::coupling {
+namespace scree::coupling::contact_point_test {
 namespace {
 
 struct Drawn {
@@ -88,4 +88,4 @@ TEST(ContactPoint, corner_leaves_by_the_nearer_edge_and_ties_are_the_edge_that_e
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::contact_point_test

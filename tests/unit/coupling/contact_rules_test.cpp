@@ -9,7 +9,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::contact_rules_test {
 namespace {
 
 using namespace coupling;
@@ -193,4 +193,4 @@ TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::contact_rules_test

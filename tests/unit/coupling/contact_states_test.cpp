@@ -9,7 +9,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::coupling {
+namespace scree::coupling::contact_states_test {
 namespace {
 
 using test::rectangle;
@@ -120,4 +120,4 @@ TEST(ContactStates, states_have_a_hash) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::contact_states_test

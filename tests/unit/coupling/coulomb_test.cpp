@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace scree::coupling {
+namespace scree::coupling::coulomb_test {
 namespace {
 
 TEST(Coulomb, return_mapping_at_random_states) {
@@ -75,4 +75,4 @@ TEST(Coulomb, is_idempotent) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::coulomb_test

@@ -8,7 +8,7 @@
 
 #include "coupling/contact/law/joint_strength.h"
 
-namespace scree::coupling {
+namespace scree::coupling::dilation_test {
 namespace {
 
 struct Drawn {
@@ -115,4 +115,4 @@ TEST(Dilation, opening_ends_with_its_slip_and_adds_up) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::dilation_test

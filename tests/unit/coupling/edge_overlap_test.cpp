@@ -10,7 +10,7 @@
 
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::edge_overlap_test {
 namespace {
 
 using coupling::EdgeOverlap;
@@ -179,4 +179,4 @@ TEST(EdgeOverlap, edges_beside_each_other_share_nothing) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::edge_overlap_test

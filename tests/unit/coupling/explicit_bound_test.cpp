@@ -4,7 +4,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::explicit_bound_test {
 namespace {
 
 using namespace coupling;
@@ -164,4 +164,4 @@ TEST(ExplicitLoss, ends_a_run_with_block_time_and_cause_and_a_readable_last_fram
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::explicit_bound_test

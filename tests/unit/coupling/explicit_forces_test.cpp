@@ -5,7 +5,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::explicit_forces_test {
 namespace {
 
 using namespace coupling;
@@ -219,4 +219,4 @@ INSTANTIATE_TEST_SUITE_P(all, DampingBooks,
                                                           Kind{"rigid_to_rest", {20.0, true, 0.0, 0.0}, false, true})));
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::explicit_forces_test

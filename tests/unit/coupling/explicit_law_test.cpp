@@ -8,7 +8,7 @@
 
 #include "coupling/contact/law/joint_strength.h"
 
-namespace scree::coupling {
+namespace scree::coupling::explicit_law_test {
 namespace {
 
 struct Drawn {
@@ -191,4 +191,4 @@ TEST(ExplicitLaw, bond_bears_its_strength_and_not_more) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::explicit_law_test

@@ -9,7 +9,7 @@
 #include "tests/support/nmm_block.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::field_transfer_test {
 namespace {
 
 using coupling::keep_momenta;
@@ -83,4 +83,4 @@ TEST(FieldTransfer, affine_motion_is_the_same_on_any_mesh) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::field_transfer_test

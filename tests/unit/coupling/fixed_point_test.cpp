@@ -9,7 +9,7 @@
 
 #include "model/dense_algebra.h"
 
-namespace scree::coupling {
+namespace scree::coupling::fixed_point_test {
 namespace {
 
 /// Iterations until T(x) = M x + b is solved to 1e-10 of its solution; -1: not in `most`.
@@ -80,4 +80,4 @@ TEST(FixedPoint, nonlinear_map_and_a_beginning_afresh) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::fixed_point_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::coupling {
+namespace scree::coupling::joint_laws_test {
 namespace {
 
 JointLaw full_law() {
@@ -90,4 +90,4 @@ TEST(JointLaws, the_factor_grows_by_equal_ratios) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::joint_laws_test

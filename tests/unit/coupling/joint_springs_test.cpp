@@ -6,7 +6,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::joint_springs_test {
 namespace {
 
 using namespace coupling;
@@ -122,4 +122,4 @@ TEST(JointSprings, given_stiffness_is_per_area_and_a_penalty_a_point) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::joint_springs_test

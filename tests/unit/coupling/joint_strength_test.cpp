@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree::coupling {
+namespace scree::coupling::joint_strength_test {
 namespace {
 
 constexpr double kPeak = 0.6, kResidual = 0.25;  // angles [rad]
@@ -111,4 +111,4 @@ TEST(JointStrength, failure_is_remembered_where_it_takes_something) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::joint_strength_test

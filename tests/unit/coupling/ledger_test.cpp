@@ -4,7 +4,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::ledger_test {
 namespace {
 
 using namespace coupling;
@@ -109,4 +109,4 @@ TEST(PointSupports, hanging_block_stretches_its_springs_by_its_weight) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::ledger_test

@@ -6,7 +6,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::mesh_estimate_test {
 namespace {
 
 using namespace coupling;
@@ -76,4 +76,4 @@ TEST(MeshEstimate, affine_blocks_have_no_mesh) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::mesh_estimate_test

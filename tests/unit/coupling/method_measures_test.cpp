@@ -7,7 +7,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::method_measures_test {
 namespace {
 
 using namespace coupling;
@@ -80,4 +80,4 @@ TEST(MethodMeasures, stress_of_the_affine_part_is_its_largest_principal_value) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::method_measures_test

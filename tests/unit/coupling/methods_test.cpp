@@ -9,7 +9,7 @@
 
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::coupling {
+namespace scree::coupling::methods_test {
 namespace {
 
 Method rigid(const std::string& name, std::vector<double>* seen = nullptr) {
@@ -49,4 +49,4 @@ TEST(RegisteredMethods, take_others_until_first_used_and_bind_constants) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::methods_test

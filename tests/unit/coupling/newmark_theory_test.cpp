@@ -7,7 +7,7 @@
 
 #include "model/dense_algebra.h"
 
-namespace scree::coupling {
+namespace scree::coupling::newmark_theory_test {
 namespace {
 
 const NewmarkTheory kImplicit{0.5, 1.0}, kTrapezoidal{0.25, 0.5}, kExplicit{0.0, 0.5};
@@ -70,4 +70,4 @@ TEST(NewmarkTheory, damping_measure_is_a_quarter_of_omega_where_small) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::newmark_theory_test

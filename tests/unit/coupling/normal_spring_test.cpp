@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace scree::coupling {
+namespace scree::coupling::normal_spring_test {
 namespace {
 
 TEST(NormalSpring, force_is_minus_the_derivative_of_its_energy_and_tangent_that_of_the_force) {
@@ -37,4 +37,4 @@ TEST(NormalSpring, both_sides_of_the_kink) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::normal_spring_test

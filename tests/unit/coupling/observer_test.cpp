@@ -8,7 +8,7 @@
 #include "dda/dda_pool.h"
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::observer_test {
 namespace {
 
 /// Keeps the last frame and the last history.
@@ -167,4 +167,4 @@ TEST(ContactView, shows_the_points_of_every_frame_where_it_is_asked_for) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::observer_test

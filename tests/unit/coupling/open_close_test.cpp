@@ -5,7 +5,7 @@
 #include "coupling/integrate/newmark.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::coupling {
+namespace scree::coupling::open_close_test {
 namespace {
 
 using test::rectangle;
@@ -148,4 +148,4 @@ TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::open_close_test

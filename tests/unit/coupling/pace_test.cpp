@@ -5,7 +5,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::pace_test {
 namespace {
 
 using namespace coupling;
@@ -96,4 +96,4 @@ TEST(Pace, stage_that_gets_on_is_not_touched) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::pace_test

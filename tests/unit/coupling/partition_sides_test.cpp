@@ -5,7 +5,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::partition_sides_test {
 namespace {
 
 using namespace coupling;
@@ -66,4 +66,4 @@ TEST(PartitionSides, block_changes_above_one_bound_and_back_below_the_other) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::partition_sides_test

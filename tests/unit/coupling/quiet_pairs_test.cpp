@@ -10,7 +10,7 @@
 #include "coupling/contact/table/contact_pairs.h"
 #include "tests/support/by_hand.h"
 
-namespace scree::test {
+namespace scree::test::quiet_pairs_test {
 namespace {
 
 using namespace coupling;
@@ -129,4 +129,4 @@ TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::quiet_pairs_test

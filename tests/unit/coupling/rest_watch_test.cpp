@@ -6,7 +6,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/scene.h"
 
-namespace scree::coupling {
+namespace scree::coupling::rest_watch_test {
 namespace {
 
 /// Three blocks that have gone `way` at the beginning of each quarter, and now.
@@ -62,4 +62,4 @@ TEST(RestWatch, held_blocks_do_not_count_and_short_stages_say_nothing) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::rest_watch_test

@@ -7,7 +7,7 @@
 #include "tests/support/schemes.h"
 #include "tests/third_method/rigid_pool.h"
 
-namespace scree::test {
+namespace scree::test::run_watch_test {
 namespace {
 
 using namespace coupling;
@@ -280,4 +280,4 @@ TEST(RunWatch, impact_in_long_steps_shows_in_a_column) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::run_watch_test

@@ -10,7 +10,7 @@
 #include "model/dense_algebra.h"
 #include "tests/support/scene.h"
 
-namespace scree::coupling {
+namespace scree::coupling::sliding_damping_test {
 namespace {
 
 using test::rectangle;
@@ -258,4 +258,4 @@ TEST(SlidingDamping, cohesion_alone_brings_none) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::sliding_damping_test

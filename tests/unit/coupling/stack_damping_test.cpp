@@ -7,7 +7,7 @@
 #include "coupling/transfer/transfer.h"
 #include "tests/support/scene.h"
 
-namespace scree::coupling {
+namespace scree::coupling::stack_damping_test {
 namespace {
 
 using test::rectangle;
@@ -171,4 +171,4 @@ TEST_P(StackDamping, is_nothing_where_no_slide_has_lost_friction) {
 INSTANTIATE_TEST_SUITE_P(Methods, StackDamping, testing::Values("dda", "nmm"), [](const auto& of) { return of.param; });
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::stack_damping_test

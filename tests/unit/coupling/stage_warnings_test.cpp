@@ -3,7 +3,7 @@
 
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::stage_warnings_test {
 namespace {
 
 using namespace coupling;
@@ -58,4 +58,4 @@ TEST(StageWarnings, stage_that_ends_before_it_is_at_rest) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::stage_warnings_test

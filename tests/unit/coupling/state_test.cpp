@@ -4,7 +4,7 @@
 
 #include "tests/support/scene.h"
 
-namespace scree::test {
+namespace scree::test::state_test {
 namespace {
 
 using namespace coupling;
@@ -88,4 +88,4 @@ TEST(StateHash, writes_nothing) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::state_test

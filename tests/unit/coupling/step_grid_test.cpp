@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace scree::coupling {
+namespace scree::coupling::step_grid_test {
 namespace {
 
 TEST(StepGrid, steps_of_a_whole_part_are_dt) {
@@ -74,4 +74,4 @@ TEST(StepGrid, whatever_is_allowed_the_stage_is_gone_through_and_no_step_is_too_
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::step_grid_test

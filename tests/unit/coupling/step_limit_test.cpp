@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace scree::coupling {
+namespace scree::coupling::step_limit_test {
 namespace {
 
 /// A stage of steps that converge up to a length: those taken, and attempts in vain.
@@ -68,4 +68,4 @@ TEST(StepLimit, steps_that_always_converge_are_never_limited) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::step_limit_test

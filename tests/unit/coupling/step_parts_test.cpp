@@ -8,7 +8,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::step_parts_test {
 namespace {
 
 using namespace coupling;
@@ -204,4 +204,4 @@ TEST(StepParts, dashpots_count_with_the_larger_of_their_two_coefficients) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::step_parts_test

@@ -9,7 +9,7 @@
 
 #include "coupling/linear/cholesky.h"
 
-namespace scree::coupling {
+namespace scree::coupling::symmetric_pattern_test {
 namespace {
 
 TEST(SymmetricPattern, sums_of_random_entries_equal_a_dense_matrix) {
@@ -80,4 +80,4 @@ TEST(Cholesky, springs_join_the_fixed_part_and_only_new_lists_are_analysed) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::symmetric_pattern_test

@@ -8,7 +8,7 @@
 #include "tests/support/nmm_block.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::transfer_mode_test {
 namespace {
 
 using namespace coupling;
@@ -124,4 +124,4 @@ TEST(TransferCap, of_the_stage_is_the_one_that_holds) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::transfer_mode_test

@@ -10,7 +10,7 @@
 #include "coupling/contact/law/joint_strength.h"
 #include "tests/support/scene.h"
 
-namespace scree::coupling {
+namespace scree::coupling::velocity_weakening_test {
 namespace {
 
 constexpr double kPeak = 0.7;                                   // tan phi
@@ -108,4 +108,4 @@ TEST(FrictionLaws, are_registered_before_they_are_used) {
 }
 
 }  // namespace
-}  // namespace scree::coupling
+}  // namespace scree::coupling::velocity_weakening_test

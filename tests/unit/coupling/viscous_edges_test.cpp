@@ -8,7 +8,7 @@
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
 
-namespace scree::test {
+namespace scree::test::viscous_edges_test {
 namespace {
 
 using namespace coupling;
@@ -71,4 +71,4 @@ TEST(ViscousEdges, all_around_slow_a_flying_block_down_exponentially) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::viscous_edges_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace scree::dda {
+namespace scree::dda::affine_body_test {
 namespace {
 
 Vec6 drawn(std::mt19937_64& random, double size) {
@@ -69,4 +69,4 @@ TEST(AffineBody, rotation_is_exact_and_a_free_spin_keeps_its_rate) {
 }
 
 }  // namespace
-}  // namespace scree::dda
+}  // namespace scree::dda::affine_body_test

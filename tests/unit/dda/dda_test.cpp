@@ -4,7 +4,7 @@
 
 #include "dda/dda_pool.h"
 
-namespace scree::dda {
+namespace scree::dda::dda_test {
 namespace {
 
 TEST(ShiMatrix, agrees_with_the_step_gradient) {
@@ -73,4 +73,4 @@ TEST(FirstOrderUpdate, a_turn_makes_edges_longer_by_the_secant) {
 }
 
 }  // namespace
-}  // namespace scree::dda
+}  // namespace scree::dda::dda_test

@@ -8,7 +8,7 @@
 #include "io/case/record.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::at2_test {
 namespace {
 
 const std::string kTitle = "PEER STRONG MOTION DATABASE RECORD\nNOWHERE 01/01/00 00:00, MADE UP, 090\n";
@@ -218,4 +218,4 @@ TEST(NumberText, is_all_of_the_text_or_none) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::at2_test

@@ -8,7 +8,7 @@
 #include "tests/unit/io/case_read.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::bolt_results_test {
 namespace {
 
 using namespace coupling;
@@ -91,4 +91,4 @@ TEST_F(BoltResults, pictures_draw_them) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::bolt_results_test

@@ -6,7 +6,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_bolts_test {
 namespace {
 
 const std::string kText = R"(
@@ -197,4 +197,4 @@ TEST(RockStrengthKeys, are_refused_where_they_do_not_fit) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_bolts_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_construction_test {
 namespace {
 
 const std::string kText = R"(
@@ -148,4 +148,4 @@ TEST(Construction, a_bolt_may_come_after_the_block_that_it_holds_and_end_in_rock
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_construction_test

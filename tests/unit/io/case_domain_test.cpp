@@ -6,7 +6,7 @@
 #include "io/case/read_parts.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_domain_test {
 namespace {
 
 const std::string kDomain = R"(
@@ -183,4 +183,4 @@ TEST(Matches, stars_stand_for_any_characters) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_domain_test

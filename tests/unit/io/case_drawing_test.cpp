@@ -6,7 +6,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_drawing_test {
 namespace {
 
 const std::string kCase = R"(
@@ -92,4 +92,4 @@ TEST(CaseDrawing, what_is_missing_or_open_is_told) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_drawing_test

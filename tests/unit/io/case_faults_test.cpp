@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_faults_test {
 namespace {
 
 struct Wrong {
@@ -390,4 +390,4 @@ TEST(CaseErrors, show_control_characters_escaped) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_faults_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_liners_test {
 namespace {
 
 const std::string kText = R"(
@@ -80,4 +80,4 @@ TEST(Liners, coordinates_far_from_the_origin_are_taken_near_it) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_liners_test

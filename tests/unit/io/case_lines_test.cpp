@@ -9,7 +9,7 @@
 #include "io/case/line_file.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_lines_test {
 namespace {
 
 /// The lines of a file with this text, or its error.
@@ -82,4 +82,4 @@ TEST(LineFile, faults_are_reported_at_their_place) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_lines_test

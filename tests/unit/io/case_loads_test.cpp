@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_loads_test {
 namespace {
 
 const Model& full_model() {
@@ -325,4 +325,4 @@ TEST(StageOptions, dynamics_of_zero_goes_with_rest) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_loads_test

@@ -7,7 +7,7 @@
 #include "io/case/record.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_record_test {
 namespace {
 
 Record read(const std::string& text, Gaps gaps = Gaps::refuse) { return read_columns(text, "record.csv", gaps); }
@@ -137,4 +137,4 @@ TEST_F(RecordFile, that_is_missing_says_so) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_record_test

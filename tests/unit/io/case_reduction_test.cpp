@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_reduction_test {
 namespace {
 
 using coupling::Integrator;
@@ -113,4 +113,4 @@ TEST(Reduction, motions_and_later_loads_are_left_out) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_reduction_test

@@ -10,7 +10,7 @@
 #include "io/case/suggest.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_schema_test {
 namespace {
 
 bool is_section(const Key& key) {
@@ -514,4 +514,4 @@ TEST(Suggest, symbols_of_the_trade_are_understood) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_schema_test

@@ -10,7 +10,7 @@
 #include "io/case/unit.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_test {
 namespace {
 
 TEST(Case, good_file_gives_the_numbers_written) {
@@ -366,4 +366,4 @@ TEST(Override, later_option_wins_and_units_hold) {
 TEST(Override, missing_table_is_made) { EXPECT_TRUE(read("good_case.toml", {"live.enabled=true"}).plan.live.enabled); }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_test

@@ -5,7 +5,7 @@
 
 #include "io/case/unit.h"
 
-namespace scree::io::test {
+namespace scree::io::test::case_unit_test {
 namespace {
 
 TEST(Unit, numbers_are_exact_as_if_written_in_the_base_unit) {
@@ -67,4 +67,4 @@ TEST(Unit, a_weight_for_a_mass_and_back_says_what_it_would_be) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::case_unit_test

@@ -13,7 +13,7 @@
 #include "io/checkpoint/checkpoints.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::checkpoint_test {
 namespace {
 
 bool full() { return std::getenv("SCREE_FULL") != nullptr; }
@@ -441,4 +441,4 @@ TEST(FolderLock, keeps_a_second_run_out) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::checkpoint_test

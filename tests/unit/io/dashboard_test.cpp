@@ -14,7 +14,7 @@
 #include "io/results/file_error.h"
 #include "io/watch/dashboard_source.h"
 
-namespace scree::io {
+namespace scree::io::dashboard_test {
 namespace {
 
 Dashboard full() {
@@ -294,4 +294,4 @@ TEST(DashboardSource, folder_that_is_no_run_is_refused) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::dashboard_test

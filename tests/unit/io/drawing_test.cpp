@@ -11,7 +11,7 @@
 #include "model/random.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::drawing_test {
 namespace {
 
 const std::string kDrawings = kFolder + "drawings/";
@@ -323,4 +323,4 @@ TEST(Drawing, damaged_files_are_refused_or_read_without_a_crash) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::drawing_test

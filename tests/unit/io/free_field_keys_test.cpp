@@ -8,7 +8,7 @@
 #include "model/free_field.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::free_field_keys_test {
 namespace {
 
 const std::string kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upward\", motion_is=\"upgoing\"}]",
@@ -158,4 +158,4 @@ INSTANTIATE_TEST_SUITE_P(
                   {"stage.0.method_of=[{blocks=[\"slider\"], method=\"nmm\", onefold=true}]"}}));
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::free_field_keys_test

@@ -4,7 +4,7 @@
 #include "coupling/stages/plan_warnings.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::library_warnings_test {
 namespace {
 
 TEST(Warnings, none_in_the_case_library) {
@@ -29,4 +29,4 @@ TEST(Warnings, none_in_the_case_library) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::library_warnings_test

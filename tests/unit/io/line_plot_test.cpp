@@ -9,7 +9,7 @@
 #include "io/pictures/colour_map.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::line_plot_test {
 namespace {
 
 /// Pixels of a picture that have the colour of a series.
@@ -72,4 +72,4 @@ TEST(LinePlot, names_of_no_picture_and_folders_that_are_not_there_are_errors) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::line_plot_test

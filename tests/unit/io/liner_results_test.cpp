@@ -8,7 +8,7 @@
 #include "tests/unit/io/case_read.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::liner_results_test {
 namespace {
 
 using namespace coupling;
@@ -80,4 +80,4 @@ TEST(LinerResults, thrust_and_moment_are_in_the_histories_and_its_nodes_in_frame
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::liner_results_test

@@ -12,7 +12,7 @@
 #include "io/live/control_server.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io {
+namespace scree::io::live_control_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -374,4 +374,4 @@ TEST(ControlServer, urls_that_carry_no_commands_are_refused) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_control_test

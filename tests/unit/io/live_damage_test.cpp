@@ -24,7 +24,7 @@
 #include "io/live/split.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io {
+namespace scree::io::live_damage_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -222,4 +222,4 @@ TEST(LiveDamage, session_or_number_from_the_future_does_not_shut_out_the_run) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_damage_test

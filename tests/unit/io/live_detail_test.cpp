@@ -15,7 +15,7 @@
 #include "io/live/send_pieces.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io::test {
+namespace scree::io::test::live_detail_test {
 namespace {
 
 using coupling::ContactMemory;
@@ -234,4 +234,4 @@ TEST(LiveDetail, parts_come_together_in_any_order_and_once) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::live_detail_test

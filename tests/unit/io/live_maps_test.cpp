@@ -24,7 +24,7 @@
 #include "io/live/split.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io {
+namespace scree::io::live_maps_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -132,4 +132,4 @@ TEST(LiveMaps, maps_that_do_not_make_up_the_mesh_are_refused) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_maps_test

@@ -10,7 +10,7 @@
 #include "tests/unit/io/live_strip.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io {
+namespace scree::io::live_replay_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -87,4 +87,4 @@ TEST(LiveReplay, folder_that_is_no_run_is_refused) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_replay_test

@@ -13,7 +13,7 @@
 #include "io/serve/control_bridge.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io::test {
+namespace scree::io::test::live_site_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -328,4 +328,4 @@ TEST(LiveSite, another_mesh_and_another_session_take_the_place_of_the_first) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::live_site_test

@@ -24,7 +24,7 @@
 #include "io/live/split.h"
 #include "tests/unit/io/live_strip.h"
 
-namespace scree::io {
+namespace scree::io::live_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -423,4 +423,4 @@ TEST(LiveFile, log_that_cannot_be_made_gives_one_warning_and_the_run_goes_on) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_test

@@ -6,7 +6,7 @@
 
 #include "io/live/udp_receiver.h"
 
-namespace scree::io {
+namespace scree::io::live_udp_test {
 namespace {
 
 Bytes datagram(std::string_view magic, std::string_view rest) {
@@ -80,4 +80,4 @@ TEST(LiveDatagram, random_bytes_stay_inside_the_datagram) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::live_udp_test

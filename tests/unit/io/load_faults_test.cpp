@@ -6,7 +6,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::load_faults_test {
 namespace {
 
 /// The case is CASE.toml; the error lies in it or in the table beside it.
@@ -261,4 +261,4 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"stage.0.method_of.0.cover_size=0.5"}, "stage.0.method_of.0.cover_size", "has no covers"}));
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::load_faults_test

@@ -12,7 +12,7 @@
 #include "io/results/file_error.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::model_picture_test {
 namespace {
 
 const std::string kSlope = R"(
@@ -113,4 +113,4 @@ TEST(ModelPicture, is_drawn_in_every_format_and_refuses_others) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::model_picture_test

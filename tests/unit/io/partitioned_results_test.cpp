@@ -4,7 +4,7 @@
 #include "tests/support/scene.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::partitioned_results_test {
 namespace {
 
 using scree::test::rectangle;
@@ -70,4 +70,4 @@ TEST(PartitionedResults, cells_show_the_side_of_their_block_before_and_after_it_
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::partitioned_results_test

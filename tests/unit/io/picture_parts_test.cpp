@@ -12,7 +12,7 @@
 #include "io/pictures/plot_curves.h"
 #include "io/results/file_error.h"
 
-namespace scree::io {
+namespace scree::io::picture_parts_test {
 namespace {
 
 // --- colours ------------------------------------------------------------------------------------------------------
@@ -169,4 +169,4 @@ TEST(ColourRange, rounding_alone_gives_a_range_about_one) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::picture_parts_test

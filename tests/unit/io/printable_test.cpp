@@ -7,7 +7,7 @@
 #include "io/case/document.h"
 #include "io/results/file_error.h"
 
-namespace scree::io {
+namespace scree::io::printable_test {
 namespace {
 
 TEST(Printable, controls_marks_of_direction_and_bad_bytes_are_escaped) {
@@ -52,4 +52,4 @@ TEST(CaseTexts, that_would_steer_a_terminal_are_refused_with_their_place) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::printable_test

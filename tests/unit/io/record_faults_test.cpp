@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::record_faults_test {
 namespace {
 
 /// The case is CASE.toml; the error lies in it or in the record beside it.
@@ -86,4 +86,4 @@ TEST(MotionKeys, start_pga_and_integration_reach_the_motion) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::record_faults_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace scree::io {
+namespace scree::io::recovered_stress_test {
 namespace {
 
 /// n x n squares of side 1, each of two triangles, with points of their own a cell.
@@ -91,4 +91,4 @@ TEST(RecoveredStress, a_block_of_one_cell_keeps_its_stress) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::recovered_stress_test

@@ -16,7 +16,7 @@
 #include "io/viewer/bundle.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::report_test {
 namespace {
 
 std::vector<std::uint8_t> from_base64(std::string_view text) {
@@ -352,4 +352,4 @@ TEST(Report, bundle_is_ascii_and_ends_no_script) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::report_test

@@ -24,7 +24,7 @@
 #include "io/watch/dashboard_source.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io {
+namespace scree::io::results_test {
 namespace {
 
 using namespace test;
@@ -468,4 +468,4 @@ TEST(Outcome, a_summary_with_a_number_that_is_not_finite_does_not_say_done) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::results_test

@@ -24,7 +24,7 @@
 #include "io/results/summary.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io {
+namespace scree::io::run_folder_test {
 namespace {
 
 using namespace test;
@@ -180,4 +180,4 @@ TEST(RunReaderFailure, file_that_is_no_run_gives_file_error) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::run_folder_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/serve_client.h"
 
-namespace scree::io::test {
+namespace scree::io::test::serve_stream_test {
 namespace {
 
 TEST(Server, a_stream_wants_the_origin_of_its_page) {
@@ -109,4 +109,4 @@ TEST(Server, wrong_messages_of_a_viewer_end_its_connection) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::serve_stream_test

@@ -8,7 +8,7 @@
 #include "io/serve/request_rules.h"
 #include "tests/unit/io/serve_client.h"
 
-namespace scree::io::test {
+namespace scree::io::test::serve_test {
 namespace {
 
 TEST(ServeRules, host_and_origin_are_this_server_alone) {
@@ -245,4 +245,4 @@ TEST(Server, lives_on_after_ten_thousand_damaged_requests) {
 }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::serve_test

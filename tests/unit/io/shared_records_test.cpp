@@ -9,7 +9,7 @@
 #include "model/record_processing.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test {
+namespace scree::io::test::shared_records_test {
 namespace {
 
 /// A row of the table beside the records. PGA and Arias intensity have three decimals there.
@@ -91,4 +91,4 @@ INSTANTIATE_TEST_SUITE_P(Table, SharedRecord,
                          });
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::shared_records_test

@@ -28,7 +28,7 @@
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 #endif
 
-namespace scree::io {
+namespace scree::io::snapshot_test {
 namespace {
 
 using namespace test;
@@ -209,4 +209,4 @@ TEST(Ticks, prefix_brings_the_largest_between_one_and_a_thousand) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::snapshot_test

@@ -6,7 +6,7 @@
 #include "io/serve/pair_site.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::io::test {
+namespace scree::io::test::stored_site_test {
 namespace {
 
 TEST_F(Results, site_of_a_run_has_every_frame) {
@@ -65,4 +65,4 @@ TEST_F(Results, two_runs_stand_side_by_side) {
 TEST_F(Results, site_of_no_run_is_refused) { EXPECT_THROW(StoredSite(scratch->path() / "nothing", "1"), FileError); }
 
 }  // namespace
-}  // namespace scree::io::test
+}  // namespace scree::io::test::stored_site_test

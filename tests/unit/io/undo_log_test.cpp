@@ -12,7 +12,7 @@
 #include "io/results/h5_series.h"
 #include "tests/unit/io/results_run.h"
 
-namespace scree::test {
+namespace scree::test::undo_log_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ TEST(KeptResults, rows_up_to_the_instant_are_there_whatever_was_written_since) {
 }
 
 }  // namespace
-}  // namespace scree::test
+}  // namespace scree::test::undo_log_test

@@ -15,7 +15,7 @@
 #include "io/results/h5_window.h"
 #include "io/results/xdmf_text.h"
 
-namespace scree::io {
+namespace scree::io::xdmf_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -292,4 +292,4 @@ TEST(CellMean, cell_without_area_gives_the_mean_of_its_points) {
 }
 
 }  // namespace
-}  // namespace scree::io
+}  // namespace scree::io::xdmf_test

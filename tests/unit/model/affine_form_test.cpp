@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace scree {
+namespace scree::affine_form_test {
 namespace {
 
 ReferenceShape shape() {
@@ -75,4 +75,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Form, testing::Values(Kinematics::corotational, 
                          [](const auto& of) { return of.param == Kinematics::linear ? "linear" : "corotational"; });
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::affine_form_test

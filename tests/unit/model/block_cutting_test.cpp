@@ -10,7 +10,7 @@
 
 #include "model/planar.h"
 
-namespace scree {
+namespace scree::block_cutting_test {
 namespace {
 
 constexpr JointId kRough{0}, kClay{1}, kWeak{2};
@@ -555,4 +555,4 @@ TEST(CheckGeometry, five_thousand_blocks_are_checked_in_well_under_a_second) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::block_cutting_test

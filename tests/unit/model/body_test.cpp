@@ -9,7 +9,7 @@
 #include "model/outline.h"
 #include "model/perimeter.h"
 
-namespace scree {
+namespace scree::body_test {
 namespace {
 
 Polygon with_hole() { return {{{0, 0}, {4, 0}, {5, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}; }
@@ -78,4 +78,4 @@ TEST(Outline, interior_angles_of_a_polygon_sum_up) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::body_test

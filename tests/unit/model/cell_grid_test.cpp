@@ -7,7 +7,7 @@
 #include <chrono>
 #include <random>
 
-namespace scree {
+namespace scree::cell_grid_test {
 namespace {
 
 TEST(CellGrid, points_of_segments_find_them_within_the_extent_and_outside) {
@@ -57,4 +57,4 @@ TEST(CellGrid, time_of_a_segment_does_not_grow_with_its_length_outside) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::cell_grid_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace scree {
+namespace scree::dense_algebra_test {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
@@ -138,4 +138,4 @@ TEST(DenseAlgebra, least_squares_leaves_a_residual_across_the_columns) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::dense_algebra_test

@@ -9,7 +9,7 @@
 
 #include "model/random.h"
 
-namespace scree {
+namespace scree::edge_selection_test {
 namespace {
 
 constexpr BlockId kBlock{3};
@@ -213,4 +213,4 @@ TEST(FreeEdges, water_presses_on_what_looks_out) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::edge_selection_test

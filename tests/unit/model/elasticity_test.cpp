@@ -8,7 +8,7 @@
 
 #include "model/dense_algebra.h"
 
-namespace scree {
+namespace scree::elasticity_test {
 namespace {
 
 Eigen::Vector4d flat(const Mat2& m) { return Eigen::Map<const Eigen::Vector4d>(m.data()); }
@@ -118,4 +118,4 @@ TEST(Elasticity, strip_that_is_free_across_answers_as_a_bar_or_as_a_plate) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::elasticity_test

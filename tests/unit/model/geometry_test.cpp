@@ -9,7 +9,7 @@
 #include "model/model.h"
 #include "model/planar.h"
 
-namespace scree {
+namespace scree::geometry_test {
 namespace {
 
 Polygon square_with_hole() {
@@ -101,4 +101,4 @@ TEST(CheckGeometry, overlap_is_found_and_touching_is_fine) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::geometry_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace scree {
+namespace scree::ground_motion_test {
 namespace {
 
 /// Irregular times and accelerations in [-1, 1]. Times are multiples of 2^-20 s, so that their sums are exact.
@@ -123,4 +123,4 @@ TEST(GroundMotion, samples_that_do_not_fit_are_refused) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::ground_motion_test

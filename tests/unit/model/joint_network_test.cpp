@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace scree {
+namespace scree::joint_network_test {
 namespace {
 
 const Polygon kSquare{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}};
@@ -144,4 +144,4 @@ TEST(Arc, full_circle_closes_exactly) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::joint_network_test

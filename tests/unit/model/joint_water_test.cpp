@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace scree {
+namespace scree::joint_water_test {
 namespace {
 
 const JointWater kKinked{{{0.0, 2.0}, {4.0, 5.0}, {6.0, 1.0}, {9.0, 3.0}}, 9810.0};
@@ -52,4 +52,4 @@ TEST(JointWater, force_is_the_weighted_integral_whatever_the_stretch_crosses) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::joint_water_test

@@ -6,7 +6,7 @@
 #include "model/bolt.h"
 #include "model/model.h"
 
-namespace scree {
+namespace scree::liner_test {
 namespace {
 
 void add(Model& model, Polygon polygon) {
@@ -91,4 +91,4 @@ TEST(Liner, lines_that_leave_the_outlines_are_told_with_place_and_distance) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::liner_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace scree {
+namespace scree::local_origin_test {
 namespace {
 
 /// A model with at least one of everything, built at a place: every position has `at` added to it.
@@ -211,4 +211,4 @@ TEST(PlaceText, tells_the_coordinates_of_the_user) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::local_origin_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree {
+namespace scree::main_direction_test {
 namespace {
 
 Vec2 towards(double deg, double length) {
@@ -35,4 +35,4 @@ TEST(MainDirection, joins_both_ends_of_the_half_turn) {
 TEST(MainDirection, without_lines_is_the_x_axis) { EXPECT_EQ(MainDirection().along(), Vec2(1.0, 0.0)); }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::main_direction_test

@@ -8,7 +8,7 @@
 
 #include "model/touching.h"
 
-namespace scree {
+namespace scree::near_pairs_test {
 namespace {
 
 Block block(const Polygon& polygon) {
@@ -67,4 +67,4 @@ TEST(NearPairs, strips_between_parallel_joints_have_their_neighbours_only) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::near_pairs_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace scree {
+namespace scree::random_test {
 namespace {
 
 TEST(Random, bits_equal_the_published_generator) {
@@ -77,4 +77,4 @@ TEST(Spread, positive_draws_are_positive) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::random_test

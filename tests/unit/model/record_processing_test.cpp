@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace scree {
+namespace scree::record_processing_test {
 namespace {
 
 Samples sampled(const std::function<double(double)>& a, double from, double until, int steps) {
@@ -272,4 +272,4 @@ TEST(Process, peak_of_nothing_is_refused) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::record_processing_test

@@ -9,7 +9,7 @@
 #include "model/block_cutting.h"
 #include "model/random.h"
 
-namespace scree {
+namespace scree::rock_bridges_test {
 namespace {
 
 double between(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
@@ -150,4 +150,4 @@ TEST(RockBridges, fisher_scatter_is_that_of_poles_in_space) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::rock_bridges_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree {
+namespace scree::rock_strength_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -58,4 +58,4 @@ TEST(RockStrength, hoek_brown_of_a_rock_mass_has_the_constants_of_the_source) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::rock_strength_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scree {
+namespace scree::time_function_test {
 namespace {
 
 using Shape = TimeFunction::Shape;
@@ -140,4 +140,4 @@ TEST(TimeFunction, amplitude_scales_and_start_shifts) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::time_function_test

@@ -7,7 +7,7 @@
 
 #include "model/random.h"
 
-namespace scree {
+namespace scree::touching_test {
 namespace {
 
 Block block(const Ring& outer, int joint = -1) {
@@ -95,4 +95,4 @@ TEST(Touching, is_that_of_all_pairs_looked_at_one_by_one) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::touching_test

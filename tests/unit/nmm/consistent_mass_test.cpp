@@ -8,7 +8,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::consistent_mass_test {
 namespace {
 
 /// A block whose outline cuts the mesh so that covers are tied.
@@ -155,4 +155,4 @@ TEST(ImplicitBody, patch_of_constant_stress_has_force_on_the_outline_only) {
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::consistent_mass_test

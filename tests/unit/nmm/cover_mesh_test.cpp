@@ -7,7 +7,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::cover_mesh_test {
 namespace {
 
 TEST(CoverMesh, elements_fill_the_block) {
@@ -61,4 +61,4 @@ TEST(CoverMesh, narrow_blocks_keep_a_quarter_of_the_step_or_take_a_onefold_cover
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::cover_mesh_test

@@ -10,7 +10,7 @@
 #include "model/random.h"
 #include "tests/support/nmm_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::edge_holds_test {
 namespace {
 
 using test::NmmBlock;
@@ -306,4 +306,4 @@ TEST(EdgeHolds, frequency_bound_holds_with_held_edges) {
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::edge_holds_test

@@ -9,7 +9,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::element_forces_test {
 namespace {
 
 TEST(InternalForce, rigid_motion_gives_none) {
@@ -208,4 +208,4 @@ INSTANTIATE_TEST_SUITE_P(all, Forces,
                          testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::element_forces_test

@@ -9,7 +9,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::lumped_mass_test {
 namespace {
 
 TEST(LumpedMass, mass_centre_and_inertia_are_exact) {
@@ -75,4 +75,4 @@ TEST(LumpedMass, row_sums_add_to_the_block_and_are_bounded_by_the_mass_ratio) {
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::lumped_mass_test

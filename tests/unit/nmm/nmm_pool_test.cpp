@@ -6,7 +6,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::nmm_pool_test {
 namespace {
 
 TEST(Release, affine_part_and_remainder_carry_everything) {
@@ -79,4 +79,4 @@ TEST(ChartRow, of_an_outline_node_gives_linear_fields_exactly_over_ties_too) {
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::nmm_pool_test

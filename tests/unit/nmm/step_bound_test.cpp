@@ -8,7 +8,7 @@
 
 #include "tests/unit/nmm/one_block.h"
 
-namespace scree::nmm {
+namespace scree::nmm::step_bound_test {
 namespace {
 
 double true_highest(const One& one) {
@@ -60,4 +60,4 @@ TEST(StepBound, is_certified_and_small_cuts_do_not_cost_the_step) {
 }
 
 }  // namespace
-}  // namespace scree::nmm
+}  // namespace scree::nmm::step_bound_test
