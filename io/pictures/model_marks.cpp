@@ -78,9 +78,9 @@ void arrow(const Canvas& canvas, const Vec2& from, const Vec2& to, const Colour&
 
 /// On the page: from the head over where the bond begins to the toe.
 void bolt_mark(const Canvas& canvas, const Vec2& head, const Vec2& bond, const Vec2& toe, bool plate) {
-  constexpr double kThin = 0.9, kWide = 2.4, kPlate = 3.0;  // [pt]
-  canvas.line(head.x(), head.y(), toe.x(), toe.y(), kThin, kBoltInk);
-  if ((toe - bond).norm() > 0.0) canvas.line(bond.x(), bond.y(), toe.x(), toe.y(), kWide, kBoltInk);
+  constexpr double kBar = 0.9, kBond = 2.4, kPlate = 3.0;  // [pt]
+  canvas.line(head.x(), head.y(), toe.x(), toe.y(), kBar, kBoltInk);
+  if ((toe - bond).norm() > 0.0) canvas.line(bond.x(), bond.y(), toe.x(), toe.y(), kBond, kBoltInk);
   if (!plate || !((toe - head).norm() > 0.0)) return;
   const Vec2 along = (toe - head).normalized(), across(-along.y() * kPlate, along.x() * kPlate);
   canvas.line(head.x() - across.x(), head.y() - across.y(), head.x() + across.x(), head.y() + across.y(), 1.6,

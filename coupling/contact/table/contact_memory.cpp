@@ -74,6 +74,21 @@ void ContactFinder::set_gap0(bool known, const ContactPoint& p, ContactMemory& m
     m.gap0 = opened + (m.gap0 > opened ? 0.0 : std::clamp(above, m.gap0 - opened, 0.0));
 }
 
+bool ContactFinder::beside_next_corner(const ContactPoint& p) const {
+  const Outlines& o = setup_->outlines();
+  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
+  const auto vertex = [&](std::int32_t v) -> const Outlines::Vertex& {
+    return o.vertices[static_cast<std::size_t>(v)];
+  };
+  const auto next = static_cast<std::size_t>(vertex(edge.end_vertex).edge_out),
+             before = static_cast<std::size_t>(vertex(edge.first_segment).edge_in);
+  const Vec2& at = x_[static_cast<std::size_t>(p.node[0])];
+  const auto meets = [&](std::int32_t v) {
+    return (x_[static_cast<std::size_t>(vertex(v).node)] - at).norm() <= touching_;
+  };
+  return meets(o.edges[next].end_vertex) || meets(o.edges[before].first_segment);
+}
+
 void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p,
                          ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
@@ -108,7 +123,7 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   }
   if (closed && m.segment < 0)
     keep_force(*old, divided, p, m);
-  else if (!closed && !at_start)
+  else if (!closed && (!at_start || beside_next_corner(p)))
     set_gap0(old != nullptr, p, m);
   m.gap = p.at.gap - m.gap0;
   if (!closed) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/contact/contact_energy.h"
 #include "coupling/contact/table/contact_finder.h"
 #include "tests/support/by_hand.h"
 #include "tests/support/schemes.h"
@@ -170,6 +171,29 @@ TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) 
 }
 
 /// Dashpots of a corner that stands on a held edge: the law's fraction of critical, 2 sqrt(k/mu), of either spring.
+TEST(CornerRules, corner_at_the_far_end_of_a_short_edge_begins_without_force) {
+  // A wedge with a side of 0.1 m at its end, against a block whose corner meets the upper end of that side: it is 0.1 m
+  // behind the line of the wedge's lower side, above the end of it.
+  const Polygon wedge{{{0, 0}, {2, 0}, {2, 0.1}, {0, 3}}, {}}, tall{{{2, -1}, {3, -1}, {3, -0.4}, {2, 0.1}}, {}};
+  for (const bool wedge_first : {true, false}) {
+    Scene scene(1e9, 0.2, 2500.0);
+    scene.add("one", wedge_first ? wedge : tall);
+    scene.add("other", wedge_first ? tall : wedge);
+    scene.stage("dda", Integrator::implicit, 1.0, 1e-3);
+    const ByHand hand(scene.model, scene.plan.stages[0]);
+    ContactFinder finder(*hand.setup, 0.15);
+    ContactList list;
+    finder.find(hand.state.q, {}, true, list);
+    bool beside = false;
+    for (std::size_t i = 0; i < list.points.size(); ++i) {
+      EXPECT_EQ(contact_energy(list), 0.0) << wedge_first;
+      EXPECT_TRUE(list.memory[i].gap >= 0.0 || list.points[i].suppressed || list.points[i].beyond) << wedge_first;
+      beside = beside || list.points[i].at.gap < -0.09;
+    }
+    EXPECT_TRUE(beside) << wedge_first;
+  }
+}
+
 TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law_gives) {
   const double width = 1.4, height = 1.0, mass = 2500.0 * width * height, fraction = 0.3;
   for (const double shear : {2e9, 5e9}) {
