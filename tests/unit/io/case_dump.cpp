@@ -3,7 +3,7 @@
 #include "coupling/sink.h"
 #include "tests/unit/io/case_read.h"
 
-namespace scree::io::test::case_dump {
+namespace scree::io::test {
 namespace {
 
 class Dump {
@@ -172,4 +172,4 @@ std::string dump(const Case& c) {
   return d.out;
 }
 
-}  // namespace scree::io::test::case_dump
+}  // namespace scree::io::test
