@@ -293,8 +293,9 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
                                   [](const BlockSupport& s) { return s.motion.valid(); }) ||
                       std::any_of(model.body_accelerations.begin(), model.body_accelerations.end(),
                                   [](const BodyAcceleration& a) { return a.function.valid(); });
-  const Vec2 up = -weight_direction(model);
-  if (!shaken || up == Vec2::Zero()) return {};
+  const Vec2 weight = weight_direction(model);
+  if (!shaken || weight == Vec2::Zero()) return {};
+  const Vec2 up = -weight.normalized();
   struct Base {
     double length = 0.0, friction = 0.0;
     bool automatic = true, alone = true;

@@ -10,6 +10,8 @@ void QuietPairs::begin(std::span<const Vec2> x, std::span<const Outlines::Range>
   if (!known_) {
     known_ = true;
     travel_ = 0.0;
+    for (auto* pairs : {&pairs_, &before_}) pairs->reserve(2 * near.size());  // so that steps need not allocate
+    for (auto* until : {&until_, &until_before_}) until->reserve(2 * near.size());
     x_.assign(x.begin(), x.end());
     pairs_.assign(near.begin(), near.end());
     until_.assign(near.size(), 0.0);
