@@ -252,6 +252,16 @@ void print(const CuttingReport& r) {
       r.least_angle * 180.0 / std::numbers::pi);
 }
 
+/// What implicit steps of a stage damp.   @return 1 if that is a warning
+std::size_t print_damping(const io::Case& c, std::size_t stage) {
+  const auto damping =
+      coupling::stage_damping(c.model, c.plan.stages[stage], coupling::acts_in(c.model, c.plan, stage));
+  if (!damping) return 0;
+  const bool much = coupling::damps_much(*damping);
+  say("    {}{}\n", much ? "warning: " : "", coupling::text(*damping));
+  return much ? 1 : 0;
+}
+
 /// Says what large meshes will be made, before a user waits for them.
 void tell_meshes(const Model& model, const coupling::Plan& plan) {
   constexpr double kLarge = 1e5;  // elements, of which a second makes about as many
@@ -501,11 +511,7 @@ int check(const CheckOptions& options) {
         seconds(s.duration), cells, unknowns);
     print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
     if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
-    if (const auto damping = coupling::stage_damping(c.model, s, coupling::acts_in(c.model, c.plan, i))) {
-      const bool much = coupling::damps_much(*damping);
-      say("    {}{}\n", much ? "warning: " : "", coupling::text(*damping));
-      warned += much ? 1 : 0;
-    }
+    warned += print_damping(c, i);
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused

@@ -398,7 +398,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   for (std::size_t b = 0; b < n; ++b)
     // One block between two sides, as in a notch, has no hinge that could give way.
     if (const auto group = static_cast<std::size_t>(groups.of[b]);
-        stands[b] == 0 && pushed[group][0] && pushed[group][1] && groups.blocks[group].size() > 1)
+        stands[b] == 0 && pushed[group] == std::array{true, true} && groups.blocks[group].size() > 1)
       stones.emplace_back(static_cast<std::int32_t>(b));
   return stones;
 }

@@ -183,8 +183,7 @@ class ContactFinder {
   /// in from the side, or whose other edge carried it so far) begins without force where it is, and forgets that depth
   /// as it comes out.   @param known  the point was in the list before
   void set_gap0(bool known, const ContactPoint& p, ContactMemory& m) const;
-  /// True for a corner that meets the far end of an edge beside the one of the point: it stands there, and is as deep
-  /// behind the line of its own edge as the other is long.
+  /// True for a corner that meets the far end of an edge beside the point's: it stands there, as deep as that is long.
   [[nodiscard]] bool beside_next_corner(const ContactPoint& p) const;
   /// @param divided  of a remembered point of a body made anew: new mesh vertices stand beside it on its joint
   void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
