@@ -5,7 +5,7 @@ set(scree_unity_group 8)
 
 # scree_unity(target): groups of the target's sources, in the order of their names.
 function(scree_unity target)
-  if(NOT SCREE_UNITY)
+  if(NOT SCREE_UNITY OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     return()
   endif()
   get_target_property(sources ${target} SOURCES)

@@ -189,7 +189,7 @@ def build(scratch, targets, jobs, log):
     folder = scratch / "build" / "release"
     with open(log, "a") as out:
         if not (folder / "build.ninja").is_file():
-            subprocess.run(["cmake", "--preset", "release", "-DSCREE_TESTS=ON"], cwd=scratch, stdout=out, stderr=out,
+            subprocess.run(["cmake", "--preset", "release", "-DSCREE_TESTS=ON", "-DSCREE_UNITY=OFF"], cwd=scratch, stdout=out, stderr=out,
                            check=True)
         result = subprocess.run(["cmake", "--build", "--preset", "release", "--parallel", str(jobs), "--target",
                                  *sorted(targets)], cwd=scratch, stdout=out, stderr=out)
