@@ -27,14 +27,6 @@ namespace fs = std::filesystem;
 constexpr std::ptrdiff_t kAfterRest = 3;              // stages that [reduction] puts after those to rest
 constexpr double kLeastHold = 0.5, kMostHold = 60.0;  // of the dynamic stage, unless asked for [s]
 
-std::string digest(const fs::path& file) {
-  io::require_regular(file);
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read the file that the case names");
-  return io::sha256(bytes);
-}
-
 /// What is wrong with the options as a whole; empty: nothing.
 std::string usage_error(const FosCommand& c) {
   if (!(c.least < 1.0) || !(c.most > 1.0)) return "--least is below 1, and --most above";
@@ -91,7 +83,7 @@ Question question(const FosCommand& c, const std::string& strength) {
   const coupling::Stage& last = read_case.plan.stages.back();
   q.record.case_file = fs::absolute(c.case_file).lexically_normal().string();
   q.record.case_sha256 = io::sha256(read_case.text);
-  for (const fs::path& file : read_case.files) q.record.files[file.string()] = digest(file);
+  for (const fs::path& file : read_case.files) q.record.files[file.string()] = digest_of_file(file);
   q.record.set = set;
   for (const std::string& library : c.load) q.record.load.push_back(fs::absolute(library).lexically_normal().string());
   q.record.what = c.back == "phi" ? "friction" : c.back == "c" ? "cohesion" : "all";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/built_from.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "io/case/text_file.h"
@@ -38,7 +39,7 @@ bool is_done(const Entry& entry) {
     const io::RunReader run(entry.run);
     const std::vector<std::string> text = run.provenance_list("case");
     return run.provenance("status") == "done" && run.provenance("version") == SCREE_VERSION &&
-           run.provenance("commit") == SCREE_COMMIT && !text.empty() &&
+           run.provenance("commit") == built_from() && !text.empty() &&
            text.front() == io::read_text_file(entry.case_file, "case file", text.front().size() + 1);
   } catch (const std::exception&) {  // damaged, or the case is another one
     return false;

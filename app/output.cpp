@@ -16,7 +16,7 @@
 namespace scree::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 int first_error = 0;
 
@@ -25,7 +25,7 @@ bool collects = false;
 std::string collected;
 
 /// Writes no more at once than a pipe or a terminal that is ready takes without waiting, so that a signal is seen.
-void put(int descriptor, std::string_view text) {
+void write_all(int descriptor, std::string_view text) {
   // A terminal that nobody reads may take less.
   const std::size_t piece = collects ? kPiece : 256;
   while (!text.empty()) {
@@ -45,7 +45,7 @@ void put(int descriptor, std::string_view text) {
 }
 
 void flush() {
-  put(STDOUT_FILENO, collected);
+  write_all(STDOUT_FILENO, collected);
   collected.clear();
 }
 
@@ -58,7 +58,7 @@ void open_standard_streams() {
 
 void draw(std::string_view text) {
   flush();
-  put(STDOUT_FILENO, text);
+  write_all(STDOUT_FILENO, text);
 }
 void say_text(std::string_view text) {
   collected += io::printable(text);
@@ -66,7 +66,7 @@ void say_text(std::string_view text) {
 }
 void complain_text(std::string_view text) {
   flush();
-  put(STDERR_FILENO, io::printable(text));
+  write_all(STDERR_FILENO, io::printable(text));
 }
 
 void complain_line(const std::string& line) { complain_text(line + "\n"); }
@@ -80,11 +80,11 @@ CollectedOutput::~CollectedOutput() {
 int output_error() { return first_error; }
 
 bool output_is_lost() {
-  static Clock::time_point next{};
+  static SteadyClock::time_point next{};
   static bool gone = false;
   if (first_error != 0 || gone) return true;
-  if (Clock::now() < next) return false;
-  next = Clock::now() + std::chrono::milliseconds(100);
+  if (SteadyClock::now() < next) return false;
+  next = SteadyClock::now() + std::chrono::milliseconds(100);
   std::array<pollfd, 2> streams{{{STDOUT_FILENO, 0, 0}, {STDERR_FILENO, 0, 0}}};
   gone = ::poll(streams.data(), streams.size(), 0) > 0;  // errors and hang-ups are told unasked
   return gone;

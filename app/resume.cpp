@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/built_from.h"
 #include "app/output.h"
 #include "app/session.h"
 #include "app/signals.h"
@@ -16,21 +17,13 @@
 namespace scree::app {
 namespace {
 
-std::string digest(const std::filesystem::path& file) {
-  io::require_regular(file);
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read the file that the case names");
-  return io::sha256(bytes);
-}
-
 /// The case of a run as it was, with the files that it names.
 io::Case stored_case(const io::RunRecord& run, const std::filesystem::path& folder) {
   const std::vector<std::string> methods = method_names();
   try {
     io::Case c = io::read_case_text(run.case_text, run.case_path, run.overrides, methods, complain_line);
     for (std::size_t i = 0; i < run.files.size(); ++i)
-      if (i >= c.files.size() || digest(c.files[i]) != run.file_digests[i])
+      if (i >= c.files.size() || digest_of_file(c.files[i]) != run.file_digests[i])
         throw io::FileError(i < c.files.size() ? c.files[i] : std::filesystem::path(run.files[i]),
                             "has changed since the run in " + folder.string() + " began, which needs it as it was");
     return c;
@@ -45,10 +38,18 @@ void warn(const std::string& text) { complain("warning: {}\n", text); }
 
 }  // namespace
 
+std::string digest_of_file(const std::filesystem::path& file) {
+  io::require_regular(file);
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read the file that the case names");
+  return io::sha256(bytes);
+}
+
 io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name) {
   io::RunRecord run;
   run.version = SCREE_VERSION;
-  run.commit = SCREE_COMMIT;
+  run.commit = built_from();
   run.instruction_set = io::instruction_set();
   run.name = name;
   run.command_line = options.command_line;
@@ -57,7 +58,7 @@ io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std:
   run.overrides = c.overrides;
   for (const std::filesystem::path& file : c.files) {
     run.files.push_back(std::filesystem::absolute(file).string());
-    run.file_digests.push_back(digest(file));
+    run.file_digests.push_back(digest_of_file(file));
   }
   run.audit = options.audit;
   if (options.until) run.until = *options.until;
@@ -95,7 +96,7 @@ int resume(const ResumeOptions& options) {
   const io::FoundCheckpoint from = io::newest_checkpoint(open.folder, SCREE_VERSION, warn);
   const io::RunRecord& run = from.stored.run;
   const coupling::State& state = from.stored.checkpoint.state;
-  if (run.commit != SCREE_COMMIT || run.instruction_set != io::instruction_set())
+  if (run.commit != built_from() || run.instruction_set != io::instruction_set())
     warn(fmt::format(
         "the run was made by another build of Scree {} (commit {}, {}): its last bits may differ from those "
         "of a run that was never stopped",

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/built_from.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -369,7 +370,7 @@ int run(const RunOptions& options) {
 static io::Provenance provenance_of(const io::Case& c, const RunOptions& options, int threads) {
   io::Provenance provenance;
   provenance.version = SCREE_VERSION;
-  provenance.commit = SCREE_COMMIT;
+  provenance.commit = built_from();
   provenance.case_text = c.text;
   provenance.command_line = options.command_line;
   provenance.overrides = options.set;

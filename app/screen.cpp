@@ -11,7 +11,7 @@ namespace scree::app {
 namespace {
 
 /// A terminal that went away is no reason to stop here: the next read of it will tell.
-void put(std::string_view text) {
+void to_terminal(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
     if (written < 0 && errno != EINTR) return;
@@ -28,9 +28,9 @@ TerminalSize terminal_size() {
 }
 
 // Alternate screen, no cursor, no wrapping.
-Screen::Screen() { put("\033[?1049h\033[?25l\033[?7l\033[2J"); }
+Screen::Screen() { to_terminal("\033[?1049h\033[?25l\033[?7l\033[2J"); }
 
-Screen::~Screen() { put("\033[0m\033[?7h\033[?25h\033[?1049l"); }
+Screen::~Screen() { to_terminal("\033[0m\033[?7h\033[?25h\033[?1049l"); }
 
 void Screen::draw(const std::vector<std::string>& lines, TerminalSize size) const {
   std::string text = "\033[H";
@@ -45,7 +45,7 @@ void Screen::draw(const std::vector<std::string>& lines, TerminalSize size) cons
       text += "\r\n" + lines[i] + (rest > 0 ? "\033[K" : "");  // in the last column it would erase the last character
   }
   if (lines.size() < static_cast<std::size_t>(size.height)) text += "\r\n\033[J";
-  put(text);
+  to_terminal(text);
 }
 
 }  // namespace scree::app

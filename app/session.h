@@ -39,6 +39,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
 /// but for reduction.factor.   @throws FileError where it is none, or has not ended well
 [[nodiscard]] coupling::Checkpoint end_of_run(const std::filesystem::path& run, const io::Case& c,
                                               const RunOptions& options);
+/// SHA-256 of a file that a case names.   @throws FileError where it cannot be read
+[[nodiscard]] std::string digest_of_file(const std::filesystem::path& file);
 /// What checkpoints say of a run.   @throws FileError where a file that the case names cannot be read
 [[nodiscard]] io::RunRecord record_of(const io::Case& c, const RunOptions& options, const std::string& name);
 /// "t = 0.5 s, step 120".

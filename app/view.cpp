@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/built_from.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/session.h"
@@ -61,7 +62,7 @@ std::unique_ptr<io::StoredSite> model_site(const ViewOptions& options) {
   {
     io::Provenance provenance;
     provenance.version = SCREE_VERSION;
-    provenance.commit = SCREE_COMMIT;
+    provenance.commit = built_from();
     provenance.case_text = c.text;
     provenance.overrides = options.set;
     io::ResultsSink sink(io::RunFolder::create(folder, false), provenance);

@@ -18,7 +18,7 @@
 namespace scree::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t stop_signal = 0;
 extern "C" void on_watch_signal(int signal) { stop_signal = signal; }
@@ -44,8 +44,8 @@ class Display {
     if (screen_) {
       const TerminalSize size = terminal_size();
       screen_->draw(io::render(run, size.width, size.height), size);
-    } else if (Clock::now() >= next_) {
-      next_ = Clock::now() + std::chrono::seconds(1);
+    } else if (SteadyClock::now() >= next_) {
+      next_ = SteadyClock::now() + std::chrono::seconds(1);
       line(run);
     }
   }
@@ -68,7 +68,7 @@ class Display {
   }
 
   std::unique_ptr<Screen> screen_;
-  Clock::time_point next_{};
+  SteadyClock::time_point next_{};
   std::string last_;
 };
 
@@ -80,7 +80,7 @@ bool complete(const io::Dashboard& run, double since_info) {
 
 int watch_live(const WatchOptions& options, const std::string& url) {
   take_signals();
-  const Clock::time_point start = Clock::now();
+  const SteadyClock::time_point start = SteadyClock::now();
   std::string why;
   auto reader = io::LiveReader::open(url, options.run, why);
   if (!reader) {
@@ -88,11 +88,11 @@ int watch_live(const WatchOptions& options, const std::string& url) {
     return kFiles;
   }
   io::LiveDashboard source(std::move(reader), url, start);
-  const auto passed = [](Clock::time_point since) {
-    return std::chrono::duration<double>(Clock::now() - since).count();
+  const auto passed = [](SteadyClock::time_point since) {
+    return std::chrono::duration<double>(SteadyClock::now() - since).count();
   };
   std::unique_ptr<Display> display = options.once ? nullptr : std::make_unique<Display>();
-  std::optional<Clock::time_point> info_at;
+  std::optional<SteadyClock::time_point> info_at;
   const auto leave = [&](const io::Dashboard& run, int code) {
     if (display)
       display->close(run);
@@ -104,7 +104,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
     const bool ended = source.ended();  // asked first: what came before the end is shown
     const io::Dashboard& run = source.refresh();
     const bool known = !run.run.empty();
-    if (known && !info_at) info_at = Clock::now();
+    if (known && !info_at) info_at = SteadyClock::now();
     if (stop_signal != 0) return leave(run, kInterrupted);
     if (known && io::has_ended(run)) return leave(run, kDone);
     if (known && (ended || (options.once && complete(run, passed(*info_at))))) return leave(run, kDone);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace coupling;
 
-constexpr double kStep = 1e-3, kGravity = 9.81;  // [s], [m/s2]
+constexpr double kOnefoldStep = 1e-3, kOnefoldGravity = 9.81;  // [s], [m/s2]
 
 Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
 
@@ -70,7 +70,7 @@ Forms forms_of(double width, bool model_triangle) {
   Forms out;
   out.of = onefold_forms(setup, q, contacts);
   const std::size_t free = setup.own_pools()[0];
-  setup.pool(free).body_force(Vec2(0.0, -kGravity), setup.part(std::span<double>(f), free));
+  setup.pool(free).body_force(Vec2(0.0, -kOnefoldGravity), setup.part(std::span<double>(f), free));
   const Eigen::Index n = out.of.map.rows();
   const auto begin = 2 * static_cast<Eigen::Index>(setup.pool_first(free));  // of the free blocks
   out.weight_stars = Eigen::Map<const Eigen::VectorXd>(f.data() + begin, n);
@@ -90,7 +90,7 @@ Forms forms_of(double width, bool model_triangle) {
       for (Eigen::Index d = 0; d < 2; ++d)
         out.reach_stars(r + d, 2 * static_cast<Eigen::Index>(o.nodes[k].node[s]) - begin + d) = o.nodes[k].w[s];
     const double mass = setup.pool_of(b).totals(b.index, q, v).mass;
-    out.weight[first + 1] = -kGravity * mass;
+    out.weight[first + 1] = -kOnefoldGravity * mass;
   }
   return out;
 }
@@ -109,7 +109,7 @@ StudyResult onefold(Tier) {
     const double L = std::pow(10.0, 0.5 * i);
     const Forms f = forms_of(L, true);
     const OnefoldForms& of = f.of;
-    const Eigen::MatrixXd A = of.stars.of_step(kStep), B = of.centroidal.of_step(kStep);
+    const Eigen::MatrixXd A = of.stars.of_step(kOnefoldStep), B = of.centroidal.of_step(kOnefoldStep);
     width.push_back(L);
     step.push_back(condition_number(A));
     mass.push_back(condition_number(of.stars.mass));
@@ -138,7 +138,7 @@ StudyResult onefold(Tier) {
   out.numbers["step_centroidal_1000"] = step_centroidal.back();
   out.numbers["step_centroidal_spread"] =
       *std::max_element(step_centroidal.begin(), step_centroidal.end()) / step_centroidal.front();
-  out.numbers["step_own_triangle"] = condition_number(forms_of(1000.0, false).of.stars.of_step(kStep));
+  out.numbers["step_own_triangle"] = condition_number(forms_of(1000.0, false).of.stars.of_step(kOnefoldStep));
   out.numbers["contact_error"] = contact_error;
   out.numbers["solutions_apart"] = most;
   out.numbers["apart_over_condition"] = worst;

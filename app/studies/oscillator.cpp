@@ -12,10 +12,10 @@
 namespace scree::app {
 namespace {
 
-constexpr double kStep = 1e-3;    // h [s]: a whole number of ticks
-constexpr double kMass = 1000.0;  // [kg]
-constexpr double kSpeed = 1.0;    // at the start [m/s]
-constexpr double kRoom = 1e30;    // displacement allowed a step [m]: growth beyond the stable step is to be seen
+constexpr double kOscillatorStep = 1e-3;  // h [s]: a whole number of ticks
+constexpr double kMass = 1000.0;          // [kg]
+constexpr double kSpeed = 1.0;            // at the start [m/s]
+constexpr double kRoom = 1e30;  // displacement allowed a step [m]: growth beyond the stable step is to be seen
 
 Model model_of(double Omega) {
   Model model;
@@ -33,7 +33,7 @@ Model model_of(double Omega) {
   PointSupport spring;
   spring.block = BlockId{0};
   spring.fix_y = false;
-  spring.stiffness = kMass * (Omega / kStep) * (Omega / kStep);
+  spring.stiffness = kMass * (Omega / kOscillatorStep) * (Omega / kOscillatorStep);
   model.point_supports.push_back(spring);
   model.initial_velocities.push_back({BlockId{0}, {kSpeed, 0.0}, 0.0});
   return model;
@@ -42,12 +42,12 @@ Model model_of(double Omega) {
 /// z at the start and after every step.
 std::vector<Vec2> steps_of(coupling::TimeIntegrator& integrator, coupling::State& state, int steps) {
   (void)integrator.enter(state);
-  std::vector<Vec2> z{{state.q[0], kStep * state.v[0]}};
+  std::vector<Vec2> z{{state.q[0], kOscillatorStep * state.v[0]}};
   for (int i = 0; i < steps; ++i) {
-    const coupling::StepReport report = integrator.step(state, ticks(kStep));
+    const coupling::StepReport report = integrator.step(state, ticks(kOscillatorStep));
     if (report.status != coupling::StepReport::Status::ok)
       throw std::runtime_error("the oscillator's step failed: " + report.cause);
-    z.emplace_back(state.q[0], kStep * state.v[0]);
+    z.emplace_back(state.q[0], kOscillatorStep * state.v[0]);
   }
   return z;
 }

@@ -10,7 +10,7 @@ namespace scree::app {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-constexpr const char* kForm = "a row of keys, then one row a run, separated by commas";
+constexpr const char* kTableForm = "a row of keys, then one row a run, separated by commas";
 
 [[noreturn]] void fail(const std::string& name, const CsvField& at, std::string problem, std::string allowed,
                        std::string hint) {
@@ -26,10 +26,10 @@ Parameters parameter_table(std::string_view text, const std::string& name) {
   if (records.size() < 2)
     throw io::CaseError(
         name, {1, 1},
-        {records.empty() ? "the table is empty" : "the table has keys and no runs", "", "", kForm, "add a row"});
+        {records.empty() ? "the table is empty" : "the table has keys and no runs", "", "", kTableForm, "add a row"});
   Parameters table;
   for (const CsvField& key : records.front()) {
-    if (key.text.empty()) fail(name, key, "a key is missing in the heading", kForm, "take the empty column out");
+    if (key.text.empty()) fail(name, key, "a key is missing in the heading", kTableForm, "take the empty column out");
     table.keys.push_back({key.text, {name, key.line, key.column}});
   }
   require_distinct(table.keys);

@@ -13,7 +13,7 @@
 namespace scree::app {
 namespace {
 
-constexpr const char* kForm = "KEY=A:B:N, N numbers from A to B, or KEY=V1,V2,...";
+constexpr const char* kParameterForm = "KEY=A:B:N, N numbers from A to B, or KEY=V1,V2,...";
 
 /// A piece of an option.
 struct Piece {
@@ -62,10 +62,10 @@ class Option {
     const std::vector<Piece> sides = split({text_, 0}, '=');
     key_ = sides.front();
     if (sides.size() < 2)
-      fail({text_, 0}, "the equals sign is missing", kForm, "write the key, an equals sign and the values");
-    if (key_.text.empty()) fail(key_, "the key is missing", kForm, "`scree schema` lists every key");
+      fail({text_, 0}, "the equals sign is missing", kParameterForm, "write the key, an equals sign and the values");
+    if (key_.text.empty()) fail(key_, "the key is missing", kParameterForm, "`scree schema` lists every key");
     spec_ = trimmed({std::string_view(text_).substr(sides[1].at), sides[1].at});
-    if (spec_.text.empty()) fail(spec_, "the values are missing", kForm, "for example 8:16:5 or 8,12,16");
+    if (spec_.text.empty()) fail(spec_, "the values are missing", kParameterForm, "for example 8:16:5 or 8,12,16");
   }
 
   [[nodiscard]] ParameterKey key() const { return {std::string(key_.text), origin(key_)}; }
@@ -73,7 +73,7 @@ class Option {
     if (const std::vector<Piece> ends = split(spec_, ':'); ends.size() > 1) return range(ends);
     std::vector<ParameterValue> values;
     for (const Piece& piece : split(spec_, ',')) {
-      if (piece.text.empty()) fail(piece, "a value is missing", kForm, "take the surplus comma out");
+      if (piece.text.empty()) fail(piece, "a value is missing", kParameterForm, "take the surplus comma out");
       values.push_back({toml_of(piece.text), origin(piece)});
     }
     return values;
@@ -91,13 +91,14 @@ class Option {
   [[nodiscard]] double number(const Piece& piece) const {
     const std::optional<double> value = io::number_of_text(piece.text);
     if (!value || !std::isfinite(*value))
-      fail(piece, "this end of a range is not a finite number", kForm,
+      fail(piece, "this end of a range is not a finite number", kParameterForm,
            "give values with a unit or a colon one by one, in quotation marks: \"5 ms\",\"10 ms\"");
     return *value;
   }
 
   [[nodiscard]] std::vector<ParameterValue> range(const std::vector<Piece>& ends) const {
-    if (ends.size() != 3) fail(spec_, "a range has three parts", kForm, "for example 8:16:5 for 8, 10, 12, 14, 16");
+    if (ends.size() != 3)
+      fail(spec_, "a range has three parts", kParameterForm, "for example 8:16:5 for 8, 10, 12, 14, 16");
     const double a = number(ends[0]), b = number(ends[1]);
     std::size_t count = 0;
     const std::string_view text = ends[2].text;

@@ -18,7 +18,7 @@
 namespace scree::app {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> parts_of(std::string_view key) {
   std::vector<std::string> parts(1);
@@ -103,7 +103,7 @@ std::vector<ParameterColumn> parameter_columns(const Parameters& parameters) {
     for (const std::vector<ParameterValue>& run : parameters.runs) {
       const std::optional<double> number = number_of(run[k].toml, column.units);
       all = all && number;
-      column.numbers.push_back(number.value_or(kNone));
+      column.numbers.push_back(number.value_or(kNoNumber));
       column.texts.push_back(text_of(run[k].toml));
     }
     if (all) continue;
@@ -127,8 +127,8 @@ ResultTable collect(const SweepFolder& folder, const SweepRecord& record, const 
       auto column = std::find_if(table.results.begin(), table.results.end(),
                                  [&](const ResultColumn& c) { return c.name == result.name; });
       if (column == table.results.end())
-        column =
-            table.results.insert(column, {result.name, result.units, result.meaning, std::vector<double>(runs, kNone)});
+        column = table.results.insert(
+            column, {result.name, result.units, result.meaning, std::vector<double>(runs, kNoNumber)});
       column->values[run - 1] = result.value;
     }
   }

@@ -17,40 +17,41 @@ namespace scree::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kRecord = "sweep.json";
 constexpr int kFormat = 1;
 
-Json json_of(const SweepRecord& record) {
-  Json json;
+OrderedJson json_of(const SweepRecord& record) {
+  OrderedJson json;
   json["format"] = kFormat;
   json["case"] = record.case_file;
   json["case_sha256"] = record.case_sha256;
-  json["files"] = Json::array();
-  for (const auto& [path, sha256] : record.files) json["files"].push_back(Json{{"path", path}, {"sha256", sha256}});
+  json["files"] = OrderedJson::array();
+  for (const auto& [path, sha256] : record.files)
+    json["files"].push_back(OrderedJson{{"path", path}, {"sha256", sha256}});
   json["set"] = record.set;
   json["load"] = record.load;
-  json["until"] = record.until ? Json(*record.until) : Json();
-  json["keys"] = Json::array();
+  json["until"] = record.until ? OrderedJson(*record.until) : OrderedJson();
+  json["keys"] = OrderedJson::array();
   for (const ParameterKey& key : record.parameters.keys) json["keys"].push_back(key.name);
-  json["runs"] = Json::array();
+  json["runs"] = OrderedJson::array();
   for (const std::vector<ParameterValue>& run : record.parameters.runs) {
-    Json& values = json["runs"].emplace_back(Json::array());
+    OrderedJson& values = json["runs"].emplace_back(OrderedJson::array());
     for (const ParameterValue& value : run) values.push_back(value.toml);
   }
   return json;
 }
 
-std::set<std::string> digests(const Json& record) {
+std::set<std::string> digests(const OrderedJson& record) {
   std::set<std::string> out;
-  for (const Json& file : record["files"]) out.insert(file.at("sha256").get<std::string>());
+  for (const OrderedJson& file : record["files"]) out.insert(file.at("sha256").get<std::string>());
   return out;
 }
 
 /// What differs between two records, as the end of a sentence; empty where nothing does.
 /// @param all_files  whether both have all the files that the case names, or `wanted` some of them
-std::string difference(const Json& there, const Json& wanted, bool all_files) {
+std::string difference(const OrderedJson& there, const OrderedJson& wanted, bool all_files) {
   static const std::vector<std::pair<std::string, std::string>> kWords{
       {"format", "it is of another version of Scree"},  {"case_sha256", "its case file had another text"},
       {"set", "it was begun with other --set options"}, {"load", "it was begun with other --load options"},
@@ -62,19 +63,19 @@ std::string difference(const Json& there, const Json& wanted, bool all_files) {
     const std::set<std::string> known = digests(there), now = digests(wanted);
     const bool same = all_files ? known == now : std::includes(known.begin(), known.end(), now.begin(), now.end());
     return same ? std::string() : "a file that its case names had another content";
-  } catch (const Json::exception&) {
+  } catch (const OrderedJson::exception&) {
     return "its list of files is damaged";
   }
 }
 
 /// @throws FileError where the folder's sweep is not this one
-void require_same(const fs::path& path, const Json& wanted, bool all_files) {
+void require_same(const fs::path& path, const OrderedJson& wanted, bool all_files) {
   const fs::path file = path / kRecord;
   io::require_regular(file);
   std::ifstream in(file, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in.is_open() || in.bad()) throw io::FileError(file, "cannot read what the sweep was begun for");
-  const Json there = Json::parse(text, nullptr, false);
+  const OrderedJson there = OrderedJson::parse(text, nullptr, false);
   if (!there.is_object()) throw io::FileError(file, "is damaged; remove it to begin the sweep anew in another folder");
   if (const std::string differs = difference(there, wanted, all_files); !differs.empty())
     throw io::FileError(path, "holds another sweep: " + differs + "; choose another folder (--out)");
@@ -95,7 +96,7 @@ std::vector<std::string> SweepRecord::overrides(std::size_t run) const {
 }
 
 std::string SweepRecord::text() const {
-  return json_of(*this).dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_of(*this).dump(1, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 
 SweepFolder SweepFolder::open(const fs::path& path, const SweepRecord& record) {
@@ -103,7 +104,7 @@ SweepFolder SweepFolder::open(const fs::path& path, const SweepRecord& record) {
   fs::create_directories(path, error);
   if (error) throw io::FileError(path, "cannot make the folder of the sweep: " + error.message());
   if (fs::exists(path / kRecord, error)) {
-    require_same(path, Json::parse(record.text()), true);
+    require_same(path, OrderedJson::parse(record.text()), true);
     make_logs(path);
     return {path, record.runs()};
   }
@@ -121,7 +122,7 @@ SweepFolder SweepFolder::reopen(const fs::path& path, const SweepRecord& record)
   std::error_code error;
   if (!fs::exists(path / kRecord, error))
     throw io::FileError(path, "holds no sweep: there is no sweep.json in it; `scree sweep` makes it, with --emit too");
-  require_same(path, Json::parse(record.text()), false);
+  require_same(path, OrderedJson::parse(record.text()), false);
   make_logs(path);
   return {path, record.runs()};
 }

@@ -16,7 +16,7 @@
 namespace scree::app {
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostExpectedBytes = 1 << 20;
 const std::vector<std::string> kTop{"title", "study", "variant", "quantity"};
 const std::vector<std::string> kVariantKeys{"name", "case", "set", "tier", "repeats", "needs"};
 const std::vector<std::string> kQuantityKeys{"name",      "reason",    "measure",  "variant",  "over",
@@ -301,7 +301,7 @@ Expected read_expected_text(const std::string& text, const std::filesystem::path
 }
 
 Expected read_expected(const std::filesystem::path& file) {
-  return read_expected_text(io::read_text_file(file, "list of expected quantities", kMostBytes), file);
+  return read_expected_text(io::read_text_file(file, "list of expected quantities", kMostExpectedBytes), file);
 }
 
 }  // namespace scree::app

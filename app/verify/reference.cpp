@@ -14,7 +14,7 @@
 namespace scree::app {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostReferenceBytes = 64 << 20;
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -56,7 +56,7 @@ const std::vector<double>& ReferenceTable::column(std::string_view heading) cons
 ReferenceTable read_reference(const std::filesystem::path& file) {
   ReferenceTable table;
   table.file = file.string();
-  const std::string text = io::read_text_file(file, "reference", kMostBytes);
+  const std::string text = io::read_text_file(file, "reference", kMostReferenceBytes);
   io::TextLines lines(text);
   bool named = false, first = true;
   while (const auto line = lines.next()) {
