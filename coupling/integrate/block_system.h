@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "coupling/integrate/implicit_system.h"
 #include "coupling/linear/block_ilu.h"
 #include "coupling/linear/block_matrix.h"
 #include "coupling/linear/dof_rows.h"
+#include "coupling/unknowns/implicit_system.h"
 
 namespace scree::coupling {
 

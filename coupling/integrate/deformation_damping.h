@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
+#include "coupling/unknowns/implicit_system.h"
 
 namespace scree::coupling {
 

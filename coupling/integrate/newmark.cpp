@@ -7,15 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/linear/vectors.h"
+
 namespace scree::coupling {
 namespace {
-
-double largest_of(std::span<const double> values) {
-  double most = 0.0;
-  for (const double x : values)
-    if (!(std::abs(x) <= most)) most = std::abs(x);
-  return most;
-}
 
 constexpr double kBalanced = 1e-11;  // of the largest force
 constexpr int kIterations = 50;
@@ -34,37 +29,16 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
       sliding_(setup, velocity_is_physical() ? options.sliding_damping : 0.0),
       stacks_(setup, sliding_),
       damper_(setup, system_),
+      interface_(setup, system_),
       bolts_(setup, system_) {
   driven_move_.resize(setup.bodies().size());
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
-  for (auto* v : {&gravity_,
-                  &load_,
-                  &release_load_,
-                  &load_before_,
-                  &inertia_,
-                  &damped_before_.mass,
-                  &damped_before_.stiffness,
-                  &damped_before_.sliding,
-                  &damped_after_.mass,
-                  &damped_after_.stiffness,
-                  &damped_after_.sliding,
-                  &force_before_,
-                  &force_,
-                  &force_after_,
-                  &acceleration_,
-                  &d_,
-                  &rate_,
-                  &rhs_,
-                  &out_,
-                  &interface_force_,
-                  &predicted_unknowns_force_,
-                  &mismatch_,
-                  &kick_,
-                  &predictor_,
-                  &predictor_error_,
-                  &interface_force_at_})
+  for (auto* v :
+       {&gravity_, &load_, &release_load_, &load_before_, &inertia_, &damped_before_.mass, &damped_before_.stiffness,
+        &damped_before_.sliding, &damped_after_.mass, &damped_after_.stiffness, &damped_after_.sliding, &force_before_,
+        &force_, &force_after_, &acceleration_, &d_, &rate_, &rhs_, &out_})
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
@@ -129,7 +103,7 @@ double Newmark::enter(State& state) {
       system_.node_accelerations(acceleration_, state.a);
     }
   } else {
-    state.a.assign(interface_ != nullptr ? state.q.size() : 0, 0.0);
+    state.a.assign(interface_.acts() ? state.q.size() : 0, 0.0);
   }
   return contact_energy(list_);
 }
@@ -292,31 +266,7 @@ void Newmark::find_step_springs(const State& state, double h) {
     }
   }
   interface_springs_ = springs_.size();
-  if (interface_ == nullptr) return;
-  for (const InterfaceForce::Spring& s : interface_->springs()) {
-    begin(s.k, 0.0);
-    for (std::size_t i = 0; i < s.count; ++i) {
-      const auto node = static_cast<std::size_t>(s.node[i]);
-      add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
-    }
-  }
-  constraint_springs_ = springs_.size();
-  const std::span<const InterfaceForce::InterfaceConstraint> constraints = interface_->interface_constraints();
-  const std::span<const double> factor = interface_->constraint_factor();
-  const std::array<Vec2, 2> axes{Vec2(1.0, 0.0), Vec2(0.0, 1.0)};
-  constraint_rows_.clear();
-  for (const InterfaceForce::InterfaceConstraint& s : constraints)
-    for (const Vec2& axis : axes) {
-      constraint_rows_.begin_row();
-      ImplicitSystem::add_point(system_.chart(s.body, s.row, state.q), axis, constraint_rows_);
-    }
-  for (std::size_t j = 0; j < constraints.size(); ++j)
-    for (std::size_t d = 0; d < 2; ++d) {
-      const double first = factor[j * constraints.size() + j];
-      begin(first * first, 0.0);
-      for (std::size_t i = j; i < constraints.size(); ++i)
-        add(constraints[i].body, constraints[i].row, factor[j * constraints.size() + i] / first * axes[d]);
-    }
+  if (interface_.acts()) interface_.add_springs(state.q, driven_move_, springs_);
 }
 
 void Newmark::linear_system(double h) {
@@ -346,15 +296,15 @@ double Newmark::residual(const State& state, double h, double& largest) {
     largest = std::max(largest, largest_of(damped_after_.sliding));
     for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += damped_after_.sliding[i];
   }
-  if (interface_ != nullptr) {
-    largest = std::max({largest, largest_of(interface_force_), largest_of(held_)});
+  if (interface_.acts()) {
+    largest = std::max(largest, interface_.largest());
     largest_interface_force_ = largest;  // guides have forces that may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
   largest = std::max(largest, bolts_.add(d_, springs_, out_));
-  if (interface_ != nullptr) {
-    for (std::size_t i = 0; i < out_.size(); ++i)
-      out_[i] += predicted_unknowns_force_[i];  // less the guides', which are in
+  if (interface_.acts()) {
+    const auto predicted = interface_.predicted();  // less the springs', which are in
+    for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += predicted[i];
   }
   return largest_of(out_);
 }
@@ -390,8 +340,10 @@ void Newmark::find_right_side(std::span<const double> moved, std::span<const dou
   // (s M + K + 2 C/h) d = known inertia + loads + f(x_k) + K d_k + C v.
   for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
   system_.pattern().multiply_add(1.0, K_, moved, rhs_);
-  if (interface_ != nullptr)
-    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += predicted_unknowns_force_[i];
+  if (interface_.acts()) {
+    const auto predicted = interface_.predicted();
+    for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += predicted[i];
+  }
   if (!C_.empty()) system_.pattern().multiply_add(1.0, C_, system_.rate(), rhs_);
   if (options_.damping > 0.0) system_.pattern().multiply_add(options_.damping, system_.mass(), system_.rate(), rhs_);
   damper_.add_force(1.0, system_.rate(), rhs_);
@@ -417,6 +369,40 @@ void Newmark::tell_no_balance(double left, StepReport& report) const {
       left, report.iterations);
 }
 
+void Newmark::move_to_iterate(const State& state) {
+  q_new_ = state.q;
+  v_new_ = state.v;
+  system_.retract(d_, rate_, interface_.acts(), q_new_, v_new_);
+}
+
+void Newmark::begin_interface_iteration(const State& state, double h) {
+  // The iteration starts from the motion of the last step. Where interface constraints act it starts from rest: gaps
+  // that are left at the constraints add up over the steps, and iterations from a farther start end with smaller ones.
+  const bool goes_on = !interface_.constrained();
+  system_.accelerations(state.q, state.a, acceleration_);
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    d_[i] = h * system_.rate()[i];
+    if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
+  }
+  move_to_iterate(state);
+  interface_.begin(iterate(state));
+  if (!system_.nonlinear()) return;
+  if (goes_on)
+    (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+  else
+    std::fill(d_.begin(), d_.end(), 0.0);
+}
+
+bool Newmark::evaluate_interface_force(const State& state, bool foreseen, StepReport& report) {
+  const StepReport found = interface_.evaluate(iterate(state), foreseen);
+  if (found.status == StepReport::Status::ok) return true;
+  report.status = found.status;
+  report.suggested = found.suggested;
+  report.body = found.body;
+  report.cause = found.cause;
+  return false;
+}
+
 void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
   bolts_.begin(state, driven_move_, springs_);
@@ -424,8 +410,8 @@ void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
-  if (interface_ != nullptr) begin_interface_iteration(state, h);
-  loop.iterative = system_.nonlinear() || spares_affine() || interface_ != nullptr || bolts_.any();
+  if (interface_.acts()) begin_interface_iteration(state, h);
+  loop.iterative = system_.nonlinear() || spares_affine() || interface_.acts() || bolts_.any();
   if (bolts_.any()) {
     (void)bolts_.evaluate(d_);
     (void)bolts_.linearise(springs_);
@@ -475,20 +461,20 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
 
 Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepReport& report) {
   const RoundOff rounded = loop.iterative ? round_off(state) : RoundOff{};
-  bool met = interface_ == nullptr;
+  bool met = !interface_.acts();
   const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
-  if (interface_ != nullptr) {
-    met =
-        largest_change_since_interface_force() * interface_->stiffness() <= allowed || !predict_interface_force(state);
+  if (interface_.acts()) {
+    met = interface_.largest_change(d_) * interface_.stiffness() <= allowed || !interface_.predict(iterate(state));
     if (met && !evaluate_interface_force(state, false, report)) return Settled::failed;
   }
   loop.at_round_off = loop.left <= rounded.system;
   const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
              stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
-             kicked = interface_ != nullptr && loop.left <= rounded.bodies;  // what is left is not lost: mismatch_
+             kicked = interface_.acts() &&
+                      loop.left <= rounded.bodies;  // what is left is not lost: InterfaceIteration::kick()
   loop.apart = 0.0;
   for (;; met = true) {
-    if (interface_ != nullptr) loop.apart = interface_residual();
+    if (interface_.acts()) loop.apart = interface_.residual(out_);
     if (loop.apart > allowed || !(balanced || stays || kicked)) return Settled::no;
     if (met) {
       report.at_round_off = !balanced;
@@ -499,10 +485,7 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
 }
 
 void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
-  if (interface_ != nullptr) {
-    interface_iteration_.next(corrected_, predicted_);
-    sum_predicted();
-  }
+  if (interface_.acts()) interface_.next();
   if (bolts_.linearise(springs_)) {
     contacts_.change_springs();
     loop.fresh = true;
@@ -551,7 +534,7 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
   q_new_ = state.q;
   v_new_ = state.v;
   for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
-  if (interface_ != nullptr) kick(h);
+  if (interface_.acts()) interface_.kick(h, rate_);
   system_.retract(d_, rate_, true, q_new_, v_new_);
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
   double farthest = 0.0;

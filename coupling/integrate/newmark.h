@@ -9,7 +9,6 @@
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/integrate/deformation_damping.h"
 #include "coupling/integrate/implicit_bolts.h"
-#include "coupling/integrate/interface_force.h"
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/open_close.h"
@@ -19,7 +18,7 @@
 #include "coupling/integrate/support_release.h"
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/integrate/viscous_edges.h"
-#include "coupling/linear/fixed_point.h"
+#include "coupling/interface/interface_iteration.h"
 
 namespace scree::coupling {
 
@@ -62,7 +61,7 @@ class Newmark final : public TimeIntegrator {
   void contact_forces(const State& state, std::span<double> f) const override;
 
   /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
-  void set_interface(InterfaceForce* force) { interface_ = force; }
+  void set_interface(InterfaceForce* force) { interface_.set(force); }
   [[nodiscard]] const ContactList& list() const { return list_; }
   /// Contacts of another integrator with bodies of this one; blocks slide on them as well. Null: none. The outlines and
   /// the list must outlive the steps.
@@ -83,7 +82,7 @@ class Newmark final : public TimeIntegrator {
 
   void enter_stage(const State& state);
 
-  // newmark.cpp: the step's equations; newmark_interface.cpp: the interface force
+  // newmark.cpp: the step's equations
   void prepare(const State& state, double h);
   struct Damping {  // forces in the unknowns
     std::vector<double> mass, stiffness, sliding;
@@ -94,26 +93,11 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool velocity_is_physical() const { return !trapezoidal() && options_.dynamics == 1.0; }
   void find_sliding(const State& state, double h);
   void find_step_springs(const State& state, double h);
-  // The interface force: its mean at an iterate, and its part in the linear system.
   void begin_interface_iteration(const State& state, double h);
   void move_to_iterate(const State& state);
-  void apply_interface_force(const State& state);
-  /// Largest change of an unknown since the interface force was last evaluated, as a displacement [m].
-  [[nodiscard]] double largest_change_since_interface_force() const;
-  [[nodiscard]] bool predict_interface_force(const State& state);
-  /// Evaluates the interface force at the iterate.
-  /// @param foreseen  it was predicted at this iterate; the error of the prediction is kept and added to later ones
-  /// @return false: the report has the reason
+  [[nodiscard]] InterfaceIteration::Iterate iterate(const State& state) const { return {state.q, d_, q_new_}; }
+  /// As InterfaceIteration::evaluate().   @return false: the report has the reason
   [[nodiscard]] bool evaluate_interface_force(const State& state, bool foreseen, StepReport& report);
-  /// Largest component of corrected less predicted interface force [N]. mismatch_ receives this difference plus the
-  /// residual of the balance.
-  [[nodiscard]] double interface_residual();
-  void find_along(std::span<const double> d);
-  void sum_predicted();
-  /// out -= C C^T u of the interface constraints; `half` is C^T u.
-  void subtract_constraint_forces(std::span<const double> half, std::span<double> out) const;
-  void kick(double h);
-  void book_interface(State& state, double h) const;
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
@@ -124,7 +108,7 @@ class Newmark final : public TimeIntegrator {
     bool at_round_off = false;          // what is left is round-off of the system's forces
     double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
     double last = std::numeric_limits<double>::infinity();  // residual of the one before [N]
-    double apart = 0.0;                                     // interface_residual() [N]
+    double apart = 0.0;                                     // InterfaceIteration::residual() [N]
   };
   void begin_balance(const State& state, double h, NewtonLoop& loop);
   /// Solves for the next iterate and finds its residual.   @return false: the report says why it cannot
@@ -182,40 +166,23 @@ class Newmark final : public TimeIntegrator {
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;
-  std::size_t interface_springs_ = 0;   // index of the first spring that stands for the stiffness of interface_
-  std::size_t constraint_springs_ = 0;  // index of the first one that stands for its interface constraints
+  std::size_t interface_springs_ = 0;  // index of the first spring of interface_
   SlidingDamping sliding_;
   StackDamping stacks_;
   DeformationDamping damper_;
   const Outlines* outlines_elsewhere_ = nullptr;
   const ContactList* list_elsewhere_ = nullptr;
-  InterfaceForce* interface_ = nullptr;
-  FixedPoint interface_iteration_;
+  InterfaceIteration interface_;
   std::vector<PointSpring> supports_;
   std::vector<Dashpot> dashpots_;
   ImplicitBolts bolts_;
   std::vector<LoadVector> loads_;
   SupportRelease release_;
-  std::vector<double> release_load_;     // of it, part of load_
-  std::vector<double> weight_;           // gravity on the nodes
-  std::vector<Vec2> driven_move_;        // per body
-  std::vector<double> reference_;        // the nodes of bodies in their reference shape
-  std::vector<double> interface_nodes_;  // mean interface force of the step, x, y per node [N]
-  // One component per unknown. interface_force_: the mean interface force; predicted_: the same plus the forces of the
-  // interface springs, as the linear system uses it, followed by the constraint forces; corrected_: the values
-  // evaluated at the iterate, in the same layout; mismatch_: corrected_ less predicted_ plus the residual of the
-  // balance, whose impulse is applied to the bodies at the end of the step.
-  std::vector<double> interface_force_, predicted_, corrected_, mismatch_, kick_;
-  std::vector<double> predictor_;                 // interface_force_ as InterfaceForce::foresee() predicted it
-  std::vector<double> predictor_error_;           // evaluated less predicted interface force
-  std::vector<double> interface_force_at_;        // iterate at which interface_force_ was evaluated
-  std::vector<double> predicted_unknowns_force_;  // predicted_ with the constraint forces added to the unknowns
-  std::vector<double> units_;                     // scale of each component of predicted_
-  DofRows constraint_rows_;                       // rows of the constrained nodes, x, y per interface constraint
-  std::vector<double> held_, apart_, along_;      // per constraint component: force, gap at the end, C^T u
-  double largest_interface_force_ = 0.0;          // largest force on bodies with an interface force [N]
-  Cholesky mass_factor_;
-  bool mass_made_ = false;
+  std::vector<double> release_load_;      // of it, part of load_
+  std::vector<double> weight_;            // gravity on the nodes
+  std::vector<Vec2> driven_move_;         // per body
+  std::vector<double> reference_;         // the nodes of bodies in their reference shape
+  double largest_interface_force_ = 0.0;  // largest force on bodies with an interface force [N]
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
       rate_, rhs_, out_;
   Damping damped_before_, damped_after_;

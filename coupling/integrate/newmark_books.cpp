@@ -4,15 +4,10 @@
 
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/newmark.h"
+#include "coupling/linear/vectors.h"
 
 namespace scree::coupling {
 namespace {
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// True if the normal spring of a point has a force at the end of the step: pressed, or pulled and still bonded.
 bool loaded(const OpenClose::Trial& t, const ContactMemory& before) {
@@ -171,17 +166,6 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
   ledger.set(Column::contact_springs, contact_energy(list_));
 }
 
-void Newmark::book_interface(State& state, double h) const {
-  // Its bodies were pulled along straight lines; the step's equations have the work in their unknowns.
-  double along = 0.0;
-  for (std::size_t i = 0; i < interface_nodes_.size(); ++i) along += interface_nodes_[i] * (q_new_[i] - state.q[i]);
-  state.ledger.book(Column::update_contact, dot(interface_force_, d_) - along);
-  for (std::size_t i = 0; i < constraint_rows_.size(); ++i)
-    state.ledger.book(Column::interface_constraints, held_[i] * constraint_rows_[i].change(d_));
-  // The kick gives J.v less half its own, v the velocity after it; the mismatch did no work on the way.
-  state.ledger.book(Column::waveform, h * (dot(mismatch_, rate_) - 0.5 * dot(mismatch_, kick_)) - dot(mismatch_, d_));
-}
-
 void Newmark::book_update(State& state, const Energies& after) {
   Ledger& ledger = state.ledger;
   double elastic = 0.0, kinetic = 0.0, supports = 0.0;
@@ -222,9 +206,8 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
     system_.node_accelerations(acceleration_, state.a);
   }
 
-  if (interface_ != nullptr) book_interface(state, h);
-
-  if (interface_ != nullptr && !trapezoidal())  // what the next step begins with
+  if (interface_.acts()) interface_.book(iterate(state), h, rate_, state.ledger);
+  if (interface_.acts() && !trapezoidal())  // what the next step begins with
     for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (v_new_[i] - state.v[i]) / h;
 
   state.q.swap(q_new_);

@@ -5,12 +5,12 @@
 
 #include "coupling/integrate/block_solver.h"
 #include "coupling/integrate/contact_states.h"
-#include "coupling/integrate/implicit_system.h"
 #include "coupling/integrate/low_rank.h"
-#include "coupling/integrate/step_springs.h"
 #include "coupling/integrate/time_integrator.h"
 #include "coupling/linear/cholesky.h"
 #include "coupling/linear/conjugate_residuals.h"
+#include "coupling/unknowns/implicit_system.h"
+#include "coupling/unknowns/step_springs.h"
 
 namespace scree::coupling {
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "coupling/integrate/central_difference.h"
-#include "coupling/integrate/interface_force.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/step_rollback.h"
+#include "coupling/interface/interface_force.h"
 
 namespace scree::coupling {
 

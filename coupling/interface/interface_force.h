@@ -4,7 +4,8 @@
 #include <array>
 #include <span>
 
-#include "coupling/integrate/time_integrator.h"
+#include "coupling/bodies/setup.h"
+#include "coupling/step_report.h"
 
 namespace scree::coupling {
 

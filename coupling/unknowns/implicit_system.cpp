@@ -1,4 +1,4 @@
-#include "coupling/integrate/implicit_system.h"
+#include "coupling/unknowns/implicit_system.h"
 
 #include <algorithm>
 #include <array>
