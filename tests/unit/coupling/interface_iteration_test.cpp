@@ -13,6 +13,7 @@ namespace {
 using test::rectangle;
 
 constexpr double kStiffness = 5e8, kStep = 1e-3;  // [N/m], [s]
+const StepControl kWide{.max_displacement = 0.1};
 
 test::Scene hanging_block(const std::string& method) {
   test::Scene scene(2e9, 0.2, 2500.0);
@@ -97,7 +98,7 @@ TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
   test::Scene held = hanging_block(GetParam());
   held.model.point_supports.push_back({BlockId{0}, {2.0, 1.0}, true, true, kStiffness});
   test::ByHand reference(held.model, held.plan.stages[0]);
-  Newmark supported(*reference.setup, {}, 0.05);
+  Newmark supported(*reference.setup, kWide, 0.05);
   reference.state.ledger.open(std::array{supported.enter(reference.state)});
   for (int i = 0; i < 20; ++i) ASSERT_EQ(supported.step(reference.state, ticks(kStep)).status, StepReport::Status::ok);
 
@@ -106,7 +107,7 @@ TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
     for (const bool foretold : {false, true}) {
       test::ByHand hand(scene.model, scene.plan.stages[0]);
       SpringElsewhere spring(hand, told, foretold);
-      Newmark integrator(*hand.setup, {}, 0.05);
+      Newmark integrator(*hand.setup, kWide, 0.05);
       integrator.set_interface(&spring);
       hand.state.ledger.open(std::array{integrator.enter(hand.state)});
       for (int i = 0; i < 20; ++i) {
@@ -128,7 +129,7 @@ TEST_P(InterfaceSpring, a_step_that_the_other_side_gives_up_changes_nothing) {
   const test::Scene scene = hanging_block(GetParam());
   test::ByHand hand(scene.model, scene.plan.stages[0]);
   SpringElsewhere spring(hand, 0.0, false);
-  Newmark integrator(*hand.setup, {}, 0.05);
+  Newmark integrator(*hand.setup, kWide, 0.05);
   integrator.set_interface(&spring);
   hand.state.ledger.open(std::array{integrator.enter(hand.state)});
   const State before = hand.state;
@@ -179,7 +180,7 @@ TEST_P(InterfaceSpring, a_tied_corner_stays_and_its_force_balances_the_block) {
   Rock rock(hand);
   const std::size_t k = corner(hand);
   const Vec2 anchor(2.0, 1.0);
-  Newmark integrator(*hand.setup, {}, 0.05);
+  Newmark integrator(*hand.setup, kWide, 0.05);
   integrator.set_interface(&rock);
   hand.state.ledger.open(std::array{integrator.enter(hand.state)});
   for (int i = 0; i < 20; ++i) {
