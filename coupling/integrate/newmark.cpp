@@ -79,6 +79,8 @@ double Newmark::enter(State& state) {
   finder_.restore(state.contacts, before_);
   for (ContactMemory& m : before_.memory) m.impact = 0.0;  // springs follow the joint from step to step
   finder_.find(state.q, before_, state.step == 0, list_);
+  list_.shrink_to_fit();
+  before_ = {};                      // steps hardly need it, and it is large
   (void)finder_.adopt_kinds(list_);  // the energy returned below has it
   if (!checks_friction()) FrictionCheck::forget(list_);
   state.contacts = list_.memory;

@@ -63,6 +63,9 @@ class Newmark final : public TimeIntegrator {
   /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
   void set_interface(InterfaceForce* force) { interface_.set(force); }
   [[nodiscard]] const ContactList& list() const { return list_; }
+  /// See ExplicitContact.
+  void list_contacts_always_anew() { always_anew_ = true; }
+  [[nodiscard]] std::int64_t contact_steps_in_place() const { return steps_in_place_; }
   /// Contacts of another integrator with bodies of this one; blocks slide on them as well. Null: none. The outlines and
   /// the list must outlive the steps.
   void also_touch(const Outlines* outlines, const ContactList* list) {
@@ -152,6 +155,8 @@ class Newmark final : public TimeIntegrator {
   void book_damping(Ledger& ledger) const;
   void book_contacts(Ledger& ledger, Energies& after) const;
   [[nodiscard]] std::vector<double> remember_contacts(const State& state);
+  /// Brings the contact points to new positions: in place where it can be, which leaves the same bits.
+  void move_points(std::span<const double> q);
   void book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger);
   void book_update(State& state, const Energies& after);
   void damp_stacks(State& state, double h);
@@ -163,6 +168,12 @@ class Newmark final : public TimeIntegrator {
   FrictionCheck friction_check_;
   FrictionEvolution friction_evolution_;
   ContactList list_, before_;
+  bool always_anew_ = false;
+  std::int64_t steps_in_place_ = 0;
+  struct Springs {
+    double kn, kt;
+  };
+  std::vector<Springs> stiffness_before_;  // of the points where the step began [N/m]
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;

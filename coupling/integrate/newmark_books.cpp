@@ -5,6 +5,7 @@
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/linear/vectors.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -142,9 +143,38 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
   return linear;
 }
 
+void Newmark::move_points(std::span<const double> q) {
+  finder_.index(list_, true);
+  if (!finder_.keeps(q, list_) || list_.points.empty() || always_anew_) {
+    std::swap(list_, before_);
+    finder_.find_again(before_, list_);
+    return;
+  }
+  ++steps_in_place_;
+  if (!finder_.changed().empty()) finder_.splice(list_);
+  finder_.find_first(list_);
+  const std::span<const std::int32_t> first = finder_.moves_first();
+  for (const std::int32_t i : first)
+    if (!finder_.made(static_cast<std::size_t>(i))) finder_.move(static_cast<std::size_t>(i), list_);
+  finder_.settle(list_);
+  constexpr std::int64_t kFewMoved = 1024;  // not worth waking threads
+  parallel_for_chunks(
+      std::ssize(list_.points),
+      [&](std::int64_t begin, std::int64_t end) {
+        auto moved = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
+        for (std::int64_t i = begin; i < end; ++i)
+          if (moved != first.end() && *moved == i)
+            ++moved;
+          else
+            finder_.move(static_cast<std::size_t>(i), list_);
+      },
+      kFewMoved, kContactChunk);
+}
+
 void Newmark::book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger) {
-  std::swap(list_, before_);
-  finder_.find(state.q, before_, false, list_);
+  stiffness_before_.clear();
+  for (const ContactMemory& m : list_.memory) stiffness_before_.push_back({m.kn, m.kt});
+  move_points(state.q);
   for (std::size_t b = 0; b < list_.memory.size(); ++b) {
     const ContactPoint& p = list_.points[b];
     ContactMemory m = list_.memory[b];
@@ -154,8 +184,8 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
       continue;
     }
     const auto a = static_cast<std::size_t>(p.from);
-    m.kn = before_.memory[a].kn;
-    m.kt = before_.memory[a].kt;
+    m.kn = stiffness_before_[a].kn;
+    m.kt = stiffness_before_[a].kt;
     const double with_old_tributary = normal_energy(p, m) + tangential_energy(m);
     ledger.book(Column::update_contact, with_old_tributary - linear[a]);
     ledger.book(Column::contact_tributary, now - with_old_tributary);

@@ -47,7 +47,7 @@ class Keeper {
   /// Asked after every step; also kept without asking: where the run begins, ends or stops, and where a stage ends.
   virtual bool due(std::int64_t step) = 0;
   /// @throws what the keeper throws
-  virtual void keep(Checkpoint checkpoint) = 0;
+  virtual void keep(const Checkpoint& checkpoint) = 0;
 };
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -77,7 +77,7 @@ class Driver {
   void observe();
   /// Shows sinks the present mesh, once.
   void show_mesh();
-  [[nodiscard]] Checkpoint checkpoint() const;
+  [[nodiscard]] Checkpoint checkpoint_but_state() const;
   /// Keeps a checkpoint, if it is due or in any case.
   void keep(bool in_any_case);
   /// @throws PlanError where linear kinematics would take a block's rotation for strain

@@ -39,9 +39,8 @@ void Driver::go_on() {
   from_.reset();
 }
 
-Checkpoint Driver::checkpoint() const {
+Checkpoint Driver::checkpoint_but_state() const {
   Checkpoint c;
-  c.state = state_;
   c.integrator = integrator_->memory();
   c.stage_end = stage_end_;
   c.first_step = first_step_;
@@ -64,7 +63,15 @@ void Driver::keep(bool in_any_case) {
   if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
   const double begin = wall();
   const Phase before = enter(Phase::output);
-  keeper_->keep(checkpoint());
+  Checkpoint c = checkpoint_but_state();
+  std::swap(c.state, state_);  // lent: a copy is as large as the model
+  try {
+    keeper_->keep(c);
+  } catch (...) {
+    std::swap(c.state, state_);
+    throw;
+  }
+  std::swap(c.state, state_);
   enter(before);
   stats_.wall_output += wall() - begin;
 }

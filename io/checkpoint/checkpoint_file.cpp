@@ -47,9 +47,12 @@ std::string read_bytes(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint) {
-  const std::uint64_t hash = coupling::state_hash(checkpoint.checkpoint.state);
+void write_checkpoint(const std::filesystem::path& path, const RunRecord& run, const ResultsMark& results,
+                      const coupling::Checkpoint& checkpoint) {
+  const std::uint64_t hash = coupling::state_hash(checkpoint.state);
   const auto pack_body = [&](Packer& pack) {
+    run.visit(pack);
+    results.visit(pack);
     checkpoint.visit(pack);
     pack("state hash", hash);
   };

@@ -45,7 +45,8 @@ struct StoredCheckpoint {
 /// bits); the record, the mark and the checkpoint (archive.h), hash of the state; SHA-256 of everything before in 64
 /// hexadecimal digits. It is written whole under another name and then put in place (atomic_file.h).
 /// @throws FileError; a file of that name is untouched then
-void write_checkpoint(const std::filesystem::path& path, const StoredCheckpoint& checkpoint);
+void write_checkpoint(const std::filesystem::path& path, const RunRecord& run, const ResultsMark& results,
+                      const coupling::Checkpoint& checkpoint);
 
 /// @param version  of the program: a state means something to the version that wrote it
 /// @throws FileError with the reason: unreadable, no checkpoint, of another format, byte order or version, cut short,

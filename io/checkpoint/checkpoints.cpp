@@ -109,12 +109,12 @@ bool Checkpoints::due(std::int64_t step) {
          (every_.seconds > 0.0 && std::chrono::duration<double>(Clock::now() - time_).count() >= every_.seconds);
 }
 
-void Checkpoints::keep(coupling::Checkpoint checkpoint) {
+void Checkpoints::keep(const coupling::Checkpoint& checkpoint) {
   const std::pair place{checkpoint.state.step, checkpoint.state.stage};
   if (place == written_) return;  // a run that is stopped before its next step: it is there already
   step_ = place.first;
   const fs::path path = folder_.path() / (std::string(kBefore) + std::to_string(number_) + std::string(kAfter));
-  write_checkpoint(path, {run_, results_->mark(), std::move(checkpoint)});
+  write_checkpoint(path, run_, results_->mark(), checkpoint);
   ++number_;
   for (const fs::path& file : checkpoint_files(folder_)) {
     std::error_code error;

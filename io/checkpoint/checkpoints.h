@@ -57,7 +57,7 @@ class Checkpoints final : public coupling::Keeper {
               const FoundCheckpoint* from = nullptr);
 
   bool due(std::int64_t step) override;
-  void keep(coupling::Checkpoint checkpoint) override;
+  void keep(const coupling::Checkpoint& checkpoint) override;
   /// The last one written; empty: none yet.
   [[nodiscard]] const std::filesystem::path& last() const { return last_; }
 

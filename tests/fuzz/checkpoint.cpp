@@ -28,11 +28,10 @@ std::filesystem::path scratch() {
 struct Keep final : coupling::Keeper {
   std::vector<Input> kept;
   bool due(std::int64_t step) override { return step % 40 == 0; }
-  void keep(coupling::Checkpoint checkpoint) override {
-    io::StoredCheckpoint stored;
-    stored.run.version = kVersion;
-    stored.checkpoint = std::move(checkpoint);
-    io::write_checkpoint(scratch(), stored);
+  void keep(const coupling::Checkpoint& checkpoint) override {
+    io::RunRecord run;
+    run.version = kVersion;
+    io::write_checkpoint(scratch(), run, {}, checkpoint);
     std::ifstream in(scratch(), std::ios::binary);
     Input bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     kept.emplace_back(bytes.begin() + static_cast<std::ptrdiff_t>(kHead),

@@ -45,8 +45,8 @@ struct Watch final : coupling::Sink {
 struct KeepOne final : coupling::Keeper {
   explicit KeepOne(std::int64_t at) : step(at) {}
   bool due(std::int64_t now) override { return now == step; }
-  void keep(coupling::Checkpoint checkpoint) override {
-    if (checkpoint.state.step == step) kept.push_back(std::move(checkpoint));
+  void keep(const coupling::Checkpoint& checkpoint) override {
+    if (checkpoint.state.step == step) kept.push_back(checkpoint);
   }
   std::int64_t step;
   std::vector<coupling::Checkpoint> kept;

@@ -180,8 +180,8 @@ TEST(FrictionCheck, goes_on_from_a_checkpoint_in_the_same_bits) {
   struct Keep final : Keeper {
     Checkpoint last;
     bool due(std::int64_t step) override { return step == 700; }
-    void keep(Checkpoint c) override {
-      if (c.state.step == 700) last = std::move(c);
+    void keep(const Checkpoint& c) override {
+      if (c.state.step == 700) last = c;
     }
   } keeper;
   Found whole, rest;

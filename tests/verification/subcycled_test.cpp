@@ -364,7 +364,7 @@ TEST(Subcycled, ledger_closes_over_ten_thousand_steps_of_contacts) {
 class EveryTenth final : public Keeper {
  public:
   bool due(std::int64_t step) override { return step % 10 == 0; }
-  void keep(Checkpoint checkpoint) override { kept.push_back(std::move(checkpoint)); }
+  void keep(const Checkpoint& checkpoint) override { kept.push_back(checkpoint); }
   std::vector<Checkpoint> kept;
 };
 

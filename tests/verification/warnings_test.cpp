@@ -78,7 +78,7 @@ TEST(IdleRules, of_a_stage_that_is_not_over_are_not_told) {
 struct Kept final : Keeper {
   std::vector<Checkpoint> all;
   bool due(std::int64_t step) override { return step == 10; }
-  void keep(Checkpoint c) override { all.push_back(std::move(c)); }
+  void keep(const Checkpoint& c) override { all.push_back(c); }
 };
 
 TEST(IdleRules, that_fired_before_a_checkpoint_are_not_told_after_it) {

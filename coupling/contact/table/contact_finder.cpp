@@ -504,6 +504,7 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
   out.points.clear();
   out.memory.clear();
   out.briefs.clear();
+  out.reserve(known_.size() + known_.size() / 16);  // to double a list of many points would be half in vain
   for (std::size_t k = 0, old = 0; k < pairs.size();) {
     const std::size_t first = k;
     while (k < pairs.size() && pairs[k].vertex == pairs[first].vertex) ++k;

@@ -61,7 +61,7 @@ class ContactFinder {
   void settle(ContactList& list);
   /// @param known  the list that keeps() was asked of   @param out  another one
   void find_again(const ContactList& known, ContactList& out);
-  void index(const ContactList& list);
+  void index(const ContactList& list, bool in_turn = false);  // in_turn: it is that of the last keeps()
   void note(std::size_t i, const ContactMemory& m) { known_.note(i, m); }
   void take_noted(const ContactList& list);
   /// Of find(): energy of springs that ended and that other closed ones have taken over [J].

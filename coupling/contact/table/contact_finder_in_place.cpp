@@ -14,9 +14,9 @@ bool has_partner(const ContactPoint& p) { return std::max(p.partner[0], p.partne
 
 }  // namespace
 
-void ContactFinder::index(const ContactList& list) {
+void ContactFinder::index(const ContactList& list, bool in_turn) {
   known_.index(list);
-  pairs_.forget();
+  if (!in_turn) pairs_.forget();
   kind_.resize(list.points.size());
   for (std::size_t i = 0; i < kind_.size(); ++i) kind_[i] = {has_partner(list.points[i]), !list.points[i].edge_edge};
 }

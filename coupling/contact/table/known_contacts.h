@@ -18,6 +18,16 @@ struct ContactList {
   std::vector<ContactMemory> memory;
   std::vector<Brief> briefs;
 
+  void reserve(std::size_t size) {
+    points.reserve(size);
+    memory.reserve(size);
+    briefs.reserve(size);
+  }
+  void shrink_to_fit() {
+    points.shrink_to_fit();
+    memory.shrink_to_fit();
+    briefs.shrink_to_fit();
+  }
   /// A list as it was, from what find() left in it.
   void restore(const std::vector<ContactPoint>& all, const std::vector<ContactMemory>& of_all) {
     points = all;

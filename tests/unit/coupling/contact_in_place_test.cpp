@@ -5,6 +5,7 @@
 #include <cstring>
 #include <random>
 
+#include "coupling/integrate/newmark.h"
 #include "tests/support/by_hand.h"
 
 namespace scree::contact_in_place_test {
@@ -54,6 +55,43 @@ Counts compare(const Scene& scene, int steps, double detection, coupling::Explic
     }
     const bool same = coupling::state_hash(a.hand.state) == coupling::state_hash(b.hand.state) &&
                       bits(a.integrator.contacts().points) == bits(b.integrator.contacts().points);
+    EXPECT_TRUE(same) << "step " << i;
+    if (!same) break;
+    for (const coupling::ContactMemory& m : a.hand.state.contacts) {
+      counts.slipping += m.status == coupling::ContactStatus::slip ? 1 : 0;
+      counts.opened += m.status == coupling::ContactStatus::open ? 1 : 0;
+    }
+  }
+  counts.in_place = a.integrator.contact_steps_in_place();
+  counts.anew = steps - counts.in_place;
+  EXPECT_EQ(b.integrator.contact_steps_in_place(), 0);
+  return counts;
+}
+
+/// The same of implicit steps.
+Counts compare_implicit(Scene scene, int steps, double detection) {
+  scene.plan.stages[0].integrator = Integrator::implicit;
+  struct Side {
+    ByHand hand;
+    coupling::Newmark integrator;
+    Side(const Scene& s, double near)
+        : hand(s.model, s.plan.stages[0]),
+          integrator(*hand.setup, {.max_passes = 40, .max_displacement = 0.1}, near, {.sliding_damping = 0.15}) {
+      integrator.enter(hand.state);
+    }
+  };
+  Side a(scene, detection), b(scene, detection);
+  b.integrator.list_contacts_always_anew();
+  Counts counts;
+  for (int i = 0; i < steps; ++i) {
+    Tick h = ticks(1e-3);
+    for (;; h /= 3) {
+      const auto status = a.integrator.step(a.hand.state, h).status;
+      EXPECT_EQ(b.integrator.step(b.hand.state, h).status, status) << "step " << i;
+      if (status == coupling::StepReport::Status::ok || h < 1000) break;
+    }
+    const bool same = coupling::state_hash(a.hand.state) == coupling::state_hash(b.hand.state) &&
+                      bits(a.integrator.list().points) == bits(b.integrator.list().points);
     EXPECT_TRUE(same) << "step " << i;
     if (!same) break;
     for (const coupling::ContactMemory& m : a.hand.state.contacts) {
@@ -134,6 +172,19 @@ TEST(ContactInPlace, of_shaken_walls_is_that_listed_anew) {
   }
   const Counts rest = compare(wall("dda", 0.0), 200, 0.02);
   EXPECT_GT(rest.in_place, 190);
+}
+
+TEST(ContactInPlace, of_implicit_steps_is_that_listed_anew) {
+  for (const char* method : {"dda", "nmm"}) {
+    const Counts fallen = compare_implicit(heap(method, 6, 4U), 600, 0.05);
+    EXPECT_GT(fallen.in_place, 400) << method;
+    EXPECT_GT(fallen.anew, 5) << method;
+    EXPECT_GT(fallen.slipping, 50) << method;
+    EXPECT_GT(fallen.opened, 50) << method;
+    const Counts shaken = compare_implicit(wall(method, 0.3), 200, 0.02);
+    EXPECT_GT(shaken.in_place, 190) << method;
+    EXPECT_GT(shaken.slipping, 100) << method;
+  }
 }
 
 TEST(ContactInPlace, of_bonds_dilation_weakening_and_water_is_that_listed_anew) {

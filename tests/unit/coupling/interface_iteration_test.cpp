@@ -12,7 +12,7 @@ namespace {
 
 using test::rectangle;
 
-constexpr double kStiffness = 5e8, kStep = 1e-3;  // [N/m], [s]
+constexpr double kStiffness = 5e7, kStep = 1e-3;  // [N/m], [s]
 const StepControl kWide{.max_displacement = 0.1};
 
 test::Scene hanging_block(const std::string& method) {
@@ -56,7 +56,7 @@ class SpringElsewhere : public InterfaceForce {
   [[nodiscard]] double stiffness() const override { return 2.0 * kStiffness; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   bool foresee(std::span<const double> end, std::span<double> force) override {
-    if (foretold_) add(0.7, end, force);  // it need not be right
+    if (foretold_) add(kStiffness, 2e3, end, force);  // it need not be right
     return foretold_;
   }
   StepReport mean(std::span<const double> end, std::span<const double>, std::span<double> force,
@@ -64,19 +64,19 @@ class SpringElsewhere : public InterfaceForce {
     ++evaluations;
     StepReport report;
     if (evaluations > most) report.status = StepReport::Status::given_up;
-    add(1.0, end, force);
+    add(kStiffness, 0.0, end, force);
     return report;
   }
   /// What the next step begins with.
   void arrive(std::span<const double> q) {
     std::fill(present_.begin(), present_.end(), 0.0);
-    add(1.0, q, present_);
+    add(kStiffness, 0.0, q, present_);
   }
   int evaluations = 0, most = 1000;
 
  private:
-  void add(double factor, std::span<const double> at, std::span<double> force) const {
-    const Vec2 f = -factor * kStiffness * (position(row_, at) - anchor_);
+  void add(double stiffness, double more, std::span<const double> at, std::span<double> force) const {
+    const Vec2 f = -stiffness * (position(row_, at) - anchor_) + Vec2(more, -more);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto i = 2 * static_cast<std::size_t>(row_.node[k]);
       force[i] += row_.w[k] * f.x();
@@ -112,7 +112,7 @@ TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
       hand.state.ledger.open(std::array{integrator.enter(hand.state)});
       for (int i = 0; i < 20; ++i) {
         const StepReport report = integrator.step(hand.state, ticks(kStep));
-        ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
+        ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause << " " << told << " " << foretold << " step " << i;
         spring.arrive(hand.state.q);
       }
       double way = 0.0, apart = 0.0;
@@ -120,7 +120,7 @@ TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
         way = std::max(way, std::abs(reference.state.v[i] * 20.0 * kStep));
         apart = std::max(apart, std::abs(hand.state.q[i] - reference.state.q[i]));
       }
-      EXPECT_LT(apart, 1e-6 * way) << told << ' ' << foretold;  // a support's row is linear in the step
+      EXPECT_LT(apart, 1e-5 * way) << told << ' ' << foretold;  // a support's row is linear in the step's rotation
       EXPECT_EQ(integrator.list().points.size(), 0U);
     }
 }

@@ -36,9 +36,9 @@ RunRecord of_version(const std::string& version) {
 }
 
 /// Through a file and back.
-coupling::Checkpoint stored(coupling::Checkpoint checkpoint, const Scratch& scratch) {
+coupling::Checkpoint stored(const coupling::Checkpoint& checkpoint, const Scratch& scratch) {
   const fs::path file = scratch.path() / "checkpoint.0.scree";
-  write_checkpoint(file, {of_version("1"), {}, std::move(checkpoint)});
+  write_checkpoint(file, of_version("1"), {}, checkpoint);
   return read_checkpoint(file, "1").checkpoint;
 }
 
@@ -47,7 +47,7 @@ class Every final : public coupling::Keeper {
  public:
   explicit Every(std::int64_t steps) : steps_(steps) {}
   bool due(std::int64_t step) override { return steps_ > 0 && step % steps_ == 0; }
-  void keep(coupling::Checkpoint checkpoint) override { kept.push_back(std::move(checkpoint)); }
+  void keep(const coupling::Checkpoint& checkpoint) override { kept.push_back(checkpoint); }
   std::vector<coupling::Checkpoint> kept;
 
  private:
@@ -362,7 +362,7 @@ TEST(CheckpointFile, keeps_every_bit) {
   written.run.until = 0.25;
   written.results.frames = {{3, 1}, {4, 15}};
   written.results.tables = {{{15, 7}, {92, 8}}};
-  write_checkpoint(file, written);
+  write_checkpoint(file, written.run, written.results, written.checkpoint);
   const StoredCheckpoint read = read_checkpoint(file, "1");
   EXPECT_EQ(read.run.overrides, written.run.overrides);
   EXPECT_TRUE(read.run.audit);
@@ -370,14 +370,14 @@ TEST(CheckpointFile, keeps_every_bit) {
   EXPECT_EQ(read.results.frames, written.results.frames);
   EXPECT_EQ(read.results.tables, written.results.tables);
   const fs::path again = scratch.path() / "again";
-  write_checkpoint(again, read);
+  write_checkpoint(again, read.run, read.results, read.checkpoint);
   EXPECT_EQ(text_of(again), text_of(file));
 }
 
 TEST(CheckpointFile, cut_or_flipped_anywhere_is_refused) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "checkpoint.3.scree";
-  write_checkpoint(file, {of_version("1"), {}, small_checkpoint()});
+  write_checkpoint(file, of_version("1"), {}, small_checkpoint());
   const std::string whole = text_of(file);
   std::mt19937 random(11);
   const auto expect_refused = [&](const std::string& bytes, const std::string& what) {
@@ -403,7 +403,7 @@ TEST(CheckpointFile, cut_or_flipped_anywhere_is_refused) {
 TEST(CheckpointFile, of_another_version_or_missing_is_refused) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "c";
-  write_checkpoint(file, {of_version("1"), {}, {}});
+  write_checkpoint(file, of_version("1"), {}, {});
   EXPECT_NE(refusal(file, "2").find("it is of Scree 1, and this is Scree 2"), std::string::npos);
   EXPECT_NE(refusal(scratch.path() / "none").find("cannot open"), std::string::npos);
 }
@@ -414,7 +414,7 @@ TEST(CheckpointFile, damaged_newest_gives_way_to_the_one_before) {
   coupling::Checkpoint checkpoint;
   for (const int n : {9, 10}) {
     checkpoint.state.step = n;
-    write_checkpoint(folder.path() / ("checkpoint." + std::to_string(n) + ".scree"), {of_version("1"), {}, checkpoint});
+    write_checkpoint(folder.path() / ("checkpoint." + std::to_string(n) + ".scree"), of_version("1"), {}, checkpoint);
   }
   put(folder.path() / "checkpoint.11.scree.tmp", "what a killed run left");
   std::vector<std::string> refused;
