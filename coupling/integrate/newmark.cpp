@@ -395,8 +395,8 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
     std::fill(d_.begin(), d_.end(), 0.0);
 }
 
-bool Newmark::evaluate_interface_force(const State& state, bool foreseen, StepReport& report) {
-  const StepReport found = interface_.evaluate(iterate(state), foreseen);
+bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
+  const StepReport found = interface_.evaluate(iterate(state));
   if (found.status == StepReport::Status::ok) return true;
   report.status = found.status;
   report.suggested = found.suggested;
@@ -467,7 +467,7 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
   const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
   if (interface_.acts()) {
     met = interface_.largest_change(d_) * interface_.stiffness() <= allowed || !interface_.predict(iterate(state));
-    if (met && !evaluate_interface_force(state, false, report)) return Settled::failed;
+    if (met && !evaluate_interface_force(state, report)) return Settled::failed;
   }
   loop.at_round_off = loop.left <= rounded.system;
   const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
@@ -482,7 +482,7 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
       report.at_round_off = !balanced;
       return Settled::yes;
     }
-    if (!evaluate_interface_force(state, true, report)) return Settled::failed;
+    if (!evaluate_interface_force(state, report)) return Settled::failed;
   }
 }
 

@@ -100,7 +100,7 @@ class Newmark final : public TimeIntegrator {
   void move_to_iterate(const State& state);
   [[nodiscard]] InterfaceIteration::Iterate iterate(const State& state) const { return {state.q, d_, q_new_}; }
   /// As InterfaceIteration::evaluate().   @return false: the report has the reason
-  [[nodiscard]] bool evaluate_interface_force(const State& state, bool foreseen, StepReport& report);
+  [[nodiscard]] bool evaluate_interface_force(const State& state, StepReport& report);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {

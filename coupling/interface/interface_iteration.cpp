@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "coupling/linear/vectors.h"
 
@@ -86,6 +87,7 @@ void InterfaceIteration::begin(const Iterate& at) {
   std::copy(system_->unit().begin(), system_->unit().end(), units_.begin());
   fixed_point_.begin(units_);
   std::fill(predictor_error_.begin(), predictor_error_.end(), 0.0);
+  foreseen_ = false;
   if (!predict(at)) {
     nodes_.assign(force_->present().begin(), force_->present().end());
     apply(at);
@@ -123,10 +125,12 @@ bool InterfaceIteration::predict(const Iterate& at) {
     mean_[i] += predictor_error_[i];
     corrected_[i] += predictor_error_[i];
   }
+  foreseen_ = true;
   return true;
 }
 
-StepReport InterfaceIteration::evaluate(const Iterate& at, bool foreseen) {
+StepReport InterfaceIteration::evaluate(const Iterate& at) {
+  const bool foreseen = std::exchange(foreseen_, false);
   if (foreseen) predictor_ = mean_;
   nodes_.assign(at.start.size(), 0.0);
   // The constraint forces with which the balance was computed.

@@ -48,9 +48,10 @@ class InterfaceIteration {
   [[nodiscard]] double largest_change(std::span<const double> d) const;
   /// @return false: the force can only be evaluated
   [[nodiscard]] bool predict(const Iterate& at);
-  /// @param foreseen  it was predicted at this iterate; the error of the prediction is kept and added to later ones
+  /// Where the force was predicted for this iterate, or for one that hardly differs, the error of the prediction is
+  /// kept and added to later ones.
   /// @return a status other than ok where the other side cannot follow the path
-  [[nodiscard]] StepReport evaluate(const Iterate& at, bool foreseen);
+  [[nodiscard]] StepReport evaluate(const Iterate& at);
   /// Largest component of corrected less predicted force [N].
   /// @param left  residual of the balance, per unknown [N]: joins what kick() gives an impulse of
   [[nodiscard]] double residual(std::span<const double> left);
@@ -84,6 +85,7 @@ class InterfaceIteration {
   // as the linear system uses it, followed by the constraint forces; corrected_: the values evaluated at the iterate,
   // in the same layout; mismatch_: corrected_ less predicted_ plus the residual of the balance.
   std::vector<double> mean_, predicted_, corrected_, mismatch_, kick_;
+  bool foreseen_ = false;                         // mean_ is a prediction
   std::vector<double> predictor_;                 // mean_ as InterfaceForce::foresee() predicted it
   std::vector<double> predictor_error_;           // evaluated less predicted
   std::vector<double> evaluated_at_;              // iterate at which mean_ was evaluated
