@@ -78,9 +78,12 @@ double ContactPairs::corner_room(std::int32_t vertex, std::int32_t edge) const {
   const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
   const Vec2& t = direction(edge);
   const Vec2 n(t.y(), -t.x());
-  double turned = -direction(v.edge_in).dot(t) - kFaces;  // the side before it faces the edge, and is listed with it
-  if (!bent(edge) && !bent(v.edge_in) && !bent(v.edge_out))
-    turned = std::max({turned, kLeast - n.dot(direction(v.edge_out)), kLeast + n.dot(direction(v.edge_in))});
+  const double faces = -direction(v.edge_in).dot(t);
+  double turned = faces - kFaces;  // the side before it faces the edge, and is listed with it
+  // Up to kStillFaces it depends on what is closed whether that side faces the edge.
+  if (turned <= 0.0 && !bent(edge) && !bent(v.edge_in) && !bent(v.edge_out))
+    turned = std::min(kStillFaces - faces,
+                      std::max(kLeast - n.dot(direction(v.edge_out)), kLeast + n.dot(direction(v.edge_in))));
   return std::max(apart, turned / turn_by({edge, v.edge_in, v.edge_out}));
 }
 
@@ -88,7 +91,8 @@ double ContactPairs::room(std::int32_t a, std::int32_t b) const {
   const auto& edges = setup_->outlines().edges;
   const double apart = 0.5 * (distance(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)]) - far());
   if (apart > 0.0) return apart;
-  const double faces = (kFaces + direction(a).dot(direction(b))) / turn_by({a, b});
+  // A neighbour that closes makes edges face each other from kStillFaces on.
+  const double faces = (kStillFaces + direction(a).dot(direction(b))) / turn_by({a, b});
   return std::min({faces, corner_room(edges[static_cast<std::size_t>(a)].first_segment, b),
                    corner_room(edges[static_cast<std::size_t>(b)].first_segment, a)});
 }

@@ -146,6 +146,24 @@ Scene wall(const std::string& method, double speed) {
   return scene;
 }
 
+/// The same of blocks whose sides lean by 5 to 10 degrees: whether they face each other depends on what is closed.
+Scene leaning_wall(const std::string& method, double speed) {
+  Scene scene = wall(method, speed);
+  for (std::size_t i = 0; i < scene.model.blocks.size(); ++i) {
+    std::vector<Vec2>& corners = scene.model.blocks[i].polygon.outer;
+    const double low = 0.18 + 0.03 * static_cast<double>(i % 5);  // of 2 m: 5.1 to 8.5 degrees
+    corners[i % 2 == 0 ? 2 : 3].y() -= low;
+  }
+  return scene;
+}
+
+TEST(ContactInPlace, of_sides_that_lean_is_that_listed_anew) {
+  for (const double speed : {0.1, 0.4, 1.0}) {
+    EXPECT_GT(compare(leaning_wall("dda", speed), 3000, 0.03).in_place, 1000) << speed;
+    EXPECT_GT(compare_implicit(leaning_wall("dda", speed), 400, 0.03).in_place, 200) << speed;
+  }
+}
+
 TEST(ContactInPlace, of_heaps_that_fall_and_pass_corners_is_that_listed_anew) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const Counts c = compare(heap("dda", 9, seed), 6000, 0.05);
