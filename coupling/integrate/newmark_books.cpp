@@ -144,7 +144,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
 }
 
 void Newmark::move_points(std::span<const double> q) {
-  finder_.index(list_, true);
+  finder_.index(list_, !always_anew_);
   if (!finder_.keeps(q, list_) || list_.points.empty() || always_anew_) {
     std::swap(list_, before_);
     finder_.find_again(before_, list_);
