@@ -17,7 +17,7 @@ namespace scree::coupling {
 /// side on the path to the balanced end. The prediction is linear in the end of the path:
 ///   predicted + K_s (d - d_at) + C C^T (u - u_at),
 /// K_s of InterfaceForce::springs(), C of constraint_factor(), u the constrained nodes.
-/// @source docs/theory/explicit-implicit-coupling.md
+/// @source docs/theory/explicit-implicit-coupling.md, "Partitioned steps"
 class InterfaceIteration {
  public:
   /// @param setup,system  of the implicit side; must outlive it

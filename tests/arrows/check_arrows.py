@@ -17,7 +17,7 @@ ALLOWED = {
 # The rooms of coupling from the ground up: each may include from those before it only.
 ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/bolts", "coupling/contact/law", "coupling/contact/geometry",
          "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
-         "coupling/integrate", "coupling/transfer", "coupling/stages"]
+         "coupling/unknowns", "coupling/interface", "coupling/integrate", "coupling/transfer", "coupling/stages"]
 # Inside io:  case -> drawing,  watch -> live -> results,  report -> {pictures, viewer},  serve -> {report, live},  pictures -> results,  checkpoint -> results;  text is below all of them.
 INSIDE = {
     "io/text": set(),

@@ -21,7 +21,7 @@ std::string bits(const std::vector<coupling::ContactPoint>& points) {
   std::string out;
   const auto see = [&out]<class T>(const char*, const T& value) {
     char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
+    std::memcpy(bytes, static_cast<const void*>(&value), sizeof(T));
     out.append(bytes, sizeof(T));
   };
   for (const coupling::ContactPoint& p : points) p.visit(see);
@@ -116,7 +116,8 @@ Scene heap(const std::string& method, int blocks, unsigned seed) {
     return a + (b - a) * static_cast<double>(random() % 1000003) / 1000003.0;
   };
   for (int i = 0; i < blocks; ++i) {
-    const Vec2 c(-1.5 + 1.5 * (i % 3), 3.2 + 1.4 * (i / 3));
+    const int course = i / 3;
+    const Vec2 c(-1.5 + 1.5 * (i % 3), 3.2 + 1.4 * course);
     const int corners = 3 + static_cast<int>(random() % 4);
     Polygon p;
     for (int k = 0; k < corners; ++k) {
