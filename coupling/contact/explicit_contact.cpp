@@ -47,9 +47,6 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   kinds_.reserve(expected);
   slides_.reserve(expected);
   energy_.reserve(expected);
-  acting_.reserve(expected);
-  stiffness_.reserve(expected);
-  pressure_.reserve(expected);
   forces_.resize(setup.outlines().nodes.size());
   rests_.assign(forces_.size(), 1);
   for (const Outlines::Range& r : setup.outlines().moving_nodes)
@@ -76,7 +73,6 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   if (!checks_friction_) FrictionCheck::forget(now_);
   state.contacts = now_.memory;
   indexed_ = false;
-  act();
   // What was remembered and is not found is in the list before: the next step takes it out.
   clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
@@ -117,42 +113,15 @@ void ExplicitContact::undo(State& state) {
   state.contacts = now_.memory;
   clear_ = 0.0;
   indexed_ = can_undo_ = false;
-  act();
 }
 
-ExplicitContact::Acting ExplicitContact::acting(const ContactPoint& p, const ContactMemory& m) {
-  Acting out;
-  out.node = p.node;
-  out.slides = m.slide.last.slip != 0.0F;
-  const double normal = m.fn + m.water;
-  if (normal == 0.0 && m.ft == 0.0) return out;
-  out.pushes = true;
-  const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
-  for (std::size_t k = 0; k < 3; ++k) out.force[k] = normal * gap[k] + m.ft * stretch[k];
-  return out;
-}
+void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
 
-void ExplicitContact::act(std::size_t i) {
-  const ContactMemory& m = now_.memory[i];
-  acting_[i] = acting(now_.points[i], m);
-  stiffness_[i] = std::max(m.kn, m.kt);
-  pressure_[i] = m.status != ContactStatus::open && m.fn > 0.0 ? m.fn : 0.0;
-}
-
-void ExplicitContact::act() {
-  const std::size_t size = now_.points.size();
-  acting_.resize(size);
-  stiffness_.resize(size);
-  pressure_.resize(size);
-  for (std::size_t i = 0; i < size; ++i) act(i);
-  ++edition_;
-}
-
-void ExplicitContact::add(std::span<const Acting> points, std::span<double> f) const {
-  if (points.empty()) return;
+void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
+  if (list.points.empty()) return;
   const Outlines& o = setup_->outlines();
   const auto nodes = static_cast<std::int64_t>(o.nodes.size());
-  const std::int64_t parts = std::ssize(points) < kFewPoints ? 1 : omp_get_max_threads();
+  const std::int64_t parts = std::ssize(list.points) < kFewPoints ? 1 : omp_get_max_threads();
   const auto for_moving = [&](std::int64_t begin, std::int64_t end, const auto& of_range) {
     for (const Outlines::Range& r : o.moving_nodes)
       of_range(std::clamp<std::int64_t>(r.begin, begin, end), std::clamp<std::int64_t>(r.end, begin, end));
@@ -168,10 +137,16 @@ void ExplicitContact::add(std::span<const Acting> points, std::span<double> f) c
     const auto takes = [&](std::int32_t node) {
       return node >= begin && node < end && rests_[static_cast<std::size_t>(node)] == 0;
     };
-    for (const Acting& p : points) {
-      if (!p.pushes) continue;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (takes(p.node[k])) forces_[static_cast<std::size_t>(p.node[k])] += p.force[k];
+    for (std::size_t i = 0; i < list.points.size(); ++i) {
+      const ContactPoint& p = list.points[i];
+      const ContactMemory& m = list.memory[i];
+      const double normal = m.fn + m.water;
+      if ((normal == 0.0 && m.ft == 0.0) || !std::any_of(p.node.begin(), p.node.end(), takes)) continue;
+      const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!takes(p.node[k])) continue;
+        forces_[static_cast<std::size_t>(p.node[k])] += normal * gap[k] + m.ft * stretch[k];
+      }
     }
   };
   parallel_for(parts, collect, 2);
@@ -219,9 +194,7 @@ void ExplicitContact::foresee(double h, std::span<const double> q, std::span<con
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
-  acting_ahead_.resize(ahead_.points.size());
-  for (std::size_t i = 0; i < acting_ahead_.size(); ++i) acting_ahead_[i] = acting(ahead_.points[i], ahead_.memory[i]);
-  add(acting_ahead_, f);
+  add(ahead_, f);
 }
 
 void ExplicitContact::set_velocities(std::span<const double> v, std::vector<Vec2>& out) const {
@@ -476,7 +449,6 @@ void ExplicitContact::arrive_anew(double h, State& state) {
   adopt_kinds(h, kinds_, ledger);
   ledger.set(Column::contact_springs, contact_energy(now_));
   state.contacts = now_.memory;
-  act();
 }
 
 void ExplicitContact::make_way(double h) {
@@ -519,16 +491,13 @@ void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, C
   energy_[i] = normal_energy(p, m) + tangential_energy(m);
   finder_.note(i, m);
   state.contacts[i] = m;
-  act(i);
 }
 
 void ExplicitContact::arrive_in_place(double h, State& state) {
   make_way(h);
   Ledger& ledger = state.ledger;
   const std::size_t size = now_.points.size();
-  for (auto* of_point : {&trial_, &opened_, &energy_, &stiffness_, &pressure_}) of_point->resize(size);
-  acting_.resize(size);
-  if (!finder_.changed().empty()) ++edition_;
+  for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
   state.contacts.resize(size);
   const std::span<const std::int32_t> first = finder_.moves_first();
   // All else goes point by point, while it is at hand: the list does not fit a core's cache.
@@ -550,7 +519,6 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
     energy_[i] = normal_energy(now_.points[i], now_.memory[i]) + tangential_energy(now_.memory[i]);
     finder_.note(i, now_.memory[i]);
     state.contacts[i] = now_.memory[i];
-    act(i);
   }
   finder_.take_noted(now_);
   double energy = 0.0;
@@ -564,7 +532,6 @@ void ExplicitContact::follow_some(double h, State& state) {
     const auto i = static_cast<std::size_t>(s.point);
     friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
     state.contacts[i].slide = now_.memory[i].slide;
-    acting_[i].slides = now_.memory[i].slide.last.slip != 0.0F;
   }
   if (friction_evolution_.used()) {
     friction_evolution_.advance(h, now_.memory);

@@ -26,7 +26,6 @@ class ExplicitContact {
   void resume(const State& state, const std::vector<ContactPoint>& points) {
     now_.restore(points, state.contacts);
     indexed_ = false;
-    act();
   }
   /// The points of an instant, and back to them.
   void mark(ContactList& out) const { out = now_; }
@@ -34,10 +33,9 @@ class ExplicitContact {
     now_ = points;
     clear_ = 0.0;
     indexed_ = false;
-    act();
   }
-  /// f += forces of the contacts.
-  void add(std::span<double> f) const { add(acting_, f); }
+  /// f += forces of the memory.
+  void add(std::span<double> f) const;
   /// First half of a step's books, v the velocity of the step at the instant left.
   void leave(std::span<const double> v);
   /// Points at the new positions, return mapping, second half of the books.
@@ -57,19 +55,6 @@ class ExplicitContact {
   void undo(State& state);
 
   [[nodiscard]] const ContactList& list() const { return now_; }
-  /// What a point does at the present instant, in a line of memory: all that most of a step asks of it.
-  struct Acting {
-    std::array<std::int32_t, 3> node{};   // outline nodes of P, 1, 2
-    bool pushes = false, slides = false;  // it has a force; it slid in the last window of the friction check
-    std::array<Vec2, 3> force{};          // on them [N]
-  };
-  /// As many as the list has points.
-  [[nodiscard]] std::span<const Acting> acting() const { return acting_; }
-  /// Larger one of the stiffnesses of each point [N/m]; normal force of those that are closed and pressed, else 0 [N].
-  [[nodiscard]] std::span<const double> stiffness() const { return stiffness_; }
-  [[nodiscard]] std::span<const double> pressure() const { return pressure_; }
-  /// Changes whenever the points are others, or in other places of the list.
-  [[nodiscard]] std::int64_t edition() const { return edition_; }
   /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
   void list_always_anew() { always_anew_ = true; }
   /// Steps that left the list in place.
@@ -100,12 +85,7 @@ class ExplicitContact {
   [[nodiscard]] Left left_by(double h, const ContactPoint& p, const ContactMemory& m) const;
   /// Velocities of the outline nodes.
   void set_velocities(std::span<const double> v, std::vector<Vec2>& out) const;
-  void add(std::span<const Acting> points, std::span<double> f) const;
-  /// Of a point, from its memory.
-  [[nodiscard]] static Acting acting(const ContactPoint& p, const ContactMemory& m);
-  void act(std::size_t i);
-  /// Of all points of another list than before.
-  void act();
+  void add(const ContactList& list, std::span<double> f) const;
   /// True if another integrator moves one of its bodies, or a half of it.
   [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
   /// In an impact a spring that passes to another edge or tip there holds what the work of its force in the step leaves
@@ -175,9 +155,6 @@ class ExplicitContact {
   std::vector<std::int32_t> kinds_;  // points that may take it
   std::vector<Slide> slides_;        // points that the check of friction follows
   std::vector<double> energy_;       // of a point's springs [J]
-  std::vector<Acting> acting_, acting_ahead_;
-  std::vector<double> stiffness_, pressure_;
-  std::int64_t edition_ = 0;
   std::vector<Chunk> chunks_;
   mutable std::vector<Vec2> forces_;  // on outline nodes that move, scratch of add() [N]
   std::vector<char> rests_;           // per outline node: 1 where its body rests

@@ -555,8 +555,7 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
   const ContactList& list = contact_.list();
   bound_.clear();
   for (std::size_t i = 0; i < list.points.size(); ++i)
-    bound_.push_back({list.points[i].key, contact_.stiffness()[i] + list.points[i].margin});
-  bound_edition_ = contact_.edition();
+    bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
   if (!step_bound_) step_bound_.emplace(*setup_);
   return step_bound_->certified_step({contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state),
                                       damping_, bolt_springs(*setup_, state)},
@@ -564,19 +563,13 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
 }
 
 bool CentralDifference::step_still_stable() const {
-  // A contact that ended only leaves slack; one that is new or has grown stiffer is not covered.
-  const std::span<const double> stiffness = contact_.stiffness();
-  if (bound_edition_ == contact_.edition()) {  // point by point the same contacts
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-      if (stiffness[i] > bound_[i].stiffness) return false;
-    return true;
-  }
   const ContactList& list = contact_.list();
+  // A contact that ended only leaves slack; one that is new or has grown stiffer is not covered.
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     while (at < bound_.size() && bound_[at].key < list.points[i].key) ++at;
     if (at == bound_.size() || bound_[at].key != list.points[i].key) return false;
-    if (stiffness[i] > bound_[at].stiffness) return false;
+    if (std::max(list.memory[i].kn, list.memory[i].kt) > bound_[at].stiffness) return false;
   }
   return true;
 }

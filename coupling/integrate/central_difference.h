@@ -167,7 +167,6 @@ class CentralDifference final : public TimeIntegrator {
   Lead lead_;
   std::optional<StepBound> step_bound_;         // once the step is asked for
   std::vector<IntegratorMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
-  std::int64_t bound_edition_ = -1;             // ExplicitContact::edition() then
 };
 
 }  // namespace scree::coupling

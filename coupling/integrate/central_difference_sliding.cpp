@@ -33,7 +33,7 @@ struct RigidSums {
 void CentralDifference::damp_sliding(std::span<const double> q, double half, State& state) {
   stack_friction_ = 0.0;
   sliding_.begin();
-  sliding_.count(setup_->outlines(), contact_);
+  sliding_.count(setup_->outlines(), contact_.list());
   if (!sliding_.find()) {
     state.sliding.clear();
     return;

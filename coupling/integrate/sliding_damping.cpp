@@ -54,35 +54,19 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
-    const ContactPoint& p = list.points[i];
-    count(outlines, p.node[0], p.node[1], m.fn, m.slide.last.slip != 0.0F ? &m : nullptr);
-  }
-}
-
-void SlidingDamping::count(const Outlines& outlines, const ExplicitContact& contacts) {
-  const std::span<const ExplicitContact::Acting> acting = contacts.acting();
-  for (std::size_t i = 0; i < acting.size(); ++i) {
-    const double normal_force = contacts.pressure()[i];
-    if (normal_force == 0.0) continue;
-    const ExplicitContact::Acting& p = acting[i];
-    count(outlines, p.node[0], p.node[1], normal_force, p.slides ? &contacts.list().memory[i] : nullptr);
-  }
-}
-
-void SlidingDamping::count(const Outlines& outlines, std::int32_t corner, std::int32_t edge, double normal_force,
-                           const ContactMemory* sliding) {
-  double slides = 0.0, mu = 0.0;
-  if (sliding != nullptr) {
-    const auto joint = static_cast<std::size_t>(sliding->joint);
-    const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), *sliding);
-    slides = normal_force * sliding_part(now, *sliding);
-    mu = now.coefficient;
-  }
-  for (const std::int32_t node : {corner, edge}) {
-    const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(node)]);
-    all_[b] += normal_force;
-    slipping_[b] += slides;
-    steep_[b] += slides * mu * mu * mu;
+    double slides = 0.0, mu = 0.0;
+    if (m.slide.last.slip != 0.0F) {
+      const auto joint = static_cast<std::size_t>(m.joint);
+      const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), m);
+      slides = m.fn * sliding_part(now, m);
+      mu = now.coefficient;
+    }
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
+      all_[b] += m.fn;
+      slipping_[b] += slides;
+      steep_[b] += slides * mu * mu * mu;
+    }
   }
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coupling/contact/contact_energy.h"
-#include "coupling/contact/explicit_contact.h"
 #include "coupling/contact/law/joint_strength.h"
 
 namespace scree::coupling {
@@ -38,8 +37,6 @@ class SlidingDamping {
   void begin();
   /// @param outlines  that the list refers to, of a setup with the same bodies
   void count(const Outlines& outlines, const ContactList& list);
-  /// The same of the contacts of explicit steps.
-  void count(const Outlines& outlines, const ExplicitContact& contacts);
   /// @return true if any body is damped
   bool find();
   /// Per body [1/s].
@@ -48,9 +45,6 @@ class SlidingDamping {
   [[nodiscard]] double moderate_rate(std::size_t body) const { return std::min(rate_[body], most_[body]); }
 
  private:
-  /// Counts a point that is closed and pressed.   @param node  outline nodes of the corner and of the edge
-  void count(const Outlines& outlines, std::int32_t corner, std::int32_t edge, double normal_force,
-             const ContactMemory* sliding);
   /// Part of a sliding point's strength that is friction; 0 once it has turned round.
   [[nodiscard]] static double sliding_part(const Strength& now, const ContactMemory& m);
 
