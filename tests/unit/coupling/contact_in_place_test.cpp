@@ -30,6 +30,23 @@ std::string bits(const std::vector<coupling::ContactPoint>& points) {
 
 struct Counts {
   std::int64_t in_place = 0, anew = 0, slipping = 0, opened = 0;
+
+  /// Compares two states after a step and counts the contacts of the first.
+  bool same(const coupling::State& a, const coupling::ContactList& of_a, const coupling::State& b,
+            const coupling::ContactList& of_b) {
+    const bool equal = coupling::state_hash(a) == coupling::state_hash(b) && bits(of_a.points) == bits(of_b.points);
+    EXPECT_TRUE(equal) << "step " << a.step;
+    for (const coupling::ContactMemory& m : a.contacts) {
+      slipping += m.status == coupling::ContactStatus::slip ? 1 : 0;
+      opened += m.status == coupling::ContactStatus::open ? 1 : 0;
+    }
+    return equal;
+  }
+  void end(int steps, const auto& first, const auto& anew_always) {
+    in_place = first.contact_steps_in_place();
+    anew = steps - in_place;
+    EXPECT_EQ(anew_always.contact_steps_in_place(), 0);
+  }
 };
 
 /// Steps a scene twice, in place where that can be and always anew, and compares after every step.
@@ -53,18 +70,9 @@ Counts compare(const Scene& scene, int steps, double detection, coupling::Explic
       const coupling::StepReport report = s->integrator.step(s->hand.state, h);
       EXPECT_EQ(report.status, coupling::StepReport::Status::ok) << report.cause;
     }
-    const bool same = coupling::state_hash(a.hand.state) == coupling::state_hash(b.hand.state) &&
-                      bits(a.integrator.contacts().points) == bits(b.integrator.contacts().points);
-    EXPECT_TRUE(same) << "step " << i;
-    if (!same) break;
-    for (const coupling::ContactMemory& m : a.hand.state.contacts) {
-      counts.slipping += m.status == coupling::ContactStatus::slip ? 1 : 0;
-      counts.opened += m.status == coupling::ContactStatus::open ? 1 : 0;
-    }
+    if (!counts.same(a.hand.state, a.integrator.contacts(), b.hand.state, b.integrator.contacts())) break;
   }
-  counts.in_place = a.integrator.contact_steps_in_place();
-  counts.anew = steps - counts.in_place;
-  EXPECT_EQ(b.integrator.contact_steps_in_place(), 0);
+  counts.end(steps, a.integrator, b.integrator);
   return counts;
 }
 
@@ -90,18 +98,9 @@ Counts compare_implicit(Scene scene, int steps, double detection) {
       EXPECT_EQ(b.integrator.step(b.hand.state, h).status, status) << "step " << i;
       if (status == coupling::StepReport::Status::ok || h < 1000) break;
     }
-    const bool same = coupling::state_hash(a.hand.state) == coupling::state_hash(b.hand.state) &&
-                      bits(a.integrator.list().points) == bits(b.integrator.list().points);
-    EXPECT_TRUE(same) << "step " << i;
-    if (!same) break;
-    for (const coupling::ContactMemory& m : a.hand.state.contacts) {
-      counts.slipping += m.status == coupling::ContactStatus::slip ? 1 : 0;
-      counts.opened += m.status == coupling::ContactStatus::open ? 1 : 0;
-    }
+    if (!counts.same(a.hand.state, a.integrator.list(), b.hand.state, b.integrator.list())) break;
   }
-  counts.in_place = a.integrator.contact_steps_in_place();
-  counts.anew = steps - counts.in_place;
-  EXPECT_EQ(b.integrator.contact_steps_in_place(), 0);
+  counts.end(steps, a.integrator, b.integrator);
   return counts;
 }
 
