@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/verify/report.h"
+#include "app/verify_jobs.h"
 #include "io/case/schema.h"
 
 namespace scree::app {
@@ -57,11 +58,20 @@ int cases_verify(const VerifyCommand& command) {
     }
   std::vector<CaseReport> reports;
   int failed = 0, skipped = 0;
-  for (const std::string& name : names) {
-    reports.push_back(evaluate_case(library / name, command.tier));
-    failed += reports.back().failed();
-    skipped += reports.back().skipped();
-    say("{}", terminal_text(reports.back()));
+  const auto see = [&](const CaseReport& report) {
+    failed += report.failed();
+    skipped += report.skipped();
+    say("{}", terminal_text(report));
+  };
+  if (command.jobs > 1) {
+    auto all = evaluate_in_processes(command, names, library, see);
+    if (!all) return kInterrupted;
+    reports = std::move(*all);
+  } else {
+    for (const std::string& name : names) {
+      reports.push_back(evaluate_case(library / name, command.tier));
+      see(reports.back());
+    }
   }
   say("{} cases, {} quantities failed{}\n", names.size(), failed,
       skipped > 0 ? fmt::format(", {} skipped", skipped) : "");

@@ -229,13 +229,18 @@ void add_cases(CLI::App& app, Line& line) {
       ->excludes("--quick")
       ->excludes("--full");
   add_threads(command, o->threads);
+  command
+      ->add_option("--jobs", o->jobs,
+                   "cases at a time, which share the threads; those that time several threads come last, one by one")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--table", o->table, "write the table to a file")
       ->check(CLI::Validator(
           [](const std::string& name) {
-            const bool known = name.ends_with(".md") || name.ends_with(".html") || name.ends_with(".csv");
-            return known ? std::string() : "the name of a table ends in .md, .html or .csv";
+            const bool known =
+                name.ends_with(".md") || name.ends_with(".html") || name.ends_with(".csv") || name.ends_with(".json");
+            return known ? std::string() : "the name of a table ends in .md, .html, .csv or .json";
           },
-          "FILE.md|FILE.html|FILE.csv"));
+          "FILE.md|FILE.html|FILE.csv|FILE.json"));
   command->add_option("--report", o->report, "write tables and plots into a folder")->type_name("DIR");
   carries_out(command, o, line.action, cases_verify);
 }

@@ -62,7 +62,8 @@ struct VerifyCommand {
   std::vector<std::string> names;  // empty: all
   Tier tier = Tier::quick;
   int threads = 0;                      // 0: as many as OpenMP takes
-  std::filesystem::path table, report;  // a table as .md or .html; a folder for tables and plots; empty: none
+  int jobs = 1;                         // cases at a time, each in a process of its own if there are several
+  std::filesystem::path table, report;  // a table as .md, .html, .csv or .json; a folder for tables and plots; or none
 };
 /// Runs cases and compares them with expected.toml, a row a quantity.
 int cases_verify(const VerifyCommand& command);

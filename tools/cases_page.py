@@ -87,7 +87,7 @@ def page():
     sources = tomllib.loads((ROOT / "cases/sources.toml").read_text())["source"]
     out = ["# The case library", "",
            "Every numbered example, table of results and figure of results of the two sources that Scree was built from, with the case that does it or the reason why there is none; then every case with all its rows.",
-           "`scree cases verify NAME` runs the quick rows of a case, `--full` those that take longer too, `--exhaustive` the whole of long tables as well (sliding: two hours of processor time); `--table` and `--report` write tables and plots, `scree gallery` a page with a picture and the report of every case.",
+           "`scree cases verify NAME` runs the quick rows of a case, `--full` those that take longer too, `--exhaustive` the whole of long tables as well (sliding: two hours of processor time); `--jobs N` runs N cases at a time, `--table` and `--report` write tables and plots, `scree gallery` a page with a picture and the report of every case.",
            "The README of a case says what the source gives, what is assumed instead of what it does not give, and what differs. Written by `tools/cases_page.py` from the cases; numbers found are of `tools/cases_page.py --run`, those of time",
            "of a machine that did other things beside.", ""]
     named = set()

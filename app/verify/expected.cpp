@@ -17,7 +17,7 @@ namespace scree::app {
 namespace {
 
 constexpr std::size_t kMostExpectedBytes = 1 << 20;
-const std::vector<std::string> kTop{"title", "study", "variant", "quantity"};
+const std::vector<std::string> kTop{"title", "study", "minutes", "cores", "variant", "quantity"};
 const std::vector<std::string> kVariantKeys{"name", "case", "set", "tier", "repeats", "needs"};
 const std::vector<std::string> kQuantityKeys{"name",      "reason",    "measure",  "variant",  "over",
                                              "variants",  "sizes",     "exact",    "at_least", "at_most",
@@ -57,6 +57,13 @@ class Reader {
     const io::Value* v = table_->find(key);
     if (v == nullptr) return std::nullopt;
     return number_of(*v, key);
+  }
+  /// A whole number from 1 to 100; 1 where there is none.
+  [[nodiscard]] int count(const std::string& key) const {
+    const double n = number(key).value_or(1.0);
+    if (n < 1.0 || n > 100.0 || n != std::floor(n))
+      throw wrong(*table_->find(key), key, "a whole number from 1 to 100");
+    return static_cast<int>(n);
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& key) const {
     std::vector<std::string> out;
@@ -136,10 +143,7 @@ Variant read_variant(const Reader& r, const std::vector<Variant>& before) {
   v.set = r.texts("set");
   v.tier = r.tier();
   v.needs = r.text("needs").value_or("");
-  const double repeats = r.number("repeats").value_or(1.0);
-  if (repeats < 1.0 || repeats > 100.0 || repeats != std::floor(repeats))
-    throw r.wrong(*r.table().find("repeats"), "repeats", "a whole number from 1 to 100");
-  v.repeats = static_cast<int>(repeats);
+  v.repeats = r.count("repeats");
   return v;
 }
 
@@ -290,6 +294,9 @@ Expected read_expected_text(const std::string& text, const std::filesystem::path
   Expected expected;
   expected.title = top.text("title").value_or("");
   expected.study = top.text("study").value_or("");
+  expected.minutes = top.number("minutes").value_or(0.0);
+  if (expected.minutes < 0.0) throw top.wrong(*root.find("minutes"), "minutes", "0 or more");
+  expected.cores = top.count("cores");
   for (const Reader& r : tables(top, name, "variant")) {
     if (!expected.study.empty()) throw r.error(r.table(), "a study has no variants", "[[quantity]]");
     expected.variants.push_back(read_variant(r, expected.variants));

@@ -2,6 +2,8 @@
 //
 //   title = "..."                 needed where there is no case.toml
 //   study = "sdof"                numbers computed by a function (app/studies) in place of runs of case.toml
+//   minutes = 30                  about what the full tier takes; of several cases at a time long ones come first
+//   cores = 2                     that its timings need to themselves: it does not run beside other cases
 //
 //   [[variant]]                   a run; without any there is one, "case", of case.toml as it stands
 //   name = "fine"
@@ -73,6 +75,8 @@ struct Quantity {
 
 struct Expected {
   std::string title, study;
+  double minutes = 0.0;  // of the full tier
+  int cores = 1;         // that it needs to itself
   std::vector<Variant> variants;
   std::vector<Quantity> quantities;
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "app/verify/report_json.h"
 #include "io/results/file_error.h"
 #include "io/text/printable.h"
 
@@ -157,8 +158,10 @@ void write_table(const std::vector<CaseReport>& reports, const std::filesystem::
     write(file, html_report(reports, false));
   else if (ending == ".csv")
     write(file, csv_report(reports));
+  else if (ending == ".json")
+    write(file, json_report(reports));
   else
-    throw io::FileError(file, "is no name of a table: .md, .html or .csv");
+    throw io::FileError(file, "is no name of a table: .md, .html, .csv or .json");
 }
 
 void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder) {

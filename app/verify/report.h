@@ -19,7 +19,7 @@ namespace scree::app {
 /// A line a row: case, quantity, wanted, found, verdict (RFC 4180). Found is empty where there is no number.
 [[nodiscard]] std::string csv_report(const std::vector<CaseReport>& reports);
 
-/// Writes one table, as the name's ending says: .md, .html or .csv.   @throws io::FileError
+/// Writes one table, as the name's ending says: .md, .html, .csv or .json (report_json.h).   @throws io::FileError
 void write_table(const std::vector<CaseReport>& reports, const std::filesystem::path& file);
 /// Writes cases.md, cases.html and the plots as CASE-N.svg into a folder, which is made.   @throws io::FileError
 void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder);

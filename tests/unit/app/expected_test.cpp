@@ -97,6 +97,20 @@ TEST(Expected, without_variants_there_is_one_run_of_the_case) {
   EXPECT_EQ(e.quantities[0].variants, std::vector<std::string>{"case"});
 }
 
+TEST(Expected, time_and_cores_of_a_case_are_read_and_checked) {
+  EXPECT_EQ(read(kGood).cores, 1);
+  EXPECT_EQ(read(kGood).minutes, 0.0);
+  const std::string text = kGood;
+  EXPECT_EQ(read("minutes = 17.5\ncores = 2\n" + text).cores, 2);
+  EXPECT_EQ(read("minutes = 17.5\n" + text).minutes, 17.5);
+  for (const char* wrong :
+       {"cores = 0\n", "cores = 1.5\n", "cores = \"all\"\n", "minutes = -1\n", "minutes = \"long\"\n"}) {
+    const io::CaseError e = fault(wrong + text);
+    EXPECT_EQ(e.line, 1) << wrong;
+    EXPECT_EQ(e.key, std::string(wrong).substr(0, std::string(wrong).find(' ')));
+  }
+}
+
 TEST(Expected, absolute_tolerance_is_in_the_unit_of_the_quantity) {
   const Expected e = read(changed("tolerance = 0.02", "absolute = 0.02"));
   EXPECT_DOUBLE_EQ(e.quantities[0].low, -0.52);
