@@ -21,7 +21,7 @@ struct StepReport {
   };
   Status status = Status::ok;
   double suggested = 0.0;     // fraction of the step to try next; 0: the cut factor of the plan
-  std::int32_t body = -1;     // where it went wrong, index into Setup::bodies
+  BodyIndex body;             // where it went wrong
   std::string cause;          // for a status other than ok: what, where, likely cause
   std::int32_t substeps = 1;  // explicit ones in it, that fast bodies have taken (Subcycled)
   // Explicit steps that were made for a partitioned one, which repeats them in every iteration.

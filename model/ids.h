@@ -12,12 +12,15 @@ struct Id {
   std::int32_t value = -1;
   constexpr Id() = default;
   constexpr explicit Id(std::int32_t v) : value(v) {}
+  /// That of place i of an array.
+  [[nodiscard]] static constexpr Id of(std::size_t i) { return Id(static_cast<std::int32_t>(i)); }
   [[nodiscard]] constexpr bool valid() const { return value >= 0; }
   [[nodiscard]] constexpr std::size_t index() const { return static_cast<std::size_t>(value); }
   constexpr auto operator<=>(const Id&) const = default;
 };
 
 using BlockId = Id<struct BlockTag>;        // per block of the model; never changes during a run
+using BodyIndex = Id<struct BodyTag>;       // of a body among those of a stage
 using MaterialId = Id<struct MaterialTag>;  // a material of the model
 using JointId = Id<struct JointTag>;        // a joint law of the model
 using MotionId = Id<struct MotionTag>;      // a ground motion of the model

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/indexed.h"
+
 namespace scree {
 
 inline constexpr std::int64_t kChunk = 512;         // items a partial sum
@@ -22,6 +24,13 @@ void parallel_for(std::int64_t n, Body&& body, std::int64_t serial_below = kSeri
   }
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < n; ++i) body(i);
+}
+
+/// body(i) for the indices of a range, as above.
+template <class Index, class Body>
+void parallel_for(IndexRange<Index> range, Body&& body, std::int64_t serial_below = kSerialBelow) {
+  parallel_for(
+      range.size(), [&](std::int64_t k) { body(range.first() + static_cast<std::int32_t>(k)); }, serial_below);
 }
 
 /// chunk(begin, end) over [0, n) in chunks of `size`.

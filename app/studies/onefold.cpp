@@ -77,10 +77,11 @@ Forms forms_of(double width, bool model_triangle) {
   out.weight = Eigen::VectorXd::Zero(n);
   const Outlines& o = setup.outlines();
   out.reach = out.reach_stars = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(o.nodes.size()), n);
-  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
-    if (o.node_body[k] == 0) continue;
-    const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[k])];
-    const auto r = 2 * static_cast<Eigen::Index>(k), first = static_cast<Eigen::Index>(2 * b.first_node) - begin;
+  for (const OutlineNode k : o.nodes.indices()) {
+    if (o.node_body[k] == BodyIndex{0}) continue;
+    const Body& b = setup.body(o.node_body[k]);
+    const auto r = 2 * static_cast<Eigen::Index>(k.index()),
+               first = static_cast<Eigen::Index>(2 * b.first_node) - begin;
     const ChartRow row = setup.pool_of(b).chart_row(b.index, setup.local(b, o.nodes[k]), q);
     for (std::size_t u = 0; u < static_cast<std::size_t>(row.n); ++u) {
       out.reach(r, first + row.dof[u]) = row.tx[u];

@@ -77,8 +77,8 @@ bool change_sides(const Setup& setup, const State& state, const Partition& parti
   std::vector<double> fastest(sides.size(), 0.0);
   if (partition.speed.used()) {
     const Outlines& o = setup.outlines();
-    for (std::size_t k = 0; k < o.nodes.size(); ++k) {
-      double& speed = fastest[static_cast<std::size_t>(o.node_body[k])];
+    for (const OutlineNode k : o.nodes.indices()) {
+      double& speed = fastest[o.node_body[k].index()];
       speed = std::max(speed, position(o.nodes[k], state.v).norm());
     }
   }

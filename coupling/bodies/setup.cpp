@@ -36,9 +36,10 @@ PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghost
 }
 
 /// Appends [begin, end) to ranges, to the last one where it goes on from it.
-void extend(std::vector<Outlines::Range>& ranges, std::int32_t begin, std::size_t end) {
-  if (ranges.empty() || ranges.back().end != begin) ranges.push_back({begin, begin});
-  ranges.back().end = static_cast<std::int32_t>(end);
+template <class Index>
+void extend(std::vector<IndexRange<Index>>& ranges, Index begin, Index end) {
+  if (ranges.empty() || ranges.back().end_index() != begin) ranges.push_back({begin, begin});
+  ranges.back() = {ranges.back().first(), end};
 }
 
 /// Body i but for its places in pools and arrays.
@@ -107,10 +108,10 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     for (std::int32_t k = 0; b.divided && k < b.nodes; ++k)
       if (pool.idle(pool.first_node(b.index) + k))
         kind_[static_cast<std::size_t>(b.first_node) + static_cast<std::size_t>(k)] = NodeKind::ghost;
-    add_outline(static_cast<std::int32_t>(i));
+    add_outline(BodyIndex::of(i));
   }
   for (Outlines::Edge& e : outlines_.edges) {
-    const Body& b = bodies_[static_cast<std::size_t>(e.body)];
+    const Body& b = body(e.body);
     if (b.absent || (!ghosts.touch && (b.ghost || b.divided))) e.touches = false;
   }
 }
@@ -139,39 +140,41 @@ Row Setup::local(const Body& b, Row row) const {
   return row;
 }
 
-void Setup::add_outline(std::int32_t body) {
-  const Body& b = bodies_[static_cast<std::size_t>(body)];
+void Setup::add_outline(BodyIndex index) {
+  const Body& b = body(index);
   const Boundary& boundary = pool_of(b).boundary(b.index);
   Outlines& out = outlines_;
-  const auto node0 = static_cast<std::int32_t>(out.nodes.size()),
-             segment0 = static_cast<std::int32_t>(out.segments.size()),
-             edge0 = static_cast<std::int32_t>(out.edges.size());
+  const OutlineNode node0 = out.nodes.next();
+  const SegmentIndex segment0 = out.segments.next();
+  const EdgeIndex edge0 = out.edges.next();
   for (const Row& row : boundary.nodes) {
     out.nodes.push_back(global(b, row));
-    out.node_body.push_back(body);
+    out.node_body.push_back(index);
   }
-  std::size_t corner = 0, ring_edge = 0, ring_segment = 0;  // the first edge and segment of the ring
+  std::size_t corner = 0;
+  EdgeIndex ring_edge;  // the first of the ring
+  VertexIndex ring_vertex;
   for (std::size_t s = 0; s < boundary.segments.size(); ++s) {
     const Boundary::Segment& segment = boundary.segments[s];
     const bool new_ring = s == 0 || boundary.segments[s - 1].edge.ring != segment.edge.ring;
     const bool new_edge = new_ring || boundary.segments[s - 1].edge != segment.edge;
-    const auto index = static_cast<std::int32_t>(out.segments.size());
+    const SegmentIndex at = out.segments.next();
     if (new_ring) {
-      ring_edge = out.edges.size();
-      ring_segment = out.segments.size();
+      ring_edge = out.edges.next();
+      ring_vertex = start_of(at);
     }
     if (new_edge) {
       // Corners come in the order of edges: edge i leaves vertex i. Convex by less than a hair counts as straight.
       const bool convex = boundary.corners[corner++].angle < std::numbers::pi - 1e-6;
       if (!new_ring) {
-        out.edges.back().end_vertex = index;
+        out.edges.back().end_vertex = start_of(at);
         out.edges.back().convex_end = convex;
       }
       Outlines::Edge edge{};
-      edge.body = body;
+      edge.body = index;
       edge.ring = segment.edge.ring;
       edge.edge = segment.edge.edge;
-      edge.first_segment = index;
+      edge.first_segment = at;
       edge.convex_start = convex;
       const Ring& ring = model_->blocks[b.block.index()].polygon.ring(static_cast<std::size_t>(edge.ring));
       const auto k = static_cast<std::size_t>(edge.edge);
@@ -179,28 +182,28 @@ void Setup::add_outline(std::int32_t body) {
       edge.joint = model_->joint_of(b.block, static_cast<std::size_t>(edge.ring), static_cast<std::size_t>(edge.edge));
       out.edges.push_back(edge);
     }
-    const auto of = static_cast<std::int32_t>(out.edges.size()) - 1;
+    const EdgeIndex of = out.edges.last();
     Outlines::Edge& edge = out.edges.back();
     out.segments.push_back({node0 + segment.a, node0 + segment.b, of, edge.segments});
     out.vertices.push_back(
-        {node0 + segment.a, body, index - 1, new_edge ? of - 1 : of, of, edge.segments == 0 && edge.convex_start});
+        {node0 + segment.a, index, at - 1, new_edge ? of - 1 : of, of, edge.segments == 0 && edge.convex_start});
     ++edge.segments;
     const bool closes = s + 1 == boundary.segments.size() || boundary.segments[s + 1].edge.ring != segment.edge.ring;
     if (!closes) continue;
-    edge.end_vertex = static_cast<std::int32_t>(ring_segment);
+    edge.end_vertex = ring_vertex;
     edge.convex_end = out.edges[ring_edge].convex_start;
-    out.vertices[ring_segment].segment_in = index;
-    out.vertices[ring_segment].edge_in = of;
+    out.vertices[ring_vertex].segment_in = at;
+    out.vertices[ring_vertex].edge_in = of;
   }
-  add_cracks(body, boundary, node0);
+  add_cracks(index, boundary, node0);
   if (b.resting) return;
-  extend(out.moving_nodes, node0, out.nodes.size());
-  extend(out.moving_segments, segment0, out.segments.size());
-  extend(out.moving_edges, edge0, out.edges.size());
+  extend(out.moving_nodes, node0, out.nodes.next());
+  extend(out.moving_segments, segment0, out.segments.next());
+  extend(out.moving_edges, edge0, out.edges.next());
 }
 
-void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node) {
-  const Body& b = bodies_[static_cast<std::size_t>(body)];
+void Setup::add_cracks(BodyIndex index, const Boundary& boundary, OutlineNode first_node) {
+  const Body& b = body(index);
   std::vector<const Crack*> of_block;
   for (const Crack& c : model_->cracks)
     if (c.block == b.block) of_block.push_back(&c);
@@ -210,28 +213,28 @@ void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t
     const Boundary::Crack& faces = boundary.cracks[i];
     stretch = i > 0 && boundary.cracks[i - 1].crack == faces.crack ? stretch + 1 : 0;
     const Crack& crack = *of_block[static_cast<std::size_t>(faces.crack)];
-    const auto first_edge = static_cast<std::int32_t>(out.edges.size()),
-               first_segment = static_cast<std::int32_t>(out.segments.size());
+    const EdgeIndex first_edge = out.edges.next();
+    const VertexIndex first_vertex = out.vertices.next();
     const std::vector<std::int32_t>&left = faces.left, back(faces.right.rbegin(), faces.right.rend());
     const Vec2 along = (crack.to - crack.from).normalized();
     const auto add = [&](std::span<const std::int32_t> nodes, const Vec2& direction, bool touches) {
       Outlines::Edge edge;
-      const auto index = static_cast<std::int32_t>(out.edges.size());
-      edge.body = body;
+      const EdgeIndex of = out.edges.next();
+      edge.body = index;
       edge.ring = static_cast<std::int32_t>(model_->blocks[b.block.index()].polygon.rings()) + faces.crack;
-      edge.edge = 4 * stretch + index - first_edge;
-      edge.first_segment = static_cast<std::int32_t>(out.segments.size());
+      edge.edge = 4 * stretch + (of - first_edge);
+      edge.first_segment = out.segments.next();
       edge.segments = static_cast<std::int32_t>(nodes.size()) - 1;
-      edge.end_vertex = edge.first_segment + edge.segments;
+      edge.end_vertex = edge.first_vertex() + edge.segments;
       edge.joint = crack.joint;
       edge.along = direction;
       edge.touches = touches;
-      if (touches) edge.opposite = first_edge + (index == first_edge ? 2 : 0);
+      if (touches) edge.opposite = first_edge + (of == first_edge ? 2 : 0);
       for (std::int32_t k = 0; k < edge.segments; ++k) {
-        const auto segment = static_cast<std::int32_t>(out.segments.size());
+        const SegmentIndex segment = out.segments.next();
         const auto at = static_cast<std::size_t>(k);
-        out.segments.push_back({first_node + nodes[at], first_node + nodes[at + 1], index, k});
-        out.vertices.push_back({first_node + nodes[at], body, segment - 1, k == 0 ? index - 1 : index, index, false});
+        out.segments.push_back({first_node + nodes[at], first_node + nodes[at + 1], of, k});
+        out.vertices.push_back({first_node + nodes[at], index, segment - 1, k == 0 ? of - 1 : of, of, false});
       }
       out.edges.push_back(edge);
     };
@@ -239,21 +242,18 @@ void Setup::add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t
     add(std::array{left.back(), back.front()}, along, false);
     add(back, -along, true);
     add(std::array{back.back(), left.front()}, -along, false);
-    out.edges.back().end_vertex = first_segment;
-    out.vertices[static_cast<std::size_t>(first_segment)].segment_in =
-        static_cast<std::int32_t>(out.segments.size()) - 1;
-    out.vertices[static_cast<std::size_t>(first_segment)].edge_in = static_cast<std::int32_t>(out.edges.size()) - 1;
+    out.edges.back().end_vertex = first_vertex;
+    out.vertices[first_vertex].segment_in = out.segments.last();
+    out.vertices[first_vertex].edge_in = out.edges.last();
   }
 }
 
-std::int32_t Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const {
-  const auto key = [&](const Outlines::Edge& e) {
-    return std::tuple(bodies_[static_cast<std::size_t>(e.body)].block.value, e.ring, e.edge);
-  };
+EdgeIndex Setup::edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const {
+  const auto key = [&](const Outlines::Edge& e) { return std::tuple(body(e.body).block.value, e.ring, e.edge); };
   const auto at = std::lower_bound(outlines_.edges.begin(), outlines_.edges.end(), std::tuple(block, ring, edge),
                                    [&](const Outlines::Edge& e, const auto& wanted) { return key(e) < wanted; });
-  if (at == outlines_.edges.end() || key(*at) != std::tuple(block, ring, edge)) return -1;
-  return static_cast<std::int32_t>(at - outlines_.edges.begin());
+  if (at == outlines_.edges.end() || key(*at) != std::tuple(block, ring, edge)) return {};
+  return EdgeIndex{static_cast<std::int32_t>(at - outlines_.edges.begin())};
 }
 
 Vec2 Setup::driven_displacement(const Body& b, double time) const {

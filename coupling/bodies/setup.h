@@ -9,6 +9,7 @@
 #include "coupling/bodies/clocks.h"
 #include "coupling/bodies/joint_laws.h"
 #include "coupling/bodies/methods.h"
+#include "coupling/bodies/outlines.h"
 #include "coupling/state.h"
 #include "model/pool.h"
 
@@ -28,44 +29,6 @@ struct Body {
   bool touched = true;                     // contact forces on it matter to some integrator of this setup
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
-};
-
-/// Outlines of all bodies, with rows in the state's nodes. Faces of cracks follow a block's rings: crack c is ring
-/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it
-/// to the right one, that backwards, and back to the left.
-struct Outlines {
-  struct Segment {
-    std::int32_t a, b;  // outline nodes
-    std::int32_t edge;  // into edges
-    std::int32_t part;  // counted along the edge
-  };
-  struct Edge {
-    std::int32_t body = -1, ring = 0, edge = 0;
-    std::int32_t first_segment = 0, segments = 0;
-    std::int32_t end_vertex = -1;                   // the vertex after its last segment
-    bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
-    JointId joint;                                  // its own law; may be invalid
-    Vec2 along{0.0, 0.0};                           // its direction where the model has it
-    std::int32_t opposite = -1;                     // of a face of a crack: the other one, which alone it may touch
-    bool touches = true;                            // false: joins the faces of a crack at their ends; or not there
-  };
-  /// Start of a segment, with the same index as the segment that leaves it: a corner of the outline (part 0), or a
-  /// node where a mesh divides an edge.
-  struct Vertex {
-    std::int32_t node, body;
-    std::int32_t segment_in;  // the segment that ends here
-    std::int32_t edge_in, edge_out;
-    bool convex;  // a corner with an interior angle below pi
-  };
-  struct Range {
-    std::int32_t begin, end;
-  };
-  std::vector<Row> nodes;
-  std::vector<std::int32_t> node_body;
-  std::vector<Range> moving_nodes, moving_segments, moving_edges;  // those of bodies that do not rest
-  std::vector<Segment> segments;
-  std::vector<Edge> edges;
-  std::vector<Vertex> vertices;  // by block, ring, edge, part
 };
 
 /// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
@@ -101,6 +64,9 @@ class Setup {
   [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
   [[nodiscard]] const std::vector<std::size_t>& slow_pools() const { return slow_pools_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] const Body& body(BodyIndex i) const { return bodies_[i.index()]; }
+  /// The body that a block is.
+  [[nodiscard]] const Body& body(BlockId block) const { return bodies_[block.index()]; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
   [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
   /// First node of a pool in the state's arrays.
@@ -143,8 +109,8 @@ class Setup {
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
   /// The same without those that rest: they are there already.
   void prescribe_motions(double time, std::span<double> q, std::span<double> v) const;
-  /// Index of an outline edge; -1 if there is none (a crack that the stage does not cut).
-  [[nodiscard]] std::int32_t edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
+  /// Index of an outline edge; not valid if there is none (a crack that the stage does not cut).
+  [[nodiscard]] EdgeIndex edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
   /// Displacement of a driven body at a time since the start.
   [[nodiscard]] Vec2 driven_displacement(const Body& b, double time) const;
   /// Velocity of a ground motion at a time since the start.
@@ -165,8 +131,8 @@ class Setup {
   [[nodiscard]] double motion_time(MotionId m, double time) const {
     return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
   }
-  void add_outline(std::int32_t body);
-  void add_cracks(std::int32_t body, const Boundary& boundary, std::int32_t first_node);
+  void add_outline(BodyIndex body);
+  void add_cracks(BodyIndex body, const Boundary& boundary, OutlineNode first_node);
 
   const Model* model_;
   std::vector<std::unique_ptr<Pool>> pools_;

@@ -14,7 +14,7 @@ bool applies(const Setup& setup, const BoltRows& rows) {
   for (std::size_t k = 0; k < rows.row.size(); ++k) {
     if (setup.on_ghost(rows.row[k]))
       ghost = true;
-    else if (!setup.bodies()[static_cast<std::size_t>(rows.body[k])].driven)
+    else if (!setup.body(rows.body[k]).driven)
       own = true;
   }
   return own && (!ghost || setup.applies(rows.row));
@@ -39,7 +39,7 @@ BoltRows bolt_rows(const Setup& setup, const State& state, std::size_t bolt) {
     const ReferenceShape& shape = state.bodies[index].shape;
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
     out.row.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * at)));
-    out.body.push_back(static_cast<std::int32_t>(index));
+    out.body.push_back(BodyIndex::of(index));
   };
   out.liner = of.liner();
   for (const Bolt::Node& n : of.nodes) add(n.block, of.place(n));

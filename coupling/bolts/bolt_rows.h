@@ -15,8 +15,8 @@ namespace scree::coupling {
 struct BoltRows {
   std::int32_t bolt = -1;  // into Model::bolts
   bool liner = false;
-  std::vector<Row> row;            // its nodes, then for each crossing where it leaves one block and enters the next
-  std::vector<std::int32_t> body;  // of each row
+  std::vector<Row> row;         // its nodes, then for each crossing where it leaves one block and enters the next
+  std::vector<BodyIndex> body;  // of each row
   std::size_t nodes = 0, segments = 0;
   std::vector<std::int32_t> segment;  // of each crossing of a bolt
   struct Turn {

@@ -49,8 +49,8 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   energy_.reserve(expected);
   forces_.resize(setup.outlines().nodes.size());
   rests_.assign(forces_.size(), 1);
-  for (const Outlines::Range& r : setup.outlines().moving_nodes)
-    std::fill(rests_.begin() + r.begin, rests_.begin() + r.end, 0);
+  for (const IndexRange<OutlineNode> r : setup.outlines().moving_nodes)
+    for (const OutlineNode n : r) rests_[n] = 0;
   chunks_.resize((expected + kContactChunk - 1) / kContactChunk);
   for (Chunk& chunk : chunks_) {
     chunk.slides.reserve(static_cast<std::size_t>(kContactChunk));
@@ -120,23 +120,21 @@ void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
 void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
   if (list.points.empty()) return;
   const Outlines& o = setup_->outlines();
-  const auto nodes = static_cast<std::int64_t>(o.nodes.size());
+  const std::int32_t nodes = o.nodes.indices().size();
   const std::int64_t parts = std::ssize(list.points) < kFewPoints ? 1 : omp_get_max_threads();
-  const auto for_moving = [&](std::int64_t begin, std::int64_t end, const auto& of_range) {
-    for (const Outlines::Range& r : o.moving_nodes)
-      of_range(std::clamp<std::int64_t>(r.begin, begin, end), std::clamp<std::int64_t>(r.end, begin, end));
+  const auto begin_of = [&](std::int64_t part) { return OutlineNode::of(nodes * part / parts); };
+  const auto for_moving = [&](OutlineNode begin, OutlineNode end, const auto& of_node) {
+    for (const IndexRange<OutlineNode> r : o.moving_nodes)
+      for (const OutlineNode n : IndexRange(std::clamp(r.first(), begin, end), std::clamp(r.end_index(), begin, end)))
+        of_node(n);
   };
   // The outline nodes are divided into parts, one a thread. Each part adds the forces of all points on its nodes in the
   // order of the points, so that sums do not depend on the number of parts. Bodies that rest take no force: they may
   // have many nodes, over which no step passes.
   const auto collect = [&](std::int64_t part) {
-    const std::int64_t begin = nodes * part / parts, end = nodes * (part + 1) / parts;
-    for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
-      std::fill(forces_.begin() + first, forces_.begin() + last, Vec2::Zero());
-    });
-    const auto takes = [&](std::int32_t node) {
-      return node >= begin && node < end && rests_[static_cast<std::size_t>(node)] == 0;
-    };
+    const OutlineNode begin = begin_of(part), end = begin_of(part + 1);
+    for_moving(begin, end, [&](OutlineNode n) { forces_[n].setZero(); });
+    const auto takes = [&](OutlineNode node) { return node >= begin && node < end && rests_[node] == 0; };
     for (std::size_t i = 0; i < list.points.size(); ++i) {
       const ContactPoint& p = list.points[i];
       const ContactMemory& m = list.memory[i];
@@ -145,23 +143,19 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
       const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
       for (std::size_t k = 0; k < 3; ++k) {
         if (!takes(p.node[k])) continue;
-        forces_[static_cast<std::size_t>(p.node[k])] += normal * gap[k] + m.ft * stretch[k];
+        forces_[p.node[k]] += normal * gap[k] + m.ft * stretch[k];
       }
     }
   };
   parallel_for(parts, collect, 2);
   // Parts begin with a body here: bodies share no node of the state.
-  const auto first_of_body = [&](std::int64_t i) {
-    while (i > 0 && i < nodes &&
-           o.node_body[static_cast<std::size_t>(i)] == o.node_body[static_cast<std::size_t>(i - 1)])
-      ++i;
+  const auto first_of_body = [&](OutlineNode i) {
+    while (i.value > 0 && i.value < nodes && o.node_body[i] == o.node_body[i - 1]) i = i + 1;
     return i;
   };
   const auto pass_on = [&](std::int64_t part) {
-    const std::int64_t begin = first_of_body(nodes * part / parts), end = first_of_body(nodes * (part + 1) / parts);
-    for_moving(begin, end, [&](std::int64_t first, std::int64_t last) {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-        if (!forces_[i].isZero(0.0)) add_force(o.nodes[i], forces_[i], f);
+    for_moving(first_of_body(begin_of(part)), first_of_body(begin_of(part + 1)), [&](OutlineNode n) {
+      if (!forces_[n].isZero(0.0)) add_force(o.nodes[n], forces_[n], f);
     });
   };
   parallel_for(parts, pass_on, nodes < kFewNodes ? parts + 1 : 2);
@@ -197,16 +191,15 @@ void ExplicitContact::foresee(double h, std::span<const double> q, std::span<con
   add(ahead_, f);
 }
 
-void ExplicitContact::set_velocities(std::span<const double> v, std::vector<Vec2>& out) const {
+void ExplicitContact::set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const {
   const Outlines& o = setup_->outlines();
   if (out.size() != o.nodes.size()) out.assign(o.nodes.size(), Vec2::Zero());  // bodies that rest have none
-  for (const Outlines::Range& r : o.moving_nodes)
-    for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i)
-      out[i] = position(o.nodes[i], v);
+  for (const IndexRange<OutlineNode> r : o.moving_nodes)
+    for (const OutlineNode n : r) out[n] = position(o.nodes[n], v);
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
-                                                 std::span<const Vec2> v) const {
+                                                 OutlineVelocities v) const {
   Half half;
   if (m.fn != 0.0 || m.fd != 0.0 || m.water != 0.0) {
     const double way = 0.5 * h * row_rate(p, gap_row(p.at), v);
@@ -300,9 +293,9 @@ void ExplicitContact::book_ended(std::size_t before, Ledger& ledger) const {
 }
 
 bool ExplicitContact::on_ghost(const ContactPoint& p) const {
-  const auto is_ghost = [&](std::int32_t node) {
-    const auto b = static_cast<std::size_t>(setup_->outlines().node_body[static_cast<std::size_t>(node)]);
-    return setup_->bodies()[b].ghost || setup_->bodies()[b].divided;
+  const auto is_ghost = [&](OutlineNode node) {
+    const Body& b = setup_->body(setup_->outlines().node_body[node]);
+    return b.ghost || b.divided;
   };
   return is_ghost(p.node[0]) || is_ghost(p.node[1]);
 }

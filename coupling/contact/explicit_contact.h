@@ -76,15 +76,15 @@ class ExplicitContact {
     double gap = 0.0, stretch = 0.0, fn = 0.0, fd = 0.0, ft = 0.0, fdt = 0.0, kn = 0.0, kt = 0.0;
     double normal_energy = 0.0, tangential_energy = 0.0;
     double foot = 0.0;
-    std::int32_t segment = -1;
+    SegmentIndex segment;
     bool open = true, bonded = false;
   };
   /// @param v  of the outline nodes
-  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, std::span<const Vec2> v) const;
+  [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, OutlineVelocities v) const;
   void leave_point(double h, std::size_t i);
   [[nodiscard]] Left left_by(double h, const ContactPoint& p, const ContactMemory& m) const;
   /// Velocities of the outline nodes.
-  void set_velocities(std::span<const double> v, std::vector<Vec2>& out) const;
+  void set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const;
   void add(const ContactList& list, std::span<double> f) const;
   /// True if another integrator moves one of its bodies, or a half of it.
   [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
@@ -136,12 +136,12 @@ class ExplicitContact {
   bool in_place_ = false;  // the last step was: before_ is of no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
-  bool can_undo_ = false;         // left_list_ is of the instant left
-  double clear_ = 0.0;            // while nothing is near: how far nodes may still move before something can be [m]
-  std::vector<Vec2> v_left_, v_;  // of outline nodes, of the step at the instant left and where it arrives
-  std::vector<Left> left_;        // a point of the instant left
-  std::vector<Left> left_first_;  // of those that others may depend on
-  struct Weakened {               // what its friction was taken from
+  bool can_undo_ = false;  // left_list_ is of the instant left
+  double clear_ = 0.0;     // while nothing is near: how far nodes may still move before something can be [m]
+  IndexedVector<OutlineNode, Vec2> v_left_, v_;  // of the step at the instant left, and where it arrives [m/s]
+  std::vector<Left> left_;                       // a point of the instant left
+  std::vector<Left> left_first_;                 // of those that others may depend on
+  struct Weakened {                              // what its friction was taken from
     double slip, friction_change;
   };
   std::vector<Weakened> weakened_;  // a point of the instant left
@@ -156,9 +156,9 @@ class ExplicitContact {
   std::vector<Slide> slides_;        // points that the check of friction follows
   std::vector<double> energy_;       // of a point's springs [J]
   std::vector<Chunk> chunks_;
-  mutable std::vector<Vec2> forces_;  // on outline nodes that move, scratch of add() [N]
-  std::vector<char> rests_;           // per outline node: 1 where its body rests
-  std::vector<double> opened_;        // by dilation in the step, a point of the list at hand [m]
+  mutable IndexedVector<OutlineNode, Vec2> forces_;  // on those that move, scratch of add() [N]
+  IndexedVector<OutlineNode, char> rests_;           // per outline node: 1 where its body rests
+  std::vector<double> opened_;                       // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

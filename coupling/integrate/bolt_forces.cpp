@@ -99,7 +99,7 @@ void add_liner_springs(const Bolt& liner, const BoltRows& rows, std::span<const 
 std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
   std::vector<BoltSpring> out;
   const auto mobility = [&](const BoltRows& rows, std::size_t k) {
-    const Body& b = setup.bodies()[static_cast<std::size_t>(rows.body[k])];
+    const Body& b = setup.body(rows.body[k]);
     return b.driven || setup.on_ghost(rows.row[k]) ? 0.0
                                                    : setup.pool_of(b).compliance(b.index, setup.local(b, rows.row[k]));
   };

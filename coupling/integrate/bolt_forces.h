@@ -46,7 +46,7 @@ class BoltForces final : public ForceTerm {
 /// Stiffness of a bolt as the step bound sees it: a spring between rows, or of one row to something that stays.
 struct BoltSpring {
   std::vector<Row> rows;
-  std::vector<std::int32_t> body;
+  std::vector<BodyIndex> body;
   double k = 0.0;  // [N/m]
 };
 /// For every bolt that this setup applies, the less stiff of two bounds of its elastic stiffness: the bond's springs

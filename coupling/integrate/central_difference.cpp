@@ -294,9 +294,10 @@ double CentralDifference::kick_off(const State& state, double h) {
 
 StepReport CentralDifference::refuse(double h) const {
   const Outlines& o = setup_->outlines();
-  std::size_t where = 0;
+  OutlineNode where{0};
   double farthest = 0.0;
-  for (std::size_t k = 0; k < o.nodes.size() && std::isfinite(farthest); ++k) {
+  for (const OutlineNode k : o.nodes.indices()) {
+    if (!std::isfinite(farthest)) break;
     const double way = h * position(o.nodes[k], v_half_).norm();
     if (way <= farthest) continue;
     farthest = way;
@@ -322,8 +323,8 @@ bool CentralDifference::forces_stay_finite() const {
 
 StepReport CentralDifference::lost(const State& state, std::span<const double> forces, double t) const {
   LostPlace place = lost_place(*setup_, q_new_);
-  if (place.body < 0) place = not_finite_at(*setup_, forces, "the force", state.q);
-  if (place.body < 0) place = not_finite_at(*setup_, v_new_, "the velocity", state.q);
+  if (!place.body.valid()) place = not_finite_at(*setup_, forces, "the force", state.q);
+  if (!place.body.valid()) place = not_finite_at(*setup_, v_new_, "the velocity", state.q);
   return lost_state(place, t);
 }
 

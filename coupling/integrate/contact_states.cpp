@@ -29,9 +29,9 @@ void ContactStates::begin(const ContactList& list, const DofRows& rows, std::siz
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   gap_round_off_ = 8.0 * std::numeric_limits<double>::epsilon() * farthest;
   const double g = setup_->model().gravity.norm();
-  const auto weight = [&](std::int32_t node) {
-    const auto b = static_cast<std::size_t>(setup_->outlines().node_body[static_cast<std::size_t>(node)]);
-    return setup_->bodies()[b].driven ? std::numeric_limits<double>::infinity() : g * mass_[b];
+  const auto weight = [&](OutlineNode node) {
+    const BodyIndex b = setup_->outlines().node_body[node];
+    return setup_->body(b).driven ? std::numeric_limits<double>::infinity() : g * mass_[b.index()];
   };
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const ContactPoint& p = list.points[i];
@@ -151,7 +151,7 @@ bool ContactStates::held_beside(std::size_t i) const {
     constexpr double kSameWay = 0.99;
     return trial_[j].status != ContactStatus::open && list_->points[j].at.n.dot(list_->points[i].at.n) > kSameWay;
   };
-  const std::int32_t vertex = list_->points[i].vertex;
+  const VertexIndex vertex = list_->points[i].vertex;
   for (std::size_t j = i; j-- > 0 && list_->points[j].vertex == vertex;)
     if (holds(j)) return true;
   for (std::size_t j = i + 1; j < trial_.size() && list_->points[j].vertex == vertex; ++j)
@@ -282,25 +282,23 @@ int ContactStates::change(bool only_worst) {
   const auto bodies_of = [&](std::size_t i) {
     const auto& node = list_->points[i].node;
     const auto& body = setup_->outlines().node_body;
-    return std::array{body[static_cast<std::size_t>(node[0])], body[static_cast<std::size_t>(node[1])]};
+    return std::array{body[node[0]], body[node[1]]};
   };
   if (only_worst) {
     worst_.assign(setup_->bodies().size(), 0.0);
     for (const auto& [i, w] : proposed_)
-      for (const std::int32_t b : bodies_of(i))
-        worst_[static_cast<std::size_t>(b)] = std::max(worst_[static_cast<std::size_t>(b)], w.violation);
+      for (const BodyIndex b : bodies_of(i)) worst_[b] = std::max(worst_[b], w.violation);
   }
   changed_.clear();
   for (const auto& [i, w] : proposed_) {
     if (only_worst) {
       // One of two that are as bad is enough.
-      const auto is_worst = [&, &proposed = w](std::int32_t b) {
-        return setup_->bodies()[static_cast<std::size_t>(b)].driven ||
-               proposed.violation >= worst_[static_cast<std::size_t>(b)];
+      const auto is_worst = [&, &proposed = w](BodyIndex b) {
+        return setup_->body(b).driven || proposed.violation >= worst_[b];
       };
       const std::array bodies = bodies_of(i);
       if (!is_worst(bodies[0]) || !is_worst(bodies[1])) continue;
-      for (const std::int32_t b : bodies) worst_[static_cast<std::size_t>(b)] = std::numeric_limits<double>::infinity();
+      for (const BodyIndex b : bodies) worst_[b] = std::numeric_limits<double>::infinity();
     }
     changed_.push_back(i);
     adopt(i, w);

@@ -134,7 +134,7 @@ class ContactStates {
   double largest_force_ = 0.0;                                   // of the points' normal forces in a pass [N]
   double gap_round_off_ = 0.0;                                   // to which positions define a gap [m]
   std::vector<std::pair<std::size_t, ProposedState>> proposed_;  // of points that change in a pass
-  std::vector<double> worst_;                                    // violation of a body's points [N]
+  IndexedVector<BodyIndex, double> worst_;                       // violation of a body's points [N]
   std::vector<std::size_t> changed_;
   std::string letters_;
 };

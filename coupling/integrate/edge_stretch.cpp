@@ -23,7 +23,7 @@ std::vector<EdgeStretch> edge_stretches(const Setup& setup, const State& state, 
     };
     if (!setup.applies(std::array{row(s.a), row(s.b)})) continue;
     const double whole = s.s1 - s.s0;
-    out.push_back({static_cast<std::int32_t>(index), row(s.a), row(s.b), (begin - s.s0) / whole, (end - s.s0) / whole,
+    out.push_back({BodyIndex::of(index), row(s.a), row(s.b), (begin - s.s0) / whole, (end - s.s0) / whole,
                    (end - begin) * edge, begin, end});
   }
   return out;

@@ -10,7 +10,7 @@ namespace scree::coupling {
 
 /// A piece of one boundary segment a -> b, from a fraction of it to another.
 struct EdgeStretch {
-  std::int32_t body = -1;
+  BodyIndex body;
   Row a, b;  // in the state's nodes
   double from = 0.0, to = 1.0;
   double length = 0.0;            // as the model first had it [m]

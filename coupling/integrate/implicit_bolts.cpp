@@ -22,7 +22,7 @@ void ImplicitBolts::enter(const State& state) {
 
 void ImplicitBolts::add_point(const One& one, std::size_t row, const Vec2& c, std::span<const Vec2> driven_move,
                               DofRows& out) const {
-  const auto body = static_cast<std::size_t>(one.rows.body[row]);
+  const auto body = one.rows.body[row].index();
   if (setup_->bodies()[body].driven)
     out.add_known(c.dot(driven_move[body]));
   else
@@ -37,8 +37,7 @@ void ImplicitBolts::begin(const State& state, std::span<const Vec2> driven_move,
     one.shape.measure(rows, state.q);
     charts_.assign(rows.row.size(), {});
     for (std::size_t k = 0; k < rows.row.size(); ++k)
-      if (!setup_->bodies()[static_cast<std::size_t>(rows.body[k])].driven)
-        charts_[k] = system_->chart(rows.body[k], rows.row[k], state.q);
+      if (!setup_->body(rows.body[k]).driven) charts_[k] = system_->chart(rows.body[k], rows.row[k], state.q);
     one.first_row = rows_.size();
     for (std::size_t s = 0; s < rows.segments; ++s) {
       rows_.begin_row();

@@ -15,7 +15,7 @@ LostPlace lost_place(const Setup& setup, std::span<const double> q) {
     const auto& bodies = setup.bodies();
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (bodies[b].pool == static_cast<std::int32_t>(p) && bodies[b].index == fault.body)
-        return {static_cast<std::int32_t>(b), fault.where};
+        return {BodyIndex::of(b), fault.where};
   }
   return {};
 }
@@ -28,9 +28,8 @@ LostPlace not_finite_at(const Setup& setup, std::span<const double> values, cons
     for (std::int32_t k = body.first_node; k < body.first_node + body.nodes; ++k) {
       const auto i = 2 * static_cast<std::size_t>(k);
       if (std::isfinite(values[i]) && std::isfinite(values[i + 1])) continue;
-      return {static_cast<std::int32_t>(b),
-              fmt::format("{} of node {} near {} is not finite", name, k - body.first_node,
-                          place_text({q[i], q[i + 1]}, setup.model().origin))};
+      return {BodyIndex::of(b), fmt::format("{} of node {} near {} is not finite", name, k - body.first_node,
+                                            place_text({q[i], q[i + 1]}, setup.model().origin))};
     }
   }
   return {};
@@ -44,7 +43,7 @@ StepReport lost_state(const LostPlace& place, double t) {
       "at t = {:.6g} s {}; likely causes: loads or impacts beyond what a linear elastic material bears (stress of the "
       "order of Young's modulus), a step above the stable one, or a mesh too coarse for them; the last good state is "
       "kept",
-      t, place.body < 0 ? "a velocity is not finite" : place.what);
+      t, !place.body.valid() ? "a velocity is not finite" : place.what);
   return report;
 }
 

@@ -10,8 +10,8 @@ namespace scree::coupling {
 
 /// Where a state has lost its meaning.
 struct LostPlace {
-  std::int32_t body = -1;  // index into Setup::bodies; -1: none
-  std::string what;        // e.g. "element 12 near (0.5, 2) is turned inside out"
+  BodyIndex body;    // not valid: none
+  std::string what;  // e.g. "element 12 near (0.5, 2) is turned inside out"
 };
 /// The first body that cannot be as q says: not finite, or turned inside out.
 [[nodiscard]] LostPlace lost_place(const Setup& setup, std::span<const double> q);

@@ -238,10 +238,9 @@ void Newmark::find_step_springs(const State& state, double h) {
     springs_.k.push_back(k);
     springs_.at.push_back(at);
   };
-  const auto add = [&](std::int32_t body, const Row& row, const Vec2& direction) {
-    const auto b = static_cast<std::size_t>(body);
-    if (setup_->bodies()[b].driven)
-      springs_.rows.add_known(direction.dot(driven_move_[b]));
+  const auto add = [&](BodyIndex body, const Row& row, const Vec2& direction) {
+    if (setup_->body(body).driven)
+      springs_.rows.add_known(direction.dot(driven_move_[body.index()]));
     else
       ImplicitSystem::add_point(system_.chart(body, row, state.q), direction, springs_.rows);
   };
@@ -541,7 +540,7 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
   double farthest = 0.0;
   const Outlines& o = setup_->outlines();
-  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
+  for (const OutlineNode k : o.nodes.indices()) {
     const double u = (position(o.nodes[k], q_new_) - position(o.nodes[k], state.q)).norm();
     if (!(u <= farthest)) {
       farthest = u;
@@ -549,10 +548,10 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
     }
   }
   if (farthest <= control_.max_displacement) {
-    report.body = -1;
+    report.body = {};
     // Newton's method may balance an element that is turned inside out as well.
     const LostPlace place = lost_place(*setup_, q_new_);
-    if (place.body < 0) return true;
+    if (!place.body.valid()) return true;
     report = lost(report, place, state, h);
     report.status = StepReport::Status::no_balance;  // a shorter step may find the other balance
     return false;

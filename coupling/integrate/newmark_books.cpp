@@ -127,9 +127,9 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
       m.slip += std::abs(slip);
       m.gap0 += t.opened;
       mark_failed(law, m);
-      const ContactGeometry g = contact_geometry(position(o.nodes[static_cast<std::size_t>(p.node[0])], state.q),
-                                                 position(o.nodes[static_cast<std::size_t>(p.node[1])], state.q),
-                                                 position(o.nodes[static_cast<std::size_t>(p.node[2])], state.q));
+      const ContactGeometry g =
+          contact_geometry(position(o.nodes[p.node[0]], state.q), position(o.nodes[p.node[1]], state.q),
+                           position(o.nodes[p.node[2]], state.q));
       m.anchor = g.xi - t.stretch / g.length;
     }
     if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // it hops

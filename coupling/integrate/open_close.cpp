@@ -83,14 +83,14 @@ void OpenClose::accept(KeptFactor& kept) {
   kept.patience = patience_;
 }
 
-const ChartRow& OpenClose::chart(std::int32_t node, std::span<const double> q) {
+const ChartRow& OpenClose::chart(OutlineNode node, std::span<const double> q) {
   const Outlines& o = setup_->outlines();
-  const auto n = static_cast<std::size_t>(node);
-  if (chart_of_node_[n] < 0) {
-    chart_of_node_[n] = static_cast<std::int32_t>(charts_.size());
-    charts_.push_back(system_->chart(o.node_body[n], o.nodes[n], q));
+  std::int32_t& chart = chart_of_node_[node];
+  if (chart < 0) {
+    chart = static_cast<std::int32_t>(charts_.size());
+    charts_.push_back(system_->chart(o.node_body[node], o.nodes[node], q));
   }
-  return charts_[static_cast<std::size_t>(chart_of_node_[n])];
+  return charts_[static_cast<std::size_t>(chart)];
 }
 
 void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
@@ -99,9 +99,9 @@ void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::spa
   for (const ContactRow& row : {gap_row(p.at), stretch_row(p.at, m.anchor)}) {
     rows_.begin_row();
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto body = static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(p.node[i])]);
-      if (setup_->bodies()[body].driven)
-        rows_.add_known(row[i].dot(driven_move[body]));
+      const BodyIndex body = o.node_body[p.node[i]];
+      if (setup_->body(body).driven)
+        rows_.add_known(row[i].dot(driven_move[body.index()]));
       else
         ImplicitSystem::add_point(chart(p.node[i], q), row[i], rows_);
     }

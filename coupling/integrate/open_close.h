@@ -82,7 +82,7 @@ class OpenClose {
  private:
   void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
                 std::span<const Vec2> driven_move);
-  [[nodiscard]] const ChartRow& chart(std::int32_t node, std::span<const double> q);
+  [[nodiscard]] const ChartRow& chart(OutlineNode node, std::span<const double> q);
   /// Stiffnesses and right-hand side of the states of the points.
   void apply_states();
   /// Brings the factor to them, or leaves a kept one.
@@ -142,7 +142,7 @@ class OpenClose {
   ContactStates states_;
   std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<ChartRow> charts_;
-  std::vector<std::int32_t> chart_of_node_;  // -1: not yet this step
+  IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: not yet this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_;
   std::vector<std::size_t> active_;  // rows whose stiffness is not zero

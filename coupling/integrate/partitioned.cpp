@@ -46,9 +46,9 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
   implicit_->set_interface(this);
   implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_->contacts());
   const Setup& setup = explicit_side_.setup;
-  for (std::size_t i = 0; i < setup.outlines().nodes.size(); ++i) {
+  for (const OutlineNode i : setup.outlines().nodes.indices()) {
     const Row& row = setup.outlines().nodes[i];
-    const Body& b = setup.bodies()[static_cast<std::size_t>(setup.outlines().node_body[i])];
+    const Body& b = setup.body(setup.outlines().node_body[i]);
     compliance_.push_back(setup.on_ghost(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
   }
 }
@@ -86,7 +86,7 @@ void Partitioned::find_interface_constraints(const IntegratorMemory* memory) {
       const std::int32_t of_explicit = e.first_node + s.explicit_node - first,
                          of_implicit = i.first_node + s.implicit_node - first;
       const auto row = [](std::int32_t node) { return Row{{node, node, node}, {1.0, 0.0, 0.0}}; };
-      interface_constraints_.push_back({static_cast<std::int32_t>(b), row(of_implicit)});
+      interface_constraints_.push_back({BodyIndex::of(b), row(of_implicit)});
       nodes.push_back(of_explicit);
       explicit_at_.push_back(2 * static_cast<std::size_t>(of_explicit));
       implicit_at_.push_back(2 * static_cast<std::size_t>(of_implicit));
@@ -276,7 +276,7 @@ void Partitioned::find_springs() {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
-    const auto is_ghost = [&](std::int32_t node) { return setup.on_ghost(o.nodes[static_cast<std::size_t>(node)]); };
+    const auto is_ghost = [&](OutlineNode node) { return setup.on_ghost(o.nodes[node]); };
     const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
       s.k = 0.5 * k + c / H;
@@ -284,7 +284,7 @@ void Partitioned::find_springs() {
         if (!is_ghost(p.node[n])) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
-        turns_back += s.k * compliance_[static_cast<std::size_t>(p.node[n])];
+        turns_back += s.k * compliance_[p.node[n]];
       }
       if (s.count == 0) return;
       springs_.push_back(s);

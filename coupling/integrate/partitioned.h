@@ -113,10 +113,10 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
-  double stiffness_ = 0.0;                 // of all contacts with ghosts, half of it [N/m]
-  std::vector<double> compliance_;         // of outline nodes of ghosts [1/kg]
-  std::vector<double> present_;            // numbers of the implicit side
-  std::vector<double> end_, sum_, ahead_;  // numbers of the explicit side
+  double stiffness_ = 0.0;                         // of all contacts with ghosts, half of it [N/m]
+  IndexedVector<OutlineNode, double> compliance_;  // of outline nodes of ghosts [1/kg]
+  std::vector<double> present_;                    // numbers of the implicit side
+  std::vector<double> end_, sum_, ahead_;          // numbers of the explicit side
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;

@@ -60,7 +60,7 @@ void add_edge_springs(const Setup& setup, const State& state, std::vector<PointS
     const double k = 0.5 * bedding_of(model, support) * length_of(model, support.span);
     for (const double s : kGauss) {
       PointSpring spring;
-      spring.body = static_cast<std::int32_t>(index);
+      spring.body = BodyIndex::of(index);
       const Vec2 at = place_of(model, support.span, s);
       spring.row = row_of(setup, b, state.bodies[index].shape, at);
       if (!setup.applies({&spring.row, 1})) continue;
@@ -85,7 +85,7 @@ std::vector<PointSpring> point_springs(const Setup& setup, const State& state) {
     const Elasticity law = model.elasticity_of(support.block);
     const double k = support.stiffness ? *support.stiffness : 10.0 * law.p_modulus();
     PointSpring s;
-    s.body = static_cast<std::int32_t>(index);
+    s.body = BodyIndex::of(index);
     s.row = row_of(setup, b, state.bodies[index].shape, support.point);
     if (!setup.applies({&s.row, 1})) continue;
     s.support = static_cast<std::int32_t>(i);
@@ -103,7 +103,7 @@ void keep_elongations(const std::vector<PointSpring>& before, std::span<const do
   const std::vector<PointSpring> now = point_springs(to, state);
   for (const PointSpring& is : now) {
     if (is.support < 0) break;  // edges come after all points, see keep_edges()
-    if (changed[static_cast<std::size_t>(is.body)] == 0) continue;
+    if (changed[is.body.index()] == 0) continue;
     const auto was = std::find_if(before.begin(), before.end(),
                                   [&](const PointSpring& spring) { return spring.support == is.support; });
     if (was == before.end()) continue;  // its block has just come

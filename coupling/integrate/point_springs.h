@@ -11,7 +11,7 @@ namespace scree::coupling {
 
 struct PointSpring {
   Row row;  // in the state's nodes
-  std::int32_t body = -1;
+  BodyIndex body;
   std::int32_t support = -1;     // into Model::point_supports; -1: it is one of an edge
   Vec2 anchor{0.0, 0.0};         // [m]
   Vec2 k{0.0, 0.0};              // [N/m] along the axes; 0 where free

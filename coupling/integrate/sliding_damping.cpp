@@ -62,7 +62,7 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
       mu = now.coefficient;
     }
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      const auto b = static_cast<std::size_t>(outlines.node_body[static_cast<std::size_t>(list.points[i].node[end])]);
+      const std::size_t b = outlines.node_body[list.points[i].node[end]].index();
       all_[b] += m.fn;
       slipping_[b] += slides;
       steep_[b] += slides * mu * mu * mu;

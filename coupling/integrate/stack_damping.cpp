@@ -10,7 +10,7 @@ namespace {
 constexpr double kFactor = 2.0;  // of a block's own rate: 1 stops stacks of five, 2 those of eight
 
 std::size_t body_of(const Outlines& o, const ContactPoint& p, std::size_t end) {
-  return static_cast<std::size_t>(o.node_body[static_cast<std::size_t>(p.node[end])]);
+  return o.node_body[p.node[end]].index();
 }
 
 bool closed(const ContactMemory& m) { return m.status != ContactStatus::open && m.fn > 0.0; }
@@ -105,7 +105,7 @@ void StackDamping::act(const Outlines& outlines, const ContactList& list, std::s
     const std::size_t i = body_of(outlines, p, 0), j = body_of(outlines, p, 1);
     if (!damped(m, i, j)) continue;
     Rigid &one = rigid_[i], &other = rigid_[j];
-    const Vec2 x = position(outlines.nodes[static_cast<std::size_t>(p.node[0])], q);
+    const Vec2 x = position(outlines.nodes[p.node[0]], q);
     const double ratio = m.status == ContactStatus::slip ? m.ft / m.fn : 0.0;
     const Vec2 along = p.at.n + ratio * p.at.t;
     const Eigen::Vector3d n1 = row(p.at.n, x, one.centre), n2 = row(p.at.n, x, other.centre),

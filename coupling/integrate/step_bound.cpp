@@ -27,7 +27,7 @@ StepBound::StepBound(const Setup& setup)
   node_compliance_.reserve(o.nodes.size());
   node_first_.reserve(o.nodes.size() + 1);
   node_first_.push_back(0);
-  for (std::size_t i = 0; i < o.nodes.size(); ++i) {
+  for (const OutlineNode i : o.nodes.indices()) {
     node_compliance_.push_back(compliance(o.node_body[i], o.nodes[i]));
     touched_.clear();
     touch_row(o.node_body[i], o.nodes[i]);
@@ -38,17 +38,16 @@ StepBound::StepBound(const Setup& setup)
   touched_.clear();
 }
 
-double StepBound::compliance(std::int32_t body, const Row& row) const {
-  const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
+double StepBound::compliance(BodyIndex body, const Row& row) const {
+  const Body& b = setup_->body(body);
   return b.driven || setup_->on_ghost(row) ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, row));
 }
 
-std::span<const std::int32_t> StepBound::groups_of(std::int32_t node) const {
-  const auto i = static_cast<std::size_t>(node);
-  return std::span(node_groups_.begin() + node_first_[i], node_groups_.begin() + node_first_[i + 1]);
+std::span<const std::int32_t> StepBound::groups_of(OutlineNode node) const {
+  return std::span(node_groups_.begin() + node_first_[node], node_groups_.begin() + node_first_[node + 1]);
 }
 
-std::span<const std::int32_t> StepBound::groups_of(std::int32_t a, std::int32_t b) {
+std::span<const std::int32_t> StepBound::groups_of(OutlineNode a, OutlineNode b) {
   const auto of_a = groups_of(a), of_b = groups_of(b);
   if (std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end())) return of_a;
   found_.clear();
@@ -56,17 +55,17 @@ std::span<const std::int32_t> StepBound::groups_of(std::int32_t a, std::int32_t 
   return found_;
 }
 
-void StepBound::touch_row(std::int32_t body, const Row& row) {
+void StepBound::touch_row(BodyIndex body, const Row& row) {
   // What another integrator moves (a ghost, or the other half of a divided body) is on a given path, and does not
   // count.
-  const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
+  const Body& b = setup_->body(body);
   if (b.driven || setup_->on_ghost(row)) return;
   setup_->pool_of(b).bound_groups(b.index, setup_->local(b, row), found_);
   const std::int32_t first = setup_->pool_first(static_cast<std::size_t>(b.pool));
   for (const std::int32_t g : found_) touched_.push_back(first + g);
 }
 
-void StepBound::add(Kind kind, std::int32_t other, double size, std::span<const std::int32_t> groups) {
+void StepBound::add(Kind kind, BodyIndex other, double size, std::span<const std::int32_t> groups) {
   std::vector<double>& sums = kind == Kind::viscous ? viscous_ : stiff_;
   for (const std::int32_t g : groups) sums[static_cast<std::size_t>(g)] += size;
   if (!listed_ || groups.empty()) return;
@@ -78,7 +77,7 @@ void StepBound::add(Kind kind, std::int32_t other, double size, std::span<const 
 void StepBound::add_touched(Kind kind, double size) {
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  add(kind, -1, size, touched_);
+  add(kind, {}, size, touched_);
   touched_.clear();
 }
 
@@ -96,7 +95,7 @@ void StepBound::collect_contacts(const StepParts& in) {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = 0; i < in.contacts.points.size(); ++i) {
     const ContactPoint& p = in.contacts.points[i];
-    const auto mu_of = [&](std::size_t n) { return node_compliance_[static_cast<std::size_t>(p.node[n])]; };
+    const auto mu_of = [&](std::size_t n) { return node_compliance_[p.node[n]]; };
     // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = mu_of(0) + reach * reach * std::max(mu_of(1), mu_of(2));
@@ -104,7 +103,7 @@ void StepBound::collect_contacts(const StepParts& in) {
     const double xi = setup_->model().joints[static_cast<std::size_t>(in.contacts.memory[i].joint)].damping;
     const double shrink = std::sqrt(1.0 + xi * xi) - xi;
     const double k = (std::max(in.contacts.memory[i].kn, in.contacts.memory[i].kt) + p.margin) / (shrink * shrink);
-    const auto body_of = [&](std::size_t n) { return o.node_body[static_cast<std::size_t>(p.node[n])]; };
+    const auto body_of = [&](std::size_t n) { return o.node_body[p.node[n]]; };
     add(Kind::contact, body_of(1), k * mu, groups_of(p.node[0]));
     add(Kind::contact, body_of(0), k * mu, groups_of(p.node[1], p.node[2]));
   }
@@ -154,7 +153,7 @@ std::string StepBound::shares(const Body& b, const ExplicitDamping& damping, dou
   list.push_back({viscous * damping.stiffness * own, "its stiffness-proportional damping"});
   const std::int32_t stiffest_group = worst(b, false), damped = worst(b, true);
   double contacts = 0.0, supports = 0.0, bolts = 0.0, stiffest = 0.0;
-  std::int32_t with = -1;
+  BodyIndex with;
   for (const Part& p : list_) {
     const auto first = groups_.begin() + p.first;
     if (!std::binary_search(first, first + p.groups, stiffest_group)) continue;
@@ -166,11 +165,9 @@ std::string StepBound::shares(const Body& b, const ExplicitDamping& damping, dou
     stiffest = p.size;
     with = p.other;
   }
-  if (with >= 0)
-    list.push_back(
-        {stiff * contacts,
-         fmt::format("contacts, the stiffest with block '{}'",
-                     setup_->model().blocks[setup_->bodies()[static_cast<std::size_t>(with)].block.index()].name)});
+  if (with.valid())
+    list.push_back({stiff * contacts, fmt::format("contacts, the stiffest with block '{}'",
+                                                  setup_->model().blocks[setup_->body(with).block.index()].name)});
   list.push_back({stiff * supports, "point supports"});
   list.push_back({stiff * bolts, "bolts"});
   list.push_back({viscous * sum(damped, true), "viscous edges"});

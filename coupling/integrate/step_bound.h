@@ -52,19 +52,19 @@ class StepBound {
   enum class Kind { contact, support, bolt, viscous };
   struct Part {  // one spring or dashpot of a body
     Kind kind = Kind::contact;
-    std::int32_t other = -1;             // the body on the other side of a contact
+    BodyIndex other;                     // the body on the other side of a contact
     double size = 0.0;                   // k mu [1/s2], c mu of a dashpot [1/s]
     std::int32_t first = 0, groups = 0;  // in groups_
   };
 
-  [[nodiscard]] double compliance(std::int32_t body, const Row& row) const;
+  [[nodiscard]] double compliance(BodyIndex body, const Row& row) const;
   /// The groups of an outline node, or of two, in order.   @return valid until the next call
-  [[nodiscard]] std::span<const std::int32_t> groups_of(std::int32_t node) const;
-  [[nodiscard]] std::span<const std::int32_t> groups_of(std::int32_t a, std::int32_t b);
+  [[nodiscard]] std::span<const std::int32_t> groups_of(OutlineNode node) const;
+  [[nodiscard]] std::span<const std::int32_t> groups_of(OutlineNode a, OutlineNode b);
   /// Appends the groups of any row to touched_.
-  void touch_row(std::int32_t body, const Row& row);
+  void touch_row(BodyIndex body, const Row& row);
   /// Adds a spring or dashpot to the sums of groups, each of which is there once.
-  void add(Kind kind, std::int32_t other, double size, std::span<const std::int32_t> groups);
+  void add(Kind kind, BodyIndex other, double size, std::span<const std::int32_t> groups);
   /// The same for the groups in touched_, which it empties.
   void add_touched(Kind kind, double size);
   void collect(const StepParts& in);
@@ -74,9 +74,10 @@ class StepBound {
   [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
 
   const Setup* setup_;
-  std::vector<double> node_compliance_;                 // of the outlines' nodes [1/kg]
-  std::vector<std::int32_t> node_first_, node_groups_;  // their groups, by the first node of each
-  std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
+  IndexedVector<OutlineNode, double> node_compliance_;   // [1/kg]
+  IndexedVector<OutlineNode, std::int32_t> node_first_;  // its first in node_groups_, and the end
+  std::vector<std::int32_t> node_groups_;                // groups, by the first node of each
+  std::vector<double> stiff_, viscous_;                  // sums, by the first node of a group
   std::vector<std::int32_t> touched_;
   bool listed_ = false;  // each part is recorded, for the message about what binds the step
   std::vector<Part> list_;

@@ -21,7 +21,7 @@ class InterfaceForce {
   /// A spring of stiffness k along sum c_i.u_i of outline nodes.
   struct Spring {
     std::size_t count = 0;
-    std::array<std::int32_t, 3> node{};  // into Outlines::nodes
+    std::array<OutlineNode, 3> node{};
     std::array<Vec2, 3> direction;
     double k = 0.0;  // [N/m]
   };
@@ -40,7 +40,7 @@ class InterfaceForce {
   /// A node of the implicit side that coincides with a node of the explicit side of the same block. A force that is
   /// constant during the step makes both reach the same position.
   struct InterfaceConstraint {
-    std::int32_t body = -1;
+    BodyIndex body;
     Row row;
   };
   [[nodiscard]] virtual std::span<const InterfaceConstraint> interface_constraints() const { return {}; }

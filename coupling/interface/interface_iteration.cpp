@@ -23,20 +23,17 @@ void InterfaceIteration::add_springs(std::span<const double> q, std::span<const 
     springs.k.push_back(k);
     springs.at.push_back(0.0);
   };
-  const auto add = [&](std::int32_t body, const Row& row, const Vec2& direction) {
-    const auto b = static_cast<std::size_t>(body);
-    if (setup_->bodies()[b].driven)
-      springs.rows.add_known(direction.dot(driven_move[b]));
+  const auto add = [&](BodyIndex body, const Row& row, const Vec2& direction) {
+    if (setup_->body(body).driven)
+      springs.rows.add_known(direction.dot(driven_move[body.index()]));
     else
       ImplicitSystem::add_point(system_->chart(body, row, q), direction, springs.rows);
   };
   first_spring_ = springs.size();
   for (const InterfaceForce::Spring& s : force_->springs()) {
     begin(s.k);
-    for (std::size_t i = 0; i < s.count; ++i) {
-      const auto node = static_cast<std::size_t>(s.node[i]);
-      add(setup_->outlines().node_body[node], setup_->outlines().nodes[node], s.direction[i]);
-    }
+    for (std::size_t i = 0; i < s.count; ++i)
+      add(setup_->outlines().node_body[s.node[i]], setup_->outlines().nodes[s.node[i]], s.direction[i]);
   }
   first_constraint_spring_ = springs.size();
   const std::span<const InterfaceForce::InterfaceConstraint> constraints = force_->interface_constraints();

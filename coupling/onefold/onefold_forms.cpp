@@ -71,8 +71,8 @@ OnefoldForms onefold_forms(const Setup& setup, std::span<const double> q, const 
       out.stars.springs[r] = out.centroidal.springs[r] = k;
       ++r;
       for (std::size_t end = 0; end < 3; ++end) {
-        const auto node = static_cast<std::size_t>(p.node[end]);
-        const auto body = static_cast<std::size_t>(o.node_body[node]);
+        const OutlineNode node = p.node[end];
+        const std::size_t body = o.node_body[node].index();
         if (first[body] < 0) continue;
         const Body& b = setup.bodies()[body];
         for (std::size_t star = 0; star < 3; ++star)

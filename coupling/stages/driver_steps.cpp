@@ -131,8 +131,8 @@ void Driver::check_slow_step(const Stage& stage, bool first) {
 Tick Driver::step_of_fastest() const {
   double fastest = 0.0;
   const Outlines& o = setup_->outlines();
-  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
-    if (!state_.explicit_side.empty() && state_.explicit_side[static_cast<std::size_t>(o.node_body[k])] != 0) continue;
+  for (const OutlineNode k : o.nodes.indices()) {
+    if (!state_.explicit_side.empty() && state_.explicit_side[o.node_body[k].index()] != 0) continue;
     fastest = std::max(fastest, position(o.nodes[k], state_.v).squaredNorm());
   }
   const double step = kOfAllowed * step_control_.max_displacement / std::sqrt(fastest);
@@ -166,10 +166,8 @@ StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
 
 std::string Driver::told_refusal(const StepReport& report, Tick h) const {
   const std::string where =
-      report.body >= 0
-          ? fmt::format("block '{}', ",
-                        model_->blocks[setup_->bodies()[static_cast<std::size_t>(report.body)].block.index()].name)
-          : std::string();
+      report.body.valid() ? fmt::format("block '{}', ", model_->blocks[setup_->body(report.body).block.index()].name)
+                          : std::string();
   return fmt::format("{}step {:.4g} s: {}", where, seconds(h), report.cause);
 }
 
@@ -273,11 +271,9 @@ RunEnd Driver::after_step(const Stage& stage) {
 RunEnd Driver::check_finite(const Stage& stage) {
   std::string what;
   LostPlace place = not_finite_at(*setup_, state_.q, "the position", state_.q);
-  if (place.body < 0) place = not_finite_at(*setup_, state_.v, "the velocity", state_.q);
-  if (place.body >= 0)
-    what = fmt::format("block '{}', {}",
-                       model_->blocks[setup_->bodies()[static_cast<std::size_t>(place.body)].block.index()].name,
-                       place.what);
+  if (!place.body.valid()) place = not_finite_at(*setup_, state_.v, "the velocity", state_.q);
+  if (place.body.valid())
+    what = fmt::format("block '{}', {}", model_->blocks[setup_->body(place.body).block.index()].name, place.what);
   else if (const std::string_view wrong = state_.ledger.not_finite(); !wrong.empty())
     what = fmt::format("'{}' of the energy ledger is not finite", wrong);
   if (what.empty()) return {};
@@ -384,12 +380,11 @@ void Driver::follow_rest(const Stage& stage, std::optional<double> ratio) {
 
 void Driver::tell_unbalanced(const Stage& stage) {
   const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *integrator_);
-  if (found.body < 0 || found.ratio <= kRested) return;
+  if (!found.body.valid() || found.ratio <= kRested) return;
   event(EventKind::warning,
         fmt::format("t = {:.6g} s, stage '{}' ends before it is at rest: block '{}' has an unbalanced force of {:.3g} "
                     "N, {:.2g} of the largest force{}; let it last longer, or give rest_force",
-                    seconds(state_.time), stage.name,
-                    model_->blocks[setup_->bodies()[static_cast<std::size_t>(found.body)].block.index()].name,
+                    seconds(state_.time), stage.name, model_->blocks[setup_->body(found.body).block.index()].name,
                     found.force, found.ratio,
                     told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
 }
@@ -408,9 +403,8 @@ RunEnd Driver::check_rest(const Stage& stage) {
     reason = fmt::format(
         "not at rest after {} steps: block '{}' has an unbalanced force of {:.3g} N, {:.2g} of the largest force "
         "({:.2g} allowed){}",
-        steps_of_stage(),
-        found.body >= 0 ? block_name(setup_->bodies()[static_cast<std::size_t>(found.body)].block) : std::string(),
-        found.force, found.ratio, stage.rest_force,
+        steps_of_stage(), found.body.valid() ? block_name(setup_->body(found.body).block) : std::string(), found.force,
+        found.ratio, stage.rest_force,
         told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back())));
   if (reason.empty()) {
     drop_velocities();  // an oscillation may be caught as it passes the balance

@@ -72,7 +72,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
       const double force = std::max(std::abs(total_[2 * k]), std::abs(total_[2 * k + 1])) / lever_[k];
       if (force <= out.force) continue;
       out.force = force;
-      out.body = static_cast<std::int32_t>(i);
+      out.body = BodyIndex::of(i);
     }
   }
   out.ratio = out.force / std::max(largest_, least_);
@@ -89,7 +89,7 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
     grew = false;
     for (const BoltRows& rows : bolts)
       for (std::size_t s = 0; s < rows.segments; ++s) {
-        char &a = held[static_cast<std::size_t>(rows.body[s])], &b = held[static_cast<std::size_t>(rows.body[s + 1])];
+        char &a = held[rows.body[s].index()], &b = held[rows.body[s + 1].index()];
         const BoltMemory& m = state.bolts[static_cast<std::size_t>(rows.bolt)];
         if (a == b || !(rows.liner ? m.broken[s] == 0 : m.force[s] > 0.0)) continue;
         a = b = 1;

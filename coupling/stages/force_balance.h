@@ -16,9 +16,9 @@ namespace scree::coupling {
 class ForceBalance {
  public:
   struct Result {
-    double ratio = 0.0;      // unbalanced over the largest single force
-    double force = 0.0;      // unbalanced [N]
-    std::int32_t body = -1;  // with the largest unbalanced force
+    double ratio = 0.0;  // unbalanced over the largest single force
+    double force = 0.0;  // unbalanced [N]
+    BodyIndex body;      // with the largest unbalanced force
   };
   ForceBalance(const Setup& setup, const State& state);
   [[nodiscard]] Result measure(const State& state, const TimeIntegrator& integrator);

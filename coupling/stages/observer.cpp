@@ -45,14 +45,14 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
   velocity_.resize(2 * points_.size());
   stress_.resize(3 * cell_block_.size());
   for (const Monitor& m : setup.model().monitors) {
-    const Body& b = setup.bodies()[m.block.index()];
+    const Body& b = setup.body(m.block);
     const ReferenceShape& shape = state.bodies[m.block.index()].shape;
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
     monitors_.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * m.point)));
   }
   recovered_.resize(setup.pools());
   for (const Monitor& m : setup.model().monitors) {
-    const auto p = static_cast<std::size_t>(setup.bodies()[m.block.index()].pool);
+    const auto p = static_cast<std::size_t>(setup.body(m.block).pool);
     monitor_pool_.push_back(p);
     recovered_[p].resize(3 * static_cast<std::size_t>(setup.pool_first(p + 1) - setup.pool_first(p)));
   }
@@ -145,19 +145,16 @@ bool Observer::contacts_due(bool last) const {
 
 void Observer::see_contacts(const State& state) {
   const Outlines& o = setup_->outlines();
-  const auto at = [&](std::int32_t node) {
-    return scree::coupling::position(o.nodes[static_cast<std::size_t>(node)], state.q);
-  };
+  const auto at = [&](OutlineNode node) { return scree::coupling::position(o.nodes[node], state.q); };
   contact_position_.resize(2 * state.contacts.size());
   contact_normal_.resize(2 * state.contacts.size());
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     const ContactMemory& m = state.contacts[i];
     const ContactKey& k = m.key;
-    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_p, k.ring_p, k.vertex))];
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(setup_->edge_of(k.block_e, k.ring_e, k.edge))];
-    const std::int32_t vertex = own.first_segment + k.part, segment = edge.first_segment + m.segment;
-    const Vec2 corner = at(o.vertices[static_cast<std::size_t>(vertex)].node);
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
+    const Outlines::Edge& own = o.edges[setup_->edge_of(k.block_p, k.ring_p, k.vertex)];
+    const Outlines::Edge& edge = o.edges[setup_->edge_of(k.block_e, k.ring_e, k.edge)];
+    const Vec2 corner = at(o.vertices[own.first_vertex() + k.part].node);
+    const Outlines::Segment& s = o.segments[edge.first_segment + m.segment];
     put(corner, i, contact_position_);
     put(contact_geometry(corner, at(s.a), at(s.b)).n, i, contact_normal_);
   }
@@ -184,7 +181,7 @@ void Observer::recover_stress(const State& state) {
 HistoryView Observer::history(const State& state, const RunStats& stats) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
-    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent) {  // there is no rock to follow
+    if (setup_->body(setup_->model().monitors[i].block).absent) {  // there is no rock to follow
       for (auto* values : {&monitor_position_, &monitor_displacement_, &monitor_velocity_})
         put(Vec2(kNone, kNone), i, *values);
       continue;
@@ -196,7 +193,7 @@ HistoryView Observer::history(const State& state, const RunStats& stats) {
   }
   recover_stress(state);
   for (std::size_t i = 0; i < monitors_.size(); ++i)
-    if (setup_->bodies()[setup_->model().monitors[i].block.index()].absent)
+    if (setup_->body(setup_->model().monitors[i].block).absent)
       std::fill_n(monitor_stress_.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, kNone);
   HistoryView h;
   h.time = seconds(state.time);

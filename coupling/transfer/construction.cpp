@@ -12,11 +12,11 @@ namespace scree::coupling {
 namespace {
 
 /// Where a segment of an outline begins, or ends, on its edge.
-SupportForce spot(const Setup& from, std::int32_t segment, bool at_end) {
+SupportForce spot(const Setup& from, SegmentIndex segment, bool at_end) {
   const Outlines& o = from.outlines();
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(segment)].edge)];
-  const Body& b = from.bodies()[static_cast<std::size_t>(edge.body)];
-  const auto first = o.edges[static_cast<std::size_t>(from.edge_of(b.block.value, 0, 0))].first_segment;
+  const Outlines::Edge& edge = o.edges[o.segments[segment].edge];
+  const Body& b = from.body(edge.body);
+  const SegmentIndex first = o.edges[from.edge_of(b.block.value, 0, 0)].first_segment;
   const Boundary::Segment& s = from.pool_of(b).boundary(b.index).segments[static_cast<std::size_t>(segment - first)];
   SupportForce out;
   out.block = b.block;
@@ -45,14 +45,14 @@ void stand_in(SupportForce at, const Vec2& force, std::vector<SupportForce>& for
 void add_contact(const Setup& from, const ContactMemory& m, const std::vector<char>& gone, const State& state,
                  std::vector<SupportForce>& forces) {
   const Outlines& o = from.outlines();
-  const auto edge_at = [&](std::int32_t block, std::int32_t ring, std::int32_t edge) {
-    return o.edges[static_cast<std::size_t>(from.edge_of(block, ring, edge))].first_segment;
+  const auto first_segment = [&](std::int32_t block, std::int32_t ring, std::int32_t edge) {
+    return o.edges[from.edge_of(block, ring, edge)].first_segment;
   };
-  const std::int32_t vertex = edge_at(m.key.block_p, m.key.ring_p, m.key.vertex) + m.key.part,
-                     segment = edge_at(m.key.block_e, m.key.ring_e, m.key.edge) + m.segment;
-  const auto at = [&](std::int32_t node) { return position(o.nodes[static_cast<std::size_t>(node)], state.q); };
-  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(segment)];
-  const ContactGeometry g = contact_geometry(at(o.vertices[static_cast<std::size_t>(vertex)].node), at(s.a), at(s.b));
+  const SegmentIndex own = first_segment(m.key.block_p, m.key.ring_p, m.key.vertex) + m.key.part,
+                     segment = first_segment(m.key.block_e, m.key.ring_e, m.key.edge) + m.segment;
+  const auto at = [&](OutlineNode node) { return position(o.nodes[node], state.q); };
+  const Outlines::Segment& s = o.segments[segment];
+  const ContactGeometry g = contact_geometry(at(o.vertices[start_of(own)].node), at(s.a), at(s.b));
   const ContactRow normal = gap_row(g), tangential = stretch_row(g, m.anchor);
   const auto force = [&](std::size_t k) -> Vec2 {
     return (m.fn - m.fd + m.water) * normal[k] + (m.ft - m.fdt) * tangential[k];
@@ -60,7 +60,7 @@ void add_contact(const Setup& from, const ContactMemory& m, const std::vector<ch
   const auto free = [&](std::int32_t block) {
     return gone[static_cast<std::size_t>(block)] == 0 && !from.bodies()[static_cast<std::size_t>(block)].driven;
   };
-  if (free(m.key.block_p)) stand_in(spot(from, vertex, false), force(0), forces);
+  if (free(m.key.block_p)) stand_in(spot(from, own, false), force(0), forces);
   if (!free(m.key.block_e)) return;
   stand_in(spot(from, segment, false), force(1), forces);
   stand_in(spot(from, segment, true), force(2), forces);
@@ -99,7 +99,7 @@ void end_supports(const Setup& from, const std::vector<char>& gone, State& state
   std::erase_if(state.support.forces, [&](const SupportForce& f) { return leaves(f.block); });
   double springs = 0.0, reservoir = 0.0;
   for (const PointSpring& s : point_springs(from, state))
-    if (gone[static_cast<std::size_t>(s.body)] != 0) springs += spring_energy(s, state.q);
+    if (gone[s.body.index()] != 0) springs += spring_energy(s, state.q);
   for (const Remainder& r : state.rest)
     if (leaves(r.block)) reservoir += r.kinetic + r.elastic;
   std::erase_if(state.rest, [&](const Remainder& r) { return leaves(r.block); });

@@ -8,12 +8,13 @@ namespace {
 
 /// A contact's vertex and the two edges it lies between, in the outlines before the change.
 struct Place {
-  std::int32_t vertex, edge;
+  VertexIndex vertex;
+  EdgeIndex edge;
 };
 
 Place place_of(const Setup& from, const ContactKey& key) {
-  const auto own = static_cast<std::size_t>(from.edge_of(key.block_p, key.ring_p, key.vertex));
-  return {from.outlines().edges[own].first_segment + key.part, from.edge_of(key.block_e, key.ring_e, key.edge)};
+  const EdgeIndex own = from.edge_of(key.block_p, key.ring_p, key.vertex);
+  return {from.outlines().edges[own].first_vertex() + key.part, from.edge_of(key.block_e, key.ring_e, key.edge)};
 }
 
 /// What the second of two points takes of a force between them; a point that is not there (-1) takes nothing.
@@ -28,12 +29,9 @@ double part_of_second(const std::int32_t (&side)[2], const double (&distance)[2]
 
 void hand_contacts_over(const Setup& from, const std::vector<char>& changed, State& state) {
   const Outlines& o = from.outlines();
-  const auto node = [&](std::int32_t vertex) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
-    return position(o.nodes[static_cast<std::size_t>(v.node)], state.q);
-  };
-  const auto on_edge = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+  const auto node = [&](VertexIndex vertex) { return position(o.nodes[o.vertices[vertex].node], state.q); };
+  const auto on_edge = [&](VertexIndex vertex, EdgeIndex edge) {
+    const Outlines::Vertex& v = o.vertices[vertex];
     return v.edge_in == edge || v.edge_out == edge;
   };
   const auto goes = [&](const ContactMemory& m) {
@@ -44,9 +42,9 @@ void hand_contacts_over(const Setup& from, const std::vector<char>& changed, Sta
   for (std::size_t i = 0; i < places.size(); ++i) {
     ContactMemory& gone = state.contacts[i];
     if (!goes(gone) || gone.status == ContactStatus::open) continue;
-    const std::int32_t own = o.vertices[static_cast<std::size_t>(places[i].vertex)].edge_out, edge = places[i].edge;
-    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
-    const Vec2 along = (node(e.end_vertex) - node(e.first_segment)).normalized();
+    const EdgeIndex own = o.vertices[places[i].vertex].edge_out, edge = places[i].edge;
+    const Outlines::Edge& e = o.edges[edge];
+    const Vec2 along = (node(e.end_vertex) - node(e.first_vertex())).normalized();
     std::int32_t side[2] = {-1, -1};  // nearest closed points that remain, before and behind
     double distance[2] = {0.0, 0.0};
     for (std::size_t k = 0; k < places.size(); ++k) {

@@ -462,7 +462,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
     end_supports(from, gone, state);
   }
   std::vector<PointSpring> supports = point_springs(from, state);
-  std::erase_if(supports, [&](const PointSpring& s) { return gone[static_cast<std::size_t>(s.body)] != 0; });
+  std::erase_if(supports, [&](const PointSpring& s) { return gone[s.body.index()] != 0; });
   const std::vector<BoltRows> bolts = acting_bolts(from, state);
   const std::vector<double> q = state.q;
   const std::vector<BodyRecord> bodies = model.edge_supports.empty() ? std::vector<BodyRecord>() : state.bodies;

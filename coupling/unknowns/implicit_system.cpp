@@ -44,10 +44,10 @@ ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value
   rate_.resize(static_cast<std::size_t>(dofs_));
 }
 
-std::int32_t ImplicitSystem::body_of(std::int32_t dof) const {
-  std::int32_t found = -1;
+BodyIndex ImplicitSystem::body_of(std::int32_t dof) const {
+  BodyIndex found;
   for (std::size_t b = 0; b < first_dof_.size(); ++b)
-    if (first_dof_[b] >= 0 && first_dof_[b] <= dof) found = static_cast<std::int32_t>(b);
+    if (first_dof_[b] >= 0 && first_dof_[b] <= dof) found = BodyIndex::of(b);
   return found;
 }
 
@@ -59,9 +59,9 @@ void ImplicitSystem::scatter(std::size_t body, std::span<const double> values, s
 void ImplicitSystem::find_units(std::span<const double> reference) {
   unit_.assign(static_cast<std::size_t>(dofs_), 0.0);
   const Outlines& o = setup_->outlines();
-  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
-    const std::int32_t body = o.node_body[k];
-    if (first_dof(static_cast<std::size_t>(body)) < 0) continue;
+  for (const OutlineNode k : o.nodes.indices()) {
+    const BodyIndex body = o.node_body[k];
+    if (first_dof(body) < 0) continue;
     const ChartRow row = chart(body, o.nodes[k], reference);
     for (std::size_t j = 0; j < static_cast<std::size_t>(row.n); ++j) {
       double& unit = unit_[static_cast<std::size_t>(row.dof[j])];
@@ -119,12 +119,11 @@ double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool
   return energy;
 }
 
-ChartRow ImplicitSystem::chart(std::int32_t body, const Row& row, std::span<const double> q) const {
-  const Body& b = setup_->bodies()[static_cast<std::size_t>(body)];
+ChartRow ImplicitSystem::chart(BodyIndex body, const Row& row, std::span<const double> q) const {
+  const Body& b = setup_->body(body);
   ChartRow chart =
       setup_->pool_of(b).chart_row(b.index, setup_->local(b, row), setup_->part(q, static_cast<std::size_t>(b.pool)));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k)
-    chart.dof[k] += first_dof_[static_cast<std::size_t>(body)];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(chart.n); ++k) chart.dof[k] += first_dof(body);
   return chart;
 }
 

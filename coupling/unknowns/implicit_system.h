@@ -19,10 +19,11 @@ class ImplicitSystem {
   [[nodiscard]] std::int32_t dofs() const { return dofs_; }
   /// -1: the body is driven.
   [[nodiscard]] std::int32_t first_dof(std::size_t body) const { return first_dof_[body]; }
+  [[nodiscard]] std::int32_t first_dof(BodyIndex body) const { return first_dof_[body.index()]; }
   /// 1 for unknowns of bodies whose force is not linear, else 0.
   [[nodiscard]] std::span<const double> nonlinear_dofs() const { return nonlinear_dof_; }
   /// Body of an unknown.
-  [[nodiscard]] std::int32_t body_of(std::int32_t dof) const;
+  [[nodiscard]] BodyIndex body_of(std::int32_t dof) const;
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   [[nodiscard]] bool nonlinear() const { return nonlinear_; }
   /// True if every free body has six unknowns, all coupled, and forces that are linear in them: an affine block, or one
@@ -47,7 +48,7 @@ class ImplicitSystem {
   [[nodiscard]] std::span<const double> rate() const { return rate_; }
 
   /// A row of a free body in the unknowns.   @param q  positions at the start of the step
-  [[nodiscard]] ChartRow chart(std::int32_t body, const Row& row, std::span<const double> q) const;
+  [[nodiscard]] ChartRow chart(BodyIndex body, const Row& row, std::span<const double> q) const;
   /// The last row += c.(displacement of the point).
   static void add_point(const ChartRow& point, const Vec2& c, DofRows& out) {
     constexpr std::size_t kAffine = 6;  // unknowns of an affine body, in order

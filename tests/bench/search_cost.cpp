@@ -38,7 +38,7 @@ Cost measure(int edges, double speed, int steps) {
   coupling::ContactFinder finder(*hand.setup, detection);
   coupling::ContactList list, next;
   std::vector<double> q = hand.state.q;
-  std::vector<Vec2> x(hand.setup->outlines().nodes.size());
+  IndexedVector<coupling::OutlineNode, Vec2> x(hand.setup->outlines().nodes.size());
   Cost cost{4.0 * bricks, 0.0, 0.0, 0.0};
   for (int step = -3; step < steps; ++step) {
     // To and fro on a line of its own, ten steps each way: a pile that shakes and stays together.
@@ -49,7 +49,7 @@ Cost measure(int edges, double speed, int steps) {
       q[2 * static_cast<std::size_t>(b.first_node)] += way * std::cos(angle);
       q[2 * static_cast<std::size_t>(b.first_node) + 1] += way * std::sin(angle);
     }
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = coupling::position(hand.setup->outlines().nodes[i], q);
+    for (const coupling::OutlineNode i : x.indices()) x[i] = coupling::position(hand.setup->outlines().nodes[i], q);
     const double begin = now();
     (void)search.update(x);
     const double middle = now();

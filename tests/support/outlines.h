@@ -15,10 +15,8 @@ inline Ring outline_of(const coupling::Driver& run, BlockId id) {
   const coupling::Outlines& o = setup.outlines();
   Ring ring;
   for (const coupling::Outlines::Edge& e : o.edges)
-    if (setup.bodies()[static_cast<std::size_t>(e.body)].block == id)
-      ring.push_back(coupling::position(
-          o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(e.first_segment)].node)],
-          run.state().q));
+    if (setup.body(e.body).block == id)
+      ring.push_back(coupling::position(o.nodes[o.vertices[e.first_vertex()].node], run.state().q));
   return ring;
 }
 

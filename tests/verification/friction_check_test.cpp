@@ -249,9 +249,9 @@ struct Point {
                                     initial_records(scene.model, body_requests(scene.model, scene.plan.stages[0])));
     ContactPoint p;
     const Outlines& o = setup->outlines();
-    for (std::size_t v = 0; v < o.vertices.size(); ++v)
-      if (o.vertices[v].body == 1) p.vertex = static_cast<std::int32_t>(v);
-    p.edge = 0;
+    for (const VertexIndex v : o.vertices.indices())
+      if (o.vertices[v].body == BodyIndex{1}) p.vertex = v;
+    p.edge = EdgeIndex{0};
     ContactMemory m;
     m.joint = 0;
     m.kn = m.kt = 1e8;  // an elastic stretch of 6e-5 of the block

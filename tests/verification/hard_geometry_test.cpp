@@ -67,11 +67,11 @@ Frame frame_of(const Driver& run, const Model& model, const Place& place) {
         place.scale);
   for (const ContactMemory& m : state.contacts) {
     if (m.status == ContactStatus::open) continue;
-    const auto x = [&](std::int32_t node) { return position(o.nodes[static_cast<std::size_t>(node)], state.q); };
-    const auto edge_p = static_cast<std::size_t>(run.setup().edge_of(m.key.block_p, m.key.ring_p, m.key.vertex)),
-               edge_e = static_cast<std::size_t>(run.setup().edge_of(m.key.block_e, m.key.ring_e, m.key.edge));
-    const std::int32_t v = o.edges[edge_p].first_segment + m.key.part, s = o.edges[edge_e].first_segment + m.segment;
-    const auto vertex = static_cast<std::size_t>(v), segment = static_cast<std::size_t>(s);
+    const auto x = [&](OutlineNode node) { return position(o.nodes[node], state.q); };
+    const EdgeIndex edge_p = run.setup().edge_of(m.key.block_p, m.key.ring_p, m.key.vertex),
+                    edge_e = run.setup().edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
+    const VertexIndex vertex = o.edges[edge_p].first_vertex() + m.key.part;
+    const SegmentIndex segment = o.edges[edge_e].first_segment + m.segment;
     const ContactGeometry g =
         contact_geometry(x(o.vertices[vertex].node), x(o.segments[segment].a), x(o.segments[segment].b));
     const Vec2 on_p = back * (m.fn * g.n + m.ft * g.t) / std::pow(place.scale, 3);

@@ -97,10 +97,13 @@ TEST(HeldBodies, have_pools_apart_from_those_that_move) {
   }
   const Outlines& o = setup.outlines();
   std::size_t moving = 0;
-  for (const Outlines::Range& r : o.moving_nodes)
-    for (std::int32_t i = r.begin; i < r.end; ++i, ++moving) EXPECT_NE(o.node_body[static_cast<std::size_t>(i)], 0);
+  for (const IndexRange<coupling::OutlineNode> r : o.moving_nodes)
+    for (const coupling::OutlineNode i : r) {
+      EXPECT_NE(o.node_body[i], BodyIndex{0});
+      ++moving;
+    }
   EXPECT_EQ(moving, static_cast<std::size_t>(std::count_if(o.node_body.begin(), o.node_body.end(),
-                                                           [](std::int32_t body) { return body != 0; })));
+                                                           [](BodyIndex body) { return body != BodyIndex{0}; })));
 }
 
 }  // namespace

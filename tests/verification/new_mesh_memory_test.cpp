@@ -105,7 +105,7 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
     const ContactMemory& m = now.memory[i];
     if (m.status == ContactStatus::open) continue;
     force -= m.kn * m.gap;
-    const double x = position(o.nodes[static_cast<std::size_t>(now.points[i].node[0])], hand.state.q).x();
+    const double x = position(o.nodes[now.points[i].node[0]], hand.state.q).x();
     EXPECT_NEAR(m.slip, 0.01 + 0.03 * x / 1.5, 1e-5) << x;
     EXPECT_EQ(m.failed, x < 0.75 ? 0 : 1) << x;
     added += m.key.part > 0 ? 1 : 0;

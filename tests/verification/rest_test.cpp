@@ -146,10 +146,9 @@ TEST_F(HandOverOfContacts, resultants_stay) {
     for (const ContactMemory& m : view.state->contacts) {
       if ((m.key.block_p != 0 && m.key.block_e != 0) || m.status == ContactStatus::open) continue;
       const double fn = -m.kn * m.gap, ft = -m.kt * m.stretch;
-      const auto edge = static_cast<std::size_t>(run.setup().edge_of(m.key.block_p, m.key.ring_p, m.key.vertex));
-      const std::int32_t v = o.edges[edge].first_segment + m.key.part;
-      const Vec2 x =
-          position(o.nodes[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node)], view.state->q);
+      const EdgeIndex edge = run.setup().edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
+      const VertexIndex v = o.edges[edge].first_vertex() + m.key.part;
+      const Vec2 x = position(o.nodes[o.vertices[v].node], view.state->q);
       sums.normal += fn;
       sums.tangential += ft;
       sums.moment += fn * R.col(0).dot(x);

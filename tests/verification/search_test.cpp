@@ -59,7 +59,7 @@ class Heap {
     put();
   }
   [[nodiscard]] const Setup& setup() const { return *hand_->setup; }
-  [[nodiscard]] const std::vector<Vec2>& points() const { return x_; }
+  [[nodiscard]] OutlinePositions points() const { return x_; }
   /// Moves, turns and stretches every block that is not held at random; some jump far away.
   void tumble(double step, double jumps) {
     const auto signed_uniform = [&] { return 2.0 * random_->uniform() - 1.0; };
@@ -86,39 +86,37 @@ class Heap {
       setup.pool_of(b).place(b.index, m, setup.part(std::span<double>(hand_->state.q), p),
                              setup.part(std::span<double>(hand_->state.v), p));
     }
-    x_.clear();
+    x_.values().clear();
     for (const Row& row : setup.outlines().nodes) x_.push_back(position(row, hand_->state.q));
   }
   Random* random_;
   Scene scene_;
   std::unique_ptr<ByHand> hand_;
-  std::vector<Vec2> centre_, x_;
+  std::vector<Vec2> centre_;
+  IndexedVector<OutlineNode, Vec2> x_;
   std::vector<double> angle_;
 };
 
 /// Every pair of segments, but for those whose extents along x are apart.
-std::vector<EdgePair> brute_force(const Setup& setup, std::span<const Vec2> x, double reach) {
+std::vector<EdgePair> brute_force(const Setup& setup, OutlinePositions x, double reach) {
   const Outlines& o = setup.outlines();
   struct Item {
     double low, high;
     std::array<Vec2, 2> at;
-    std::int32_t edge, body;
+    EdgeIndex edge;
+    BodyIndex body;
   };
   std::vector<Item> items;
   for (const Outlines::Segment& s : o.segments) {
-    const Vec2 &a = x[static_cast<std::size_t>(s.a)], &b = x[static_cast<std::size_t>(s.b)];
-    items.push_back({std::min(a.x(), b.x()),
-                     std::max(a.x(), b.x()),
-                     {a, b},
-                     s.edge,
-                     o.edges[static_cast<std::size_t>(s.edge)].body});
+    const Vec2 &a = x[s.a], &b = x[s.b];
+    items.push_back({std::min(a.x(), b.x()), std::max(a.x(), b.x()), {a, b}, s.edge, o.edges[s.edge].body});
   }
   std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.low < b.low; });
   std::vector<EdgePair> pairs;
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = i + 1; j < items.size() && items[j].low <= items[i].high + reach; ++j) {
       const Item &a = items[i], &b = items[j];
-      const auto driven = [&](std::int32_t body) { return setup.bodies()[static_cast<std::size_t>(body)].driven; };
+      const auto driven = [&](BodyIndex body) { return setup.body(body).driven; };
       if (a.body == b.body || (driven(a.body) && driven(b.body)) || distance(a.at, b.at) >= reach) continue;
       pairs.push_back({std::min(a.edge, b.edge), std::max(a.edge, b.edge)});
     }
@@ -144,9 +142,7 @@ TEST(Search, finds_what_brute_force_finds_in_tumbling_heaps) {
         ASSERT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()))
             << "system " << system << ", call " << call;
         for (const EdgePair& p : found) {
-          const auto body = [&](std::int32_t e) {
-            return heap.setup().outlines().edges[static_cast<std::size_t>(e)].body;
-          };
+          const auto body = [&](EdgeIndex e) { return heap.setup().outlines().edges[e].body; };
           ASSERT_NE(body(p.a), body(p.b));
         }
       };

@@ -21,10 +21,9 @@ std::vector<Polygon> present_outlines(const Setup& setup, std::span<const double
   const Outlines& o = setup.outlines();
   std::vector<Polygon> out(setup.bodies().size());
   for (const Outlines::Edge& e : o.edges) {
-    if (e.opposite >= 0 || !e.touches) continue;  // of a crack
-    Polygon& p = out[static_cast<std::size_t>(e.body)];
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(e.first_segment)];
-    const Vec2 x = position(o.nodes[static_cast<std::size_t>(v.node)], q);
+    if (e.opposite.valid() || !e.touches) continue;  // of a crack
+    Polygon& p = out[e.body.index()];
+    const Vec2 x = position(o.nodes[o.vertices[e.first_vertex()].node], q);
     if (e.ring == 0)
       p.outer.push_back(x);
     else {
@@ -60,11 +59,11 @@ std::string contact_name(const Model& model, const ContactKey& key) {
 void audit_geometry(const Setup& setup, const ContactList& list, std::span<const double> q, double detection,
                     Audit& audit) {
   const Outlines& o = setup.outlines();
-  const auto at = [&](std::int32_t node) { return position(o.nodes[static_cast<std::size_t>(node)], q); };
+  const auto at = [&](OutlineNode node) { return position(o.nodes[node], q); };
   double farthest = 0.0;
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   const double allowed = kSameNumber * detection + 64.0 * std::numeric_limits<double>::epsilon() * farthest;
-  std::set<std::pair<std::int32_t, std::int32_t>> held;  // pairs of bodies
+  std::set<std::pair<BodyIndex, BodyIndex>> held;
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
@@ -75,8 +74,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     // A point that closed at a depth, or whose share changed under load, is free of force where gap0 says.
     const bool comes_out = m.gap >= 0.0 && m.gap + m.gap0 < 0.0;
     if (m.status != ContactStatus::open || comes_out)
-      held.insert(std::minmax(o.node_body[static_cast<std::size_t>(p.node[0])],
-                              o.node_body[static_cast<std::size_t>(p.node[1])]));
+      held.insert(std::minmax(o.node_body[p.node[0]], o.node_body[p.node[1]]));
     if (m.status == ContactStatus::open) continue;
     audit.check((g.xi - m.anchor) * g.length - m.stretch, allowed,
                 [&] { return fmt::format("{}: the stretch is not {:.6g} m", name(), m.stretch); });
@@ -90,7 +88,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     for (std::size_t b = 0; b < outline.size(); ++b) {
       if (a == b || !setup.can_touch(a, b) || outline[a].outer.empty() || outline[b].outer.empty()) continue;
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
-      if (held.contains(std::minmax(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)))) continue;
+      if (held.contains(std::minmax({BodyIndex::of(a), BodyIndex::of(b)}))) continue;
       for (const Vec2& x : outline[a].outer)
         if (contains(outline[b], x))
           audit.check(depth_in(outline[b], x), 0.1 * detection, [&] {

@@ -105,9 +105,8 @@ void FrictionCheck::forget(ContactList& list) {
 double FrictionCheck::deformation(const ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
   double least = std::numeric_limits<double>::infinity();
-  for (const std::int32_t b :
-       {o.vertices[static_cast<std::size_t>(p.vertex)].body, o.edges[static_cast<std::size_t>(p.edge)].body}) {
-    const Inertia& body = bodies_[static_cast<std::size_t>(b)];
+  for (const BodyIndex b : {o.vertices[p.vertex].body, o.edges[p.edge].body}) {
+    const Inertia& body = bodies_[b];
     if (body.free) least = std::min(least, body.size);
   }
   return std::isfinite(least) ? kStrain * least : 0.0;
@@ -115,12 +114,8 @@ double FrictionCheck::deformation(const ContactPoint& p) const {
 
 double FrictionCheck::period(const ContactPoint& p) {
   const Outlines& o = setup_->outlines();
-  const auto body_of_vertex = [&](const ContactPoint& c) {
-    return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(c.vertex)].body);
-  };
-  const auto body_of_edge = [&](const ContactPoint& c) {
-    return static_cast<std::size_t>(o.edges[static_cast<std::size_t>(c.edge)].body);
-  };
+  const auto body_of_vertex = [&](const ContactPoint& c) { return o.vertices[c.vertex].body; };
+  const auto body_of_edge = [&](const ContactPoint& c) { return o.edges[c.edge].body; };
   if (!summed_) {
     summed_ = true;
     stiffness_.assign(bodies_.size(), 0.0);
@@ -132,7 +127,7 @@ double FrictionCheck::period(const ContactPoint& p) {
     }
   }
   double longest = 0.0;
-  for (const std::size_t b : {body_of_vertex(p), body_of_edge(p)}) {
+  for (const BodyIndex b : {body_of_vertex(p), body_of_edge(p)}) {
     if (!bodies_[b].free || !(stiffness_[b] > 0.0)) continue;
     const double on_contacts = 2.0 * std::numbers::pi * std::sqrt(bodies_[b].mass / stiffness_[b]);
     longest = std::max(longest, std::hypot(on_contacts, bodies_[b].period));

@@ -90,8 +90,8 @@ class FrictionCheck {
   double last_change_ = 0.0;  // when the last motion and function of the stage are over [s]; infinite: never
   bool still_ = false;        // they are
   const ContactList* list_ = nullptr;
-  std::vector<Inertia> bodies_;
-  std::vector<double> stiffness_;  // of a body: tangential, of its closed contacts [N/m]
+  IndexedVector<BodyIndex, Inertia> bodies_;
+  IndexedVector<BodyIndex, double> stiffness_;  // tangential, of closed contacts [N/m]
   bool summed_ = false;
 };
 

@@ -11,24 +11,20 @@ namespace {
 /// the ends lie in that order but where an edge is bent back on itself.
 class Places {
  public:
-  Places(const Outlines& o, std::span<const Vec2> x, std::int32_t edge, const Vec2& along, bool falls)
-      : outlines_(&o), x_(x), edge_(&o.edges[static_cast<std::size_t>(edge)]), along_(along), falls_(falls) {
+  Places(const Outlines& o, OutlinePositions x, EdgeIndex edge, const Vec2& along, bool falls)
+      : outlines_(&o), x_(x), edge_(&o.edges[edge]), along_(along), falls_(falls) {
     start_ = at(0);
     end_ = at(edge_->segments);
   }
-  [[nodiscard]] std::int32_t vertex(std::int32_t k) const {
-    return k == edge_->segments ? edge_->end_vertex : edge_->first_segment + k;
-  }
-  [[nodiscard]] double at(std::int32_t k) const {
-    return along_.dot(x_[static_cast<std::size_t>(outlines_->vertices[static_cast<std::size_t>(vertex(k))].node)]);
-  }
+  [[nodiscard]] VertexIndex vertex(std::int32_t k) const { return edge_->vertex(k); }
+  [[nodiscard]] double at(std::int32_t k) const { return along_.dot(x_[outlines_->vertices[vertex(k)].node]); }
   [[nodiscard]] double start() const { return start_; }
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool straight() const { return edge_->segments == 1; }
   /// see(vertex, s) for the two ends, where they lie within [low, high].
   template <class See>
   void ends_within(double low, double high, See&& see) const {
-    if (start_ >= low && start_ <= high) see(edge_->first_segment, start_);
+    if (start_ >= low && start_ <= high) see(edge_->first_vertex(), start_);
     if (end_ >= low && end_ <= high) see(edge_->end_vertex, end_);
   }
   /// see(k, s) for the vertices within [low, high], found without a look at the others.
@@ -53,7 +49,7 @@ class Places {
 
  private:
   const Outlines* outlines_;
-  std::span<const Vec2> x_;
+  OutlinePositions x_;
   const Outlines::Edge* edge_;
   Vec2 along_;
   bool falls_;
@@ -62,8 +58,8 @@ class Places {
 
 }  // namespace
 
-std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a,
-                                                  std::int32_t b, const Vec2& along, bool middle) {
+std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, OutlinePositions x, EdgeIndex a, EdgeIndex b,
+                                                  const Vec2& along, bool middle) {
   points_.clear();
   const Places of_a(o, x, a, along, false), of_b(o, x, b, along, true);
   const double low = std::max(of_a.start(), of_b.end()), high = std::min(of_a.end(), of_b.start());
@@ -72,8 +68,8 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
   if (of_a.straight() && of_b.straight()) {  // two ends of the overlap; four vertices where they meet exactly
     std::array<Kink, 4> ends;
     std::size_t count = 0;
-    const auto put = [&](std::int32_t against) {
-      return [&, against](std::int32_t vertex, double s) { ends[count++] = {s, vertex, against}; };
+    const auto put = [&](EdgeIndex against) {
+      return [&, against](VertexIndex vertex, double s) { ends[count++] = {s, vertex, against}; };
     };
     of_a.ends_within(low, high, put(b));
     of_b.ends_within(low, high, put(a));
@@ -82,7 +78,7 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, std::span<c
     return points_;
   }
   kinks_.clear();
-  const auto add = [&](const Places& places, std::int32_t against) {
+  const auto add = [&](const Places& places, EdgeIndex against) {
     places.within(low, high, middle, [&](std::int32_t k, double s) {
       kinks_.push_back({s, places.vertex(k), against});
     });

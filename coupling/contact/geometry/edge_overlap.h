@@ -10,8 +10,8 @@ namespace scree::coupling {
 
 /// Per vertex of one edge that lies over the other, with the length of joint that it stands for.
 struct OverlapPoint {
-  std::int32_t vertex = -1;          // into Outlines::vertices
-  std::int32_t edge = -1;            // the edge that it faces
+  VertexIndex vertex;
+  EdgeIndex edge;                    // the edge that it faces
   double tributary = 0.0;            // [m], half of the pieces on either side
   double behind = 0.0, ahead = 0.0;  // their lengths, against and along the direction given [m]
 };
@@ -25,13 +25,14 @@ class EdgeOverlap {
   /// @param along    unit vector along edge a and against edge b
   /// @param middle   false: only corners carry shares, the vertices of a mesh between them do not
   /// @return points with a share above zero, in no promised order; valid until the next call
-  std::span<const OverlapPoint> divide(const Outlines& o, std::span<const Vec2> x, std::int32_t a, std::int32_t b,
+  std::span<const OverlapPoint> divide(const Outlines& o, OutlinePositions x, EdgeIndex a, EdgeIndex b,
                                        const Vec2& along, bool middle);
 
  private:
   struct Kink {
     double s = 0.0;
-    std::int32_t vertex = -1, edge = -1;
+    VertexIndex vertex;
+    EdgeIndex edge;
   };
   /// Gives each kink half of the pieces beside it.   @param kinks  in order
   void share(std::span<const Kink> kinks);

@@ -26,7 +26,7 @@ double width_of(const Polygon& block, const Vec2& direction) {
 JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
   const Model& model = setup.model();
   for (const Outlines::Edge& e : setup.outlines().edges) {
-    const BlockId id = setup.bodies()[static_cast<std::size_t>(e.body)].block;
+    const BlockId id = setup.body(e.body).block;
     const Polygon& block = model.blocks[id.index()].polygon;
     width_.push_back(width_of(block, Vec2(e.along.y(), -e.along.x())));
     modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width_.back());
@@ -34,27 +34,25 @@ JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
   }
 }
 
-JointId JointSprings::law_of(std::int32_t edge_a, std::int32_t edge_b) const {
+JointId JointSprings::law_of(EdgeIndex edge_a, EdgeIndex edge_b) const {
   const auto& edges = setup_->outlines().edges;
-  const JointId a = edges[static_cast<std::size_t>(edge_a)].joint, b = edges[static_cast<std::size_t>(edge_b)].joint;
+  const JointId a = edges[edge_a].joint, b = edges[edge_b].joint;
   return law_between(setup_->model(), a, b);
 }
 
 bool JointSprings::per_area(JointId id) const { return !law(id).penalty; }
 
-double JointSprings::normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const {
+double JointSprings::normal_stiffness(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const {
   if (law(id).normal_stiffness) return *law(id).normal_stiffness;
-  return std::max(modulus_over_width_[static_cast<std::size_t>(edge_a)],
-                  modulus_over_width_[static_cast<std::size_t>(edge_b)]);
+  return std::max(modulus_over_width_[edge_a], modulus_over_width_[edge_b]);
 }
 
-double JointSprings::corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const {
+double JointSprings::corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const {
   if (law(id).contact_length > 0.0) return law(id).contact_length;
-  return kCornerLength *
-         std::min(root_area_[static_cast<std::size_t>(edge_a)], root_area_[static_cast<std::size_t>(edge_b)]);
+  return kCornerLength * std::min(root_area_[edge_a], root_area_[edge_b]);
 }
 
-Springs JointSprings::springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double tributary) const {
+Springs JointSprings::springs(JointId id, EdgeIndex edge_a, EdgeIndex edge_b, double tributary) const {
   const JointLaw& j = law(id);
   if (j.penalty)
     return {j.contact_length > 0.0 ? j.contact_length : tributary, *j.penalty, j.shear_penalty.value_or(*j.penalty)};

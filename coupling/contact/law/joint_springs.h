@@ -21,26 +21,26 @@ class JointSprings {
   explicit JointSprings(const Setup& setup);
 
   /// Law between two edges: that of the edge that names one; of two the one with less friction.
-  [[nodiscard]] JointId law_of(std::int32_t edge_a, std::int32_t edge_b) const;
+  [[nodiscard]] JointId law_of(EdgeIndex edge_a, EdgeIndex edge_b) const;
   /// True if points carry shares of the overlap; false for a penalty a point.
   [[nodiscard]] bool per_area(JointId id) const;
   /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
   /// @source [Qu2013] eq. 7.56 (there as an upper bound, ten times as stiff)
-  [[nodiscard]] double normal_stiffness(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
+  [[nodiscard]] double normal_stiffness(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
   /// Length that a corner against an edge stands for [m].
-  [[nodiscard]] double corner_length(JointId id, std::int32_t edge_a, std::int32_t edge_b) const;
+  [[nodiscard]] double corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
   /// Extent of the edge's block, as the model has it, normal to the edge [m].
-  [[nodiscard]] double width(std::int32_t edge) const { return width_[static_cast<std::size_t>(edge)]; }
+  [[nodiscard]] double width(EdgeIndex edge) const { return width_[edge]; }
   /// Springs of a point with a length of overlap [m].
-  [[nodiscard]] Springs springs(JointId id, std::int32_t edge_a, std::int32_t edge_b, double tributary) const;
+  [[nodiscard]] Springs springs(JointId id, EdgeIndex edge_a, EdgeIndex edge_b, double tributary) const;
 
  private:
   [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }
 
   const Setup* setup_;
-  std::vector<double> width_;               // an edge [m]
-  std::vector<double> modulus_over_width_;  // an edge [Pa/m]
-  std::vector<double> root_area_;           // an edge's block [m]
+  IndexedVector<EdgeIndex, double> width_;               // [m]
+  IndexedVector<EdgeIndex, double> modulus_over_width_;  // [Pa/m]
+  IndexedVector<EdgeIndex, double> root_area_;           // of its block [m]
 };
 
 }  // namespace scree::coupling

@@ -65,13 +65,14 @@ void BoxTree::move(std::size_t i, const Box& box) {
   nodes_.clear();
 }
 
-void BoxTree::move(std::span<const std::size_t> moved, std::span<const Box> boxes) {
-  for (const std::size_t i : moved) {
-    btDbvtProxy& p = *proxies_[i];
-    p.leaf->volume = volume(boxes[i]);
-    p.m_aabbMin = p.leaf->volume.Mins();
-    p.m_aabbMax = p.leaf->volume.Maxs();
-  }
+void BoxTree::place(std::size_t i, const Box& box) {
+  btDbvtProxy& p = *proxies_[i];
+  p.leaf->volume = volume(box);
+  p.m_aabbMin = p.leaf->volume.Mins();
+  p.m_aabbMax = p.leaf->volume.Maxs();
+}
+
+void BoxTree::refit() {
   if (nodes_.empty()) list_nodes();
   const double extents = fit();
   narrowest_ = std::min(narrowest_, extents);

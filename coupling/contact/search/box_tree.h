@@ -29,10 +29,11 @@ class BoxTree {
 
   /// Takes one box out of the tree and puts it in again: its cost grows with the logarithm of their number.
   void move(std::size_t i, const Box& box);
-  /// Gives many boxes their places without another tree, and fits the nodes above them in one pass: in proportion to
-  /// the number of all boxes. A tree that has grown too wide for that is built anew.
-  /// @param moved  which    @param boxes  all
-  void move(std::span<const std::size_t> moved, std::span<const Box> boxes);
+  /// Gives a box its place in the tree as it is; for many boxes, with one refit() after the last.
+  void place(std::size_t i, const Box& box);
+  /// Fits the nodes above all boxes in one pass: in proportion to the number of boxes. A tree that has grown too wide
+  /// for that is built anew.
+  void refit();
   /// Calls see(i, j), i != j, once for every two boxes that overlap, in no promised order.
   template <class See>
   void for_overlaps(See&& see) {

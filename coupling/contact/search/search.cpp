@@ -9,13 +9,14 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kManyMoved = 0.05;  // of all boxes
-constexpr std::size_t kAhead = 200;  // nodes
+constexpr double kManyMoved = 0.05;   // of all boxes
+constexpr std::int32_t kAhead = 200;  // nodes
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// What decides whether two segments may touch, close together.
 struct Owner {
-  std::int32_t edge, body, opposite;
+  EdgeIndex edge, opposite;
+  BodyIndex body;
   bool touches, touched;
 };
 
@@ -23,12 +24,15 @@ struct Owner {
 /// crack.
 bool may_touch(const Owner& a, const Owner& b) {
   if (a.body == b.body) return a.opposite == b.edge;
-  return a.touches && b.touches && (a.touched || b.touched) && a.opposite < 0 && b.opposite < 0;
+  return a.touches && b.touches && (a.touched || b.touched) && !a.opposite.valid() && !b.opposite.valid();
 }
+
+/// The segment of a box in the tree.
+SegmentIndex segment_of(std::size_t box) { return SegmentIndex::of(box); }
 
 /// Two segments whose boxes overlap.
 struct SegmentPair {
-  std::uint32_t a, b;
+  SegmentIndex a, b;
 };
 
 }  // namespace
@@ -37,9 +41,9 @@ struct Search::Impl {
   Impl(const Setup& s, double r);
 
   /// Makes the box of a segment anew, with the slack around it.
-  void fatten(std::size_t segment, std::span<const Vec2> x);
+  void fatten(SegmentIndex segment, OutlinePositions x);
   /// Where a node may be without leaving the boxes of its segments.
-  void set_room(std::size_t node);
+  void set_room(OutlineNode node);
   void list_all();
   /// Lists the pairs of the boxes that moved anew.
   void list_moved();
@@ -48,34 +52,33 @@ struct Search::Impl {
 
   const Setup* setup;
   double reach;
-  std::vector<Owner> owners;       // of segments
-  std::vector<std::size_t> first;  // per node: its first in segments_at, and the end
-  std::vector<std::size_t> segments_at;
-  std::vector<Box> fat;   // of segments
-  std::vector<Box> room;  // of nodes: in all boxes of its segments, half the reach away from their sides
+  IndexedVector<SegmentIndex, Owner> owners;
+  IndexedVector<OutlineNode, std::size_t> first;  // its first in segments_at, and the end
+  std::vector<SegmentIndex> segments_at;
+  IndexedVector<SegmentIndex, Box> fat;
+  IndexedVector<OutlineNode, Box> room;  // in all boxes of its segments, half the reach away from their sides
   std::unique_ptr<BoxTree> tree;
-  std::vector<std::size_t> moved;  // boxes anew
-  std::vector<char> has_moved;     // of segments
+  std::vector<SegmentIndex> moved;  // boxes anew
+  IndexedVector<SegmentIndex, char> has_moved;
   std::vector<SegmentPair> near;
   std::vector<EdgePair> pairs;
-  std::vector<std::size_t> first_pair;  // an edge: its first in pairs, while they are sorted
+  IndexedVector<EdgeIndex, std::size_t> first_pair;  // its first in pairs, while they are sorted
 };
 
 Search::Impl::Impl(const Setup& s, double r) : setup(&s), reach(r) {
   const Outlines& o = s.outlines();
   for (const Outlines::Segment& segment : o.segments) {
-    const Outlines::Edge& e = o.edges[static_cast<std::size_t>(segment.edge)];
-    const bool touched = s.bodies()[static_cast<std::size_t>(e.body)].touched;
-    owners.push_back({segment.edge, e.body, e.opposite, e.touches, touched});
+    const Outlines::Edge& e = o.edges[segment.edge];
+    owners.push_back({segment.edge, e.opposite, e.body, e.touches, s.body(e.body).touched});
   }
   first.resize(o.nodes.size() + 2);  // counted one further on, so that filling leaves the first ones
   for (const Outlines::Segment& segment : o.segments)
-    for (const std::int32_t node : {segment.a, segment.b}) ++first[static_cast<std::size_t>(node) + 2];
-  for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+    for (const OutlineNode node : {segment.a, segment.b}) ++first[node + 2];
+  std::vector<std::size_t>& first_of = first.values();
+  for (std::size_t i = 2; i < first_of.size(); ++i) first_of[i] += first_of[i - 1];
   segments_at.resize(first.back());
-  for (std::size_t i = 0; i < o.segments.size(); ++i)
-    for (const std::int32_t node : {o.segments[i].a, o.segments[i].b})
-      segments_at[first[static_cast<std::size_t>(node) + 1]++] = i;
+  for (const SegmentIndex i : o.segments.indices())
+    for (const OutlineNode node : {o.segments[i].a, o.segments[i].b}) segments_at[first[node + 1]++] = i;
   fat.resize(o.segments.size());
   room.resize(o.nodes.size());
   moved.reserve(o.segments.size());
@@ -83,14 +86,14 @@ Search::Impl::Impl(const Setup& s, double r) : setup(&s), reach(r) {
   first_pair.resize(o.edges.size() + 1);
 }
 
-void Search::Impl::fatten(std::size_t segment, std::span<const Vec2> x) {
+void Search::Impl::fatten(SegmentIndex segment, OutlinePositions x) {
   const Outlines::Segment& s = setup->outlines().segments[segment];
-  const Vec2 &a = x[static_cast<std::size_t>(s.a)], &b = x[static_cast<std::size_t>(s.b)];
+  const Vec2 &a = x[s.a], &b = x[s.b];
   const double around = 1.5 * reach;  // half the reach on either side of a pair, and as much slack as the reach
   fat[segment] = {a.cwiseMin(b).array() - around, a.cwiseMax(b).array() + around};
 }
 
-void Search::Impl::set_room(std::size_t node) {
+void Search::Impl::set_room(OutlineNode node) {
   Box& box = room[node] = {Vec2(-kFar, -kFar), Vec2(kFar, kFar)};
   for (std::size_t k = first[node]; k < first[node + 1]; ++k) {
     box.lo = box.lo.cwiseMax(fat[segments_at[k]].lo);
@@ -103,29 +106,31 @@ void Search::Impl::set_room(std::size_t node) {
 void Search::Impl::list_all() {
   near.clear();
   tree->for_overlaps([&](std::size_t a, std::size_t b) {
-    if (may_touch(owners[a], owners[b])) near.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    const SegmentPair pair{segment_of(a), segment_of(b)};
+    if (may_touch(owners[pair.a], owners[pair.b])) near.push_back(pair);
   });
 }
 
 void Search::Impl::list_moved() {
   std::erase_if(near, [&](const SegmentPair& p) { return has_moved[p.a] != 0 || has_moved[p.b] != 0; });
-  for (const std::size_t a : moved)
-    tree->for_overlaps_of(a, [&](std::size_t b) {
+  for (const SegmentIndex a : moved)
+    tree->for_overlaps_of(a.index(), [&](std::size_t box) {
+      const SegmentIndex b = segment_of(box);
       const bool listed = has_moved[b] != 0 && b < a;
-      if (!listed && may_touch(owners[a], owners[b]))
-        near.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+      if (!listed && may_touch(owners[a], owners[b])) near.push_back({a, b});
     });
 }
 
 void Search::Impl::sort() {
-  std::fill(first_pair.begin(), first_pair.end(), 0);
+  first_pair.assign(first_pair.size(), 0);
   const auto edges = [&](const SegmentPair& p) { return std::minmax(owners[p.a].edge, owners[p.b].edge); };
-  for (const SegmentPair& p : near) ++first_pair[static_cast<std::size_t>(edges(p).first) + 1];
-  for (std::size_t e = 1; e < first_pair.size(); ++e) first_pair[e] += first_pair[e - 1];
+  for (const SegmentPair& p : near) ++first_pair[edges(p).first + 1];
+  std::vector<std::size_t>& first_of = first_pair.values();
+  for (std::size_t e = 1; e < first_of.size(); ++e) first_of[e] += first_of[e - 1];
   pairs.resize(near.size());
   for (const SegmentPair& p : near) {
     const auto [a, b] = edges(p);
-    pairs[first_pair[static_cast<std::size_t>(a)]++] = {a, b};
+    pairs[first_pair[a]++] = {a, b};
   }
   for (auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end) {
     while (end != pairs.end() && end->a == begin->a) ++end;
@@ -138,20 +143,20 @@ Search::Search(const Setup& setup, double reach) : impl_(std::make_unique<Impl>(
 
 Search::~Search() = default;
 
-bool Search::refit(std::span<const Vec2> x, bool all) {
+bool Search::refit(OutlinePositions x, bool all) {
   Impl& s = *impl_;
   const Outlines& o = s.setup->outlines();
-  const auto note = [&](std::size_t segment) {
+  const auto note = [&](SegmentIndex segment) {
     if (s.has_moved[segment] != 0) return;
     s.has_moved[segment] = 1;
     s.moved.push_back(segment);
   };
-  for (const std::size_t i : s.moved) s.has_moved[i] = 0;
+  for (const SegmentIndex i : s.moved) s.has_moved[i] = 0;
   s.moved.clear();
-  const auto look = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
+  const auto look = [&](IndexRange<OutlineNode> nodes) {
+    for (const OutlineNode n : nodes) {
       // Processors do not look ahead from one page of memory to the next by themselves.
-      if (n + kAhead < end) {
+      if (n + kAhead < nodes.end_index()) {
         __builtin_prefetch(&s.room[n + kAhead]);
         __builtin_prefetch(&x[n + kAhead]);
       }
@@ -161,33 +166,32 @@ bool Search::refit(std::span<const Vec2> x, bool all) {
     }
   };
   if (all || s.tree == nullptr)
-    for (std::size_t i = 0; i < o.segments.size(); ++i) note(i);
+    for (const SegmentIndex i : o.segments.indices()) note(i);
   else
-    for (const Outlines::Range& r : o.moving_nodes)
-      look(static_cast<std::size_t>(r.begin), static_cast<std::size_t>(r.end));
-  for (const std::size_t i : s.moved) s.fatten(i, x);
-  for (const std::size_t i : s.moved)
-    for (const std::int32_t node : {o.segments[i].a, o.segments[i].b}) s.set_room(static_cast<std::size_t>(node));
+    for (const IndexRange<OutlineNode> r : o.moving_nodes) look(r);
+  for (const SegmentIndex i : s.moved) s.fatten(i, x);
+  for (const SegmentIndex i : s.moved)
+    for (const OutlineNode node : {o.segments[i].a, o.segments[i].b}) s.set_room(node);
   return !s.moved.empty();
 }
 
-std::span<const EdgePair> Search::update(std::span<const Vec2> x) {
+std::span<const EdgePair> Search::update(OutlinePositions x) {
   if (refit(x, false)) collect();
   return impl_->pairs;
 }
 
-double Search::room_between_bodies(std::span<const Vec2> x) const {
+double Search::room_between_bodies(OutlinePositions x) const {
   constexpr std::size_t kMany = 64;  // bodies; pairs of their boxes are looked at one by one
   const Setup& setup = *impl_->setup;
   const Outlines& o = setup.outlines();
   const std::size_t count = setup.bodies().size();
   const bool cracked =
-      std::any_of(o.edges.begin(), o.edges.end(), [](const Outlines::Edge& e) { return e.opposite >= 0; });
+      std::any_of(o.edges.begin(), o.edges.end(), [](const Outlines::Edge& e) { return e.opposite.valid(); });
   if (count > kMany || cracked) return 0.0;
   std::array<Box, kMany> box;
   for (std::size_t b = 0; b < count; ++b) box[b] = {Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    Box& b = box[static_cast<std::size_t>(o.node_body[i])];
+  for (const OutlineNode i : o.nodes.indices()) {
+    Box& b = box[o.node_body[i].index()];
     b.lo = b.lo.cwiseMin(x[i]);
     b.hi = b.hi.cwiseMax(x[i]);
   }
@@ -201,7 +205,7 @@ double Search::room_between_bodies(std::span<const Vec2> x) const {
   return 0.5 * (least - 3.0 * impl_->reach);
 }
 
-double Search::clearance(std::span<const Vec2> x) {
+double Search::clearance(OutlinePositions x) {
   if (!impl_->pairs.empty()) return 0.0;
   if (const double room = room_between_bodies(x); room > 0.0) return room;
   (void)refit(x, true);
@@ -213,12 +217,14 @@ void Search::collect() {
   Impl& s = *impl_;
   // A few boxes look for their pairs one by one; of many it is cheaper to hold the tree against itself once.
   const bool many = kManyMoved * static_cast<double>(s.fat.size()) < static_cast<double>(s.moved.size());
-  if (s.tree == nullptr)
-    s.tree = std::make_unique<BoxTree>(s.fat);
-  else if (many)
-    s.tree->move(s.moved, s.fat);
-  else
-    for (const std::size_t i : s.moved) s.tree->move(i, s.fat[i]);
+  if (s.tree == nullptr) {
+    s.tree = std::make_unique<BoxTree>(s.fat.values());
+  } else if (many) {
+    for (const SegmentIndex i : s.moved) s.tree->place(i.index(), s.fat[i]);
+    s.tree->refit();
+  } else {
+    for (const SegmentIndex i : s.moved) s.tree->move(i.index(), s.fat[i]);
+  }
   if (many)
     s.list_all();
   else

@@ -12,7 +12,7 @@ namespace scree::coupling {
 
 /// Two edges of different bodies, or the two faces of a crack, that have segments near each other.
 struct EdgePair {
-  std::int32_t a, b;  // into Outlines::edges, a < b
+  EdgeIndex a, b;  // a < b
   auto operator<=>(const EdgePair&) const = default;
 };
 
@@ -27,21 +27,21 @@ class Search {
   Search& operator=(const Search&) = delete;
   ~Search();
 
-  /// @param x  positions of the outline nodes, in their order
+  /// @param x  positions of the outline nodes
   /// @return pairs in order, each once; valid until the next call
-  std::span<const EdgePair> update(std::span<const Vec2> x);
+  std::span<const EdgePair> update(OutlinePositions x);
   /// How often pairs have been listed so far.
   [[nodiscard]] std::size_t times_listed() const { return times_listed_; }
   /// How far every outline node may move before update() can find a pair [m]; 0 if there are pairs already. Fattens all
   /// boxes anew, which is worth it where the answer saves many updates.   @pre update() was called with x
-  double clearance(std::span<const Vec2> x);
+  double clearance(OutlinePositions x);
 
  private:
-  bool refit(std::span<const Vec2> x, bool all);
+  bool refit(OutlinePositions x, bool all);
   void collect();
   /// How far every outline node may move while the bounding boxes of bodies stay out of each other's reach; <= 0: they
   /// do not now.
-  [[nodiscard]] double room_between_bodies(std::span<const Vec2> x) const;
+  [[nodiscard]] double room_between_bodies(OutlinePositions x) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -53,8 +53,8 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   made_.points.reserve(std::min(expected, kFew));
   made_.memory.reserve(std::min(expected, kFew));
   made_.briefs.reserve(std::min(expected, kFew));
-  for (std::size_t i = 0; i < o.nodes.size(); ++i) {
-    const Body& b = setup.bodies()[static_cast<std::size_t>(o.node_body[i])];
+  for (const OutlineNode i : o.nodes.indices()) {
+    const Body& b = setup.body(o.node_body[i]);
     largest_weights_ =
         std::max(largest_weights_, std::abs(o.nodes[i].w[0]) + std::abs(o.nodes[i].w[1]) + std::abs(o.nodes[i].w[2]));
     compliance_.push_back(b.driven && !b.ghost ? 0.0
@@ -62,11 +62,11 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   }
 }
 
-ContactKey ContactFinder::key_of(std::int32_t vertex, std::int32_t edge) const {
+ContactKey ContactFinder::key_of(VertexIndex vertex, EdgeIndex edge) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
-  const Outlines::Edge &own = o.edges[static_cast<std::size_t>(s.edge)], &e = o.edges[static_cast<std::size_t>(edge)];
-  const auto block = [&](std::int32_t body) { return setup_->bodies()[static_cast<std::size_t>(body)].block.value; };
+  const Outlines::Segment& s = o.segments[leaving(vertex)];
+  const Outlines::Edge &own = o.edges[s.edge], &e = o.edges[edge];
+  const auto block = [&](BodyIndex body) { return setup_->body(body).block.value; };
   return {block(own.body), own.ring, own.edge, s.part, block(e.body), e.ring, e.edge};
 }
 
@@ -76,60 +76,50 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
   out.memory.clear();
   out.briefs.clear();
   for (const ContactMemory& m : memory) {
-    const std::int32_t of = setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
+    const EdgeIndex of = setup_->edge_of(m.key.block_p, m.key.ring_p, m.key.vertex);
     ContactPoint p;
     p.key = m.key;
     p.edge = setup_->edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
-    if (of < 0 || p.edge < 0) continue;  // the face of a crack that this stage does not cut
-    const Outlines::Edge& own = o.edges[static_cast<std::size_t>(of)];
+    if (!of.valid() || !p.edge.valid()) continue;  // the face of a crack that this stage does not cut
+    const Outlines::Edge& own = o.edges[of];
     if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
-    p.vertex = own.first_segment + m.key.part;
+    p.vertex = own.first_vertex() + m.key.part;
     out.points.push_back(p);
     out.memory.push_back(m);
     out.briefs.push_back({p.vertex, p.edge});
   }
 }
 
-ContactGeometry ContactFinder::geometry(std::int32_t vertex, std::int32_t segment) const {
+ContactGeometry ContactFinder::geometry(VertexIndex vertex, SegmentIndex segment) const {
   const Outlines& o = setup_->outlines();
-  return contact_geometry(x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(vertex)].node)],
-                          frames_[static_cast<std::size_t>(segment)]);
+  return contact_geometry(x_[o.vertices[vertex].node], frames_[segment]);
 }
 
 void ContactFinder::place_nodes(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
-  const auto place = [&](std::span<const Outlines::Range> nodes, std::span<const Outlines::Range> segments) {
-    for (const Outlines::Range& r : nodes)
-      parallel_for(r.end - r.begin, [&](std::int64_t k) {
-        const auto i = static_cast<std::size_t>(r.begin + k);
-        x_[i] = position(o.nodes[i], q);
-      });
-    for (const Outlines::Range& r : segments)
-      parallel_for(r.end - r.begin, [&](std::int64_t k) {
-        const auto i = static_cast<std::size_t>(r.begin + k);
-        frames_[i] =
-            segment_frame(x_[static_cast<std::size_t>(o.segments[i].a)], x_[static_cast<std::size_t>(o.segments[i].b)]);
-      });
+  const auto place = [&](std::span<const IndexRange<OutlineNode>> nodes,
+                         std::span<const IndexRange<SegmentIndex>> segments) {
+    for (const IndexRange<OutlineNode> r : nodes)
+      parallel_for(r, [&](OutlineNode i) { x_[i] = position(o.nodes[i], q); });
+    for (const IndexRange<SegmentIndex> r : segments)
+      parallel_for(r, [&](SegmentIndex i) { frames_[i] = segment_frame(x_[o.segments[i].a], x_[o.segments[i].b]); });
   };
   if (std::exchange(placed_, true)) {
     place(o.moving_nodes, o.moving_segments);
   } else {
-    place(std::array{Outlines::Range{0, static_cast<std::int32_t>(x_.size())}},
-          std::array{Outlines::Range{0, static_cast<std::int32_t>(frames_.size())}});
+    place(std::array{x_.indices()}, std::array{frames_.indices()});
   }
 }
 
-ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t edge) const {
+ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Edge& e = o.edges[static_cast<std::size_t>(edge)];
-  const auto distance = [&](const Outlines::Segment& s) {
-    return distance_to(x, x_[static_cast<std::size_t>(s.a)], x_[static_cast<std::size_t>(s.b)]);
-  };
-  if (e.segments == 1) return {e.first_segment, distance(o.segments[static_cast<std::size_t>(e.first_segment)])};
+  const Outlines::Edge& e = o.edges[edge];
+  const auto distance = [&](const Outlines::Segment& s) { return distance_to(x, x_[s.a], x_[s.b]); };
+  if (e.segments == 1) return {e.first_segment, distance(o.segments[e.first_segment])};
   const Vec2& along = pairs_.direction(edge);
-  const auto begin = o.segments.begin() + e.first_segment, end = begin + e.segments;
+  const auto begin = o.segments.begin() + e.first_segment.value, end = begin + e.segments;
   const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
-    return s < along.dot(x_[static_cast<std::size_t>(segment.a)]);
+    return s < along.dot(x_[segment.a]);
   });
   // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
   const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
@@ -141,15 +131,13 @@ ContactFinder::Under ContactFinder::segment_under(const Vec2& x, std::int32_t ed
     nearest = d;
     best = s;
   }
-  return {static_cast<std::int32_t>(best - o.segments.begin()), nearest};
+  return {e.first_segment + static_cast<std::int32_t>(best - begin), nearest};
 }
 
 template <class See>
-void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const {
+void ContactFinder::for_next_pairs(EdgeIndex a, EdgeIndex b, See&& see) const {
   for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
-    const auto next = [this, other = against](std::int32_t edge) {
-      return edge != other && pairs_.in_line(edge, other);
-    };
+    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
     known_.for_vertices(of, next, see);
     // Where vertices meet exactly, either may stand for both.
     known_.for_against(of, [&](std::size_t i) {
@@ -161,15 +149,15 @@ void ContactFinder::for_next_pairs(std::int32_t a, std::int32_t b, See&& see) co
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
   if (!p.edge_edge || p.largest_tributary == 0.0) return -1;
   const Outlines& o = setup_->outlines();
-  const std::int32_t own = pairs_.opposing_edge(p.vertex, p.edge);
+  const EdgeIndex own = pairs_.opposing_edge(p.vertex, p.edge);
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   const auto look = [&](std::size_t i, double within) {
     if (!known_.closed(i) && (next_only || p.from >= 0)) return;
     if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
     if (!known_.edge_edge(i)) return;
-    const auto node = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(i))].node);
-    const double d = (x_[node] - x_[static_cast<std::size_t>(p.node[0])]).norm();
+    const OutlineNode node = o.vertices[known_.vertex(i)].node;
+    const double d = (x_[node] - x_[p.node[0]]).norm();
     if (d > within || d >= nearest) return;
     nearest = d;
     found = static_cast<std::int32_t>(i);
@@ -181,17 +169,16 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
-  const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
+  const Outlines::Edge& edge = o.edges[p.edge];
+  const std::int32_t part = o.segments[p.segment].part;
   // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, and beyond a straight one the
   // next edge holds. But a closed contact is kept a little further, so that corners which meet exactly do not lose and
   // find each other, and another edge can take it over.
-  const auto beyond = [&](bool convex, std::int32_t next) {
+  const auto beyond = [&](bool convex, EdgeIndex next) {
     const bool ends = convex || pairs_.in_line(next, p.edge);
     return !ends || p.edge_edge ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
-  const Outlines::Vertex &first = o.vertices[static_cast<std::size_t>(edge.first_segment)],
-                         &last = o.vertices[static_cast<std::size_t>(edge.end_vertex)];
+  const Outlines::Vertex &first = o.vertices[edge.first_vertex()], &last = o.vertices[edge.end_vertex];
   p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
   p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
   const double foot = p.at.xi * p.at.length;
@@ -203,17 +190,15 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
   // the edge: then neither side faces the edge, and the corner does not touch it.
   if (pairs_.direction(pairs_.opposing_edge(p.vertex, p.edge)).dot(pairs_.direction(p.edge)) >= 0.0) return false;
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-  const Vec2& at = x_[static_cast<std::size_t>(v.node)];
-  const Vec2 forward =
-      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(p.vertex)].b)] - at).normalized();
-  const Vec2 backward =
-      (x_[static_cast<std::size_t>(o.segments[static_cast<std::size_t>(v.segment_in)].a)] - at).normalized();
+  const Outlines::Vertex& v = o.vertices[p.vertex];
+  const Vec2& at = x_[v.node];
+  const Vec2 forward = (x_[o.segments[leaving(p.vertex)].b] - at).normalized();
+  const Vec2 backward = (x_[o.segments[v.segment_in].a] - at).normalized();
   return p.at.n.dot(forward) >= -kWedgeTolerance && p.at.n.dot(backward) >= -kWedgeTolerance;
 }
 
 double ContactFinder::compliance(const ContactPoint& p) const {
-  const auto of = [&](std::int32_t node) { return compliance_[static_cast<std::size_t>(node)]; };
+  const auto of = [&](OutlineNode node) { return compliance_[node]; };
   // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
   const double xi = std::clamp(p.at.xi, 0.0, 1.0);
   return of(p.node[0]) + (1.0 - xi) * of(p.node[1]) + xi * of(p.node[2]);
@@ -223,7 +208,7 @@ void ContactFinder::begin_impact(const ContactPoint& p, double speed, ContactMem
   constexpr double kPeriods = 4.0, kSwings = 10.0;
   Springs springs{m.tributary, m.kn, m.kt};
   if (p.edge_edge) {
-    const std::int32_t own = pairs_.opposing_edge(p.vertex, p.edge);
+    const EdgeIndex own = pairs_.opposing_edge(p.vertex, p.edge);
     const JointId law{m.joint};
     const double length = std::min(springs_.corner_length(law, own, p.edge), p.full_tributary);
     const Springs corner = springs_.springs(law, own, p.edge, length);
@@ -253,10 +238,9 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
   if ((to.edge_edge && !in_impact(from)) || to.beyond) return false;
   const Outlines& o = setup_->outlines();
-  const Outlines::Edge &a = o.edges[static_cast<std::size_t>(from.edge)],
-                       &b = o.edges[static_cast<std::size_t>(to.edge)];
+  const Outlines::Edge &a = o.edges[from.edge], &b = o.edges[to.edge];
   // Over a convex corner: where both gaps are equal.
-  if ((a.end_vertex == b.first_segment && a.convex_end) || (b.end_vertex == a.first_segment && b.convex_end)) {
+  if ((a.end_vertex == b.first_vertex() && a.convex_end) || (b.end_vertex == a.first_vertex() && b.convex_end)) {
     return !reentrant(from) && from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
   }
   // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
@@ -296,7 +280,7 @@ void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
 
 bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const ContactPoint> of_corner,
                                   const ContactPoint& to, std::span<const ContactPoint> of_tip) const {
-  const Outlines::Vertex& corner = setup_->outlines().vertices[static_cast<std::size_t>(from.vertex)];
+  const Outlines::Vertex& corner = setup_->outlines().vertices[from.vertex];
   if ((to.edge != corner.edge_in && to.edge != corner.edge_out) || to.beyond || was_closed(to)) return false;
   if (to.edge_edge && -pairs_.direction(from.edge).dot(pairs_.direction(to.edge)) > kStillFaces) return false;
   if (to.at.gap >= 0.0 || to.at.gap <= kClearly * from.at.gap) return false;
@@ -308,29 +292,29 @@ bool ContactFinder::goes_over_tip(const ContactPoint& from, std::span<const Cont
   return !goes_on(from, of_corner) && !goes_on(to, of_tip);
 }
 
-std::int32_t ContactFinder::tip_beside(const ContactPoint& from) const {
+VertexIndex ContactFinder::tip_beside(const ContactPoint& from) const {
   const Outlines& o = setup_->outlines();
   const double depth = -from.at.gap, s = from.at.xi * from.at.length;
-  if (from.edge_edge || depth <= 0.0 || !in_impact(from)) return -1;
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(from.edge)];
-  const std::int32_t part = o.segments[static_cast<std::size_t>(from.segment)].part;
+  if (from.edge_edge || depth <= 0.0 || !in_impact(from)) return {};
+  const Outlines::Edge& edge = o.edges[from.edge];
+  const std::int32_t part = o.segments[from.segment].part;
   // The gaps are equal at depth tan(a/2) from the end, a < 90 degrees between the edges.
-  if (edge.convex_start && part == 0 && s < depth) return edge.first_segment;
+  if (edge.convex_start && part == 0 && s < depth) return edge.first_vertex();
   const bool at_last = edge.convex_end && part == edge.segments - 1 && from.at.length - s < depth;
-  return at_last ? edge.end_vertex : -1;
+  return at_last ? edge.end_vertex : VertexIndex{};
 }
 
 void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
-  const auto of_vertex = [&out](std::int32_t vertex) {
-    const auto before = [](const ContactPoint& p, std::int32_t wanted) { return p.vertex < wanted; };
+  const auto of_vertex = [&out](VertexIndex vertex) {
+    const auto before = [](const ContactPoint& p, VertexIndex wanted) { return p.vertex < wanted; };
     const auto begin = std::lower_bound(out.points.begin(), out.points.end(), vertex, before),
                end = std::lower_bound(begin, out.points.end(), vertex + 1, before);
     return std::span(begin, end);
   };
   for (ContactPoint& from : out.points) {
     if (from.suppressed) continue;
-    const std::int32_t tip = tip_beside(from);
-    if (tip < 0) continue;
+    const VertexIndex tip = tip_beside(from);
+    if (!tip.valid()) continue;
     const auto of_corner = of_vertex(from.vertex), of_tip = of_vertex(tip);
     for (ContactPoint& to : of_tip) {
       if (!goes_over_tip(from, of_corner, to, of_tip)) continue;
@@ -349,24 +333,22 @@ void ContactFinder::pass_tips(bool at_start, ContactList& out) const {
 
 void ContactFinder::pass_energy_on(bool at_start, ContactList& out) {
   const Outlines& o = setup_->outlines();
-  const auto bodies = [&](std::int32_t vertex, std::int32_t edge) {
-    const Outlines::Segment& s = o.segments[static_cast<std::size_t>(vertex)];
-    return std::pair(
-        std::minmax({o.edges[static_cast<std::size_t>(s.edge)].body, o.edges[static_cast<std::size_t>(edge)].body}));
+  const auto bodies = [&](VertexIndex vertex, EdgeIndex edge) {
+    return std::pair(std::minmax({o.vertices[vertex].body, o.edges[edge].body}));
   };
   for (std::size_t g = 0; g < known_.size(); ++g) {
     if (gone_[g] == 0 || !known_.closed(g)) continue;
     const ContactMemory& was = known_.list().memory[g];
     if (was.impact == 0.0 || was.gap >= 0.0) continue;
     const auto pair = bodies(known_.vertex(g), known_.edge(g));
-    const Vec2& at = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(g))].node)];
+    const Vec2& at = x_[o.vertices[known_.vertex(g)].node];
     ContactPoint* successor = nullptr;
     double nearest = std::numeric_limits<double>::infinity();
     for (ContactPoint& p : out.points) {
       if (p.at.gap >= 0.0 || p.beyond || (was_closed(p) && (p.suppressed || !in_impact(p))) ||
           bodies(p.vertex, p.edge) != pair)
         continue;
-      const double d = (x_[static_cast<std::size_t>(p.node[0])] - at).norm();
+      const double d = (x_[p.node[0]] - at).norm();
       if (d > nearest || (d == nearest && p.at.gap < successor->at.gap)) continue;
       nearest = d;
       successor = &p;
@@ -414,12 +396,12 @@ void ContactFinder::settle_vertex(std::size_t first, bool at_start, ContactList&
 
 bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
-  const Outlines::Segment& s = o.segments[static_cast<std::size_t>(p.segment)];
+  const Outlines::Vertex& v = o.vertices[pair.vertex];
+  const Outlines::Segment& s = o.segments[p.segment];
   p.vertex = pair.vertex;
   p.edge = pair.edge;
   p.node = {v.node, s.a, s.b};
-  p.at = contact_geometry(x_[static_cast<std::size_t>(v.node)], frames_[static_cast<std::size_t>(p.segment)]);
+  p.at = contact_geometry(x_[v.node], frames_[p.segment]);
   // What is more than half way through a body when it is first seen came in over another edge.
   if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
     return false;
@@ -433,14 +415,14 @@ bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bo
 
 void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(pair.vertex)];
+  const Outlines::Vertex& v = o.vertices[pair.vertex];
   const JointId law = springs_.law_of(pair.own, pair.edge);
   p.joint = law.value;
   p.springs = springs_.springs(law, pair.own, pair.edge,
                                p.edge_edge ? pair.tributary : springs_.corner_length(law, pair.own, pair.edge));
   if (p.edge_edge && springs_.per_area(law)) {
-    const auto length = [this](std::int32_t of) { return frames_[static_cast<std::size_t>(of)].length; };
-    const double before = 0.5 * length(v.segment_in), after = 0.5 * length(p.vertex);
+    const auto length = [this](SegmentIndex of) { return frames_[of].length; };
+    const double before = 0.5 * length(v.segment_in), after = 0.5 * length(leaving(p.vertex));
     p.largest_tributary = before + after;
     p.full_tributary =
         std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
@@ -471,12 +453,12 @@ void ContactFinder::list_vertex(std::span<const VertexEdge> pairs, std::size_t o
   const Outlines& o = setup_->outlines();
   const std::size_t first = out.points.size();
   for (const VertexEdge& pair : pairs) {
-    const Vec2& xP = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
+    const Vec2& xP = x_[o.vertices[pair.vertex].node];
     const std::pair here(pair.vertex, pair.edge);
     while (old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) < here) ++old;
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
     const bool closed = has_memory && known_.closed(old);
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+    const Outlines::Edge& edge = o.edges[pair.edge];
     const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
     if (!closed && under.distance > detection_) continue;
     // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
@@ -508,7 +490,7 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
   for (std::size_t k = 0, old = 0; k < pairs.size();) {
     const std::size_t first = k;
     while (k < pairs.size() && pairs[k].vertex == pairs[first].vertex) ++k;
-    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[static_cast<std::size_t>(pairs[k + kAhead].edge)]);
+    if (k + kAhead < pairs.size()) __builtin_prefetch(&o.edges[pairs[k + kAhead].edge]);
     while (old < known_.size() && known_.vertex(old) < pairs[first].vertex) ++old;
     list_vertex(pairs.subspan(first, k - first), old, at_start, out);
   }
@@ -533,7 +515,7 @@ void ContactFinder::fill_with_water(const ContactPoint& p, ContactMemory& m) con
   if (water == nullptr || !p.edge_edge || p.suppressed) return;
   // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
   // of a piece carries what a linear pressure gives it.
-  const Vec2 at = x_[static_cast<std::size_t>(p.node[0])] - 0.5 * p.at.gap * p.at.n;
+  const Vec2 at = x_[p.node[0]] - 0.5 * p.at.gap * p.at.n;
   for (const double piece : {-p.behind, p.ahead})
     if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);
 }

@@ -92,7 +92,7 @@ class ContactFinder {
  private:
   /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
   template <class See>
-  void for_next_pairs(std::int32_t a, std::int32_t b, See&& see) const;
+  void for_next_pairs(EdgeIndex a, EdgeIndex b, See&& see) const;
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint goes on from another
   /// block; -1 if there is none. Only a new point may begin like an open one.
   /// @param next_only  leave out the point's own contact
@@ -101,12 +101,12 @@ class ContactFinder {
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
   /// The segment of an edge nearest to a point, and its distance [m].
   struct Under {
-    std::int32_t segment;
+    SegmentIndex segment;
     double distance;
   };
-  [[nodiscard]] Under segment_under(const Vec2& x, std::int32_t edge) const;
-  [[nodiscard]] ContactGeometry geometry(std::int32_t vertex, std::int32_t segment) const;
-  [[nodiscard]] ContactKey key_of(std::int32_t vertex, std::int32_t edge) const;
+  [[nodiscard]] Under segment_under(const Vec2& x, EdgeIndex edge) const;
+  [[nodiscard]] ContactGeometry geometry(VertexIndex vertex, SegmentIndex segment) const;
+  [[nodiscard]] ContactKey key_of(VertexIndex vertex, EdgeIndex edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   /// 1/m that a force on a contact feels: of corner and foot.
   [[nodiscard]] double compliance(const ContactPoint& p) const;
@@ -120,7 +120,7 @@ class ContactFinder {
   /// Of keeps(): the result for one chunk of vertices.
   struct Kept {
     bool anew = false;                    // find() must do it
-    std::vector<std::int32_t> changed;    // vertices whose points do not stay as they are
+    std::vector<VertexIndex> changed;     // vertices whose points do not stay as they are
     std::vector<ContactPoint> of_vertex;  // scratch of passes_on()
   };
   /// Of keeps(): whether a vertex has a corner that goes over to another edge.
@@ -130,10 +130,10 @@ class ContactFinder {
   /// Of keeps(): whether the pair is a point just as it was before.
   /// @param row  its point in the list, or -1   @param segment  receives the one it is over
   /// @param anew  becomes true where find() must do it
-  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment,
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
                            bool& anew) const;
   /// Of keeps(): whether the pairs of a vertex are its points of the list; then moving_ has them.
-  [[nodiscard]] bool stay(std::size_t vertex, const ContactList& list, Kept& kept);
+  [[nodiscard]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
   /// Of keeps(): makes the points of changed vertices anew, and gives moving_ room for them.
   void make_changed();
   /// The points of one vertex.   @param old  the first of the known ones that may be of it
@@ -160,8 +160,8 @@ class ContactFinder {
   /// Corners in an impact that slide over the end of an edge: the tip there takes their memory where the gaps of both
   /// are equal, so that the energy goes on, as over a convex corner (goes_over()).
   void pass_tips(bool at_start, ContactList& out) const;
-  /// The vertex at the convex end of the edge that a closed corner in an impact is about to pass; -1: none.
-  [[nodiscard]] std::int32_t tip_beside(const ContactPoint& from) const;
+  /// The vertex at the convex end of the edge that a closed corner in an impact is about to pass; not valid: none.
+  [[nodiscard]] VertexIndex tip_beside(const ContactPoint& from) const;
   /// A point of an impact that ends under load while its bodies overlap: the nearest point between the same bodies
   /// takes over its memory if it is open, and the energy of its spring if it is in an impact itself (merged()).
   void pass_energy_on(bool at_start, ContactList& out);
@@ -214,26 +214,26 @@ class ContactFinder {
   JointSprings springs_;
   ContactPairs pairs_;
   KnownContacts known_;
-  double merged_ = 0.0;                     // see merged()
-  double largest_weights_ = 1.0;            // sum |w| of a row: how much farther than a node an outline node may move
-  std::vector<double> compliance_;          // of outline nodes [1/kg]; 0 on bodies that nothing moves
-  std::vector<Vec2> x_;                     // outline nodes
-  std::vector<SegmentFrame> frames_;        // of segments
-  bool placed_ = false;                     // those of bodies that rest
-  std::vector<std::int32_t> fresh_, gone_;  // points without memory; 1 for memory without a point
+  double merged_ = 0.0;           // see merged()
+  double largest_weights_ = 1.0;  // sum |w| of a row: how much farther than a node an outline node may move
+  IndexedVector<OutlineNode, double> compliance_;  // [1/kg]; 0 on bodies that nothing moves
+  IndexedVector<OutlineNode, Vec2> x_;             // where they are [m]
+  IndexedVector<SegmentIndex, SegmentFrame> frames_;
+  bool placed_ = false;                         // those of bodies that rest
+  std::vector<std::int32_t> fresh_, gone_;      // points without memory; 1 for memory without a point
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
   struct Kind {                                 // of a point, as the list has it
     bool partnered = false, corner = false;
   };
   std::vector<Kind> kind_, next_kind_;
   struct Moving {  // of keeps(), for a point of the list to be
-    std::int32_t pair = -1, segment = -1, from = -1;
+    std::int32_t pair = -1, from = -1;
+    SegmentIndex segment;
     bool made = false;
   };
-  std::vector<Moving> moving_;
+  std::vector<Moving> moving_, unchanged_;  // the latter scratch of make_changed()
   std::vector<Changed> changed_;
   ContactList made_;                   // of changed()
-  std::vector<Moving> unchanged_;      // scratch of make_changed()
   std::vector<Kept> kept_;             // a chunk of vertices
   std::vector<std::ptrdiff_t> shift_;  // scratch of splice()
   std::vector<std::int32_t> first_;    // see moves_first()

@@ -40,14 +40,14 @@ double ContactFinder::entry_depth(const ContactPoint& p) const {
   if (i < 0) return -p.at.gap;
   const auto beside = static_cast<std::size_t>(i);
   const std::int32_t part = std::max(0, known_.segment(beside));
-  const Outlines::Edge& edge = setup_->outlines().edges[static_cast<std::size_t>(known_.edge(beside))];
+  const Outlines::Edge& edge = setup_->outlines().edges[known_.edge(beside)];
   return std::max(0.0, geometry(known_.vertex(beside), edge.first_segment + part).gap - p.at.gap);
 }
 
 bool ContactFinder::reentrant(const ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-  return v.edge_in != v.edge_out && !o.edges[static_cast<std::size_t>(v.edge_in)].convex_end;
+  const Outlines::Vertex& v = o.vertices[p.vertex];
+  return v.edge_in != v.edge_out && !o.edges[v.edge_in].convex_end;
 }
 
 void ContactFinder::cover_corners(ContactList& out) const {
@@ -56,20 +56,19 @@ void ContactFinder::cover_corners(ContactList& out) const {
   const Outlines& o = setup_->outlines();
   for (const std::int32_t c : corners_) {
     ContactPoint& p = out.points[static_cast<std::size_t>(c)];
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
-    const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
-    const auto goes_on = [&](std::int32_t e) {
+    const Outlines::Vertex& v = o.vertices[p.vertex];
+    const Outlines::Edge& edge = o.edges[p.edge];
+    const auto goes_on = [&](EdgeIndex e) {
       return e == v.edge_in || e == v.edge_out || pairs_.in_line(e, v.edge_in) || pairs_.in_line(e, v.edge_out);
     };
-    for (const std::int32_t tip : {edge.first_segment, edge.end_vertex}) {
+    for (const VertexIndex tip : {edge.first_vertex(), edge.end_vertex}) {
       if (!known_.closed_vertex(tip)) continue;
       const auto begin =
           std::lower_bound(out.points.begin(), out.points.end(), tip,
-                           [](const ContactPoint& other, std::int32_t wanted) { return other.vertex < wanted; });
+                           [](const ContactPoint& other, VertexIndex wanted) { return other.vertex < wanted; });
       for (auto t = begin; t != out.points.end() && t->vertex == tip; ++t) {
         if (t->edge_edge || !was_closed(*t) || !goes_on(t->edge)) continue;
-        const double step =
-            t->at.n.dot(x_[static_cast<std::size_t>(p.node[0])] - x_[static_cast<std::size_t>(t->node[1])]);
+        const double step = t->at.n.dot(x_[p.node[0]] - x_[t->node[1]]);
         if (step <= kInLine * std::max(0.0, -t->at.gap)) p.suppressed = true;
       }
     }
@@ -80,10 +79,9 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
   const Outlines& o = setup_->outlines();
   for (std::size_t i = first; i < list.points.size(); ++i)
     for (std::size_t j = i + 1; j < list.points.size(); ++j) {
-      const Outlines::Edge &a = o.edges[static_cast<std::size_t>(list.points[i].edge)],
-                           &b = o.edges[static_cast<std::size_t>(list.points[j].edge)];
-      const bool follows = a.end_vertex == b.first_segment && a.convex_end;
-      const bool closes_ring = b.end_vertex == a.first_segment && b.convex_end;
+      const Outlines::Edge &a = o.edges[list.points[i].edge], &b = o.edges[list.points[j].edge];
+      const bool follows = a.end_vertex == b.first_vertex() && a.convex_end;
+      const bool closes_ring = b.end_vertex == a.first_vertex() && b.convex_end;
       if (!follows && !closes_ring) continue;
       const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // there
       list.points[ends].partner[1] = static_cast<std::int32_t>(begins);

@@ -29,14 +29,14 @@ void ContactFinder::take_noted(const ContactList& list) {
     known_.take_noted(list.briefs);
 }
 
-bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, std::int32_t& segment,
+bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
                           bool& anew) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(pair.edge)];
+  const Outlines::Edge& edge = o.edges[pair.edge];
   const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row));
   segment = edge.first_segment;
   if (closed && pair.tributary > 0.0 && edge.segments == 1) return true;
-  const Vec2& at = x_[static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(pair.vertex)].node)];
+  const Vec2& at = x_[o.vertices[pair.vertex].node];
   const Under under = closed && edge.segments == 1 ? Under{segment, 0.0} : segment_under(at, pair.edge);
   segment = under.segment;
   if (!closed && under.distance > detection_) return !listed;
@@ -46,7 +46,7 @@ bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const Contac
   p.from = row;
   const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
   if (touches(pair, was, closed, p) != listed) return false;
-  anew = anew || (closed && tip_beside(p) >= 0);
+  anew = anew || (closed && tip_beside(p).valid());
   return true;
 }
 
@@ -77,16 +77,16 @@ bool ContactFinder::passes_on(std::size_t first, std::size_t last, const Contact
                      [&](const ContactPoint& p) { return successor(p, of_vertex) != nullptr; });
 }
 
-bool ContactFinder::stay(std::size_t vertex, const ContactList& list, Kept& kept) {
+bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept) {
   const std::span<const VertexEdge> pairs = pairs_.pairs();
   const std::size_t first = known_.first_point(vertex), end = known_.first_point(vertex + 1);
   std::size_t row = first;
   for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
-    std::int32_t segment = -1;
+    SegmentIndex segment;
     if (!stays(pairs[k], listed ? static_cast<std::int32_t>(row) : -1, list, segment, kept.anew)) return false;
     if (!listed) continue;
-    moving_[row] = {static_cast<std::int32_t>(k), segment, static_cast<std::int32_t>(row)};
+    moving_[row] = {static_cast<std::int32_t>(k), static_cast<std::int32_t>(row), segment};
     ++row;
   }
   return row == end && !(end - first > 1 && passes_on(first, end, list, kept.of_vertex));
@@ -102,12 +102,12 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
     Kept& kept = kept_[static_cast<std::size_t>(begin / kContactChunk)];
     kept.anew = false;
     kept.changed.clear();
-    const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
+    const VertexIndex first{static_cast<std::int32_t>(begin)}, last{static_cast<std::int32_t>(end)};
     const bool none =
         pairs_.first_pair(first) == pairs_.first_pair(last) && known_.first_point(first) == known_.first_point(last);
     if (none) return;  // most vertices of a long outline have no contact near
-    for (std::int64_t v = begin; v < end; ++v)
-      if (!stay(static_cast<std::size_t>(v), list, kept)) kept.changed.push_back(static_cast<std::int32_t>(v));
+    for (const VertexIndex v : IndexRange(first, last))
+      if (!stay(v, list, kept)) kept.changed.push_back(v);
   };
   // Most vertices of a large base have nothing near: it is the pairs that count.
   const auto count = static_cast<std::int64_t>(vertices);
@@ -132,8 +132,7 @@ void ContactFinder::make_changed() {
     for (; next < end; ++next) moving_.push_back(unchanged_[next]);
   };
   for (const Kept& kept : kept_)
-    for (const std::int32_t changed : kept.changed) {
-      const auto vertex = static_cast<std::size_t>(changed);
+    for (const VertexIndex vertex : kept.changed) {
       const std::size_t begin = known_.first_point(vertex), end = known_.first_point(vertex + 1),
                         pair = pairs_.first_pair(vertex), first = made_.points.size();
       take_unchanged(begin);
@@ -143,7 +142,7 @@ void ContactFinder::make_changed() {
       const std::size_t count = made_.points.size() - first;
       changed_.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end),
                           static_cast<std::int32_t>(first), static_cast<std::int32_t>(count)});
-      moving_.resize(moving_.size() + count, {-1, -1, -1, true});
+      moving_.resize(moving_.size() + count, Moving{-1, -1, {}, true});
       next = end;
     }
   take_unchanged(known_.size());
@@ -158,7 +157,7 @@ bool ContactFinder::complete_made(const ContactList& list) {
       if (gone_[i] != 0 && known_.closed(i) && known_.impact(i) != 0.0 && list.memory[i].gap < 0.0) return false;
     }
   return std::none_of(made_.points.begin(), made_.points.end(),
-                      [this](const ContactPoint& p) { return tip_beside(p) >= 0; });
+                      [this](const ContactPoint& p) { return tip_beside(p).valid(); });
 }
 
 void ContactFinder::splice(ContactList& list) {

@@ -20,19 +20,19 @@ bool same_kind(const ContactPoint& p, const ContactMemory& m, bool passed) {
 
 void ContactFinder::inherit(ContactList& out) {
   const Outlines& o = setup_->outlines();
-  const auto in_line = [&](std::int32_t a, std::int32_t b) {
-    const Outlines::Edge &ea = o.edges[static_cast<std::size_t>(a)], &eb = o.edges[static_cast<std::size_t>(b)];
-    return (ea.end_vertex == eb.first_segment || eb.end_vertex == ea.first_segment) &&
+  const auto in_line = [&](EdgeIndex a, EdgeIndex b) {
+    const Outlines::Edge &ea = o.edges[a], &eb = o.edges[b];
+    return (ea.end_vertex == eb.first_vertex() || eb.end_vertex == ea.first_vertex()) &&
            pairs_.direction(a).dot(pairs_.direction(b)) > kStillFaces;
   };
   for (const std::int32_t f : fresh_) {
     ContactPoint& p = out.points[static_cast<std::size_t>(f)];
-    const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(p.vertex)];
+    const Outlines::Vertex& v = o.vertices[p.vertex];
     double nearest = detection_;
     const auto look = [&](std::size_t g) {
       if (gone_[g] == 0 || !known_.closed(g)) return;
-      const auto at = static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(known_.vertex(g))].node);
-      const double d = (x_[at] - x_[static_cast<std::size_t>(p.node[0])]).norm();
+      const OutlineNode at = o.vertices[known_.vertex(g)].node;
+      const double d = (x_[at] - x_[p.node[0]]).norm();
       const auto index = static_cast<std::int32_t>(g);
       if (d > nearest || (d == nearest && p.from >= 0 && p.from <= index)) return;
       nearest = d;
@@ -41,12 +41,12 @@ void ContactFinder::inherit(ContactList& out) {
     // One of the other side that takes the vertex's place, and the vertex itself against the next edge in line.
     if (p.edge_edge)
       known_.for_vertices(
-          p.edge, [&v](std::int32_t edge) { return edge == v.edge_in || edge == v.edge_out; },
+          p.edge, [&v](EdgeIndex edge) { return edge == v.edge_in || edge == v.edge_out; },
           [&](std::size_t g) {
             if (known_.edge_edge(g)) look(g);
           });
     known_.for_vertex(
-        p.vertex, [&](std::int32_t edge) { return in_line(edge, p.edge); }, look);
+        p.vertex, [&](EdgeIndex edge) { return in_line(edge, p.edge); }, look);
     if (p.from >= 0) gone_[static_cast<std::size_t>(p.from)] = 0;
   }
 }
@@ -76,23 +76,17 @@ void ContactFinder::set_gap0(bool known, const ContactPoint& p, ContactMemory& m
 
 bool ContactFinder::beside_next_corner(const ContactPoint& p) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Edge& edge = o.edges[static_cast<std::size_t>(p.edge)];
-  const auto vertex = [&](std::int32_t v) -> const Outlines::Vertex& {
-    return o.vertices[static_cast<std::size_t>(v)];
-  };
-  const auto next = static_cast<std::size_t>(vertex(edge.end_vertex).edge_out),
-             before = static_cast<std::size_t>(vertex(edge.first_segment).edge_in);
-  const Vec2& at = x_[static_cast<std::size_t>(p.node[0])];
-  const auto meets = [&](std::int32_t v) {
-    return (x_[static_cast<std::size_t>(vertex(v).node)] - at).norm() <= touching_;
-  };
-  return meets(o.edges[next].end_vertex) || meets(o.edges[before].first_segment);
+  const Outlines::Edge& edge = o.edges[p.edge];
+  const EdgeIndex next = o.vertices[edge.end_vertex].edge_out, before = o.vertices[edge.first_vertex()].edge_in;
+  const Vec2& at = x_[p.node[0]];
+  const auto meets = [&](VertexIndex v) { return (x_[o.vertices[v].node] - at).norm() <= touching_; };
+  return meets(o.edges[next].end_vertex) || meets(o.edges[before].first_vertex());
 }
 
 void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p,
                          ContactMemory& m) const {
   const Outlines& o = setup_->outlines();
-  const std::int32_t part = o.segments[static_cast<std::size_t>(p.segment)].part;
+  const std::int32_t part = o.segments[p.segment].part;
   if (old == nullptr)
     m.joint = p.joint;
   else if (old != &m)
@@ -137,8 +131,7 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
     m.anchor = p.at.xi - m.stretch / p.at.length;
   } else if (m.segment != part || passed) {
     // The stretch as the old place sees it now, then the same stretch on the new one.
-    const ContactGeometry g = geometry(
-        known_.vertex(before), o.edges[static_cast<std::size_t>(known_.edge(before))].first_segment + m.segment);
+    const ContactGeometry g = geometry(known_.vertex(before), o.edges[known_.edge(before)].first_segment + m.segment);
     m.segment = part;
     m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
   }
@@ -169,13 +162,13 @@ void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) con
 }
 
 bool ContactFinder::adds(const ContactPoint& p) const {
-  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
+  const Outlines::Vertex& v = setup_->outlines().vertices[p.vertex];
   return p.from < 0 && p.edge_edge && v.edge_in == v.edge_out;
 }
 
 EdgePair ContactFinder::joint_of(const ContactPoint& p, bool out) const {
-  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(p.vertex)];
-  const std::int32_t own = out ? v.edge_out : v.edge_in;
+  const Outlines::Vertex& v = setup_->outlines().vertices[p.vertex];
+  const EdgeIndex own = out ? v.edge_out : v.edge_in;
   return {std::min(p.edge, own), std::max(p.edge, own)};
 }
 
@@ -221,7 +214,7 @@ void ContactFinder::interpolate(ContactList& out) const {
          r != remembered_.end() && r->joint == joint; ++r) {
       const auto i = static_cast<std::size_t>(r->point);
       const ContactPoint& n = out.points[i];
-      const double s = p.at.t.dot(x_[static_cast<std::size_t>(n.node[0])] - x_[static_cast<std::size_t>(p.node[0])]);
+      const double s = p.at.t.dot(x_[n.node[0]] - x_[p.node[0]]);
       if (nearest.memory == nullptr || std::abs(s) < nearest.distance) nearest = {std::abs(s), &out.memory[i]};
       if (out.memory[i].status == ContactStatus::open) continue;
       Neighbour& found = side[s < 0.0 ? 0 : 1];

@@ -30,8 +30,7 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       ends_(direction_.size()),
       box_(direction_.size()),
       first_(setup.outlines().vertices.size() + 1) {
-  for (const Outlines::Edge& e : setup.outlines().edges)
-    ghost_.push_back(setup.bodies()[static_cast<std::size_t>(e.body)].ghost ? 1 : 0);
+  for (const Outlines::Edge& e : setup.outlines().edges) ghost_.push_back(setup.body(e.body).ghost ? 1 : 0);
   // So that steps need not allocate.
   const std::size_t expected = 2 * setup.outlines().vertices.size();
   deep_.reserve(expected);
@@ -43,7 +42,7 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
   seen_.reserve(expected);
 }
 
-bool ContactPairs::edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const {
+bool ContactPairs::edge_edge(EdgeIndex a, EdgeIndex b, const KnownContacts& known) const {
   const double against = -direction(a).dot(direction(b));
   if (against < kStillFaces || against > kFaces) return against > kFaces;
   bool closed = false;
@@ -51,16 +50,16 @@ bool ContactPairs::edge_edge(std::int32_t a, std::int32_t b, const KnownContacts
   return closed;
 }
 
-bool ContactPairs::in_line(std::int32_t a, std::int32_t b) const {
+bool ContactPairs::in_line(EdgeIndex a, EdgeIndex b) const {
   const Vec2& t = direction(b);
   if (direction(a).dot(t) <= kStillFaces) return false;
-  const auto &ea = ends_[static_cast<std::size_t>(a)], &eb = ends_[static_cast<std::size_t>(b)];
+  const auto &ea = ends_[a], &eb = ends_[b];
   const double a0 = t.dot(ea[0] - eb[0]), a1 = t.dot(ea[1] - eb[0]), length = t.dot(eb[1] - eb[0]);
   return std::min(a1, length) - std::max(a0, 0.0) < 0.5 * std::min(a1 - a0, length);
 }
 
-std::int32_t ContactPairs::opposing_edge(std::int32_t vertex, std::int32_t edge) const {
-  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+EdgeIndex ContactPairs::opposing_edge(VertexIndex vertex, EdgeIndex edge) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[vertex];
   const Vec2& t = direction(edge);
   return direction(v.edge_out).dot(t) < direction(v.edge_in).dot(t) ? v.edge_out : v.edge_in;
 }
@@ -69,13 +68,13 @@ bool ContactPairs::too_far(const Box& a, const Box& b) const { return distance(a
 
 double ContactPairs::far() const { return 0.5 * reach_ * (1.0 + kRounding); }
 
-double ContactPairs::corner_room(std::int32_t vertex, std::int32_t edge) const {
+double ContactPairs::corner_room(VertexIndex vertex, EdgeIndex edge) const {
   const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[static_cast<std::size_t>(vertex)];
+  const Outlines::Vertex& v = o.vertices[vertex];
   if (!v.convex) return std::numeric_limits<double>::infinity();
-  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
-  const double apart = 0.5 * (distance({at, at}, box_[static_cast<std::size_t>(edge)]) - far());
-  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  const Vec2& at = ends_[v.edge_out][0];
+  const double apart = 0.5 * (distance({at, at}, box_[edge]) - far());
+  const auto bent = [&](EdgeIndex e) { return o.edges[e].segments > 1; };
   const Vec2& t = direction(edge);
   const Vec2 n(t.y(), -t.x());
   const double faces = -direction(v.edge_in).dot(t);
@@ -87,29 +86,28 @@ double ContactPairs::corner_room(std::int32_t vertex, std::int32_t edge) const {
   return std::max(apart, turned / turn_by({edge, v.edge_in, v.edge_out}));
 }
 
-double ContactPairs::room(std::int32_t a, std::int32_t b) const {
+double ContactPairs::room(EdgeIndex a, EdgeIndex b) const {
   const auto& edges = setup_->outlines().edges;
-  const double apart = 0.5 * (distance(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)]) - far());
+  const double apart = 0.5 * (distance(box_[a], box_[b]) - far());
   if (apart > 0.0) return apart;
   // A neighbour that closes makes edges face each other from kStillFaces on.
   const double faces = (kStillFaces + direction(a).dot(direction(b))) / turn_by({a, b});
-  return std::min({faces, corner_room(edges[static_cast<std::size_t>(a)].first_segment, b),
-                   corner_room(edges[static_cast<std::size_t>(b)].first_segment, a)});
+  return std::min({faces, corner_room(edges[a].first_vertex(), b), corner_room(edges[b].first_vertex(), a)});
 }
 
-double ContactPairs::turn_by(std::initializer_list<std::int32_t> edges) const {
+double ContactPairs::turn_by(std::initializer_list<EdgeIndex> edges) const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const std::int32_t e : edges) {
-    const auto& [begin, end] = ends_[static_cast<std::size_t>(e)];
+  for (const EdgeIndex e : edges) {
+    const auto& [begin, end] = ends_[e];
     shortest = std::min(shortest, (end - begin).squaredNorm());
   }
   // |u - u'| <= 2 |d - d'|/|d| for the unit vectors u of d, where |d - d'| is twice the way of a node at most.
   return 8.0 / std::sqrt(shortest);
 }
 
-bool ContactPairs::leans_in(const Outlines::Vertex& v, std::int32_t edge) const {
+bool ContactPairs::leans_in(const Outlines::Vertex& v, EdgeIndex edge) const {
   const Outlines& o = setup_->outlines();
-  const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+  const auto bent = [&](EdgeIndex e) { return o.edges[e].segments > 1; };
   if (bent(edge) || bent(v.edge_in) || bent(v.edge_out)) return false;
   const Vec2& t = direction(edge);
   const Vec2 n(t.y(), -t.x());
@@ -136,27 +134,26 @@ void ContactPairs::for_found(See&& see) const {
     for (const VertexEdge& pair : f.pairs) see(pair, k++);
 }
 
-void ContactPairs::try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known, Found& out) const {
-  const Outlines::Vertex& v = setup_->outlines().vertices[static_cast<std::size_t>(vertex)];
+void ContactPairs::try_corner(VertexIndex vertex, EdgeIndex edge, const KnownContacts& known, Found& out) const {
+  const Outlines::Vertex& v = setup_->outlines().vertices[vertex];
   if (!v.convex) return;
-  const Vec2& at = ends_[static_cast<std::size_t>(v.edge_out)][0];
-  if ((leans_in(v, edge) || too_far({at, at}, box_[static_cast<std::size_t>(edge)])) && !known.closed(vertex, edge))
-    return;
+  const Vec2& at = ends_[v.edge_out][0];
+  if ((leans_in(v, edge) || too_far({at, at}, box_[edge])) && !known.closed(vertex, edge)) return;
   if (edge_edge(v.edge_in, edge, known)) return;
   out.list({vertex, edge, opposing_edge(vertex, edge), 0.0, 0.0, 0.0});
 }
 
-void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known,
+void ContactPairs::try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const KnownContacts& known,
                              Found& out) const {
   const Outlines& o = setup_->outlines();
-  if (too_far(box_[static_cast<std::size_t>(a)], box_[static_cast<std::size_t>(b)])) {
+  if (too_far(box_[a], box_[b])) {
     bool closed = false;
     known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
     if (!closed) return;
   }
   if (edge_edge(a, b, known)) {
     const Vec2 along = (direction(a) - direction(b)).normalized();
-    const auto bent = [&](std::int32_t e) { return o.edges[static_cast<std::size_t>(e)].segments > 1; };
+    const auto bent = [&](EdgeIndex e) { return o.edges[e].segments > 1; };
     const bool middle = (bent(a) || bent(b)) && springs_->per_area(springs_->law_of(a, b));
     for (const OverlapPoint& p : out.overlap.divide(o, x, a, b, along, middle))
       if (p.edge == a)
@@ -164,8 +161,8 @@ void ContactPairs::try_edges(std::span<const Vec2> x, std::int32_t a, std::int32
       else  // b runs against the direction
         out.list({p.vertex, p.edge, a, p.tributary, p.ahead, p.behind});
   } else {
-    try_corner(o.edges[static_cast<std::size_t>(a)].first_segment, b, known, out);
-    try_corner(o.edges[static_cast<std::size_t>(b)].first_segment, a, known, out);
+    try_corner(o.edges[a].first_vertex(), b, known, out);
+    try_corner(o.edges[b].first_vertex(), a, known, out);
   }
 }
 
@@ -173,17 +170,15 @@ void ContactPairs::sort() {
   std::size_t count = 0;
   for (const Found& f : found_) count += f.pairs.size();
   next_.assign(first_.size(), 0);
-  for_found([&](const VertexEdge& p, std::size_t) { ++next_[static_cast<std::size_t>(p.vertex) + 1]; });
-  for (std::size_t v = 1; v < next_.size(); ++v) next_[v] += next_[v - 1];
+  for_found([&](const VertexEdge& p, std::size_t) { ++next_[p.vertex + 1]; });
+  std::vector<std::int32_t>& next_of = next_.values();
+  for (std::size_t v = 1; v < next_of.size(); ++v) next_of[v] += next_of[v - 1];
   pairs_.resize(count);
-  for_found([&](const VertexEdge& p, std::size_t) {
-    pairs_[static_cast<std::size_t>(next_[static_cast<std::size_t>(p.vertex)]++)] = p;
-  });
+  for_found([&](const VertexEdge& p, std::size_t) { pairs_[static_cast<std::size_t>(next_[p.vertex]++)] = p; });
   auto kept = pairs_.begin();
-  std::size_t next = 0;  // vertex without a first pair yet
+  VertexIndex next{0};  // without a first pair yet
   for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
-    for (; next <= static_cast<std::size_t>(begin->vertex); ++next)
-      first_[next] = static_cast<std::int32_t>(kept - pairs_.begin());
+    for (; next <= begin->vertex; next = next + 1) first_[next] = static_cast<std::int32_t>(kept - pairs_.begin());
     while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
     std::sort(begin, end);
     for (const auto first = kept; begin != end; ++begin) {
@@ -200,12 +195,12 @@ void ContactPairs::sort() {
     }
   }
   pairs_.erase(kept, pairs_.end());
-  for (; next < first_.size(); ++next) first_[next] = static_cast<std::int32_t>(pairs_.size());
+  for (; next < first_.next(); next = next + 1) first_[next] = static_cast<std::int32_t>(pairs_.size());
   // Where each of those that were listed has gone.
   place_.resize(count);
   seen_.assign(pairs_.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t k) {
-    auto at = first_pair(static_cast<std::size_t>(p.vertex));
+    auto at = first_pair(p.vertex);
     while (pairs_[at].edge != p.edge) ++at;
     place_[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
     seen_[at] = 1;
@@ -227,20 +222,18 @@ void ContactPairs::refresh() {
   });
 }
 
-void ContactPairs::place_edges(std::span<const Vec2> x, Outlines::Range range) {
+void ContactPairs::place_edges(OutlinePositions x, IndexRange<EdgeIndex> range) {
   const Outlines& o = setup_->outlines();
-  const auto node = [&](std::int32_t v) {
-    return static_cast<std::size_t>(o.vertices[static_cast<std::size_t>(v)].node);
-  };
-  parallel_for(range.end - range.begin, [&](std::int64_t i) {
-    const auto e = static_cast<std::size_t>(range.begin + i);
-    ends_[e] = {x[node(o.edges[e].first_segment)], x[node(o.edges[e].end_vertex)]};
+  const auto at = [&](VertexIndex v) { return x[o.vertices[v].node]; };
+  parallel_for(range, [&](EdgeIndex e) {
+    const Outlines::Edge& edge = o.edges[e];
+    ends_[e] = {at(edge.first_vertex()), at(edge.end_vertex)};
     direction_[e] = (ends_[e][1] - ends_[e][0]).normalized();
     Box& box = box_[e] = {ends_[e][0].cwiseMin(ends_[e][1]), ends_[e][0].cwiseMax(ends_[e][1])};
-    for (std::int32_t k = 1; k < o.edges[e].segments; ++k) {  // may be bent
-      const Vec2& at = x[node(o.edges[e].first_segment + k)];
-      box.lo = box.lo.cwiseMin(at);
-      box.hi = box.hi.cwiseMax(at);
+    for (std::int32_t k = 1; k < edge.segments; ++k) {  // may be bent
+      const Vec2 middle = at(edge.vertex(k));
+      box.lo = box.lo.cwiseMin(middle);
+      box.hi = box.hi.cwiseMax(middle);
     }
   });
 }
@@ -251,24 +244,22 @@ void ContactPairs::find_deep(const KnownContacts& known) {
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (!known.closed(i)) continue;
     if (known.whole_gap(i) > -0.25 * reach_) continue;
-    const std::int32_t vertex = known.vertex(i), edge = known.edge(i);
+    const VertexIndex vertex = known.vertex(i);
+    const EdgeIndex edge = known.edge(i);
     // Corners are tried with the edge that begins at them.
-    const std::int32_t own =
-        known.edge_edge(i) ? opposing_edge(vertex, edge) : o.vertices[static_cast<std::size_t>(vertex)].edge_out;
+    const EdgeIndex own = known.edge_edge(i) ? opposing_edge(vertex, edge) : o.vertices[vertex].edge_out;
     deep_.push_back({std::min(own, edge), std::max(own, edge)});
   }
   std::sort(deep_.begin(), deep_.end());
   deep_.erase(std::unique(deep_.begin(), deep_.end()), deep_.end());
 }
 
-std::span<const VertexEdge> ContactPairs::update(std::span<const Vec2> x, const KnownContacts& known, Of of) {
-  const auto wanted = [&](std::int32_t a, std::int32_t b) {
-    return of != Of::ghosts || ghost_[static_cast<std::size_t>(a)] != 0 || ghost_[static_cast<std::size_t>(b)] != 0;
-  };
+std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const KnownContacts& known, Of of) {
+  const auto wanted = [&](EdgeIndex a, EdgeIndex b) { return of != Of::ghosts || ghost_[a] != 0 || ghost_[b] != 0; };
   if (std::exchange(placed_, true)) {
-    for (const Outlines::Range& r : setup_->outlines().moving_edges) place_edges(x, r);
+    for (const IndexRange<EdgeIndex> r : setup_->outlines().moving_edges) place_edges(x, r);
   } else {
-    place_edges(x, {0, static_cast<std::int32_t>(box_.size())});
+    place_edges(x, box_.indices());
   }
   const std::span<const EdgePair> near = search_.update(x);
   const bool in_turn = of == Of::all_in_turn;

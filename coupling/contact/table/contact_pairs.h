@@ -20,8 +20,9 @@ inline constexpr std::int64_t kContactChunk = 128;  // pairs of edges, vertices 
 
 /// A vertex against an edge.
 struct VertexEdge {
-  std::int32_t vertex = -1, edge = -1;
-  std::int32_t own = -1;             // the edge of the vertex that faces it
+  VertexIndex vertex;
+  EdgeIndex edge;
+  EdgeIndex own;                     // the edge of the vertex that faces it
   double tributary = 0.0;            // of the overlap [m]; 0: a corner against an edge
   double behind = 0.0, ahead = 0.0;  // pieces of the overlap on either side, against and along the edge [m]
   auto operator<=>(const VertexEdge&) const = default;
@@ -41,23 +42,23 @@ class ContactPairs {
   ///               cannot have come near each other since are not examined again
   /// @return pairs in order, each once; valid until the next call
   enum class Of { all, all_in_turn, ghosts };
-  std::span<const VertexEdge> update(std::span<const Vec2> x, const KnownContacts& known, Of of = Of::all);
+  std::span<const VertexEdge> update(OutlinePositions x, const KnownContacts& known, Of of = Of::all);
   /// `known` of the next update() does not follow from the one before.
   void forget() { quiet_.forget(); }
   /// What update() returned last.
   [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
   /// The pairs of a vertex begin here among them, and end where those of the next begin.
-  /// @param vertex  0 to the number of vertices
-  [[nodiscard]] std::size_t first_pair(std::size_t vertex) const { return static_cast<std::size_t>(first_[vertex]); }
+  /// @param vertex  any, or one beyond the last
+  [[nodiscard]] std::size_t first_pair(VertexIndex vertex) const { return static_cast<std::size_t>(first_[vertex]); }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
-  [[nodiscard]] double clearance(std::span<const Vec2> x) { return search_.clearance(x); }
+  [[nodiscard]] double clearance(OutlinePositions x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
-  [[nodiscard]] const Vec2& direction(std::int32_t edge) const { return direction_[static_cast<std::size_t>(edge)]; }
+  [[nodiscard]] const Vec2& direction(EdgeIndex edge) const { return direction_[edge]; }
   /// True if one edge goes on, in the same direction, about where the other ends: a joint may run on from one to the
   /// other. Sides of thin blocks next to each other are as parallel, and do not.
-  [[nodiscard]] bool in_line(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] bool in_line(EdgeIndex a, EdgeIndex b) const;
   /// Of the two edges that meet at a vertex, the one that turns towards an edge.
-  [[nodiscard]] std::int32_t opposing_edge(std::int32_t vertex, std::int32_t edge) const;
+  [[nodiscard]] EdgeIndex opposing_edge(VertexIndex vertex, EdgeIndex edge) const;
 
  private:
   /// Vertices against edges that one chunk of edge pairs yields, in order. Kept from one update to the next.
@@ -71,11 +72,11 @@ class ContactPairs {
     void list(const VertexEdge& pair);
     void end();
   };
-  [[nodiscard]] bool edge_edge(std::int32_t a, std::int32_t b, const KnownContacts& known) const;
+  [[nodiscard]] bool edge_edge(EdgeIndex a, EdgeIndex b, const KnownContacts& known) const;
   /// Ends, direction and box of edges as they lie now.
-  void place_edges(std::span<const Vec2> x, Outlines::Range range);
-  void try_edges(std::span<const Vec2> x, std::int32_t a, std::int32_t b, const KnownContacts& known, Found& out) const;
-  void try_corner(std::int32_t vertex, std::int32_t edge, const KnownContacts& known, Found& out) const;
+  void place_edges(OutlinePositions x, IndexRange<EdgeIndex> range);
+  void try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const KnownContacts& known, Found& out) const;
+  void try_corner(VertexIndex vertex, EdgeIndex edge, const KnownContacts& known, Found& out) const;
   /// Lists the edges of closed contacts that are deeper than the search looks.
   void find_deep(const KnownContacts& known);
   /// True if what is in the boxes is farther apart than half the reach.
@@ -83,13 +84,13 @@ class ContactPairs {
   /// Distance from which on open edges are not listed [m].
   [[nodiscard]] double far() const;
   /// How far every node may move, at least, before two edges that yield nothing now can yield a vertex [m].
-  [[nodiscard]] double room(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] double room(EdgeIndex a, EdgeIndex b) const;
   /// By how much the product of the directions of two of the edges changes, at most, per displacement of nodes [1/m].
-  [[nodiscard]] double turn_by(std::initializer_list<std::int32_t> edges) const;
+  [[nodiscard]] double turn_by(std::initializer_list<EdgeIndex> edges) const;
   /// The same as room() of a corner against an edge that it does not touch.
-  [[nodiscard]] double corner_room(std::int32_t vertex, std::int32_t edge) const;
+  [[nodiscard]] double corner_room(VertexIndex vertex, EdgeIndex edge) const;
   /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
-  [[nodiscard]] bool leans_in(const Outlines::Vertex& v, std::int32_t edge) const;
+  [[nodiscard]] bool leans_in(const Outlines::Vertex& v, EdgeIndex edge) const;
   /// Calls see(pair, k) for all that was found, k counted through all chunks.
   template <class See>
   void for_found(See&& see) const;
@@ -103,22 +104,22 @@ class ContactPairs {
   double reach_ = 0.0;
   Search search_;
   QuietPairs quiet_;
-  std::size_t times_listed_ = 0;  // of the pairs in quiet_
-  std::vector<char> ghost_;       // an edge: 1 if its body is a ghost
-  std::vector<Vec2> direction_;
-  std::vector<std::array<Vec2, 2>> ends_;  // of an edge, where its first and its last vertex are
-  std::vector<Box> box_;                   // of an edge
-  bool placed_ = false;                    // those of bodies that rest
+  std::size_t times_listed_ = 0;          // of the pairs in quiet_
+  IndexedVector<EdgeIndex, char> ghost_;  // 1 if its body is a ghost
+  IndexedVector<EdgeIndex, Vec2> direction_;
+  IndexedVector<EdgeIndex, std::array<Vec2, 2>> ends_;  // where its first and its last vertex are
+  IndexedVector<EdgeIndex, Box> box_;
+  bool placed_ = false;  // those of bodies that rest
   std::vector<VertexEdge> pairs_;
   std::vector<Found> found_;  // a chunk of pairs of edges; last those of deep_
   struct Place {
     std::int32_t pair;
     bool adds;
   };
-  std::vector<Place> place_;                // of what was found, in pairs_
-  std::vector<char> seen_;                  // scratch of sort()
-  std::vector<std::int32_t> first_, next_;  // per vertex: its first pair; where sort() puts the next
-  std::vector<EdgePair> deep_;              // of closed contacts deeper than the search looks
+  std::vector<Place> place_;                               // of what was found, in pairs_
+  std::vector<char> seen_;                                 // scratch of sort()
+  IndexedVector<VertexIndex, std::int32_t> first_, next_;  // its first pair, and the end; where sort() puts the next
+  std::vector<EdgePair> deep_;                             // of closed contacts deeper than the search looks
 };
 
 }  // namespace scree::coupling

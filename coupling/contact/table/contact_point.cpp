@@ -12,12 +12,12 @@ bool leaves_by(double depth, double other, bool ends) {
 
 double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row, std::span<const double> v) {
   double rate = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(position(o.nodes[static_cast<std::size_t>(p.node[i])], v));
+  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(position(o.nodes[p.node[i]], v));
   return rate;
 }
 
 void add_row_force(const Outlines& o, const ContactPoint& p, const ContactRow& row, double force, std::span<double> f) {
-  for (std::size_t i = 0; i < 3; ++i) add_force(o.nodes[static_cast<std::size_t>(p.node[i])], force * row[i], f);
+  for (std::size_t i = 0; i < 3; ++i) add_force(o.nodes[p.node[i]], force * row[i], f);
 }
 
 }  // namespace scree::coupling

@@ -58,11 +58,13 @@ using ContactRow = std::array<Vec2, 3>;
 /// A contact that the law may see, at one instant.
 struct ContactPoint {
   ContactKey key;
-  std::int32_t vertex = -1, edge = -1, segment = -1;  // into Outlines
-  std::int32_t joint = -1;                            // law between the edges
-  std::int32_t from = -1;                             // its point in the list it was found from; -1: new
-  std::int32_t beside = -1;                           // of a new point: the one in that list that it begins like
-  std::array<std::int32_t, 3> node{};                 // outline nodes of P, 1, 2
+  VertexIndex vertex;
+  EdgeIndex edge;
+  SegmentIndex segment;
+  std::int32_t joint = -1;            // law between the edges
+  std::int32_t from = -1;             // its point in the list it was found from; -1: new
+  std::int32_t beside = -1;           // of a new point: the one in that list that it begins like
+  std::array<OutlineNode, 3> node{};  // of P, 1, 2
   ContactGeometry at;
   bool edge_edge = false;              // part of an edge-edge contact
   double behind = 0.0, ahead = 0.0;    // of it: pieces of the overlap on either side, against and along the edge [m]
@@ -94,9 +96,9 @@ struct ContactPoint {
 [[nodiscard]] double row_rate(const Outlines& o, const ContactPoint& p, const ContactRow& row,
                               std::span<const double> v);
 /// The same at velocities of the outline nodes.
-[[nodiscard]] inline double row_rate(const ContactPoint& p, const ContactRow& row, std::span<const Vec2> v) {
+[[nodiscard]] inline double row_rate(const ContactPoint& p, const ContactRow& row, OutlineVelocities v) {
   double rate = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(v[static_cast<std::size_t>(p.node[i])]);
+  for (std::size_t i = 0; i < 3; ++i) rate += row[i].dot(v[p.node[i]]);
   return rate;
 }
 /// f += force times the row.
@@ -108,13 +110,13 @@ template <class Visitor>
 void ContactPoint::visit(Visitor&& see) const {
   static_assert(sizeof(ContactPoint) == 256, "a field that is new here belongs in the list below");
   key.visit(see);
-  see("point.vertex", vertex);
-  see("point.edge", edge);
-  see("point.segment", segment);
+  see("point.vertex", vertex.value);
+  see("point.edge", edge.value);
+  see("point.segment", segment.value);
   see("point.joint", joint);
   see("point.from", from);
   see("point.beside", beside);
-  see("point.node", node);
+  for (const OutlineNode& n : node) see("point.node", n.value);
   see("point.n", at.n);
   see("point.t", at.t);
   see("point.length", at.length);

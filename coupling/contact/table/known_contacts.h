@@ -12,7 +12,8 @@ namespace scree::coupling {
 struct ContactList {
   /// What the next search asks of a point, apart from the rest: reading it there is a cache miss a point.
   struct Brief {
-    std::int32_t vertex, edge;
+    VertexIndex vertex;
+    EdgeIndex edge;
   };
   std::vector<ContactPoint> points;
   std::vector<ContactMemory> memory;
@@ -83,10 +84,10 @@ class KnownContacts {
   [[nodiscard]] bool closed_divided() const { return closed_divided_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   /// The points of a vertex begin here among them, and end where those of the next begin.
-  /// @param vertex  0 to the number of vertices
-  [[nodiscard]] std::size_t first_point(std::size_t vertex) const { return static_cast<std::size_t>(first_[vertex]); }
-  [[nodiscard]] std::int32_t vertex(std::size_t i) const { return places_[i].vertex; }
-  [[nodiscard]] std::int32_t edge(std::size_t i) const { return places_[i].edge; }
+  /// @param vertex  any, or one beyond the last
+  [[nodiscard]] std::size_t first_point(VertexIndex vertex) const { return static_cast<std::size_t>(first_[vertex]); }
+  [[nodiscard]] VertexIndex vertex(std::size_t i) const { return places_[i].vertex; }
+  [[nodiscard]] EdgeIndex edge(std::size_t i) const { return places_[i].edge; }
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
   [[nodiscard]] bool edge_edge(std::size_t i) const { return points_[i].edge_edge; }
   /// Segment of the edge, counted within it, and ContactMemory::impact and gap0. A list that is changed point by point
@@ -97,68 +98,67 @@ class KnownContacts {
   /// Gap between the bodies, whatever counts as closed [m].
   [[nodiscard]] double whole_gap(std::size_t i) const { return points_[i].whole_gap; }
   /// True if the vertex is closed against any edge.
-  [[nodiscard]] bool closed_vertex(std::int32_t vertex) const {
+  [[nodiscard]] bool closed_vertex(VertexIndex vertex) const {
     bool found = false;
     for_vertex(
-        vertex, [](std::int32_t) { return true; }, [&](std::size_t i) { found = found || points_[i].closed; });
+        vertex, [](EdgeIndex) { return true; }, [&](std::size_t i) { found = found || points_[i].closed; });
     return found;
   }
   /// True if the vertex is closed against the edge.
-  [[nodiscard]] bool closed(std::int32_t vertex, std::int32_t edge) const {
+  [[nodiscard]] bool closed(VertexIndex vertex, EdgeIndex edge) const {
     bool found = false;
     for_vertex(
-        vertex, [edge](std::int32_t other) { return other == edge; },
+        vertex, [edge](EdgeIndex other) { return other == edge; },
         [&](std::size_t i) { found = found || points_[i].closed; });
     return found;
   }
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// Calls see(i) for the points of a vertex against the edges that take() accepts.
   template <class Take, class See>
-  void for_vertex(std::int32_t vertex, Take&& take, See&& see) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    for (auto i = static_cast<std::size_t>(first_[v]); i < static_cast<std::size_t>(first_[v + 1]); ++i)
+  void for_vertex(VertexIndex vertex, Take&& take, See&& see) const {
+    for (std::size_t i = first_point(vertex), end = first_point(vertex + 1); i < end; ++i)
       if (take(places_[i].edge)) see(i);
   }
   /// Calls see(i) for the points of an edge's vertices against the edges that take() accepts.
   template <class Take, class See>
-  void for_vertices(std::int32_t edge, Take&& take, See&& see) const {
-    const Outlines::Edge& e = outlines_->edges[static_cast<std::size_t>(edge)];
-    for (std::int32_t k = 0; k <= e.segments; ++k)
-      for_vertex(k < e.segments ? e.first_segment + k : e.end_vertex, take, see);
+  void for_vertices(EdgeIndex edge, Take&& take, See&& see) const {
+    const Outlines::Edge& e = outlines_->edges[edge];
+    for (std::int32_t k = 0; k <= e.segments; ++k) for_vertex(e.vertex(k), take, see);
   }
   /// Calls see(i) for the points against an edge, of whatever vertices.
   template <class See>
-  void for_against(std::int32_t edge, See&& see) const {
-    const auto e = static_cast<std::size_t>(edge);
-    for (auto i = against_first_[e]; i < against_first_[e + 1]; ++i)
+  void for_against(EdgeIndex edge, See&& see) const {
+    for (auto i = against_first_[edge]; i < against_first_[edge + 1]; ++i)
       see(static_cast<std::size_t>(against_[static_cast<std::size_t>(i)]));
   }
   /// Calls see(i) for the points between two edges.
   template <class See>
-  void for_pair(std::int32_t a, std::int32_t b, See&& see) const {
+  void for_pair(EdgeIndex a, EdgeIndex b, See&& see) const {
     for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)})
       for_vertices(
-          of, [other = against](std::int32_t edge) { return edge == other; }, see);
+          of, [other = against](EdgeIndex edge) { return edge == other; }, see);
   }
 
  private:
   struct Place {
-    std::int32_t vertex, edge;
+    VertexIndex vertex;
+    EdgeIndex edge;
   };
   /// Points by vertex and by edge.
   void list_places() {
     first_.assign(first_.size(), 0);
+    std::vector<std::int32_t>&of_vertex = first_.values(), &of_edge = against_first_.values();
     // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
     against_first_.assign(against_first_.size(), 0);
     for (const Place& p : places_) {
-      ++first_[static_cast<std::size_t>(p.vertex) + 1];
-      ++against_first_[static_cast<std::size_t>(p.edge) + 2];
+      ++first_[p.vertex + 1];
+      ++against_first_[p.edge + 2];
     }
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    for (std::size_t e = 2; e < against_first_.size(); ++e) against_first_[e] += against_first_[e - 1];
+    for (std::size_t v = 1; v < of_vertex.size(); ++v) of_vertex[v] += of_vertex[v - 1];
+    for (std::size_t e = 2; e < of_edge.size(); ++e) of_edge[e] += of_edge[e - 1];
     against_.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      std::int32_t& next = against_first_[static_cast<std::size_t>(places_[i].edge) + 1];
+      std::int32_t& next = against_first_[places_[i].edge + 1];
       against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
     }
   }
@@ -176,9 +176,9 @@ class KnownContacts {
   std::vector<Place> places_;
   std::vector<Brief> points_, next_;
   bool divided_ = false, closed_divided_ = false;
-  std::vector<std::int32_t> first_;          // per vertex: its first point, and the end
-  std::vector<std::int32_t> against_first_;  // an edge: the first in against_, and the end
-  std::vector<std::int32_t> against_;        // points by edge
+  IndexedVector<VertexIndex, std::int32_t> first_;        // its first point, and the end
+  IndexedVector<EdgeIndex, std::int32_t> against_first_;  // the first in against_, and the end
+  std::vector<std::int32_t> against_;                     // points by edge
 };
 
 }  // namespace scree::coupling

@@ -5,22 +5,22 @@
 
 namespace scree::coupling {
 
-void QuietPairs::begin(std::span<const Vec2> x, std::span<const Outlines::Range> moving, std::span<const EdgePair> near,
-                       bool listed_anew) {
+void QuietPairs::begin(OutlinePositions x, std::span<const IndexRange<OutlineNode>> moving,
+                       std::span<const EdgePair> near, bool listed_anew) {
   if (!known_) {
     known_ = true;
     travel_ = 0.0;
     for (auto* pairs : {&pairs_, &before_}) pairs->reserve(2 * near.size());  // so that steps need not allocate
     for (auto* until : {&until_, &until_before_}) until->reserve(2 * near.size());
-    x_.assign(x.begin(), x.end());
+    x_.values().assign(x.begin(), x.end());
     pairs_.assign(near.begin(), near.end());
     until_.assign(near.size(), 0.0);
     return;
   }
   double farthest = 0.0;  // squared
   bool finite = true;
-  for (const Outlines::Range& r : moving)
-    for (auto i = static_cast<std::size_t>(r.begin); i < static_cast<std::size_t>(r.end); ++i) {
+  for (const IndexRange<OutlineNode> r : moving)
+    for (const OutlineNode i : r) {
       const double way = (x[i] - x_[i]).squaredNorm();
       finite = finite && std::isfinite(way);
       farthest = std::max(farthest, way);

@@ -15,10 +15,10 @@ class QuietPairs {
   /// Every pair is to be examined.
   void forget() { known_ = false; }
   /// Nodes are at x now; the pairs are those that may touch.
-  /// @param x       positions of the outline nodes [m], in their order
+  /// @param x       positions of the outline nodes [m]
   /// @param moving  nodes of bodies that do not rest
   /// @param near    pairs in order   @param listed_anew  they are not those of the last call
-  void begin(std::span<const Vec2> x, std::span<const Outlines::Range> moving, std::span<const EdgePair> near,
+  void begin(OutlinePositions x, std::span<const IndexRange<OutlineNode>> moving, std::span<const EdgePair> near,
              bool listed_anew);
   /// True if pair k yields nothing wherever its nodes have gone since.
   [[nodiscard]] bool quiet(std::size_t k) const { return until_[k] > travel_; }
@@ -33,7 +33,7 @@ class QuietPairs {
   std::vector<double> until_;  // per pair: the travel up to which it is quiet [m]
   std::vector<EdgePair> pairs_, before_;
   std::vector<double> until_before_;
-  std::vector<Vec2> x_;
+  IndexedVector<OutlineNode, Vec2> x_;
 };
 
 }  // namespace scree::coupling

@@ -66,7 +66,8 @@ TEST(BoxTree, overlaps_are_those_of_all_pairs_as_boxes_move) {
       else
         moved.push_back(i);
     }
-    if (!moved.empty()) tree.move(moved, boxes);
+    for (const std::size_t i : moved) tree.place(i, boxes[i]);
+    if (!moved.empty()) tree.refit();
   }
 }
 

@@ -13,32 +13,36 @@
 namespace scree::test::edge_overlap_test {
 namespace {
 
+using coupling::EdgeIndex;
 using coupling::EdgeOverlap;
+using coupling::leaving;
+using coupling::OutlineNode;
 using coupling::Outlines;
 using coupling::OverlapPoint;
+using coupling::VertexIndex;
 
 /// Edges made of points alone: what EdgeOverlap reads of outlines.
 struct Lines {
   Outlines outlines;
-  std::vector<Vec2> x;
+  IndexedVector<OutlineNode, Vec2> x;
 
   /// The points of an edge in its own direction, at least two.
-  std::int32_t add(const std::vector<Vec2>& points) {
+  EdgeIndex add(const std::vector<Vec2>& points) {
     Outlines::Edge e;
-    e.body = static_cast<std::int32_t>(outlines.edges.size());
-    e.first_segment = static_cast<std::int32_t>(outlines.vertices.size());
+    const EdgeIndex edge = outlines.edges.next();
+    e.body = BodyIndex{edge.value};
+    e.first_segment = leaving(outlines.vertices.next());
     e.segments = static_cast<std::int32_t>(points.size()) - 1;
-    e.end_vertex = e.first_segment + e.segments;
-    const auto edge = static_cast<std::int32_t>(outlines.edges.size());
+    e.end_vertex = e.first_vertex() + e.segments;
     for (const Vec2& p : points) {
-      outlines.vertices.push_back({static_cast<std::int32_t>(x.size()), e.body, -1, edge, edge, false});
+      outlines.vertices.push_back({x.next(), e.body, {}, edge, edge, false});
       x.push_back(p);
     }
     outlines.edges.push_back(e);
     return edge;
   }
   [[nodiscard]] double along(const OverlapPoint& p, const Vec2& t) const {
-    return t.dot(x[static_cast<std::size_t>(outlines.vertices[static_cast<std::size_t>(p.vertex)].node)]);
+    return t.dot(x[outlines.vertices[p.vertex].node]);
   }
 };
 
@@ -62,7 +66,7 @@ std::vector<double> kinks(std::mt19937_64& random, double low, double high, int 
 /// Edge a along +x at height 0, edge b against it at height gap, both turned by Q.
 struct Facing {
   Lines lines;
-  std::int32_t a = 0, b = 0;
+  EdgeIndex a, b;
   Vec2 t;
   double low = 0.0, high = 0.0;
   std::vector<double> sa, sb;
@@ -92,7 +96,7 @@ TEST(EdgeOverlap, shares_are_positive_and_add_to_the_overlap) {
       double sum = 0.0;
       for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.a, f.b, f.t, middle)) {
         EXPECT_GT(p.tributary, 0.0);
-        EXPECT_EQ(p.edge, f.lines.outlines.vertices[static_cast<std::size_t>(p.vertex)].body == f.a ? f.b : f.a);
+        EXPECT_EQ(p.edge, f.lines.outlines.vertices[p.vertex].edge_out == f.a ? f.b : f.a);
         sum += p.tributary;
       }
       EXPECT_NEAR(sum, f.high - f.low, 1e-14) << "seed " << seed;
@@ -123,26 +127,26 @@ TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const Facing f(seed);
     EdgeOverlap overlap;
-    std::map<std::int32_t, double> one, other, image;
+    std::map<VertexIndex, double> one, other, image;
     for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.a, f.b, f.t, true))
       one[p.vertex] = p.tributary;
     for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.b, f.a, -f.t, true))
       other[p.vertex] = p.tributary;
     // Mirrored in the line across t, either edge runs the other way round.
     Lines mirror;
-    const auto reflected = [&](const std::int32_t edge) {
+    const auto reflected = [&](EdgeIndex edge) {
       std::vector<Vec2> points;
-      const Outlines::Edge& e = f.lines.outlines.edges[static_cast<std::size_t>(edge)];
-      for (std::int32_t v = e.end_vertex; v >= e.first_segment; --v) {
-        const Vec2& p = f.lines.x[static_cast<std::size_t>(v)];
+      const Outlines::Edge& e = f.lines.outlines.edges[edge];
+      for (std::int32_t k = e.segments; k >= 0; --k) {
+        const Vec2& p = f.lines.x[f.lines.outlines.vertices[e.vertex(k)].node];
         points.emplace_back(p - 2.0 * f.t.dot(p) * f.t);
       }
       return mirror.add(points);
     };
-    const std::int32_t a = reflected(f.a), b = reflected(f.b);
+    const EdgeIndex a = reflected(f.a), b = reflected(f.b);
     for (const OverlapPoint& p : overlap.divide(mirror.outlines, mirror.x, a, b, f.t, true)) {
-      const Outlines::Edge& e = mirror.outlines.edges[static_cast<std::size_t>(p.edge == b ? a : b)];
-      image[e.first_segment + e.end_vertex - p.vertex] = p.tributary;
+      const Outlines::Edge& e = mirror.outlines.edges[p.edge == b ? a : b];
+      image[e.end_vertex - (p.vertex - e.first_vertex())] = p.tributary;
     }
     ASSERT_EQ(one.size(), other.size()) << "seed " << seed;
     ASSERT_EQ(one.size(), image.size()) << "seed " << seed;
@@ -156,7 +160,7 @@ TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
 TEST(EdgeOverlap, vertices_that_match_exactly_count_once) {
   Lines lines;
   const std::vector<Vec2> points{{0.0, 0.0}, {0.25, 0.0}, {0.75, 0.0}, {1.0, 0.0}};
-  const std::int32_t a = lines.add(points), b = lines.add({points.rbegin(), points.rend()});
+  const EdgeIndex a = lines.add(points), b = lines.add({points.rbegin(), points.rend()});
   EdgeOverlap overlap;
   std::map<double, double> at;
   std::size_t ends = 0;
@@ -171,8 +175,8 @@ TEST(EdgeOverlap, vertices_that_match_exactly_count_once) {
 
 TEST(EdgeOverlap, edges_beside_each_other_share_nothing) {
   Lines lines;
-  const std::int32_t a = lines.add({{0.0, 0.0}, {1.0, 0.0}}), touching = lines.add({{2.0, 0.0}, {1.0, 0.0}}),
-                     apart = lines.add({{3.0, 0.0}, {1.5, 0.0}});
+  const EdgeIndex a = lines.add({{0.0, 0.0}, {1.0, 0.0}}), touching = lines.add({{2.0, 0.0}, {1.0, 0.0}}),
+                  apart = lines.add({{3.0, 0.0}, {1.5, 0.0}});
   EdgeOverlap overlap;
   EXPECT_TRUE(overlap.divide(lines.outlines, lines.x, a, touching, Vec2(1.0, 0.0), true).empty());
   EXPECT_TRUE(overlap.divide(lines.outlines, lines.x, a, apart, Vec2(1.0, 0.0), true).empty());

@@ -123,7 +123,7 @@ TEST(ExplicitLoss, of_a_block_turned_inside_out_keeps_the_last_good_state) {
     report = integrator.step(hand.state, h);
   }
   EXPECT_EQ(report.status, StepReport::Status::non_finite);
-  EXPECT_EQ(report.body, 1);
+  EXPECT_EQ(report.body, BodyIndex{1});
   EXPECT_NE(report.cause.find("inside out"), std::string::npos) << report.cause;
   EXPECT_NE(report.cause.find("t = "), std::string::npos) << report.cause;
   EXPECT_GT(hand.state.step, 10);

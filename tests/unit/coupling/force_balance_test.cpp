@@ -35,7 +35,7 @@ TEST(ForceBalance, force_of_an_affine_block_is_that_on_its_centre) {
   const ForceBalance::Result r = measured(scene);
   EXPECT_NEAR(r.force, 700.0, 1e-9);
   EXPECT_NEAR(r.ratio, 1.0, 1e-12);
-  EXPECT_EQ(r.body, 1);
+  EXPECT_EQ(r.body, BodyIndex{1});
 }
 
 TEST(ForceBalance, moment_on_an_affine_block_counts_as_a_force_at_its_root_area) {
@@ -45,7 +45,7 @@ TEST(ForceBalance, moment_on_an_affine_block_counts_as_a_force_at_its_root_area)
   scene.model.point_loads.push_back({BlockId{1}, {1.0, 0.0}, {-100.0, 0.0}, {}});
   const ForceBalance::Result r = measured(scene);
   EXPECT_NEAR(r.force, 300.0 / std::sqrt(6.0), 1e-9);
-  EXPECT_EQ(r.body, 1);
+  EXPECT_EQ(r.body, BodyIndex{1});
 }
 
 TEST(ForceBalance, what_is_left_is_measured_by_the_largest_single_force) {

@@ -24,9 +24,9 @@ test::Scene hanging_block(const std::string& method) {
 }
 
 /// The outline node at the corner (2, 1).
-std::size_t corner(const test::ByHand& hand) {
+OutlineNode corner(const test::ByHand& hand) {
   const Outlines& o = hand.setup->outlines();
-  for (std::size_t k = 0; k < o.nodes.size(); ++k)
+  for (const OutlineNode k : o.nodes.indices())
     if ((position(o.nodes[k], hand.state.q) - Vec2(2.0, 1.0)).norm() < 1e-9) return k;
   throw std::logic_error("no node at the corner");
 }
@@ -44,7 +44,7 @@ class SpringElsewhere : public InterfaceForce {
     for (const Vec2& axis : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
       Spring s;
       s.count = 1;
-      s.node[0] = static_cast<std::int32_t>(node_);
+      s.node[0] = node_;
       s.direction[0] = axis;
       s.k = told;
       springs_.push_back(s);
@@ -83,7 +83,7 @@ class SpringElsewhere : public InterfaceForce {
       force[i + 1] += row_.w[k] * f.y();
     }
   }
-  std::size_t node_;
+  OutlineNode node_;
   Row row_;
   Vec2 anchor_;
   double told_;
@@ -143,7 +143,7 @@ TEST_P(InterfaceSpring, a_step_that_the_other_side_gives_up_changes_nothing) {
 class Rock : public InterfaceForce {
  public:
   explicit Rock(const test::ByHand& hand) : present_(hand.state.q.size(), 0.0) {
-    const std::size_t k = corner(hand);
+    const OutlineNode k = corner(hand);
     constraint_ = {hand.setup->outlines().node_body[k], hand.setup->outlines().nodes[k]};
     anchor_ = position(constraint_.row, hand.state.q);
   }
@@ -178,7 +178,7 @@ TEST_P(InterfaceSpring, a_tied_corner_stays_and_its_force_balances_the_block) {
   test::ByHand hand(scene.model, scene.plan.stages[0]);
   const Body& block = hand.setup->bodies()[0];
   Rock rock(hand);
-  const std::size_t k = corner(hand);
+  const OutlineNode k = corner(hand);
   const Vec2 anchor(2.0, 1.0);
   Newmark integrator(*hand.setup, kWide, 0.05);
   integrator.set_interface(&rock);

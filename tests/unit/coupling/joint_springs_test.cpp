@@ -44,9 +44,8 @@ struct Pair {
     scene.model.blocks[1].joint = upper;
     JointId found[2];
     for (const bool reversed : {false, true})
-      found[reversed ? 1 : 0] = with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
-        return reversed ? s.law_of(b, a) : s.law_of(a, b);
-      });
+      found[reversed ? 1 : 0] = with(
+          [&](const JointSprings& s, EdgeIndex a, EdgeIndex b) { return reversed ? s.law_of(b, a) : s.law_of(a, b); });
     EXPECT_EQ(found[0].value, found[1].value);
     return found[0];
   }
@@ -75,7 +74,7 @@ TEST(JointSprings, auto_stiffness_is_the_larger_modulus_over_width_of_the_two_bl
   const double lower = pair.scene.model.elasticity_of(BlockId{0}).p_modulus() / 1.0,
                upper = pair.scene.model.elasticity_of(BlockId{1}).p_modulus() / 3.0;
   EXPECT_GT(lower, upper);
-  pair.with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
+  pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
     EXPECT_DOUBLE_EQ(s.normal_stiffness(pair.one, a, b), lower);
     EXPECT_DOUBLE_EQ(s.normal_stiffness(pair.one, b, a), lower);
     EXPECT_DOUBLE_EQ(s.width(a), 1.0);  // along the edge's normal
@@ -89,12 +88,12 @@ TEST(JointSprings, auto_stiffness_is_the_larger_modulus_over_width_of_the_two_bl
 
 TEST(JointSprings, corner_stands_for_a_tenth_of_the_smaller_block) {
   Pair pair;
-  pair.with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
+  pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
     EXPECT_DOUBLE_EQ(s.corner_length(pair.one, a, b), 0.1 * 2.0);  // the root of 4 m2, not of 6
     EXPECT_DOUBLE_EQ(s.corner_length(pair.one, b, a), 0.1 * 2.0);
   });
   pair.scene.model.joints[pair.one.index()].contact_length = 0.07;
-  pair.with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
+  pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
     EXPECT_DOUBLE_EQ(s.corner_length(pair.one, a, b), 0.07);
   });
 }
@@ -104,7 +103,7 @@ TEST(JointSprings, given_stiffness_is_per_area_and_a_penalty_a_point) {
   JointLaw& law = pair.scene.model.joints[pair.one.index()];
   law.normal_stiffness = 3e9;
   law.shear_stiffness = 1e9;
-  pair.with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
+  pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
     const Springs found = s.springs(pair.one, a, b, 0.4);
     EXPECT_DOUBLE_EQ(found.kn, 1.2e9);
     EXPECT_DOUBLE_EQ(found.kt, 0.4e9);
@@ -112,7 +111,7 @@ TEST(JointSprings, given_stiffness_is_per_area_and_a_penalty_a_point) {
   });
   law.penalty = 5e10;
   law.shear_penalty = 2e10;
-  pair.with([&](const JointSprings& s, std::int32_t a, std::int32_t b) {
+  pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
     const Springs found = s.springs(pair.one, a, b, 0.4);
     EXPECT_DOUBLE_EQ(found.kn, 5e10);
     EXPECT_DOUBLE_EQ(found.kt, 2e10);

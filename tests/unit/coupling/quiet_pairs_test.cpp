@@ -15,15 +15,17 @@ namespace {
 
 using namespace coupling;
 
+EdgePair edges(std::int32_t a, std::int32_t b) { return {EdgeIndex{a}, EdgeIndex{b}}; }
+
 struct Quiet : ::testing::Test {
   std::vector<Vec2> x{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}};
-  std::vector<Outlines::Range> moving{{0, 2}};  // the last one rests
-  std::vector<EdgePair> near{{0, 3}, {1, 3}, {2, 5}};
+  std::vector<IndexRange<OutlineNode>> moving{{OutlineNode{0}, OutlineNode{2}}};  // the last one rests
+  std::vector<EdgePair> near{edges(0, 3), edges(1, 3), edges(2, 5)};
   QuietPairs pairs;
 
   void go(const Vec2& way, bool listed_anew = false) {
     x[1] += way;
-    pairs.begin(x, moving, near, listed_anew);
+    pairs.begin(OutlinePositions(x), moving, near, listed_anew);
   }
 };
 
@@ -52,7 +54,7 @@ TEST_F(Quiet, by_their_edges_when_they_are_listed_anew) {
   go(Vec2(0.0, 0.0));
   pairs.set(1, 1.0);
   pairs.set(2, 2.0);
-  near = {{0, 2}, {1, 3}, {1, 4}, {2, 5}};
+  near = {edges(0, 2), edges(1, 3), edges(1, 4), edges(2, 5)};
   go(Vec2(0.1, 0.0), true);
   EXPECT_FALSE(pairs.quiet(0));
   EXPECT_TRUE(pairs.quiet(1));
@@ -105,7 +107,7 @@ TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
     ContactPairs in_turn(*hand.setup, springs, 0.2), all(*hand.setup, springs, 0.2);
     std::mt19937_64 random(seed);
     const auto uniform = [&] { return 2.0 * static_cast<double>(random() % 100003) / 100003.0 - 1.0; };
-    std::vector<Vec2> x;
+    IndexedVector<OutlineNode, Vec2> x;
     for (const Row& node : o.nodes) x.push_back(position(node, hand.state.q));
     std::vector<Vec2> way(hand.setup->bodies().size(), Vec2(0.0, 0.0));
     std::vector<double> spin(way.size(), 0.0);
@@ -114,8 +116,8 @@ TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
         way[b] = 0.004 * Vec2(uniform(), uniform());
         spin[b] = 0.01 * uniform();
       }
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        const auto b = static_cast<std::size_t>(o.node_body[i]);
+      for (const OutlineNode i : x.indices()) {
+        const std::size_t b = o.node_body[i].index();
         const Vec2 from_centre = x[i] - hand.setup->bodies()[b].centre;
         x[i] += way[b] + spin[b] * Vec2(-from_centre.y(), from_centre.x());
       }

@@ -49,6 +49,13 @@ TEST(SlidingDamping, lowest_frequency_of_a_triangle_is_that_of_six_unknowns) {
               std::sqrt(w2), 1e-6 * std::sqrt(w2));
 }
 
+/// The first outline node of a body.
+coupling::OutlineNode first_node(const coupling::Outlines& outlines, BodyIndex body) {
+  for (const coupling::OutlineNode n : outlines.nodes.indices())
+    if (outlines.node_body[n] == body) return n;
+  throw std::logic_error("no such body");
+}
+
 /// A block of DDA or NMM on nothing, a little turned and strained.
 struct Fixture {
   Scene scene{1e9, 0.2, 2600.0};
@@ -100,9 +107,9 @@ TEST_P(Damper, matrix_is_the_mass_less_its_rigid_part) {
   const Outlines& o = f.setup->outlines();
   Eigen::MatrixXd rows(2 * static_cast<Eigen::Index>(o.nodes.size()), n), fields(rows.rows(), 3);
   rows.setZero();
-  for (std::size_t k = 0; k < o.nodes.size(); ++k) {
-    const ChartRow row = system.chart(0, o.nodes[k], f.state.q);
-    const auto at = 2 * static_cast<Eigen::Index>(k);
+  for (const coupling::OutlineNode k : o.nodes.indices()) {
+    const ChartRow row = system.chart(BodyIndex{0}, o.nodes[k], f.state.q);
+    const auto at = 2 * static_cast<Eigen::Index>(k.index());
     for (std::size_t j = 0; j < static_cast<std::size_t>(row.n); ++j) {
       rows(at, row.dof[j]) += row.tx[j];
       rows(at + 1, row.dof[j]) += row.ty[j];
@@ -157,18 +164,14 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   const coupling::Setup setup(scene.model, standard_methods(), records);
   SlidingDamping damping(setup, 0.7);
   ASSERT_TRUE(damping.used());
-  const auto node_of = [&](std::int32_t body) {
-    return static_cast<std::int32_t>(
-        std::find(setup.outlines().node_body.begin(), setup.outlines().node_body.end(), body) -
-        setup.outlines().node_body.begin());
-  };
+  const auto node_of = [&](std::int32_t body) { return first_node(setup.outlines(), BodyIndex{body}); };
   const double most =
       2.0 * 0.7 * lowest_deformation_frequency(reference_shape(scene.model, b), scene.model.elasticity_of(b));
   const auto rate_of = [&](SlidingDamping& of, std::vector<ContactMemory> memory, std::int32_t body) {
     ContactList list;
     list.memory = std::move(memory);
     list.points.resize(list.memory.size());
-    for (ContactPoint& p : list.points) p.node = std::array<std::int32_t, 3>{node_of(body), node_of(0), node_of(0)};
+    for (ContactPoint& p : list.points) p.node = std::array{node_of(body), node_of(0), node_of(0)};
     of.begin();
     of.count(setup.outlines(), list);
     (void)of.find();
@@ -217,15 +220,12 @@ TEST(SlidingDamping, rate_grows_with_the_cube_of_friction_on_steep_slopes) {
     scene.model.joints[1].friction = std::atan(tan_second);
     const coupling::Setup setup(scene.model, standard_methods(), records);
     SlidingDamping damping(setup, 1.0);
-    const auto node_of = [&](std::int32_t body) {
-      const auto& of = setup.outlines().node_body;
-      return static_cast<std::int32_t>(std::find(of.begin(), of.end(), body) - of.begin());
-    };
+    const auto node_of = [&](std::int32_t body) { return first_node(setup.outlines(), BodyIndex{body}); };
     ContactList list;
     list.memory = {pressed(2.0, ContactStatus::slip), pressed(2.0, ContactStatus::slip)};
     list.memory[1].joint = 1;
     list.points.resize(2);
-    for (ContactPoint& p : list.points) p.node = std::array<std::int32_t, 3>{node_of(1), node_of(0), node_of(0)};
+    for (ContactPoint& p : list.points) p.node = std::array{node_of(1), node_of(0), node_of(0)};
     damping.begin();
     damping.count(setup.outlines(), list);
     (void)damping.find();
