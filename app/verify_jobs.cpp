@@ -85,11 +85,10 @@ class Queue {
   std::vector<Item> shared_, alone_;  // what comes first last
 };
 
-/// The report of a process that left none.
-CaseReport report_of_failure(const std::string& name, const fs::path& folder, const std::string& why) {
+/// The report of a process that left none. It has no title: it may be the case file that cannot be read.
+CaseReport report_of_failure(const std::string& name, const std::string& why) {
   CaseReport out;
   out.name = name;
-  out.title = case_title(folder);
   out.rows.push_back({"evaluation of the case", "every case has to be evaluated", "a report", 0.0, false, why, false});
   return out;
 }
@@ -109,7 +108,7 @@ std::optional<std::vector<CaseReport>> evaluate_in_processes(const VerifyCommand
   const auto report_of = [&](const ProcessPool::Ended& ended) {
     if (fs::exists(table(ended.run))) return read_json_report(table(ended.run)).at(0);
     const std::string why = fmt::format("exit code {}: {}", ended.exit_code, last_line(log(ended.run)));
-    return report_of_failure(names[ended.run], library / names[ended.run], why);
+    return report_of_failure(names[ended.run], why);
   };
   std::vector<CaseReport> reports(names.size());
   take_signals_of_runs();
