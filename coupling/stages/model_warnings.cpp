@@ -81,6 +81,26 @@ std::vector<std::string> size_warnings(const Model& model) {
       largest.name, largest.size, least.name, least.size)};
 }
 
+std::vector<std::string> unit_warnings(const Model& model) {
+  std::vector<std::string> out;
+  std::set<std::size_t> used;
+  for (const Block& b : model.blocks) used.insert(b.material.index());
+  for (const std::size_t i : used) {
+    const Material& m = model.materials[i];
+    if (m.density < kLightest || m.density > kHeaviest)
+      out.push_back(
+          fmt::format("the density of '{}' is {:.4g} kg/m3, and that of rock 1500 to 4500; a number in another "
+                      "unit is written with it, as \"2.6 t/m3\"",
+                      m.name, m.density));
+    if (m.young < kSoftest)
+      out.push_back(
+          fmt::format("Young's modulus of '{}' is {:.4g} Pa, and that of rock 1e8 to 1e11; a number in another "
+                      "unit is written with it, as \"25 GPa\"",
+                      m.name, m.young));
+  }
+  return out;
+}
+
 std::vector<std::string> lawless_warnings(const Model& model, const std::vector<Touch>& touches) {
   const bool smooth = model.joints.size() == 1 && model.joints.front().name == "smooth" &&
                       model.joints.front().friction == 0.0 && model.joints.front().cohesion == 0.0;

@@ -9,6 +9,9 @@
 
 namespace scree::coupling {
 
+/// Densities out of this range are told: half of pumice, twice a heavy ore [kg/m3]; and softer things than jelly [Pa].
+inline constexpr double kLightest = 200.0, kHeaviest = 10000.0, kSoftest = 1e3;
+
 /// Stiffnesses further apart than this, and sizes, are told.
 inline constexpr double kFarStiffness = 1e6, kFarSizes = 1e3;
 
@@ -17,6 +20,9 @@ inline constexpr double kFarStiffness = 1e6, kFarSizes = 1e3;
 [[nodiscard]] std::vector<std::string> stiffness_warnings(const Model& model);
 /// The largest and the smallest block, root of area, where they are more than kFarSizes apart.
 [[nodiscard]] std::vector<std::string> size_warnings(const Model& model);
+
+/// Materials of blocks whose density or modulus no rock has: most often a number in another unit.
+[[nodiscard]] std::vector<std::string> unit_warnings(const Model& model);
 
 /// Blocks touch in a model whose case names no joint law: their faces are smooth. (Several laws without a default are
 /// refused when the case is read.)

@@ -409,7 +409,7 @@ std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   for (const auto& more :
        {damping_warnings(model, plan), partition_warnings(model, plan), sliding_warnings(model, plan, touches),
         arch_warnings(model, plan, touches), rocking_warnings(model, plan, touches), stiffness_warnings(model),
-        size_warnings(model), lawless_warnings(model, touches)})
+        size_warnings(model), unit_warnings(model), lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -44,6 +44,8 @@ says 3 'did you mean "friction_deg"?' "$scree" check fall.toml --set joint.plane
 says 3 'divide by g: 26 kN/m3 / 9.81 m/s2 = 2650 kg/m3' "$scree" check fall.toml --set 'material.rock.density="26 kN/m3"'
 says 3 'multiply by g' "$scree" check fall.toml --set 'water=[{line=[[0,1],[4,1]],unit_weight="1 t/m3"}]'
 says 0 fine "$scree" check fall.toml --set 'material.rock.young="0.001 TPa"'
+says 0 "warning: the density of 'rock' is 2.6 kg/m3" "$scree" check fall.toml --set material.rock.density=2.6
+says 0 "warning: Young's modulus of 'rock' is 25 Pa" "$scree" check fall.toml --set material.rock.young=25
 # what a case holds
 says 0 'base, box-1 to box-3' "$scree" check fall.toml
 says 0 'box-2' "$scree" check fall.toml --blocks

@@ -34,6 +34,30 @@ TEST(ModelWarnings, sizes_far_apart_are_told_with_their_blocks) {
   EXPECT_NE(told[0].find("'pebble' 1 m"), std::string::npos) << told[0];
 }
 
+TEST(ModelWarnings, numbers_in_another_unit_are_told) {
+  Scene scene(25e9, 0.2, 2600.0);
+  scene.add("block", rectangle(0, 0, 2, 2));
+  EXPECT_TRUE(unit_warnings(scene.model).empty());
+  for (const double rock : {500.0, 1000.0, 4500.0, 7850.0}) {  // pumice, water, ore, steel
+    scene.model.materials[0].density = rock;
+    EXPECT_TRUE(unit_warnings(scene.model).empty()) << rock;
+  }
+  for (const double wrong : {2.6, 26.0, 26000.0, 2.6e6}) {  // t/m3, kN/m3, N/m3, g/m3
+    scene.model.materials[0].density = wrong;
+    const auto told = unit_warnings(scene.model);
+    ASSERT_EQ(told.size(), 1u) << wrong;
+    EXPECT_NE(told[0].find("density of 'rock'"), std::string::npos) << told[0];
+  }
+  scene.model.materials[0].density = 2600.0;
+  scene.model.materials[0].young = 25.0;  // GPa
+  ASSERT_EQ(unit_warnings(scene.model).size(), 1u);
+  EXPECT_NE(unit_warnings(scene.model)[0].find("25 Pa"), std::string::npos);
+  // A material that no block has does not matter.
+  scene.model.materials.push_back({"spare", 2.6, 25.0, 0.2});
+  EXPECT_EQ(unit_warnings(scene.model).size(), 1u);
+  EXPECT_EQ(plan_warnings(scene.model, scene.plan).size(), support_warnings(scene.model, {}).size() + 1u);
+}
+
 TEST(ModelWarnings, faces_without_any_law_are_told) {
   Scene scene;
   scene.add("base", rectangle(0, 0, 4, 1), true);
