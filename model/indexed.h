@@ -92,6 +92,8 @@ class IndexedVector {
   void resize(std::size_t size) { values_.resize(size); }
   void reserve(std::size_t size) { values_.reserve(size); }
   void assign(std::size_t size, const T& value) { values_.assign(size, value); }
+  /// As a vector becomes a span.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   operator IndexedSpan<Index, const T>() const { return IndexedSpan<Index, const T>(std::span<const T>(values_)); }
   /// The values alone, in the order of their indices.
   [[nodiscard]] std::vector<T>& values() { return values_; }

@@ -24,7 +24,7 @@ struct Outlines {
   struct Segment {
     OutlineNode a, b;
     EdgeIndex edge;
-    std::int32_t part;  // counted along the edge
+    std::int32_t part = 0;  // counted along the edge
   };
   struct Edge {
     BodyIndex body;
@@ -48,7 +48,7 @@ struct Outlines {
     BodyIndex body;
     SegmentIndex segment_in;  // the segment that ends here
     EdgeIndex edge_in, edge_out;
-    bool convex;  // a corner with an interior angle below pi
+    bool convex = false;  // a corner with an interior angle below pi
   };
   IndexedVector<OutlineNode, Row> nodes;
   IndexedVector<OutlineNode, BodyIndex> node_body;

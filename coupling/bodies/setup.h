@@ -131,8 +131,8 @@ class Setup {
   [[nodiscard]] double motion_time(MotionId m, double time) const {
     return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
   }
-  void add_outline(BodyIndex body);
-  void add_cracks(BodyIndex body, const Boundary& boundary, OutlineNode first_node);
+  void add_outline(BodyIndex index);
+  void add_cracks(BodyIndex index, const Boundary& boundary, OutlineNode first_node);
 
   const Model* model_;
   std::vector<std::unique_ptr<Pool>> pools_;

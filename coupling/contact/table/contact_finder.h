@@ -102,7 +102,7 @@ class ContactFinder {
   /// The segment of an edge nearest to a point, and its distance [m].
   struct Under {
     SegmentIndex segment;
-    double distance;
+    double distance = 0.0;
   };
   [[nodiscard]] Under segment_under(const Vec2& x, EdgeIndex edge) const;
   [[nodiscard]] ContactGeometry geometry(VertexIndex vertex, SegmentIndex segment) const;
@@ -241,7 +241,7 @@ class ContactFinder {
   /// A remembered point by the edges that its joint may be of.
   struct OnJoint {
     EdgePair joint;
-    std::int32_t point;
+    std::int32_t point = -1;
     auto operator<=>(const OnJoint&) const = default;
   };
   std::vector<OnJoint> remembered_;
