@@ -2,41 +2,21 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <thread>
 
+#include "app/own_folder.h"
 #include "app/signals.h"
 #include "app/sweep/process_pool.h"
 #include "app/verify/report_json.h"
-#include "io/results/file_error.h"
 
 namespace scree::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that goes when this does.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_((fs::temp_directory_path() / "scree-verify-XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr) throw io::FileError(path_, "cannot be made");
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code none;
-    fs::remove_all(path_, none);
-  }
-  [[nodiscard]] fs::path file(const std::string& name) const { return fs::path(path_) / name; }
-
- private:
-  std::string path_;
-};
 
 const char* option_of(Tier tier) {
   return tier == Tier::quick ? "--quick" : tier == Tier::full ? "--full" : "--exhaustive";
@@ -102,9 +82,9 @@ std::optional<std::vector<CaseReport>> evaluate_in_processes(const VerifyCommand
   const int all = command.threads > 0 ? command.threads : omp_get_max_threads();
   const auto jobs = static_cast<std::size_t>(command.jobs);
   Queue queue(names, library, command.tier);
-  const TemporaryFolder folder;
-  const auto table = [&](std::size_t i) { return folder.file(names[i] + ".json"); };
-  const auto log = [&](std::size_t i) { return folder.file(names[i] + ".log"); };
+  const OwnFolder folder("verify");
+  const auto table = [&](std::size_t i) { return folder.path() / (names[i] + ".json"); };
+  const auto log = [&](std::size_t i) { return folder.path() / (names[i] + ".log"); };
   const auto report_of = [&](const ProcessPool::Ended& ended) {
     if (fs::exists(table(ended.run))) return read_json_report(table(ended.run)).at(0);
     const std::string why = fmt::format("exit code {}: {}", ended.exit_code, last_line(log(ended.run)));

@@ -9,6 +9,7 @@
 #include "app/built_from.h"
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/own_folder.h"
 #include "app/session.h"
 #include "coupling/plan.h"
 #include "coupling/stages/driver.h"
@@ -30,32 +31,12 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 extern "C" void on_view_signal(int signal) { stop_signal = signal; }
 
-/// A folder of this program's own, removed at its end.
-class OwnFolder {
- public:
-  OwnFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "scree-view-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw io::FileError(name, "cannot be made");
-    path_ = name;
-  }
-  ~OwnFolder() {
-    std::error_code ignored;  // a folder left behind in the temporary one does no harm
-    std::filesystem::remove_all(path_, ignored);
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// The model of a case as its run would begin: the results of a run that takes no step. What was read stays open when
 /// the folder is gone.
 std::unique_ptr<io::StoredSite> model_site(const ViewOptions& options) {
   const std::vector<std::string> names = method_names();
   const io::Case c = io::read_case(options.source, options.set, names, complain_line);
-  const OwnFolder scratch;
+  const OwnFolder scratch("view");
   // The title of the page names the folder of the case, as a run of it would be named.
   const std::filesystem::path folder =
       scratch.path() / std::filesystem::absolute(options.source).parent_path().filename();
