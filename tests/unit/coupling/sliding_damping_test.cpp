@@ -252,6 +252,7 @@ TEST(SlidingDamping, cohesion_alone_brings_none) {
   list.memory = {pressed(1.0, ContactStatus::slip)};
   list.memory[0].tributary = 1.0;
   list.points.resize(1);
+  list.points[0].node.fill(first_node(setup.outlines(), BodyIndex{1}));
   damping.begin();
   damping.count(setup.outlines(), list);
   EXPECT_FALSE(damping.find());
