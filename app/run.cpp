@@ -475,6 +475,21 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   return kNotConverged;
 }
 
+/// Says which steps a first stage with explicit ones takes.
+/// @return warnings   @throws coupling::PlanError where they are refused, or the stage cannot begin
+std::size_t print_first_step(const io::Case& c, const coupling::Methods& methods) {
+  struct Told final : coupling::Sink {
+    std::size_t warnings = 0;
+    void event(const coupling::Event& e) override {
+      warnings += e.kind == coupling::EventKind::warning ? 1 : 0;
+      say("    {}{}\n", e.kind == coupling::EventKind::warning ? "warning: " : "", e.text);
+    }
+  } told;
+  if (c.plan.stages.front().integrator != coupling::Integrator::implicit)
+    coupling::Driver(c.model, c.plan, methods).begin_only(told);
+  return told.warnings;
+}
+
 int check(const CheckOptions& options) {
   const std::vector<std::string> names = method_names();
   const io::Case c = io::read_case(options.case_file, options.set, names, complain_line);
@@ -513,6 +528,7 @@ int check(const CheckOptions& options) {
     print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
     if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
     warned += print_damping(c, i);
+    if (i == 0) warned += print_first_step(c, methods);
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused

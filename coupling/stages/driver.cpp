@@ -505,6 +505,14 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   return {};
 }
 
+void Driver::begin_only(Sink& sink) {
+  start();
+  change_stage(0);
+  begin_stage(plan_->stages.front());
+  sinks_.push_back(&sink);
+  (void)largest_step(plan_->stages.front(), true);
+}
+
 RunEnd Driver::run(std::optional<double> until) {
   const Tick stop = until ? ticks(*until) : std::numeric_limits<Tick>::max();
   enter(Phase::set_up);

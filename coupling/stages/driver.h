@@ -39,6 +39,9 @@ class Driver {
   /// Keeps a checkpoint now.   @pre called by the control while it is asked: between two steps
   void keep_checkpoint();
 
+  /// Begins the first stage and finds its step, which is not taken: whether the plan can begin.
+  /// @param sink  sees what is said of the step   @throws PlanError as run() does before its first step
+  void begin_only(Sink& sink);
   /// Runs to the end of the plan, or to `until` [s]. Not converging is an outcome; only a PlanError is thrown.
   RunEnd run(std::optional<double> until = std::nullopt);
 

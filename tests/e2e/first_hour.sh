@@ -50,6 +50,11 @@ says 0 "warning: Young's modulus of 'rock' is 25 Pa" "$scree" check fall.toml --
 says 0 'base, box-1 to box-3' "$scree" check fall.toml
 says 0 'box-2' "$scree" check fall.toml --blocks
 grep -q '2.5 .*1.5 .*rock' said || fail 'check --blocks has no centre'
+# an explicit stage: its step, and which block binds it; one that the run would refuse is refused
+explicit=(--set 'stage.rest.integrator="explicit"')
+says 0 "0.8 of the certified bound, set by block 'box-" "$scree" check fall.toml "${explicit[@]}" --set 'stage.rest.dt="auto"'
+says 3 'above the certified stable one' "$scree" check fall.toml "${explicit[@]}" --set stage.rest.dt=0.01
+says 0 'is forced above' "$scree" check fall.toml "${explicit[@]}" --set stage.rest.dt=0.01 --set stage.rest.force_dt=true
 
 # a warning: said by check, by the run, with --quiet too, in run.log and in summary.json
 loose='block.box-3.polygon=[[3.1,1.1],[4,1.1],[4,2.1],[3.1,2.1]]'
