@@ -1,6 +1,7 @@
 // The audit: it finds what is wrong with a contact, and nothing wrong in runs of many steps.
 #include "coupling/contact/audit/audit.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -157,6 +158,47 @@ TEST(Audit, block_that_nothing_holds_inside_another_is_found) {
   r.hand->setup->pool_of(b).place(b.index, m, r.hand->state.q, r.hand->state.v);
   EXPECT_FALSE(r.geometry().passed());
   EXPECT_NE(r.geometry().text().find("inside block 'floor'"), std::string::npos) << r.geometry().text();
+}
+
+TEST(Audit, corners_where_joints_cross_go_as_deep_as_the_joints_beside_them_give_way) {
+  constexpr double kDetection = 0.02;
+  Scene scene(1e9, 0.2, 2500.0, 30.0);
+  scene.model.gravity = {-5.0, -9.0};
+  scene.add("floor", rectangle(-2, -2, 22, 0), true);
+  scene.add("wall", rectangle(-2, 0, 0, 22), true);
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 2; ++column)
+      scene.add(fmt::format("b{}{}", row, column), rectangle(10 * column, 10 * row, 10 * (column + 1), 10 * (row + 1)));
+  scene.stage("dda", Integrator::implicit, 2.0, 1e-2).rest = true;
+  scene.plan.detection = kDetection;
+  scene.plan.audit = true;
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver run(scene.model, scene.plan, methods);
+  const coupling::RunEnd end = run.run();
+  EXPECT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
+  // The upper right block against the lower left one: deeper than what may lie unheld.
+  const coupling::Setup& setup = run.setup();
+  const auto corner = [&](std::size_t block, double x, double y) {
+    const coupling::Body& b = setup.bodies()[block];
+    return coupling::position(setup.global(b, setup.pool_of(b).row_at(b.index, Vec2(x, y) - b.centre)), run.state().q);
+  };
+  const Vec2 into = corner(2, 10, 10) - corner(5, 10, 10);
+  std::printf("%.4g m, %.4g m deep, of %.4g m that may lie unheld\n", into.x(), into.y(), 0.1 * kDetection);
+  EXPECT_GT(into.minCoeff(), 0.1 * kDetection);
+  // Without the joints beside it nothing excuses it.
+  coupling::ContactFinder finder(setup, kDetection);
+  coupling::ContactList known, list;
+  finder.restore(run.state().contacts, known);
+  finder.find(run.state().q, known, false, list);
+  const auto found = [&] {
+    coupling::Audit audit;
+    coupling::audit_geometry(setup, list, run.state().q, kDetection, audit);
+    return audit;
+  };
+  EXPECT_TRUE(found().passed()) << found().text();
+  for (coupling::ContactMemory& m : list.memory) m.status = coupling::ContactStatus::open;
+  EXPECT_FALSE(found().passed());
+  EXPECT_NE(found().text().find("nothing holds it"), std::string::npos) << found().text();
 }
 
 TEST(Audit, not_a_number_is_a_violation) {

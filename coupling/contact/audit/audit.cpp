@@ -63,7 +63,9 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   double farthest = 0.0;
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   const double allowed = kSameNumber * detection + 64.0 * std::numeric_limits<double>::epsilon() * farthest;
-  std::set<std::pair<BodyIndex, BodyIndex>> held;
+  // Where joints cross, diagonal corners leave the force to the joints beside them, and go as deep as those give way.
+  std::set<std::pair<BodyIndex, BodyIndex>> held, left_to_others;
+  std::vector<double> pressed(setup.bodies().size(), 0.0);  // the deepest closed point of a body [m]
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
@@ -73,9 +75,12 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
                 [&] { return fmt::format("{}: the gap is {:.6g} m, not {:.6g} m", name(), g.gap - m.gap0, m.gap); });
     // A point that closed at a depth, or whose share changed under load, is free of force where gap0 says.
     const bool comes_out = m.gap >= 0.0 && m.gap + m.gap0 < 0.0;
-    if (m.status != ContactStatus::open || comes_out)
-      held.insert(std::minmax(o.node_body[p.node[0]], o.node_body[p.node[1]]));
+    const std::pair<BodyIndex, BodyIndex> bodies = std::minmax(o.node_body[p.node[0]], o.node_body[p.node[1]]);
+    if (m.status != ContactStatus::open || comes_out) held.insert(bodies);
+    if (p.suppressed) left_to_others.insert(bodies);
     if (m.status == ContactStatus::open) continue;
+    for (const BodyIndex b : {bodies.first, bodies.second})
+      pressed[b.index()] = std::max(pressed[b.index()], -(m.gap + m.gap0));
     audit.check((g.xi - m.anchor) * g.length - m.stretch, allowed,
                 [&] { return fmt::format("{}: the stretch is not {:.6g} m", name(), m.stretch); });
   }
@@ -88,10 +93,12 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     for (std::size_t b = 0; b < outline.size(); ++b) {
       if (a == b || !setup.can_touch(a, b) || outline[a].outer.empty() || outline[b].outer.empty()) continue;
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
-      if (held.contains(std::minmax({BodyIndex::of(a), BodyIndex::of(b)}))) continue;
+      const std::pair<BodyIndex, BodyIndex> bodies = std::minmax({BodyIndex::of(a), BodyIndex::of(b)});
+      if (held.contains(bodies)) continue;
+      const double most = 0.1 * detection + (left_to_others.contains(bodies) ? pressed[a] + pressed[b] : 0.0);
       for (const Vec2& x : outline[a].outer)
         if (contains(outline[b], x))
-          audit.check(depth_in(outline[b], x), 0.1 * detection, [&] {
+          audit.check(depth_in(outline[b], x), most, [&] {
             const auto& blocks = setup.model().blocks;
             return fmt::format("a corner of block '{}' is {:.3g} m inside block '{}' and nothing holds it",
                                blocks[setup.bodies()[a].block.index()].name, depth_in(outline[b], x),

@@ -50,7 +50,8 @@ class Audit {
 /// Contacts against the positions, whatever found them: gap and stretch of every point are those of the geometry, and
 /// no corner of a free block lies deep inside another one that no contact parts from it, closed or on its way out
 /// (looked for over all blocks, without the search).
-/// @param detection  of contacts; a corner may lie unheld within a tenth of it [m]
+/// @param detection  of contacts; a corner may lie unheld within a tenth of it, and of two diagonal blocks where joints
+/// cross as deep as the joints beside it are pressed [m]
 void audit_geometry(const Setup& setup, const ContactList& list, std::span<const double> q, double detection,
                     Audit& audit);
 
