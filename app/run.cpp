@@ -16,6 +16,7 @@
 #include "app/session.h"
 #include "app/signals.h"
 #include "coupling/bodies/partition.h"
+#include "coupling/stages/bending_note.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/mesh_estimate.h"
@@ -270,6 +271,8 @@ void tell_meshes(const Model& model, const coupling::Plan& plan) {
     if (const coupling::MeshEstimate e = coupling::mesh_estimate(model, s); e.elements > kLarge) {
       say("stage '{}': about {:.2g} elements, {:.2g} GB of memory\n", s.name, e.elements, 1e-9 * e.bytes);
     }
+  for (const coupling::Stage& s : plan.stages)
+    if (const auto note = coupling::bending_note(model, s)) say("{}\n", *note);
 }
 
 /// What the last line says of the ledger.

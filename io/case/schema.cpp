@@ -147,7 +147,9 @@ constexpr Key kKeys[] = {
      "a hinge of two blocks bears on the outermost piece of it alone and is softer than between blocks of the DDA, "
      "whose "
      "joints have two points, each with half of the length: the limit of an arch moves by about 3 %. Ten times the "
-     "automatic stiffness, or the DDA, comes nearer to rigid blocks; `scree check` warns of such arches."},
+     "automatic stiffness, or the DDA, comes nearer to rigid blocks; `scree check` warns of such arches, and of "
+     "slender "
+     "blocks alone on such a joint, which rock farther than rigid ones."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",
