@@ -80,7 +80,7 @@ class Driver {
   void observe();
   /// Shows sinks the present mesh, once.
   void show_mesh();
-  [[nodiscard]] Checkpoint checkpoint_but_state() const;
+  [[nodiscard]] Checkpoint checkpoint_of_driver() const;
   /// Keeps a checkpoint, if it is due or in any case.
   void keep(bool in_any_case);
   /// @throws PlanError where linear kinematics would take a block's rotation for strain
@@ -109,8 +109,8 @@ class Driver {
   [[nodiscard]] Tick latest_end() const;
   /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
   [[nodiscard]] RunEnd check_finite(const Stage& stage);
-  /// Warns of friction that contacts have lost; `complete`, the ledger is up to date: and of large columns of the
-  /// scheme.
+  /// Warns of friction that contacts have lost and of spins that the steps damp; `complete`, the ledger is up to date:
+  /// and of large columns of the scheme.
   void warn_of_losses(const Stage& stage, bool complete);
   /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
   [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);

@@ -9,7 +9,9 @@
 #include "coupling/integrate/step_bound.h"
 #include "coupling/stages/driver.h"
 #include "coupling/stages/energy_watch.h"
+#include "coupling/stages/implicit_damping.h"
 #include "coupling/stages/pace.h"
+#include "coupling/stages/spin_watch.h"
 #include "coupling/stages/step_grid.h"
 
 namespace scree::coupling {
@@ -289,6 +291,10 @@ void Driver::warn_of_losses(const Stage& stage, bool complete) {
   if (complete && state_.ledger.passed_given() > round_off_) {
     const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
     lines.insert(lines.end(), columns.begin(), columns.end());
+  }
+  if (damps_motion(stage)) {
+    const std::vector<std::string> spins = damped_spins(*model_, *setup_, state_, told_);
+    lines.insert(lines.end(), spins.begin(), spins.end());
   }
   for (const std::string& line : lines)
     event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, line));

@@ -124,10 +124,13 @@ double driven_frequency(const Model& model, std::span<const char> acts) {
   return most;
 }
 
+bool damps_motion(const Stage& stage) {
+  return stage.has_implicit_steps() && stage.dt && !stage.rest && !(stage.dynamics < 1.0) &&
+         stage.newmark != NewmarkScheme::trapezoidal;
+}
+
 std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage, std::span<const char> acts) {
-  if (!stage.has_implicit_steps() || !stage.dt || stage.rest || stage.dynamics < 1.0 ||
-      stage.newmark == NewmarkScheme::trapezoidal)
-    return std::nullopt;
+  if (!damps_motion(stage)) return std::nullopt;
   StageDamping out;
   out.stage = stage.name;
   out.dt = *stage.dt;

@@ -43,6 +43,9 @@ struct StageDamping {
 [[nodiscard]] std::optional<StageDamping> stage_damping(const Model& model, const Stage& stage,
                                                         std::span<const char> acts = {});
 
+/// True where implicit steps of the stage damp what moves: Newmark's (1/2, 1), and velocity is physical.
+[[nodiscard]] bool damps_motion(const Stage& stage);
+
 inline constexpr double kDampsMuch = 0.05;  // a second
 /// True where the driven frequency, or in a divided block a wave of ten covers, loses more than kDampsMuch a second.
 [[nodiscard]] bool damps_much(const StageDamping& damping);

@@ -91,11 +91,9 @@ std::vector<std::string> lost_friction(const Model& model, const State& state, R
   });
   std::vector<std::string> lines;
   for (const Pair& p : lost) {
-    bool known = false;
-    for (std::size_t i = 0; i + 1 < told.pairs.size(); i += 2)
-      known = known || (told.pairs[i] == p.blocks.first && told.pairs[i + 1] == p.blocks.second);
-    if (known) continue;
-    told.pairs.insert(told.pairs.end(), {p.blocks.first, p.blocks.second});
+    const std::array pair{p.blocks.first, p.blocks.second};
+    if (told.has(pair)) continue;
+    told.add(pair);
     lines.push_back(fmt::format(
         "{}: sliding, it had {:.3f} of the friction that its strength and normal force give; the block flutters or "
         "hops on its contacts, and goes too far (docs/theory/contact-law.md, \"Friction check\"): raise the "

@@ -2,6 +2,7 @@
 // friction that is lost.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,11 +13,18 @@
 
 namespace scree::coupling {
 
-/// What a run has warned of: each column and each pair of blocks once. Not part of the State, whose hash does not
-/// depend on who looks when; part of the Checkpoint.
+/// What a run has warned of: each column, each pair of blocks and each spin once. Not part of the State, whose hash
+/// does not depend on who looks when; part of the Checkpoint.
 struct Told {
   std::vector<std::int32_t> columns;  // of the ledger
-  std::vector<std::int32_t> pairs;    // two block numbers a pair, the smaller one first
+  std::vector<std::int32_t> pairs;    // two block numbers a pair, the smaller one first; one twice: the block's spin
+
+  [[nodiscard]] bool has(const std::array<std::int32_t, 2>& pair) const {
+    for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
+      if (pairs[i] == pair[0] && pairs[i + 1] == pair[1]) return true;
+    return false;
+  }
+  void add(const std::array<std::int32_t, 2>& pair) { pairs.insert(pairs.end(), pair.begin(), pair.end()); }
 
   /// As State::visit().
   template <class Visitor>
