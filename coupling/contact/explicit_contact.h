@@ -55,6 +55,8 @@ class ExplicitContact {
   void undo(State& state);
 
   [[nodiscard]] const ContactList& list() const { return now_; }
+  /// Lends the points of the list for others, and takes them back.
+  void exchange_points(std::vector<ContactPoint>& others) { now_.points.swap(others); }
   /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
   void list_always_anew() { always_anew_ = true; }
   /// Steps that left the list in place.

@@ -222,19 +222,25 @@ void CentralDifference::resume(const State& state, const IntegratorMemory& memor
   bound_ = memory.bound;
 }
 
-IntegratorMemory CentralDifference::memory() const {
+void CentralDifference::exchange(IntegratorMemory& memory) {
+  contact_.exchange_points(memory.points);
+  memory.stress.swap(stress_);
+  memory.total.swap(total_);
+  memory.stiffness.swap(stiffness_.force);
+  memory.local.swap(local_.force);
+  memory.bound.swap(bound_);
+}
+
+IntegratorMemory CentralDifference::lend() {
   IntegratorMemory out;
-  out.points = contact_.list().points;
-  out.stress = stress_;
-  out.total = total_;
-  out.stiffness = stiffness_.force;
-  out.local = local_.force;
   out.held.assign(held().begin(), held().end());
-  out.bound = bound_;
+  exchange(out);
   out.slow_weight = slow_.now;
   out.slow_energy = slow_.energy;
   return out;
 }
+
+void CentralDifference::take_back(IntegratorMemory& memory) { exchange(memory); }
 
 double CentralDifference::enter(State& state) {
   add_terms(state);

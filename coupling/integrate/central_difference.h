@@ -34,7 +34,8 @@ class CentralDifference final : public TimeIntegrator {
 
   double enter(State& state) override;
   void resume(const State& state, const IntegratorMemory& memory) override;
-  [[nodiscard]] IntegratorMemory memory() const override;
+  [[nodiscard]] IntegratorMemory lend() override;
+  void take_back(IntegratorMemory& memory) override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
@@ -109,6 +110,8 @@ class CentralDifference final : public TimeIntegrator {
   void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
   void sum_up(const Instant& at);
   void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
+  /// Lends what is as large as the model, and takes it back.
+  void exchange(IntegratorMemory& memory);
   void accelerate(std::span<const double> q, std::span<double> a) const;
   [[nodiscard]] bool arrive(double h);
   [[nodiscard]] double damp_rest(double factor, State& state);

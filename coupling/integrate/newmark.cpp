@@ -68,11 +68,13 @@ void Newmark::resume(const State& state, const IntegratorMemory& memory) {
   list_.restore(memory.points, state.contacts);
 }
 
-IntegratorMemory Newmark::memory() const {
+IntegratorMemory Newmark::lend() {
   IntegratorMemory out;
-  out.points = list_.points;
+  out.points.swap(list_.points);
   return out;
 }
+
+void Newmark::take_back(IntegratorMemory& memory) { list_.points.swap(memory.points); }
 
 double Newmark::enter(State& state) {
   enter_stage(state);

@@ -52,7 +52,8 @@ class Newmark final : public TimeIntegrator {
 
   double enter(State& state) override;
   void resume(const State& state, const IntegratorMemory& memory) override;
-  [[nodiscard]] IntegratorMemory memory() const override;
+  [[nodiscard]] IntegratorMemory lend() override;
+  void take_back(IntegratorMemory& memory) override;
   void set_control(Control* control) override { contacts_.set_control(control); }
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;

@@ -121,6 +121,8 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   rows_.clear();
   for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
   charts_.clear();
+  const std::size_t most = std::min(3 * list.points.size(), setup_->outlines().nodes.size());
+  if (most > charts_.capacity()) charts_.reserve(most + most / 16);  // push_back() would double it
   std::fill(chart_of_node_.begin(), chart_of_node_.end(), -1);
   for (std::size_t i = 0; i < list.points.size(); ++i) add_rows(list.points[i], list.memory[i], q, driven_move);
   states_.begin(list, rows_, springs.size(), q, dashpot);

@@ -225,13 +225,20 @@ void Partitioned::resume(const State& state, const IntegratorMemory& memory) {
   bound_ = memory.step_bound;
 }
 
-IntegratorMemory Partitioned::memory() const {
+IntegratorMemory Partitioned::lend() {
   IntegratorMemory out;
-  out.sides = {explicit_->memory(), implicit_->memory()};
+  out.sides.resize(2);
   out.ledgers = {explicit_side_.state.ledger, implicit_side_.state.ledger, base_};
   out.step_bound = bound_;
   out.apart = apart_;
+  out.sides[0] = explicit_->lend();
+  out.sides[1] = implicit_->lend();
   return out;
+}
+
+void Partitioned::take_back(IntegratorMemory& memory) {
+  explicit_->take_back(memory.sides[0]);
+  implicit_->take_back(memory.sides[1]);
 }
 
 void Partitioned::join(State& state) {

@@ -39,7 +39,8 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
 
   double enter(State& state) override;
   void resume(const State& state, const IntegratorMemory& memory) override;
-  [[nodiscard]] IntegratorMemory memory() const override;
+  [[nodiscard]] IntegratorMemory lend() override;
+  void take_back(IntegratorMemory& memory) override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;

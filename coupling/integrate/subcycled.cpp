@@ -18,11 +18,13 @@ void Subcycled::resume(const State& state, const IntegratorMemory& memory) {
   bound_ = memory.step_bound;
 }
 
-IntegratorMemory Subcycled::memory() const {
-  IntegratorMemory out = fine_.memory();
+IntegratorMemory Subcycled::lend() {
+  IntegratorMemory out = fine_.lend();
   out.step_bound = bound_;
   return out;
 }
+
+void Subcycled::take_back(IntegratorMemory& memory) { fine_.take_back(memory); }
 
 double Subcycled::stable_step(const State& state, std::string* binding) {
   bound_ = fine_.stable_step(state, binding);

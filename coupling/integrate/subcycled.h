@@ -29,7 +29,8 @@ class Subcycled final : public TimeIntegrator {
 
   double enter(State& state) override;
   void resume(const State& state, const IntegratorMemory& memory) override;
-  [[nodiscard]] IntegratorMemory memory() const override;
+  [[nodiscard]] IntegratorMemory lend() override;
+  void take_back(IntegratorMemory& memory) override;
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override { fine_.leave(state); }
   void update_ledger(State& state) override { fine_.update_ledger(state); }

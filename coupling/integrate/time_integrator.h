@@ -51,8 +51,11 @@ class TimeIntegrator {
   virtual double enter(State& state) = 0;
   /// Goes on within a stage where another integrator of its kind stopped after a step. In place of enter().
   virtual void resume(const State& state, const IntegratorMemory& memory) = 0;
-  /// What resume() needs.
-  [[nodiscard]] virtual IntegratorMemory memory() const = 0;
+  /// What resume() needs, lent rather than copied: it is as large as the model. Nothing else is asked of the
+  /// integrator before take_back().
+  [[nodiscard]] virtual IntegratorMemory lend() = 0;
+  /// @param memory  as lend() gave it; empty afterwards
+  virtual void take_back(IntegratorMemory& memory) = 0;
   virtual StepReport step(State& state, Tick ticks_of_step) = 0;
   /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
   virtual void leave(State& state) = 0;

@@ -39,9 +39,8 @@ void Driver::go_on() {
   from_.reset();
 }
 
-Checkpoint Driver::checkpoint_but_state() const {
+Checkpoint Driver::checkpoint_of_driver() const {
   Checkpoint c;
-  c.integrator = integrator_->memory();
   c.stage_end = stage_end_;
   c.first_step = first_step_;
   for (const Vec2& x : stage_begin_) c.stage_begin.insert(c.stage_begin.end(), {x.x(), x.y()});
@@ -63,15 +62,21 @@ void Driver::keep(bool in_any_case) {
   if (keeper_ == nullptr || !(in_any_case || keeper_->due(state_.step))) return;
   const double begin = wall();
   const Phase before = enter(Phase::output);
-  Checkpoint c = checkpoint_but_state();
-  std::swap(c.state, state_);  // lent: a copy is as large as the model
+  Checkpoint c = checkpoint_of_driver();
+  // Lent, and taken back whatever happens: copies are as large as the model.
+  c.integrator = integrator_->lend();
+  std::swap(c.state, state_);
+  const auto take_back = [&] {
+    std::swap(c.state, state_);
+    integrator_->take_back(c.integrator);
+  };
   try {
     keeper_->keep(c);
   } catch (...) {
-    std::swap(c.state, state_);
+    take_back();
     throw;
   }
-  std::swap(c.state, state_);
+  take_back();
   enter(before);
   stats_.wall_output += wall() - begin;
 }
