@@ -70,8 +70,8 @@ void BlockIlu::take(const BlockMatrix& A) {
                       static_cast<std::int32_t>(std::int64_t{n} * (p + 1) / parts)});
   for (auto* v : {&first_, &diagonal_, &end_, &place_}) v->resize(rows);
   if (A.blocks() > factor_.capacity()) {  // resize() would double it
-    column_ = {};
-    factor_ = {};
+    column_.clear();
+    factor_.clear();
     column_.reserve(A.blocks() + A.blocks() / 16);
     factor_.reserve(A.blocks() + A.blocks() / 16);
   }

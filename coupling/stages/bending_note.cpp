@@ -30,11 +30,13 @@ std::optional<std::string> bending_note(const Model& model, const Stage& stage) 
     thickness = t;
   }
   if (!block.valid()) return std::nullopt;
+  // The law is one of fine covers; beyond twice the stiffness its number means little.
   return fmt::format(
-      "stage '{}': covers of {:.3g} m make block '{}', {:.3g} m thick, bend about {:.0f} % too stiffly{}; covers of "
-      "{:.2g} m do so by {:.0f} %",
-      stage.name, cover, model.blocks[block.index()].name, thickness, 100.0 * worst,
-      stiff > 1 ? fmt::format(", and {} more blocks by a tenth or more", stiff - 1) : "",
+      "stage '{}': covers of {:.3g} m make block '{}', {:.3g} m thick, bend {}{}; covers of {:.2g} m do so by {:.0f} %",
+      stage.name, cover, model.blocks[block.index()].name, thickness,
+      worst > 1.0 ? "more than twice too stiffly, or not at all"
+                  : fmt::format("about {:.0f} % too stiffly", 100.0 * worst),
+      stiff > 1 ? fmt::format(", and {} more by a tenth at least", stiff - 1) : "",
       thickness * std::sqrt(kBendingExcess / bending_excess(1.0, 1.0)), 100.0 * kBendingExcess);
 }
 

@@ -64,7 +64,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   const double allowed = kSameNumber * detection + 64.0 * std::numeric_limits<double>::epsilon() * farthest;
   // Where joints cross, diagonal corners leave the force to the joints beside them, and go as deep as those give way.
-  std::set<std::pair<BodyIndex, BodyIndex>> held, left_to_others;
+  std::set<std::pair<BodyIndex, BodyIndex>> held, listed;
   std::vector<double> pressed(setup.bodies().size(), 0.0);  // the deepest closed point of a body [m]
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
@@ -77,7 +77,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     const bool comes_out = m.gap >= 0.0 && m.gap + m.gap0 < 0.0;
     const std::pair<BodyIndex, BodyIndex> bodies = std::minmax(o.node_body[p.node[0]], o.node_body[p.node[1]]);
     if (m.status != ContactStatus::open || comes_out) held.insert(bodies);
-    if (p.suppressed) left_to_others.insert(bodies);
+    listed.insert(bodies);
     if (m.status == ContactStatus::open) continue;
     for (const BodyIndex b : {bodies.first, bodies.second})
       pressed[b.index()] = std::max(pressed[b.index()], -(m.gap + m.gap0));
@@ -95,7 +95,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
       const std::pair<BodyIndex, BodyIndex> bodies = std::minmax({BodyIndex::of(a), BodyIndex::of(b)});
       if (held.contains(bodies)) continue;
-      const double most = 0.1 * detection + (left_to_others.contains(bodies) ? pressed[a] + pressed[b] : 0.0);
+      const double most = 0.1 * detection + (listed.contains(bodies) ? pressed[a] + pressed[b] : 0.0);
       for (const Vec2& x : outline[a].outer)
         if (contains(outline[b], x))
           audit.check(depth_in(outline[b], x), most, [&] {

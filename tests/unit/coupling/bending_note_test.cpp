@@ -64,7 +64,11 @@ TEST(BendingNote, names_the_worst_and_counts_the_others) {
   EXPECT_NE(note->find("make block 'slab', 1 m thick, bend about 45 % too stiffly, and 1 more"), std::string::npos)
       << *note;
   EXPECT_NE(note->find("covers of 0.24 m do so by 10 %"), std::string::npos) << *note;
-  Stage fine = stage, dda = stage;
+  Stage coarse = stage, fine = stage, dda = stage;
+  coarse.cover_size = 2.0;
+  EXPECT_NE(bending_note(scene.model, coarse)->find("bend more than twice too stiffly, or not at all, and 1 more"),
+            std::string::npos)
+      << *bending_note(scene.model, coarse);
   fine.cover_size = 0.2;
   EXPECT_FALSE(bending_note(scene.model, fine));
   dda.method = "dda";
