@@ -478,9 +478,12 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   return kNotConverged;
 }
 
-/// Says which steps a first stage with explicit ones takes.
+/// Says which steps a first stage with explicit ones takes. To begin the stage finds its contacts, which may take a
+/// minute where tens of thousands of edges lie near each other; then only the run says so.
+/// @param edges  of the outlines
 /// @return warnings   @throws coupling::PlanError where they are refused, or the stage cannot begin
-std::size_t print_first_step(const io::Case& c, const coupling::Methods& methods) {
+std::size_t print_first_step(const io::Case& c, const coupling::Methods& methods, std::size_t edges) {
+  constexpr std::size_t kFewEdges = 4000;
   struct Told final : coupling::Sink {
     std::size_t warnings = 0;
     void event(const coupling::Event& e) override {
@@ -488,7 +491,7 @@ std::size_t print_first_step(const io::Case& c, const coupling::Methods& methods
       say("    {}{}\n", e.kind == coupling::EventKind::warning ? "warning: " : "", e.text);
     }
   } told;
-  if (c.plan.stages.front().integrator != coupling::Integrator::implicit)
+  if (c.plan.stages.front().integrator != coupling::Integrator::implicit && edges <= kFewEdges)
     coupling::Driver(c.model, c.plan, methods).begin_only(told);
   return told.warnings;
 }
@@ -531,7 +534,7 @@ int check(const CheckOptions& options) {
     print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
     if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
     warned += print_damping(c, i);
-    if (i == 0) warned += print_first_step(c, methods);
+    if (i == 0) warned += print_first_step(c, methods, setup.outlines().edges.size());
   }
   std::vector<std::string> warnings = coupling::plan_warnings(c.model, c.plan);
   for (const coupling::TimeFault& f : coupling::time_faults(c.model, c.plan))  // those missed were refused

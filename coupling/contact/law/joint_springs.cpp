@@ -25,12 +25,15 @@ double width_of(const Polygon& block, const Vec2& direction) {
 
 JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
   const Model& model = setup.model();
+  std::vector<double> root_area;  // of the bodies: an outline may have many edges
+  for (const Body& b : setup.bodies())
+    root_area.push_back(std::sqrt(moments(model.blocks[b.block.index()].polygon).area));
   for (const Outlines::Edge& e : setup.outlines().edges) {
     const BlockId id = setup.body(e.body).block;
     const Polygon& block = model.blocks[id.index()].polygon;
     width_.push_back(width_of(block, Vec2(e.along.y(), -e.along.x())));
     modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width_.back());
-    root_area_.push_back(std::sqrt(moments(block).area));
+    root_area_.push_back(root_area[e.body.index()]);
   }
 }
 
