@@ -19,29 +19,21 @@ constexpr double kLeast = -kWedgeTolerance - kRounding;
 /// Distance of two boxes along the axis along which they are farthest apart; negative where they overlap [m].
 double distance(const Box& a, const Box& b) { return (a.lo - b.hi).cwiseMax(b.lo - a.hi).maxCoeff(); }
 
-/// True for points on one side of a straight edge's line, all farther from it than `far` [m]. Boxes of long edges that
-/// dip overlap those of all others.
-bool beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2& x, const Vec2& y, double far) {
+/// How far beside a straight edge's line two points are, both on one side; <= 0: not on one side [m]. Boxes of long
+/// edges that dip overlap those of all others.
+double beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2& x, const Vec2& y) {
   const Vec2 n(direction.y(), -direction.x());
   const double sx = n.dot(x - edge[0]), sy = n.dot(y - edge[0]);
-  return std::min(sx, sy) > far || std::max(sx, sy) < -far;
+  return std::max(std::min(sx, sy), -std::max(sx, sy));
 }
 
-/// True if all of one straight edge is beside the other, farther than `far` [m].   @param u,w  directions of a and b
-bool parted(const std::array<Vec2, 2>& a, const Vec2& u, const std::array<Vec2, 2>& b, const Vec2& w, double far) {
-  return beside(a, u, b[0], b[1], far) || beside(b, w, a[0], a[1], far);
-}
-
-/// Distance from a point to a straight edge [m].
-double distance(const std::array<Vec2, 2>& edge, const Vec2& x) {
-  const Vec2 d = edge[1] - edge[0];
-  const double s = std::clamp((x - edge[0]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (x - edge[0] - s * d).norm();
-}
-
-/// Distance of two straight edges, one of which has the other on one side of its line [m].
-double distance(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
-  return std::min({distance(a, b[0]), distance(a, b[1]), distance(b, a[0]), distance(b, a[1])});
+/// How far every node may move while points stay more than `far` beside an edge's line; <= 0: they are not [m]. With a
+/// way d of the nodes n' . (x' - e') - n . (x - e) = n' . ((x' - e') - (x - e)) + (n' - n) . (x - e) is at most
+/// 2 d + 4 d |x - e|/L, by the bound of turn_by().
+double room_beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2& x, const Vec2& y, double far) {
+  const double lever =
+      std::sqrt(std::max((x - edge[0]).squaredNorm(), (y - edge[0]).squaredNorm()) / (edge[1] - edge[0]).squaredNorm());
+  return (beside(edge, direction, x, y) - far) / (2.0 + 4.0 * lever);
 }
 
 }  // namespace
@@ -115,9 +107,12 @@ double ContactPairs::room(EdgeIndex a, EdgeIndex b) const {
   const auto& edges = setup_->outlines().edges;
   const double apart = 0.5 * (distance(box_[a], box_[b]) - far());
   if (apart > 0.0) return apart;
-  const bool straight = edges[a].segments == 1 && edges[b].segments == 1;
-  if (straight && parted(ends_[a], direction(a), ends_[b], direction(b), far()))
-    return 0.5 * (distance(ends_[a], ends_[b]) - far());
+  const auto &ea = ends_[a], &eb = ends_[b];
+  if (edges[a].segments == 1 && edges[b].segments == 1) {
+    const double parted = std::max(room_beside(ea, direction(a), eb[0], eb[1], far()),
+                                   room_beside(eb, direction(b), ea[0], ea[1], far()));
+    if (parted > 0.0) return parted;
+  }
   // A neighbour that closes makes edges face each other from kStillFaces on.
   const double faces = (kStillFaces + direction(a).dot(direction(b))) / turn_by({a, b});
   return std::min({faces, corner_room(edges[a].first_vertex(), b), corner_room(edges[b].first_vertex(), a)});
@@ -168,7 +163,7 @@ void ContactPairs::try_corner(VertexIndex vertex, EdgeIndex edge, const KnownCon
   const Vec2& at = ends_[v.edge_out][0];
   const bool straight = setup_->outlines().edges[edge].segments == 1;
   if ((leans_in(v, edge) || too_far({at, at}, box_[edge]) ||
-       (straight && beside(ends_[edge], direction(edge), at, at, far()))) &&
+       (straight && beside(ends_[edge], direction(edge), at, at) > far())) &&
       !known.closed(vertex, edge))
     return;
   if (edge_edge(v.edge_in, edge, known)) return;
@@ -178,8 +173,11 @@ void ContactPairs::try_corner(VertexIndex vertex, EdgeIndex edge, const KnownCon
 void ContactPairs::try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const KnownContacts& known,
                              Found& out) const {
   const Outlines& o = setup_->outlines();
+  const auto &ea = ends_[a], &eb = ends_[b];
   const bool straight = o.edges[a].segments == 1 && o.edges[b].segments == 1;
-  if (too_far(box_[a], box_[b]) || (straight && parted(ends_[a], direction(a), ends_[b], direction(b), far()))) {
+  const bool parted =
+      straight && std::max(beside(ea, direction(a), eb[0], eb[1]), beside(eb, direction(b), ea[0], ea[1])) > far();
+  if (parted || too_far(box_[a], box_[b])) {
     bool closed = false;
     known.for_pair(a, b, [&](std::size_t i) { closed = closed || known.closed(i); });
     if (!closed) return;
