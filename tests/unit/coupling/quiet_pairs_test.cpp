@@ -130,5 +130,32 @@ TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
   EXPECT_GT(found, 10000U);
 }
 
+/// Slabs of 20 x 0.2 m that dip: the boxes of all overlap, and each has two neighbours.
+TEST(QuietPairs, slabs_that_dip_are_pairs_of_their_neighbours_alone) {
+  constexpr int kSlabs = 40;
+  Scene scene(1e9, 0.2, 2500.0);
+  const Mat2 turned = rotation(-0.5);
+  for (int i = 0; i < kSlabs; ++i)
+    scene.add("slab" + std::to_string(i), transformed(rectangle(0, 0.2 * i, 20, 0.2 * (i + 1)), Vec2(0, 0), turned));
+  scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+  const ByHand hand(scene.model, scene.plan.stages[0]);
+  const JointSprings springs(*hand.setup);
+  const Outlines& o = hand.setup->outlines();
+  const KnownContacts none(o);
+  ContactPairs in_turn(*hand.setup, springs, 0.1), all(*hand.setup, springs, 0.1);
+  IndexedVector<OutlineNode, Vec2> x;
+  for (const Row& node : o.nodes) x.push_back(position(node, hand.state.q));
+  for (int step = 0; step < 200; ++step) {
+    for (const OutlineNode i : x.indices())  // they part along the dip, and fan out
+      x[i] += 1e-4 * static_cast<double>(o.node_body[i].index()) * (turned * Vec2(1.0, 0.02 * x[i].x()));
+    const auto one = in_turn.update(x, none, ContactPairs::Of::all_in_turn);
+    const auto other = all.update(x, none, ContactPairs::Of::all);
+    ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end())) << "step " << step;
+    // Four corners against the side of a neighbour on either side, at most; corners of ends beside corners.
+    if (step == 0) EXPECT_GE(one.size(), 4U * (kSlabs - 1));
+    EXPECT_LE(one.size(), 16U * kSlabs) << "step " << step;
+  }
+}
+
 }  // namespace
 }  // namespace scree::test::quiet_pairs_test
