@@ -145,15 +145,15 @@ TEST(QuietPairs, slabs_that_dip_are_pairs_of_their_neighbours_alone) {
   ContactPairs in_turn(*hand.setup, springs, 0.1), all(*hand.setup, springs, 0.1);
   IndexedVector<OutlineNode, Vec2> x;
   for (const Row& node : o.nodes) x.push_back(position(node, hand.state.q));
-  for (int step = 0; step < 200; ++step) {
+  for (int step = 0; step < 100; ++step) {
     for (const OutlineNode i : x.indices())  // they part along the dip, and fan out
       x[i] += 1e-4 * static_cast<double>(o.node_body[i].index()) * (turned * Vec2(1.0, 0.02 * x[i].x()));
     const auto one = in_turn.update(x, none, ContactPairs::Of::all_in_turn);
     const auto other = all.update(x, none, ContactPairs::Of::all);
     ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end())) << "step " << step;
-    // Four corners against the side of a neighbour on either side, at most; corners of ends beside corners.
+    // Two a joint while they lie flush, more where their ends part: in proportion to the slabs.
     if (step == 0) {
-      EXPECT_GE(one.size(), 4U * (kSlabs - 1));
+      EXPECT_GE(one.size(), 2U * (kSlabs - 1));
     }
     EXPECT_LE(one.size(), 16U * kSlabs) << "step " << step;
   }
