@@ -17,6 +17,7 @@ class DdaPool final : public Pool {
  public:
   [[nodiscard]] std::string_view method() const override { return "dda"; }
   void add(const Model& model, const BodyRecord& record) override;
+  void finish() override { bodies_.shrink_to_fit(); }
   [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
   [[nodiscard]] std::int32_t first_node(int body) const override { return first_[static_cast<std::size_t>(body)]; }
   [[nodiscard]] const Boundary& boundary(int body) const override { return of(body).boundary; }

@@ -80,6 +80,7 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     pools_.push_back(factory->second());
     counted_.emplace_back();
   }
+  bodies_.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     Body b = describe(model, records[i], ghosts, i);
     b.pool = pool_of_key[key_of(model, records[i], ghosts, i)];
@@ -95,6 +96,7 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     pool_first_.push_back(pool_first_.back() + pool->first_node(pool->bodies()));
   }
   kind_.assign(static_cast<std::size_t>(nodes()), NodeKind::free);
+  reserve_outlines();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& b = bodies_[i];
     const Pool& pool = pool_of(b);
@@ -138,6 +140,21 @@ Row Setup::global(const Body& b, Row row) const {
 Row Setup::local(const Body& b, Row row) const {
   for (std::int32_t& n : row.node) n -= pool_first_[static_cast<std::size_t>(b.pool)];
   return row;
+}
+
+void Setup::reserve_outlines() {
+  std::size_t nodes = 0, segments = 0, corners = 0;
+  for (const Body& b : bodies_) {
+    const Boundary& boundary = pool_of(b).boundary(b.index);
+    nodes += boundary.nodes.size();
+    segments += boundary.segments.size();
+    corners += boundary.corners.size();
+  }
+  outlines_.nodes.reserve(nodes);
+  outlines_.node_body.reserve(nodes);
+  outlines_.segments.reserve(segments);
+  outlines_.vertices.reserve(segments);
+  outlines_.edges.reserve(corners);
 }
 
 void Setup::add_outline(BodyIndex index) {

@@ -51,6 +51,8 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   rests_.assign(forces_.size(), 1);
   for (const IndexRange<OutlineNode> r : setup.outlines().moving_nodes)
     for (const OutlineNode n : r) rests_[n] = 0;
+  for (const BodyIndex body : setup.outlines().node_body)
+    ghost_.push_back(setup.body(body).ghost || setup.body(body).divided ? 1 : 0);
   chunks_.resize((expected + kContactChunk - 1) / kContactChunk);
   for (Chunk& chunk : chunks_) {
     chunk.slides.reserve(static_cast<std::size_t>(kContactChunk));
@@ -199,16 +201,17 @@ void ExplicitContact::set_velocities(std::span<const double> v, IndexedVector<Ou
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,
-                                                 OutlineVelocities v) const {
+                                                 OutlineVelocities v, const Rates& rates) const {
   Half half;
   if (m.fn != 0.0 || m.fd != 0.0 || m.water != 0.0) {
-    const double way = 0.5 * h * row_rate(p, gap_row(p.at), v);
+    const double way = 0.5 * h * (rates.known ? rates.gap : row_rate(p, gap_row(p.at), v));
     half.normal = (m.fn - m.fd) * way;
     half.damping = m.fd * way;
     half.water = m.water * way;
   }
   if (m.ft != 0.0 || m.fdt != 0.0) {
-    const double way = 0.5 * h * row_rate(p, stretch_row(p.at, m.anchor), v);
+    const bool known = rates.known && rates.anchor == m.anchor;
+    const double way = 0.5 * h * (known ? rates.stretch : row_rate(p, stretch_row(p.at, m.anchor), v));
     half.tangential = (m.ft - m.fdt) * way;
     half.damping += m.fdt * way;
   }
@@ -221,7 +224,7 @@ void ExplicitContact::leave(std::span<const double> v) {
 
 ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, const ContactMemory& m) const {
   Left a;
-  a.work = half_work(h, p, m, v_left_);
+  a.work = half_work(h, p, m, v_left_, {});
   a.gap = m.gap;
   a.stretch = m.stretch;
   a.fn = m.fn;
@@ -292,27 +295,22 @@ void ExplicitContact::book_ended(std::size_t before, Ledger& ledger) const {
   ledger.book(Column::springs_dropped, a.normal_energy + a.tangential_energy);
 }
 
-bool ExplicitContact::on_ghost(const ContactPoint& p) const {
-  const auto is_ghost = [&](OutlineNode node) {
-    const Body& b = setup_->body(setup_->outlines().node_body[node]);
-    return b.ghost || b.divided;
-  };
-  return is_ghost(p.node[0]) || is_ghost(p.node[1]);
-}
+bool ExplicitContact::on_ghost(const ContactPoint& p) const { return (ghost_[p.node[0]] | ghost_[p.node[1]]) != 0; }
 
 void ExplicitContact::respond(double h, ContactList& list) {
   trial_.resize(list.points.size());
   opened_.resize(list.points.size());
-  for (std::size_t i = 0; i < list.points.size(); ++i) respond(h, i, list);
+  for (std::size_t i = 0; i < list.points.size(); ++i) (void)respond(h, i, list);
 }
 
-void ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
+ExplicitContact::Rates ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
   const ContactPoint& p = list.points[i];
   ContactMemory& m = list.memory[i];
   // The stretch that a spring would have here, also for one that opens now.
   trial_[i] = (p.at.xi - m.anchor) * p.at.length;
   const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
   PointMotion motion = motion_of(p);
+  Rates rates;
   motion.per_time = 1.0 / h;
   // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
   // that its own force leads to. It acts from the next step on.
@@ -321,8 +319,9 @@ void ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
     motion.ct = p.ct;
   }
   if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
-    motion.rate = row_rate(p, gap_row(p.at), v_);
-    motion.shear = row_rate(p, stretch_row(p.at, m.anchor), v_);
+    rates = {row_rate(p, gap_row(p.at), v_), row_rate(p, stretch_row(p.at, m.anchor), v_), m.anchor, true};
+    motion.rate = rates.gap;
+    motion.shear = rates.stretch;
   }
   const double gap0 = m.gap0;
   // Stages to rest have no velocities of their own.
@@ -334,6 +333,7 @@ void ExplicitContact::respond(double h, std::size_t i, ContactList& list) {
     m.impact = 0.0;
   else
     m.impact = std::max(0.0, m.impact - h);
+  return rates;
 }
 
 void ExplicitContact::leave_point(double h, std::size_t i) {
@@ -423,7 +423,7 @@ void ExplicitContact::arrive_anew(double h, State& state) {
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
     for (std::size_t b = begin; b < end; ++b) {
       const ContactPoint& p = now_.points[b];
-      const Half arriving = half_work(h, p, now_.memory[b], v_);
+      const Half arriving = half_work(h, p, now_.memory[b], v_, {});
       if (ContactFinder::may_adopt(p, now_.memory[b])) chunk.kinds.push_back(static_cast<std::int32_t>(b));
       if (p.from >= 0)
         book_pair(left_[static_cast<std::size_t>(p.from)], b, arriving, chunk.ledger);
@@ -472,10 +472,10 @@ void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, C
   else if (finder_.made(i))
     transfer_impact_energy(h, p, left, m);
   if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
-  respond(h, i, now_);
+  const Rates rates = respond(h, i, now_);
   const double slip = way(i, left);
   if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
-  const Half arriving = half_work(h, p, m, v_);
+  const Half arriving = half_work(h, p, m, v_, rates);
   if (p.from >= 0)
     book_pair(left, i, arriving, chunk.ledger);
   else

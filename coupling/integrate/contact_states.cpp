@@ -33,7 +33,8 @@ void ContactStates::begin(const ContactList& list, const DofRows& rows, std::siz
     const BodyIndex b = setup_->outlines().node_body[node];
     return setup_->body(b).driven ? std::numeric_limits<double>::infinity() : g * mass_[b.index()];
   };
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
+  const auto begin_point = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
     strength_[i] = strength(law_of(i), m);
@@ -44,7 +45,8 @@ void ContactStates::begin(const ContactList& list, const DofRows& rows, std::siz
     t.k = m.kn + (t.status != ContactStatus::open ? dashpot * p.cn : 0.0);
     t.at = m.kn / t.k * m.gap;
     weight_[i] = std::min(weight(p.node[0]), weight(p.node[1]));
-  }
+  };
+  parallel_for(std::ssize(trial_), begin_point, kFewPoints);
 }
 
 const JointLaw& ContactStates::law_of(std::size_t i) const {

@@ -83,31 +83,6 @@ void OpenClose::accept(KeptFactor& kept) {
   kept.patience = patience_;
 }
 
-const ChartRow& OpenClose::chart(OutlineNode node, std::span<const double> q) {
-  const Outlines& o = setup_->outlines();
-  std::int32_t& chart = chart_of_node_[node];
-  if (chart < 0) {
-    chart = static_cast<std::int32_t>(charts_.size());
-    charts_.push_back(system_->chart(o.node_body[node], o.nodes[node], q));
-  }
-  return charts_[static_cast<std::size_t>(chart)];
-}
-
-void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
-                         std::span<const Vec2> driven_move) {
-  const Outlines& o = setup_->outlines();
-  for (const ContactRow& row : {gap_row(p.at), stretch_row(p.at, m.anchor)}) {
-    rows_.begin_row();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const BodyIndex body = o.node_body[p.node[i]];
-      if (setup_->body(body).driven)
-        rows_.add_known(row[i].dot(driven_move[body.index()]));
-      else
-        ImplicitSystem::add_point(chart(p.node[i], q), row[i], rows_);
-    }
-  }
-}
-
 void OpenClose::begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
                       const StepSprings& springs, double dashpot, std::span<const LowRank> damping) {
   list_ = &list;
@@ -120,11 +95,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   passes_.clear();
   rows_.clear();
   for (std::size_t i = 0; i < springs.size(); ++i) rows_.add_row(springs.rows[i]);
-  charts_.clear();
-  const std::size_t most = std::min(3 * list.points.size(), setup_->outlines().nodes.size());
-  if (most > charts_.capacity()) charts_.reserve(most + most / 16);  // push_back() would double it
-  std::fill(chart_of_node_.begin(), chart_of_node_.end(), -1);
-  for (std::size_t i = 0; i < list.points.size(); ++i) add_rows(list.points[i], list.memory[i], q, driven_move);
+  add_rows(q, driven_move);
   states_.begin(list, rows_, springs.size(), q, dashpot);
   begin_blocks();
   keep_ = !blocks_.acts && (factor_ == Factor::kept || factor_ == Factor::chosen) && !system_->nonlinear() &&

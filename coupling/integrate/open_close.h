@@ -1,6 +1,7 @@
 // Open-close iteration: contact states of an implicit step.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "coupling/integrate/block_solver.h"
@@ -80,9 +81,15 @@ class OpenClose {
   [[nodiscard]] bool by_blocks() const { return blocks_.acts; }
 
  private:
+  // open_close_rows.cpp: gaps and stretches of the points as rows of the unknowns
+  void add_rows(std::span<const double> q, std::span<const Vec2> driven_move);
   void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
                 std::span<const Vec2> driven_move);
   [[nodiscard]] const ChartRow& chart(OutlineNode node, std::span<const double> q);
+  /// The same of affine bodies, on threads.   @return false: a chart is none of six unknowns in succession
+  [[nodiscard]] bool add_affine_rows(std::span<const double> q, std::span<const Vec2> driven_move);
+  [[nodiscard]] bool find_affine_charts(std::span<const double> q);
+  void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
   /// Stiffnesses and right-hand side of the states of the points.
   void apply_states();
   /// Brings the factor to them, or leaves a kept one.
@@ -142,6 +149,15 @@ class OpenClose {
   ContactStates states_;
   std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
   std::vector<ChartRow> charts_;
+  /// A ChartRow of six unknowns in succession: the other has room for three times as many.
+  struct AffineChart {
+    std::int32_t first = -1;  // unknown
+    std::array<double, 6> tx{}, ty{};
+    [[nodiscard]] double along(const Vec2& c, std::size_t k) const { return c.x() * tx[k] + c.y() * ty[k]; }
+  };
+  std::vector<AffineChart> affine_charts_;
+  std::vector<OutlineNode> charted_;                        // nodes that have one of these
+  std::vector<std::int32_t> row_size_;                      // scratch: unknowns of each row
   IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: not yet this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_;

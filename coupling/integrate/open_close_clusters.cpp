@@ -144,7 +144,7 @@ bool OpenClose::solve_cluster(std::span<double> d) {
   if (!c.factor.factorise(c.matrix, c.unit)) return false;
   c.change.assign(c.residual.size(), 0.0);
   const int taken = c.residuals.solve([&](std::span<const double> x, std::span<double> y) { c.matrix.multiply(x, y); },
-                                      [&](std::span<const double> r, std::span<double> z) { c.factor.solve(r, z); },
+                                      [&](std::span<const double> r, std::span<float> z) { c.factor.solve(r, z); },
                                       c.residual, c.unit, kRough * largest, kMost, c.change);
   if (taken < 0) return false;
   blocks_.work += static_cast<double>(c.matrix.blocks()) * (4.0 + 1.6 * taken);

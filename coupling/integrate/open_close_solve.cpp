@@ -73,8 +73,8 @@ int OpenClose::iterate(double enough, int most, std::span<double> d) {
   if (blocks_.acts)
     return residuals_.solve([this](In x, Out y) { blocks_.system.multiply(x, y); },
                             [this](In x, Out y) { blocks_.system.matrix().multiply(x, y); },
-                            [this](In r, Out z) { blocks_.factor.solve(r, z); }, rhs_, system_->unit(), enough, most,
-                            d);
+                            [this](In r, std::span<float> z) { blocks_.factor.solve(r, z); }, rhs_, system_->unit(),
+                            enough, most, d);
   return residuals_.solve([this](In x, Out y) { multiply(x, y); }, [this](In r, Out z) { cholesky_.solve(r, z); }, rhs_,
                           system_->unit(), enough, most, d);
 }

@@ -123,7 +123,7 @@ bool BlockIlu::factorise(const BlockMatrix& A, std::span<const double> unit) {
   return made_ = std::find(failed_.begin(), failed_.end(), 1) == failed_.end();
 }
 
-void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<double> z) {
+void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<float> z) {
   const auto begin = static_cast<std::size_t>(part.begin), end = static_cast<std::size_t>(part.end);
   for (std::size_t i = begin; i < end; ++i) {
     FloatColumn sum;
@@ -137,11 +137,11 @@ void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<doub
     for (auto k = static_cast<std::size_t>(diagonal_[i]) + 1; k < static_cast<std::size_t>(end_[i]); ++k)
       factor_[k].subtract_from(sum, y_[static_cast<std::size_t>(column_[k])]);
     inverse_[i].times(sum, y_[i]);
-    for (std::size_t j = 0; j < kBlockSide; ++j) z[kBlockSide * i + j] = static_cast<double>(y_[i][j]);
+    for (std::size_t j = 0; j < kBlockSide; ++j) z[kBlockSide * i + j] = y_[i][j];
   }
 }
 
-void BlockIlu::solve(std::span<const double> r, std::span<double> z) {
+void BlockIlu::solve(std::span<const double> r, std::span<float> z) {
   for_parts(parts_.size(), [&](std::size_t p) { solve(parts_[p], r, z); });
 }
 

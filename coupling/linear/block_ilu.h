@@ -22,7 +22,7 @@ class BlockIlu {
   /// @return false: a pivot block is singular or not finite; there is no factor then
   [[nodiscard]] bool factorise(const BlockMatrix& A, std::span<const double> unit);
   /// z = (D + U)^-1 D (L + D)^-1 r.   @pre factorise() returned true   @param r,z  6 numbers per block row
-  void solve(std::span<const double> r, std::span<double> z);
+  void solve(std::span<const double> r, std::span<float> z);
   /// Forgets the factor.
   void clear() { made_ = false; }
   [[nodiscard]] bool made() const { return made_; }
@@ -35,7 +35,7 @@ class BlockIlu {
   void take(const BlockMatrix& A);
   /// The factor of a part from the numbers of A.   @return false: as factorise()
   [[nodiscard]] bool eliminate(const Part& part, std::span<const double> unit);
-  void solve(const Part& part, std::span<const double> r, std::span<double> z);
+  void solve(const Part& part, std::span<const double> r, std::span<float> z);
 
   bool made_ = false;
   std::vector<Part> parts_;

@@ -16,9 +16,10 @@ double dot(const double* u, const double* v, std::int64_t begin, std::int64_t en
   return sum;
 }
 
-void subtract(double factor, const double* u, double* from, std::int64_t begin, std::int64_t end) {
+template <class Number>
+void subtract(double factor, const Number* u, double* from, std::int64_t begin, std::int64_t end) {
 #pragma omp simd
-  for (std::int64_t i = begin; i < end; ++i) from[i] -= factor * u[i];
+  for (std::int64_t i = begin; i < end; ++i) from[i] -= factor * static_cast<double>(u[i]);
 }
 
 /// The largest |r|; not a number if any is none.
@@ -57,8 +58,9 @@ double larger(double a, double b) { return a <= b ? b : (a > b ? a : a + b); }
 
 }  // namespace
 
-void ConjugateResiduals::begin(std::span<const double> unit) {
+void ConjugateResiduals::begin(std::span<const double> unit, bool single) {
   unit_ = unit;
+  single_ = single;
   r_.resize(unit.size());
   product_.resize(unit.size());
   partial_.resize(kSums * (chunk_of(static_cast<std::int64_t>(unit.size())) + 1));
@@ -79,7 +81,10 @@ void ConjugateResiduals::take_residual(std::span<const double> b) {
 ConjugateResiduals::Correction& ConjugateResiduals::next(std::size_t depth) {
   if (corrections_.size() == depth) corrections_.emplace_back();
   Correction& c = corrections_[depth];
-  c.z.resize(r_.size());
+  if (single_)
+    c.single.resize(r_.size());
+  else
+    c.z.resize(r_.size());
   c.q.resize(r_.size());
   for (std::size_t i = 0; i < r_.size(); ++i) product_[i] = r_[i] * unit_[i];
   return c;
@@ -138,7 +143,13 @@ void ConjugateResiduals::add_corrections(std::size_t depth, std::span<double> x)
     for (std::size_t m = j + 1; m < depth; ++m) y[j] -= corrections_[m].part[j] * y[m];
   }
   for_chunks(static_cast<std::int64_t>(x.size()), [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t j = 0; j < depth; ++j) subtract(-y[j], corrections_[j].z.data(), x.data(), begin, end);
+    for (std::size_t j = 0; j < depth; ++j) {
+      const Correction& c = corrections_[j];
+      if (single_)
+        subtract(-y[j], c.single.data(), x.data(), begin, end);
+      else
+        subtract(-y[j], c.z.data(), x.data(), begin, end);
+    }
   });
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace scree::coupling {
@@ -24,7 +25,7 @@ class ConjugateResiduals {
 
   /// Improves x until no number of b - A x over its unit is above `enough`.
   /// @param A        A(x, y) sets y = A x
-  /// @param inverse  inverse(r, z) sets z to about A^-1 r
+  /// @param inverse  inverse(r, z) sets z to about A^-1 r; corrections are kept in the precision that z has
   /// @param unit     of every number of b: results do not depend on the units that the unknowns are counted in
   /// @param most     iterations
   /// @return iterations taken; -1: not there by then, x is the best so far
@@ -38,7 +39,8 @@ class ConjugateResiduals {
   template <class Exact, class Matrix, class Inverse>
   int solve(Exact&& exact, Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit,
             double enough, int most, std::span<double> x) {
-    begin(unit);
+    constexpr bool kSingle = std::is_invocable_v<Inverse, std::span<const double>, std::span<float>>;
+    begin(unit, kSingle);
     exact(x, product_);
     take_residual(b);
     std::size_t depth = 0;
@@ -59,8 +61,14 @@ class ConjugateResiduals {
       }
       if (ends) return -1;
       Correction& c = next(depth);
-      inverse(std::span<const double>(product_), std::span<double>(c.z));
-      A(std::span<const double>(c.z), std::span<double>(product_));
+      if constexpr (kSingle) {
+        inverse(std::span<const double>(product_), std::span<float>(c.single));
+        z_.assign(c.single.begin(), c.single.end());
+        A(std::span<const double>(z_), std::span<double>(product_));
+      } else {
+        inverse(std::span<const double>(product_), std::span<double>(c.z));
+        A(std::span<const double>(c.z), std::span<double>(product_));
+      }
       if (!correct(depth)) {
         add_corrections(depth, x);
         return -1;
@@ -72,11 +80,12 @@ class ConjugateResiduals {
  private:
   struct Correction {
     std::vector<double> z, q;           // q in units
+    std::vector<float> single;          // z of an inverse in single precision
     double square = 0.0;                // q.q
     std::array<double, kDepth> part{};  // R: of the columns before in A z
     double step = 0.0;                  // s
   };
-  void begin(std::span<const double> unit);
+  void begin(std::span<const double> unit, bool single);
   /// r_ = (b - product_)/unit.
   void take_residual(std::span<const double> b);
   /// Room for another correction; product_ = the residual that it is to correct [unit of b].
@@ -90,6 +99,8 @@ class ConjugateResiduals {
 
   std::span<const double> unit_;
   std::vector<double> r_, product_;  // r_ in units
+  std::vector<double> z_;            // of single precision, scratch
+  bool single_ = false;              // corrections are
   double largest_ = 0.0;             // |r_|
   std::vector<Correction> corrections_;
   std::vector<double> partial_;  // sums of chunks, kDepth + 2 each

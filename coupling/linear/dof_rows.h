@@ -68,6 +68,30 @@ class DofRows {
   [[nodiscard]] const std::vector<std::int32_t>& dof() const { return dof_; }
   [[nodiscard]] const std::vector<double>& h() const { return h_; }
 
+  /// Appends rows of so many unknowns each, to be filled, in any order.
+  void extend(std::span<const std::int32_t> sizes) {
+    const std::size_t rows = size() + sizes.size();
+    grow(start_, rows + 1);
+    for (const std::int32_t n : sizes) start_.push_back(start_.back() + n);
+    const auto numbers = static_cast<std::size_t>(start_.back());
+    grow(dof_, numbers);
+    grow(h_, numbers);
+    grow(known_, rows);
+    dof_.resize(numbers);
+    h_.resize(numbers);
+    known_.resize(rows);
+  }
+  /// Where the numbers of a row go that extend() has made: unknowns in order, each once.
+  struct Filled {
+    std::span<std::int32_t> dof;
+    std::span<double> h;
+    double* known;
+  };
+  [[nodiscard]] Filled fill(std::size_t i) {
+    const auto first = static_cast<std::size_t>(start_[i]), n = static_cast<std::size_t>(start_[i + 1]) - first;
+    return {std::span(dof_).subspan(first, n), std::span(h_).subspan(first, n), &known_[i]};
+  }
+
   /// Begins a row; add() fills it.
   void begin_row() {
     start_.push_back(start_.back());
@@ -89,17 +113,21 @@ class DofRows {
   }
   /// add() of unknowns that follow each other.   @param first  the first of them   @param h  as many numbers
   void add_run(std::int32_t first, std::span<const double> h) {
-    const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(h.size()), size = static_cast<std::ptrdiff_t>(dof_.size()),
-                         row = start_[start_.size() - 2];
-    if (size == row || dof_.back() < first) {
-      for (std::size_t i = 0; i < h.size(); ++i) dof_.push_back(first + static_cast<std::int32_t>(i));
-      h_.insert(h_.end(), h.begin(), h.end());
+    const auto row = static_cast<std::size_t>(start_[start_.size() - 2]);
+    const std::size_t n = h.size();
+    const std::int32_t end = first + static_cast<std::int32_t>(n);
+    auto at = dof_.size();
+    while (at > row && dof_[at - 1] >= first) --at;
+    if (at == dof_.size() || dof_[at] >= end) {
+      const auto place = static_cast<std::ptrdiff_t>(at);
+      dof_.insert(dof_.begin() + place, n, first);
+      for (std::size_t i = 1; i < n; ++i) dof_[at + i] += static_cast<std::int32_t>(i);
+      h_.insert(h_.begin() + place, h.begin(), h.end());
       start_.back() += static_cast<std::int32_t>(n);
-    } else if (size - row >= n && dof_[dof_.size() - h.size()] == first &&
-               dof_.back() == first + static_cast<std::int32_t>(n) - 1) {
-      for (std::size_t i = 0; i < h.size(); ++i) h_[h_.size() - h.size() + i] += h[i];
+    } else if (dof_[at] == first && dof_.size() - at >= n && dof_[at + n - 1] == end - 1) {
+      for (std::size_t i = 0; i < n; ++i) h_[at + i] += h[i];
     } else {
-      for (std::size_t i = 0; i < h.size(); ++i) add(first + static_cast<std::int32_t>(i), h[i]);
+      for (std::size_t i = 0; i < n; ++i) add(first + static_cast<std::int32_t>(i), h[i]);
     }
   }
   void add_row(const DofRow& row) {
@@ -116,6 +144,12 @@ class DofRows {
   }
 
  private:
+  /// Room for so many, and a few more: growing one by one would double it.
+  template <class Number>
+  static void grow(std::vector<Number>& v, std::size_t size) {
+    constexpr std::size_t kMore = 16;
+    if (size > v.capacity()) v.reserve(size + size / kMore);
+  }
   std::vector<std::int32_t> start_{0}, dof_;
   std::vector<double> h_, known_;
 };

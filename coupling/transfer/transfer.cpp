@@ -95,6 +95,7 @@ std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage, s
 
 std::vector<BodyRecord> initial_records(const Model& model, const std::vector<BodyRequest>& request) {
   std::vector<BodyRecord> records;
+  records.reserve(model.blocks.size());
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const BlockId block{static_cast<std::int32_t>(i)};
     records.push_back({block, request[i].method, reference_shape(model, block), request[i].form});

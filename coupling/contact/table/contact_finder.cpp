@@ -168,6 +168,12 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
 }
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
+  if (p.edge_edge) {  // facing edges have an overlap, and feet in it
+    p.s_low = -detection_;
+    p.s_high = p.at.length + detection_;
+    p.beyond = false;
+    return;
+  }
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[p.edge];
   const std::int32_t part = o.segments[p.segment].part;
@@ -176,13 +182,13 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   // find each other, and another edge can take it over.
   const auto beyond = [&](bool convex, EdgeIndex next) {
     const bool ends = convex || pairs_.in_line(next, p.edge);
-    return !ends || p.edge_edge ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
+    return !ends ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
   };
   const Outlines::Vertex &first = o.vertices[edge.first_vertex()], &last = o.vertices[edge.end_vertex];
   p.s_low = part == 0 ? -beyond(edge.convex_start, first.edge_in) : -detection_;
   p.s_high = p.at.length + (part == edge.segments - 1 ? beyond(edge.convex_end, last.edge_out) : detection_);
   const double foot = p.at.xi * p.at.length;
-  p.beyond = !p.edge_edge && (foot < p.s_low || foot > p.s_high);
+  p.beyond = foot < p.s_low || foot > p.s_high;
 }
 
 bool ContactFinder::admissible(const ContactPoint& p) const {

@@ -10,8 +10,9 @@ void QuietPairs::begin(OutlinePositions x, std::span<const IndexRange<OutlineNod
   if (!known_) {
     known_ = true;
     travel_ = 0.0;
-    for (auto* pairs : {&pairs_, &before_}) pairs->reserve(2 * near.size());  // so that steps need not allocate
-    for (auto* until : {&until_, &until_before_}) until->reserve(2 * near.size());
+    const std::size_t most = near.size() + near.size() / 4;  // so that steps need not allocate
+    for (auto* pairs : {&pairs_, &before_}) pairs->reserve(most);
+    for (auto* until : {&until_, &until_before_}) until->reserve(most);
     x_.values().assign(x.begin(), x.end());
     pairs_.assign(near.begin(), near.end());
     until_.assign(near.size(), 0.0);

@@ -73,6 +73,32 @@ TEST(ConjugateResiduals, ends_after_as_many_iterations_as_unknowns_and_at_once_w
   }
 }
 
+TEST(ConjugateResiduals, keep_corrections_in_single_precision_without_losing_a_bit) {
+  std::mt19937_64 random(34);
+  constexpr int kUnknowns = 60;
+  const Eigen::MatrixXd a = drawn(kUnknowns, 0.4, random), symmetric = 0.5 * (a + a.transpose()),
+                        inverse = inverse_of(symmetric);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(kUnknowns);
+  const auto rounded = [&](std::span<const double> r, auto z) {
+    const Eigen::VectorXd exact = inverse * Eigen::Map<const Eigen::VectorXd>(r.data(), kUnknowns);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = static_cast<float>(exact[static_cast<Eigen::Index>(i)]);
+  };
+  const auto times = [&](std::span<const double> x, std::span<double> y) {
+    Eigen::Map<Eigen::VectorXd>(y.data(), kUnknowns) = a * Eigen::Map<const Eigen::VectorXd>(x.data(), kUnknowns);
+  };
+  const std::vector<double> unit(kUnknowns, 1.0);
+  const std::span<const double> side(b.data(), kUnknowns);
+  std::vector<double> in_double(kUnknowns, 0.0), in_single(kUnknowns, 0.0);
+  ConjugateResiduals residuals;
+  const int of_double = residuals.solve(
+      times, [&](std::span<const double> r, std::span<double> z) { rounded(r, z); }, side, unit, 1e-13, 200, in_double);
+  const int of_single = residuals.solve(
+      times, [&](std::span<const double> r, std::span<float> z) { rounded(r, z); }, side, unit, 1e-13, 200, in_single);
+  EXPECT_GT(of_double, 3);
+  EXPECT_EQ(of_single, of_double);
+  EXPECT_EQ(in_single, in_double);
+}
+
 TEST(ConjugateResiduals, says_where_it_is_not_there_in_time) {
   std::mt19937_64 random(33);
   const Eigen::MatrixXd a = drawn(30, 0.5, random);
