@@ -131,7 +131,7 @@ class Setup {
   [[nodiscard]] double motion_time(MotionId m, double time) const {
     return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
   }
-  /// Room for all outlines: growing one by one would double it.
+  /// Reserves room for all outlines, which would take up to twice as much if they grew one by one.
   void reserve_outlines();
   void add_outline(BodyIndex index);
   void add_cracks(BodyIndex index, const Boundary& boundary, OutlineNode first_node);

@@ -86,7 +86,7 @@ class ExplicitContact {
     double gap = 0.0, stretch = 0.0, anchor = 0.0;
     bool known = false;
   };
-  /// @param v  of the outline nodes   @param rates  at these, if they are known
+  /// @param v  of the outline nodes   @param rates  at these velocities, if they are known
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, OutlineVelocities v,
                                const Rates& rates) const;
   void leave_point(double h, std::size_t i);
@@ -103,7 +103,7 @@ class ExplicitContact {
   void transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const;
   /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards. v_ is theirs.
   void respond(double h, ContactList& list);
-  /// The same of one point.   @return what it had to know
+  /// The same of one point.   @return its rates, known where the law depends on them
   Rates respond(double h, std::size_t i, ContactList& list);
   /// After respond(), of a point and where it was: its slip in the step, with its sign, for the check of friction [m].
   [[nodiscard]] double way(std::size_t i, const Left& was) const;
@@ -167,8 +167,8 @@ class ExplicitContact {
   std::vector<Chunk> chunks_;
   mutable IndexedVector<OutlineNode, Vec2> forces_;  // on those that move, scratch of add() [N]
   IndexedVector<OutlineNode, char> rests_;           // per outline node: 1 where its body rests
-  IndexedVector<OutlineNode, char> ghost_;           // and where another integrator moves it, or a half of it
-  std::vector<double> opened_;                       // by dilation in the step, a point of the list at hand [m]
+  IndexedVector<OutlineNode, char> ghost_;  // likewise: 1 where another integrator moves its body, or a half of it
+  std::vector<double> opened_;              // by dilation in the step, a point of the list at hand [m]
 };
 
 }  // namespace scree::coupling

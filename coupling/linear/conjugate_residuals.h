@@ -99,8 +99,8 @@ class ConjugateResiduals {
 
   std::span<const double> unit_;
   std::vector<double> r_, product_;  // r_ in units
-  std::vector<double> z_;            // of single precision, scratch
-  bool single_ = false;              // corrections are
+  std::vector<double> z_;            // scratch: a correction that is kept in single precision
+  bool single_ = false;              // corrections are kept in single precision
   double largest_ = 0.0;             // |r_|
   std::vector<Correction> corrections_;
   std::vector<double> partial_;  // sums of chunks, kDepth + 2 each

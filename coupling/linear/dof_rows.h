@@ -68,7 +68,7 @@ class DofRows {
   [[nodiscard]] const std::vector<std::int32_t>& dof() const { return dof_; }
   [[nodiscard]] const std::vector<double>& h() const { return h_; }
 
-  /// Appends rows of so many unknowns each, to be filled, in any order.
+  /// Appends a row of sizes[i] unknowns for each i; fill() gives their places, in any order.
   void extend(std::span<const std::int32_t> sizes) {
     const std::size_t rows = size() + sizes.size();
     grow(start_, rows + 1);
@@ -144,7 +144,7 @@ class DofRows {
   }
 
  private:
-  /// Room for so many, and a few more: growing one by one would double it.
+  /// Reserves room for `size` numbers and a sixteenth more: resize() alone may double the capacity.
   template <class Number>
   static void grow(std::vector<Number>& v, std::size_t size) {
     constexpr std::size_t kMore = 16;

@@ -582,7 +582,7 @@ void Driver::finish(const RunEnd& result) {
   last.integrator = shown_integrator(stage);
   last.end_time = seconds(end_);
   enter(Phase::output);  // what the last view took counts in the summary
-  integrator_.reset();   // the memory that sinks need to close is not needed beside it
+  integrator_.reset();   // what it holds and what the sinks take to close need not be in memory at once
   for (Sink* s : sinks_) s->end(result, last);
   enter(Phase::set_up);
 }

@@ -168,7 +168,7 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
 }
 
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
-  if (p.edge_edge) {  // facing edges have an overlap, and feet in it
+  if (p.edge_edge) {  // it ends with the overlap of its edges, not where its foot leaves the segment
     p.s_low = -detection_;
     p.s_high = p.at.length + detection_;
     p.beyond = false;
