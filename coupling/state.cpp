@@ -35,6 +35,7 @@ class Hasher {
   void operator()(const char*, const std::array<T, N>& values) {
     bytes(values.data(), sizeof(T) * N);
   }
+  void operator()(const char*, const Vec2& x) { bytes(x.data(), 2 * sizeof(double)); }
   void operator()(const char*, const Mat2& m) { bytes(m.data(), 4 * sizeof(double)); }
   void operator()(const char* name, const Polygon& p) {
     mix(p.rings());

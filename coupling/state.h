@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupling/bolt_memory.h"
-#include "coupling/contact_memory.h"
+#include "coupling/contact_list.h"
 #include "coupling/ledger/ledger.h"
 #include "coupling/step_limit.h"
 #include "coupling/support_force.h"
@@ -87,8 +87,8 @@ struct State {
   std::vector<double> v_before;  // velocity of the half step before, where damping lags on it (else empty)
   std::vector<double> damping;   // forces of mass-proportional damping that spares affine motion (else empty) [N]
   std::vector<double> sliding;   // forces that damp the deformation of sliding blocks (none slides: empty) [N]
-  std::vector<ContactMemory> contacts;  // sorted by key
-  KeptFactor factored;                  // of implicit steps
+  ContactList contacts;          // sorted by key; between stages, and where each half of a step has its own, memories alone
+  KeptFactor factored;           // of implicit steps
   std::vector<Remainder> rest;
   std::vector<double>
       anchors;  // x, y per point support: how far hand-overs have shifted its anchor; empty: none yet [m]
@@ -178,8 +178,10 @@ void State::visit(Visitor&& see) const {
   see("v_before", v_before);
   see("damping", damping);
   see("sliding", sliding);
-  see.size("contacts", contacts);
-  for (const ContactMemory& c : contacts) c.visit(see);
+  see.size("contacts", contacts.memory);
+  for (const ContactMemory& c : contacts.memory) c.visit(see);
+  see.size("points", contacts.points);
+  for (const ContactPoint& p : contacts.points) p.visit(see);
   see("factored.wait", factored.patience.wait);
   see("factored.next_wait", factored.patience.next_wait);
   see("factored.least", factored.patience.least);

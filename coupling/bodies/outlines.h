@@ -1,17 +1,13 @@
-// The outlines of all bodies of a stage, which may touch, and the indices of their parts.
+// The outlines of all bodies of a stage, which may touch.
 #pragma once
 
 #include <vector>
 
+#include "coupling/outline_index.h"
 #include "model/body.h"
 #include "model/indexed.h"
 
 namespace scree::coupling {
-
-using OutlineNode = Id<struct OutlineNodeTag>;  // into Outlines::nodes
-using SegmentIndex = Id<struct SegmentTag>;     // into Outlines::segments
-using VertexIndex = Id<struct VertexTag>;       // into Outlines::vertices
-using EdgeIndex = Id<struct EdgeTag>;           // into Outlines::edges
 
 /// The segment that leaves a vertex, and the vertex at which a segment starts: they have the same number.
 [[nodiscard]] constexpr SegmentIndex leaving(VertexIndex v) { return SegmentIndex{v.value}; }

@@ -33,7 +33,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
       friction_evolution_(setup.laws().all()),
       checks_friction_(check_friction) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
-  for (ContactList* list : {&now_, &before_, &ahead_, &left_list_}) {
+  for (ContactList* list : {&before_, &ahead_, &left_list_}) {
     list->points.reserve(expected);
     list->memory.reserve(expected);
     list->briefs.reserve(expected);
@@ -62,30 +62,31 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
 }
 
 void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
-  finder_.restore(state.contacts, before_);
+  list_ = &state.contacts;
+  list_->reserve(2 * setup_->outlines().vertices.size());  // so that steps need not allocate
+  finder_.restore(list_->memory, before_);
   for (std::size_t i = 0; i < before_.memory.size() && !goes_on; ++i) before_.memory[i].impact = 0.0;
-  finder_.find(state.q, before_, at_start, now_);
-  (void)finder_.adopt_kinds(now_);  // the energy returned below has it
+  finder_.find(state.q, before_, at_start, *list_);
+  (void)finder_.adopt_kinds(*list_);  // the energy returned below has it
   // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
-  for (std::size_t i = 0; i < now_.points.size() && !goes_on; ++i) {
-    ContactMemory& m = now_.memory[i];
+  for (std::size_t i = 0; i < list_->points.size() && !goes_on; ++i) {
+    ContactMemory& m = list_->memory[i];
     const auto joint = static_cast<std::size_t>(m.joint);
-    explicit_law(setup_->laws()[joint], setup_->laws().tan_friction(joint), motion_of(now_.points[i]), m);
+    explicit_law(setup_->laws()[joint], setup_->laws().tan_friction(joint), motion_of(list_->points[i]), m);
   }
-  if (!checks_friction_) FrictionCheck::forget(now_);
-  state.contacts = now_.memory;
+  if (!checks_friction_) FrictionCheck::forget(*list_);
   indexed_ = false;
   // What was remembered and is not found is in the list before: the next step takes it out.
-  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
+  clear_ = list_->points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
   double farthest = 0.0;
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   const double last_places = 8.0 * std::numeric_limits<double>::epsilon() * farthest;
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const ContactPoint& p = now_.points[i];
-    const ContactMemory& m = now_.memory[i];
+  for (std::size_t i = 0; i < list_->points.size(); ++i) {
+    const ContactPoint& p = list_->points[i];
+    const ContactMemory& m = list_->memory[i];
     const double allowed = 1e-9 * (std::abs(m.fn) + std::abs(m.ft)) + (m.kn + m.kt) * last_places;
     if (m.status != ContactStatus::open) {
       // The step took its friction from the slip that there was.
@@ -104,20 +105,19 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
       });
     }
   }
-  audit_geometry(*setup_, now_, q, finder_.detection(), audit);
+  audit_geometry(*setup_, *list_, q, finder_.detection(), audit);
 }
 
-void ExplicitContact::undo(State& state) {
+void ExplicitContact::undo() {
   if (can_undo_)
-    now_ = left_list_;
+    *list_ = left_list_;
   else if (!in_place_)
-    std::swap(now_, before_);
-  state.contacts = now_.memory;
+    std::swap(*list_, before_);
   clear_ = 0.0;
   indexed_ = can_undo_ = false;
 }
 
-void ExplicitContact::add(std::span<double> f) const { add(now_, f); }
+void ExplicitContact::add(std::span<double> f) const { add(*list_, f); }
 
 void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
   if (list.points.empty()) return;
@@ -165,7 +165,7 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
 
 template <class OfRange>
 void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
-  const std::int64_t size = std::ssize(now_.points);
+  const std::int64_t size = std::ssize(list_->points);
   const auto count = static_cast<std::size_t>((size + kContactChunk - 1) / kContactChunk);
   if (chunks_.size() < count) chunks_.resize(count);
   const auto of_chunk = [&](std::int64_t begin, std::int64_t end) {
@@ -186,7 +186,7 @@ void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
 }
 
 void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
-  finder_.find(q, now_, false, ahead_, ContactPairs::Of::ghosts);
+  finder_.find(q, *list_, false, ahead_, ContactPairs::Of::ghosts);
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
@@ -219,7 +219,7 @@ ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p
 }
 
 void ExplicitContact::leave(std::span<const double> v) {
-  if (!now_.points.empty()) set_velocities(v, v_left_);
+  if (!list_->points.empty()) set_velocities(v, v_left_);
 }
 
 ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, const ContactMemory& m) const {
@@ -243,7 +243,7 @@ ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, 
 }
 
 void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const {
-  const ContactMemory& b = now_.memory[after];
+  const ContactMemory& b = list_->memory[after];
   const bool opened = b.status == ContactStatus::open, bond_broke = a.bonded && opened && b.gap >= 0.0;
   const double lifted = 0.5 * opened_[after];
   ledger.book(Column::contact_damping, -a.work.damping - arriving.damping + lifted * (a.fd + b.fd));
@@ -261,7 +261,7 @@ void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& ar
       ledger.book(Column::contact_transition, trapezoid);
       ledger.book(Column::bonds_broken, a.normal_energy);
     } else if (fa == 0.0 || fb == 0.0)
-      ledger.book(Column::contact_transition, trapezoid + normal_energy(now_.points[after], b) - a.normal_energy);
+      ledger.book(Column::contact_transition, trapezoid + normal_energy(list_->points[after], b) - a.normal_energy);
     else
       ledger.book(Column::contact_tributary, 0.5 * a.gap * b.gap * (b.kn - a.kn));
   }
@@ -279,12 +279,12 @@ void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& ar
 }
 
 void ExplicitContact::book_new(std::size_t i, const Half& arriving, Ledger& ledger) const {
-  const ContactMemory& m = now_.memory[i];
+  const ContactMemory& m = list_->memory[i];
   ledger.book(Column::water, arriving.water);
   if (m.gap >= 0.0 && m.bonded == 0) return;
   ledger.book(Column::contact_damping, -arriving.damping);
   ledger.book(Column::contact_edges,
-              arriving.normal + arriving.tangential + normal_energy(now_.points[i], m) + tangential_energy(m));
+              arriving.normal + arriving.tangential + normal_energy(list_->points[i], m) + tangential_energy(m));
 }
 
 void ExplicitContact::book_ended(std::size_t before, Ledger& ledger) const {
@@ -337,8 +337,8 @@ ExplicitContact::Rates ExplicitContact::respond(double h, std::size_t i, Contact
 }
 
 void ExplicitContact::leave_point(double h, std::size_t i) {
-  left_[i] = left_by(h, now_.points[i], now_.memory[i]);
-  weakened_[i] = {now_.memory[i].slip, now_.memory[i].friction_change};
+  left_[i] = left_by(h, list_->points[i], list_->memory[i]);
+  weakened_[i] = {list_->memory[i].slip, list_->memory[i].friction_change};
 }
 
 void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const {
@@ -352,20 +352,20 @@ void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, co
 }
 
 double ExplicitContact::way(std::size_t i, const Left& was) const {
-  const ContactMemory& m = now_.memory[i];
+  const ContactMemory& m = list_->memory[i];
   if (m.status == ContactStatus::slip) return trial_[i] - m.stretch;
-  const ContactPoint& p = now_.points[i];
+  const ContactPoint& p = list_->points[i];
   const bool hops = m.status == ContactStatus::open && m.slide.length > 0.0F && p.from >= 0;
   return hops && was.segment == p.segment ? (p.at.xi - was.foot) * p.at.length : 0.0;
 }
 
 void ExplicitContact::follow_slides(double h, double time) {
-  friction_check_.begin(now_, time);
+  friction_check_.begin(*list_, time);
   const Left none;
-  for (std::size_t i = 0; i < now_.points.size(); ++i) {
-    const std::int32_t from = now_.points[i].from;
-    friction_check_.see(h, now_.points[i], way(i, from < 0 ? none : left_[static_cast<std::size_t>(from)]),
-                        now_.memory[i]);
+  for (std::size_t i = 0; i < list_->points.size(); ++i) {
+    const std::int32_t from = list_->points[i].from;
+    friction_check_.see(h, list_->points[i], way(i, from < 0 ? none : left_[static_cast<std::size_t>(from)]),
+                        list_->memory[i]);
   }
 }
 
@@ -375,13 +375,13 @@ void ExplicitContact::adopt_kinds(double h, std::span<const std::int32_t> points
   double change = 0.0;
   for (const std::int32_t i : points) {
     const auto at = static_cast<std::size_t>(i);
-    anchor_.push_back({i, now_.memory[at].anchor});
-    finder_.adopt_kind(now_.points[at], now_.memory[at], change);
+    anchor_.push_back({i, list_->memory[at].anchor});
+    finder_.adopt_kind(list_->points[at], list_->memory[at], change);
   }
   ledger.book(Column::contact_tributary, change);
   for (const Anchor& a : anchor_) {
-    const ContactPoint& p = now_.points[static_cast<std::size_t>(a.point)];
-    const ContactMemory& m = now_.memory[static_cast<std::size_t>(a.point)];
+    const ContactPoint& p = list_->points[static_cast<std::size_t>(a.point)];
+    const ContactMemory& m = list_->memory[static_cast<std::size_t>(a.point)];
     if (m.anchor == a.before || m.ft == 0.0) continue;
     const double way =
         0.5 * h * (row_rate(p, stretch_row(p.at, m.anchor), v_) - row_rate(p, stretch_row(p.at, a.before), v_));
@@ -392,39 +392,43 @@ void ExplicitContact::adopt_kinds(double h, std::span<const std::int32_t> points
 
 void ExplicitContact::arrive(double h, double farthest, std::span<const double> q, std::span<const double> v,
                              State& state) {
+  if (list_ != &state.contacts) {
+    list_ = &state.contacts;
+    indexed_ = false;
+  }
   clear_ -= farthest;
   if (clear_ > 0.0) return;  // there are no points and there will be none
   set_velocities(v, v_);
-  if (!indexed_) finder_.index(now_);
-  indexed_ = in_place_ = finder_.keeps(q, now_) && !now_.points.empty() && !always_anew_;
+  if (!indexed_) finder_.index(*list_);
+  indexed_ = in_place_ = finder_.keeps(q, *list_) && !list_->points.empty() && !always_anew_;
   steps_in_place_ += in_place_ ? 1 : 0;
-  left_.resize(now_.points.size());
-  weakened_.resize(now_.points.size());
+  left_.resize(list_->points.size());
+  weakened_.resize(list_->points.size());
   if (in_place_)
     arrive_in_place(h, state);
   else
     arrive_anew(h, state);
-  clear_ = now_.points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
+  clear_ = list_->points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
 void ExplicitContact::arrive_anew(double h, State& state) {
   Ledger& ledger = state.ledger;
-  for (std::size_t i = 0; i < now_.points.size(); ++i) leave_point(h, i);
-  std::swap(now_, before_);
-  finder_.find_again(before_, now_);
-  for (std::size_t i = 0; i < now_.points.size(); ++i)
-    if (const std::int32_t from = now_.points[i].from; from >= 0)
-      transfer_impact_energy(h, now_.points[i], left_[static_cast<std::size_t>(from)], now_.memory[i]);
-  respond(h, now_);
+  for (std::size_t i = 0; i < list_->points.size(); ++i) leave_point(h, i);
+  std::swap(*list_, before_);
+  finder_.find_again(before_, *list_);
+  for (std::size_t i = 0; i < list_->points.size(); ++i)
+    if (const std::int32_t from = list_->points[i].from; from >= 0)
+      transfer_impact_energy(h, list_->points[i], left_[static_cast<std::size_t>(from)], list_->memory[i]);
+  respond(h, *list_);
   if (checks_friction_) {  // velocities are physical
     follow_slides(h, seconds(state.time));
-    friction_evolution_.advance(h, now_.memory);
+    friction_evolution_.advance(h, list_->memory);
   }
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
     for (std::size_t b = begin; b < end; ++b) {
-      const ContactPoint& p = now_.points[b];
-      const Half arriving = half_work(h, p, now_.memory[b], v_, {});
-      if (ContactFinder::may_adopt(p, now_.memory[b])) chunk.kinds.push_back(static_cast<std::int32_t>(b));
+      const ContactPoint& p = list_->points[b];
+      const Half arriving = half_work(h, p, list_->memory[b], v_, {});
+      if (ContactFinder::may_adopt(p, list_->memory[b])) chunk.kinds.push_back(static_cast<std::int32_t>(b));
       if (p.from >= 0)
         book_pair(left_[static_cast<std::size_t>(p.from)], b, arriving, chunk.ledger);
       else
@@ -432,7 +436,7 @@ void ExplicitContact::arrive_anew(double h, State& state) {
     }
   });
   kept_.assign(before_.points.size(), 0);
-  for (const ContactPoint& p : now_.points)
+  for (const ContactPoint& p : list_->points)
     if (p.from >= 0) kept_[static_cast<std::size_t>(p.from)] = 1;
   for (std::size_t i = 0; i < before_.points.size(); ++i)
     if (kept_[i] == 0) book_ended(i, ledger);
@@ -440,39 +444,38 @@ void ExplicitContact::arrive_anew(double h, State& state) {
   ledger.book(Column::springs_dropped, -finder_.merged());
   ledger.book(Column::contact_geometry, -finder_.merged());
   adopt_kinds(h, kinds_, ledger);
-  ledger.set(Column::contact_springs, contact_energy(now_));
-  state.contacts = now_.memory;
+  ledger.set(Column::contact_springs, contact_energy(*list_));
 }
 
 void ExplicitContact::make_way(double h) {
   for (const ContactFinder::Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k) leave_point(h, static_cast<std::size_t>(k));
-  if (!finder_.changed().empty()) finder_.splice(now_);
-  finder_.find_first(now_);
+  if (!finder_.changed().empty()) finder_.splice(*list_);
+  finder_.find_first(*list_);
   left_first_.clear();
   for (const std::int32_t k : finder_.moves_first()) {
     const auto i = static_cast<std::size_t>(k);
-    const ContactPoint& p = now_.points[i];
+    const ContactPoint& p = list_->points[i];
     if (finder_.made(i)) {
       left_first_.push_back(p.from < 0 ? Left{} : left_[static_cast<std::size_t>(p.from)]);
       continue;
     }
-    left_first_.push_back(left_by(h, p, now_.memory[i]));
-    finder_.move(i, now_);
+    left_first_.push_back(left_by(h, p, list_->memory[i]));
+    finder_.move(i, *list_);
   }
-  finder_.settle(now_);
+  finder_.settle(*list_);
 }
 
-void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk, State& state) {
-  const ContactPoint& p = now_.points[i];
-  ContactMemory& m = now_.memory[i];
+void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk) {
+  const ContactPoint& p = list_->points[i];
+  ContactMemory& m = list_->memory[i];
   const Left left = first != nullptr ? *first : left_by(h, p, m);
   if (first == nullptr)
-    finder_.move(i, now_);
+    finder_.move(i, *list_);
   else if (finder_.made(i))
     transfer_impact_energy(h, p, left, m);
   if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
-  const Rates rates = respond(h, i, now_);
+  const Rates rates = respond(h, i, *list_);
   const double slip = way(i, left);
   if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
   const Half arriving = half_work(h, p, m, v_, rates);
@@ -483,23 +486,20 @@ void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, C
   if (ContactFinder::may_adopt(p, m)) chunk.kinds.push_back(static_cast<std::int32_t>(i));
   energy_[i] = normal_energy(p, m) + tangential_energy(m);
   finder_.note(i, m);
-  state.contacts[i] = m;
 }
 
 void ExplicitContact::arrive_in_place(double h, State& state) {
   make_way(h);
   Ledger& ledger = state.ledger;
-  const std::size_t size = now_.points.size();
+  const std::size_t size = list_->points.size();
   for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
-  state.contacts.resize(size);
   const std::span<const std::int32_t> first = finder_.moves_first();
   // All else goes point by point, while it is at hand: the list does not fit a core's cache.
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
     auto waiting = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
     for (std::size_t i = begin; i < end; ++i) {
       const bool waits = waiting != first.end() && static_cast<std::size_t>(*waiting) == i;
-      arrive_point(h, i, waits ? &left_first_[static_cast<std::size_t>(waiting++ - first.begin())] : nullptr, chunk,
-                   state);
+      arrive_point(h, i, waits ? &left_first_[static_cast<std::size_t>(waiting++ - first.begin())] : nullptr, chunk);
     }
   });
   for (const ContactFinder::Changed& c : finder_.changed())
@@ -509,30 +509,22 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   adopt_kinds(h, kinds_, ledger);
   for (const std::int32_t k : kinds_) {
     const auto i = static_cast<std::size_t>(k);
-    energy_[i] = normal_energy(now_.points[i], now_.memory[i]) + tangential_energy(now_.memory[i]);
-    finder_.note(i, now_.memory[i]);
-    state.contacts[i] = now_.memory[i];
+    energy_[i] = normal_energy(list_->points[i], list_->memory[i]) + tangential_energy(list_->memory[i]);
+    finder_.note(i, list_->memory[i]);
   }
-  finder_.take_noted(now_);
+  finder_.take_noted(*list_);
   double energy = 0.0;
   for (const double e : energy_) energy += e;
   ledger.set(Column::contact_springs, energy);
 }
 
 void ExplicitContact::follow_some(double h, State& state) {
-  friction_check_.begin(now_, seconds(state.time));
+  friction_check_.begin(*list_, seconds(state.time));
   for (const Slide& s : slides_) {
     const auto i = static_cast<std::size_t>(s.point);
-    friction_check_.see(h, now_.points[i], s.way, now_.memory[i]);
-    state.contacts[i].slide = now_.memory[i].slide;
+    friction_check_.see(h, list_->points[i], s.way, list_->memory[i]);
   }
-  if (friction_evolution_.used()) {
-    friction_evolution_.advance(h, now_.memory);
-    for (std::size_t i = 0; i < now_.memory.size(); ++i) {
-      state.contacts[i].friction_change = now_.memory[i].friction_change;
-      state.contacts[i].slip_known = now_.memory[i].slip_known;
-    }
-  }
+  if (friction_evolution_.used()) friction_evolution_.advance(h, list_->memory);
 }
 
 }  // namespace scree::coupling

@@ -11,7 +11,7 @@
 
 namespace scree::coupling {
 
-/// Owns the contact points of the present instant. Two halves a step: leave() with the velocity after the first kick,
+/// Brings the contact points of a state from instant to instant. Two halves a step: leave() with the velocity after the first kick,
 /// arrive() with the positions reached and the velocity that brought them there.
 class ExplicitContact {
  public:
@@ -22,15 +22,16 @@ class ExplicitContact {
   /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
   /// damping
   void enter(State& state, bool at_start, bool goes_on);
-  /// In place of enter(): the points that an instance of the same stage had at this state.
-  void resume(const State& state, const std::vector<ContactPoint>& points) {
-    now_.restore(points, state.contacts);
+  /// In place of enter(): goes on with the points of a state that an instance of the same stage has left.
+  void resume(State& state) {
+    list_ = &state.contacts;
+    list_->find_briefs();
     indexed_ = false;
   }
   /// The points of an instant, and back to them.
-  void mark(ContactList& out) const { out = now_; }
+  void mark(ContactList& out) const { out = *list_; }
   void go_back(const ContactList& points) {
-    now_ = points;
+    *list_ = points;
     clear_ = 0.0;
     indexed_ = false;
   }
@@ -49,14 +50,13 @@ class ExplicitContact {
   /// Before an arrive(): whether it may have to be undone. Then the points of the instant left are kept.
   void keep_way_back(bool keep) {
     can_undo_ = keep;
-    if (keep) left_list_ = now_;
+    if (keep) left_list_ = *list_;
   }
   /// Goes back to the instant left, after keep_way_back(true) and arrive().
-  void undo(State& state);
+  void undo();
 
-  [[nodiscard]] const ContactList& list() const { return now_; }
-  /// Lends the points of the list for others, and takes them back.
-  void exchange_points(std::vector<ContactPoint>& others) { now_.points.swap(others); }
+  /// State::contacts of the state that was last brought here.
+  [[nodiscard]] const ContactList& list() const { return *list_; }
   /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
   void list_always_anew() { always_anew_ = true; }
   /// Steps that left the list in place.
@@ -124,12 +124,12 @@ class ExplicitContact {
     std::vector<Slide> slides;
     std::vector<std::int32_t> kinds;
   };
-  /// Calls of_range(begin, end, chunk) for ranges of the points of now_, on threads; then adds the increments of the
+  /// Calls of_range(begin, end, chunk) for ranges of the points of the list, on threads; then adds the increments of the
   /// chunks to the ledger in their order, and lists slides_ and kinds_.
   template <class OfRange>
   void for_points(Ledger& ledger, OfRange&& of_range);
   /// Of arrive_in_place(): what concerns one point alone.   @param first  of a point of moves_first(), else null
-  void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk, State& state);
+  void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk);
   /// Of arrive_in_place(): points that come and go, and those that others may depend on.
   void make_way(double h);
   /// Of arrive_in_place(): the check of friction sees the points that slide, their friction changes.
@@ -140,8 +140,9 @@ class ExplicitContact {
   FrictionCheck friction_check_;
   FrictionEvolution friction_evolution_;
   bool checks_friction_;
-  ContactList now_, before_, ahead_, left_list_;
-  bool indexed_ = false;   // the finder knows now_
+  ContactList* list_ = nullptr;  // of the state
+  ContactList before_, ahead_, left_list_;
+  bool indexed_ = false;   // the finder knows the list
   bool in_place_ = false;  // the last step was: before_ is of no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
@@ -154,7 +155,7 @@ class ExplicitContact {
     double slip, friction_change;
   };
   std::vector<Weakened> weakened_;  // a point of the instant left
-  std::vector<char> kept_;          // 1: the point of before_ goes on in now_
+  std::vector<char> kept_;          // 1: the point of before_ goes on in the list
   std::vector<double> trial_;       // stretch before return mapping, a point of the list at hand
   struct Anchor {                   // of a point, before it takes the stiffness of a new kind
     std::int32_t point;

@@ -209,9 +209,9 @@ void CentralDifference::add_terms(const State& state) {
     add_term(std::make_unique<ViscousEdges>(*setup_, std::move(edges)));
 }
 
-void CentralDifference::resume(const State& state, const IntegratorMemory& memory) {
+void CentralDifference::resume(State& state, const IntegratorMemory& memory) {
   add_terms(state);
-  contact_.resume(state, memory.points);
+  contact_.resume(state);
   sum_up(lagging(state));  // for the terms: they act on free bodies alone
   stress_ = memory.stress;
   total_ = memory.total;
@@ -223,7 +223,6 @@ void CentralDifference::resume(const State& state, const IntegratorMemory& memor
 }
 
 void CentralDifference::exchange(IntegratorMemory& memory) {
-  contact_.exchange_points(memory.points);
   memory.stress.swap(stress_);
   memory.total.swap(total_);
   memory.stiffness.swap(stiffness_.force);
@@ -473,7 +472,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   accelerate(q_new_, a_new_);
   if (!arrive(h)) {
     StepReport report = lost(state, total_, end);
-    contact_.undo(state);
+    contact_.undo();
     state.ledger = before;
     restore_stress(state);
     sum_up(lagging(state));
@@ -556,6 +555,7 @@ void CentralDifference::leave(State& state) {
   state.v_before.clear();
   state.damping.clear();
   state.sliding.clear();
+  state.contacts.forget_points();
 }
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {

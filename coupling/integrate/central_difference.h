@@ -33,7 +33,7 @@ class CentralDifference final : public TimeIntegrator {
                     const ExplicitDamping& damping = {}, bool rest = false);
 
   double enter(State& state) override;
-  void resume(const State& state, const IntegratorMemory& memory) override;
+  void resume(State& state, const IntegratorMemory& memory) override;
   [[nodiscard]] IntegratorMemory lend() override;
   void take_back(IntegratorMemory& memory) override;
   StepReport step(State& state, Tick ticks_of_step) override;

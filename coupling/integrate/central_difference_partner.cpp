@@ -106,7 +106,6 @@ void CentralDifference::mark(Mark& out) const {
 
 void CentralDifference::go_back(State& state, const Mark& mark) {
   contact_.go_back(mark.contacts);
-  state.contacts = mark.contacts.memory;
   if (held_ != nullptr) held_->take(mark.held, scratch());
   if (bolts_ != nullptr) bolts_->take(state);
   for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant

@@ -63,29 +63,26 @@ void Newmark::enter_stage(const State& state) {
   system_.find_units(reference_);
 }
 
-void Newmark::resume(const State& state, const IntegratorMemory& memory) {
+void Newmark::resume(State& state, const IntegratorMemory&) {
   enter_stage(state);
-  list_.restore(memory.points, state.contacts);
+  list_ = &state.contacts;
+  list_->find_briefs();
 }
 
-IntegratorMemory Newmark::lend() {
-  IntegratorMemory out;
-  out.points.swap(list_.points);
-  return out;
-}
+IntegratorMemory Newmark::lend() { return {}; }
 
-void Newmark::take_back(IntegratorMemory& memory) { list_.points.swap(memory.points); }
+void Newmark::take_back(IntegratorMemory&) {}
 
 double Newmark::enter(State& state) {
   enter_stage(state);
-  finder_.restore(state.contacts, before_);
+  list_ = &state.contacts;
+  finder_.restore(list_->memory, before_);
   for (ContactMemory& m : before_.memory) m.impact = 0.0;  // springs follow the joint from step to step
-  finder_.find(state.q, before_, state.step == 0, list_);
-  list_.shrink_to_fit();
+  finder_.find(state.q, before_, state.step == 0, *list_);
+  list_->shrink_to_fit();
   before_ = {};                      // steps hardly need it, and it is large
-  (void)finder_.adopt_kinds(list_);  // the energy returned below has it
-  if (!checks_friction()) FrictionCheck::forget(list_);
-  state.contacts = list_.memory;
+  (void)finder_.adopt_kinds(*list_);  // the energy returned below has it
+  if (!checks_friction()) FrictionCheck::forget(*list_);
   state.last_step = 0;
   if (trapezoidal()) {
     if (state.a.empty()) {
@@ -93,7 +90,7 @@ double Newmark::enter(State& state) {
       state.a.assign(state.q.size(), 0.0);
       prepare(state, 1.0);
       find_step_springs(state, 1.0);
-      contacts_.begin(list_, state.q, driven_move_, springs_);
+      contacts_.begin(*list_, state.q, driven_move_, springs_);
       std::fill(d_.begin(), d_.end(), 0.0);
       for (std::size_t i = 0; i < rhs_.size(); ++i)
         rhs_[i] =
@@ -109,7 +106,7 @@ double Newmark::enter(State& state) {
   } else {
     state.a.assign(interface_.acts() ? state.q.size() : 0, 0.0);
   }
-  return contact_energy(list_);
+  return contact_energy(*list_);
 }
 
 void Newmark::leave(State& state) {
@@ -117,6 +114,7 @@ void Newmark::leave(State& state) {
   state.last_step = 0;  // no shadow of ours
   state.factored = {};
   state.a.clear();
+  state.contacts.forget_points();
 }
 
 double Newmark::stable_step(const State&, std::string*) { return std::numeric_limits<double>::infinity(); }
@@ -132,9 +130,9 @@ double Newmark::kinetic_energy(const State& state) const {
 void Newmark::update_ledger(State& state) { state.ledger.set(Column::kinetic, kinetic_energy(state)); }
 
 void Newmark::contact_forces(const State&, std::span<double> f) const {
-  for (std::size_t i = 0; i < list_.points.size(); ++i) {
-    const ContactPoint& p = list_.points[i];
-    const ContactMemory& m = list_.memory[i];
+  for (std::size_t i = 0; i < list_->points.size(); ++i) {
+    const ContactPoint& p = list_->points[i];
+    const ContactMemory& m = list_->memory[i];
     if (m.status == ContactStatus::open && m.water == 0.0) continue;
     add_row_force(setup_->outlines(), p, gap_row(p.at), m.fn + m.water, f);
     add_row_force(setup_->outlines(), p, stretch_row(p.at, m.anchor), m.ft, f);
@@ -186,7 +184,7 @@ void Newmark::find_sliding(const State& state, double h) {
   damper_.clear();
   if (!sliding_.used()) return;
   sliding_.begin();
-  sliding_.count(setup_->outlines(), list_);
+  sliding_.count(setup_->outlines(), *list_);
   if (list_elsewhere_ != nullptr) sliding_.count(*outlines_elsewhere_, *list_elsewhere_);
   if (sliding_.find()) damper_.find(state.q, sliding_.rates(), 2.0 / h);
 }
@@ -409,7 +407,7 @@ bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
 void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
   bolts_.begin(state, driven_move_, springs_);
-  contacts_.begin(list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
+  contacts_.begin(*list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
   // Newton's method begins where the step does; what is linear, where it would be without new forces.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
@@ -576,7 +574,7 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
   if (!reach(state, ticks_of_step, report)) return report;
   if (audit_ != nullptr) contacts_.check(d_, left.force, *audit_);
   accept(state, ticks_of_step);
-  if (audit_ != nullptr) audit_geometry(*setup_, list_, state.q, finder_.detection(), *audit_);
+  if (audit_ != nullptr) audit_geometry(*setup_, *list_, state.q, finder_.detection(), *audit_);
   return report;
 }
 

@@ -51,7 +51,7 @@ class Newmark final : public TimeIntegrator {
   Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options = {});
 
   double enter(State& state) override;
-  void resume(const State& state, const IntegratorMemory& memory) override;
+  void resume(State& state, const IntegratorMemory& memory) override;
   [[nodiscard]] IntegratorMemory lend() override;
   void take_back(IntegratorMemory& memory) override;
   void set_control(Control* control) override { contacts_.set_control(control); }
@@ -63,7 +63,8 @@ class Newmark final : public TimeIntegrator {
 
   /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
   void set_interface(InterfaceForce* force) { interface_.set(force); }
-  [[nodiscard]] const ContactList& list() const { return list_; }
+  /// State::contacts of the state that it has entered.
+  [[nodiscard]] const ContactList& list() const { return *list_; }
   /// See ExplicitContact.
   void list_contacts_always_anew() { always_anew_ = true; }
   [[nodiscard]] std::int64_t contact_steps_in_place() const { return steps_in_place_; }
@@ -168,7 +169,8 @@ class Newmark final : public TimeIntegrator {
   ContactFinder finder_;
   FrictionCheck friction_check_;
   FrictionEvolution friction_evolution_;
-  ContactList list_, before_;
+  ContactList* list_ = nullptr;  // of the state
+  ContactList before_;
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
   struct Springs {

@@ -73,7 +73,7 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
   }
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
-    const ContactMemory& m = list_.memory[i];
+    const ContactMemory& m = list_->memory[i];
     const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
     ledger.book(Column::prescribed_motion, -known);
     if (m.water != 0.0) ledger.book(Column::water, m.water * contacts_.normal(i).change(d_));
@@ -81,7 +81,7 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
     if (t.opened != 0.0) ledger.book(Column::dilation, -t.fn * t.opened);
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
     // Its energy counted, at the start of the step.
-    const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_.points[i].suppressed && !list_.points[i].beyond;
+    const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_->points[i].suppressed && !list_->points[i].beyond;
     const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
     if (const double damping = t.fn - spring_force(t, m); damping != 0.0)
       ledger.book(Column::contact_damping, -damping * dg);
@@ -110,11 +110,11 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
   // A stick keeps its anchor in the material, a slip has its spring at the limit on the new geometry.
   const Outlines& o = setup_->outlines();
   std::vector<double> linear(contacts_.trials().size(), 0.0);
-  friction_check_.begin(list_, seconds(state.time));
+  friction_check_.begin(*list_, seconds(state.time));
   for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
     const OpenClose::Trial& t = contacts_.trials()[i];
-    ContactMemory& m = list_.memory[i];
-    const ContactPoint& p = list_.points[i];
+    ContactMemory& m = list_->memory[i];
+    const ContactPoint& p = list_->points[i];
     m.fd = t.fn - spring_force(t, m);
     linear[i] = 0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
                 (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
@@ -139,45 +139,45 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
     m.ft = t.ft;
     if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
   }
-  if (checks_friction()) friction_evolution_.advance(seconds(state.last_step), list_.memory);
+  if (checks_friction()) friction_evolution_.advance(seconds(state.last_step), list_->memory);
   return linear;
 }
 
 void Newmark::move_points(std::span<const double> q) {
-  finder_.index(list_, !always_anew_);
-  if (!finder_.keeps(q, list_) || list_.points.empty() || always_anew_) {
-    std::swap(list_, before_);
-    finder_.find_again(before_, list_);
+  finder_.index(*list_, !always_anew_);
+  if (!finder_.keeps(q, *list_) || list_->points.empty() || always_anew_) {
+    std::swap(*list_, before_);
+    finder_.find_again(before_, *list_);
     return;
   }
   ++steps_in_place_;
-  if (!finder_.changed().empty()) finder_.splice(list_);
-  finder_.find_first(list_);
+  if (!finder_.changed().empty()) finder_.splice(*list_);
+  finder_.find_first(*list_);
   const std::span<const std::int32_t> first = finder_.moves_first();
   for (const std::int32_t i : first)
-    if (!finder_.made(static_cast<std::size_t>(i))) finder_.move(static_cast<std::size_t>(i), list_);
-  finder_.settle(list_);
+    if (!finder_.made(static_cast<std::size_t>(i))) finder_.move(static_cast<std::size_t>(i), *list_);
+  finder_.settle(*list_);
   constexpr std::int64_t kFewMoved = 1024;  // not worth waking threads
   parallel_for_chunks(
-      std::ssize(list_.points),
+      std::ssize(list_->points),
       [&](std::int64_t begin, std::int64_t end) {
         auto moved = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
         for (std::int64_t i = begin; i < end; ++i)
           if (moved != first.end() && *moved == i)
             ++moved;
           else
-            finder_.move(static_cast<std::size_t>(i), list_);
+            finder_.move(static_cast<std::size_t>(i), *list_);
       },
       kFewMoved, kContactChunk);
 }
 
 void Newmark::book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger) {
   stiffness_before_.clear();
-  for (const ContactMemory& m : list_.memory) stiffness_before_.push_back({m.kn, m.kt});
+  for (const ContactMemory& m : list_->memory) stiffness_before_.push_back({m.kn, m.kt});
   move_points(state.q);
-  for (std::size_t b = 0; b < list_.memory.size(); ++b) {
-    const ContactPoint& p = list_.points[b];
-    ContactMemory m = list_.memory[b];
+  for (std::size_t b = 0; b < list_->memory.size(); ++b) {
+    const ContactPoint& p = list_->points[b];
+    ContactMemory m = list_->memory[b];
     const double now = normal_energy(p, m) + tangential_energy(m);
     if (p.from < 0) {
       if (now != 0.0) ledger.book(Column::contact_edges, now);
@@ -192,8 +192,8 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
     linear[a] = 0.0;
   }
   for (const double left : linear) ledger.book(Column::springs_dropped, left);  // of contacts that ended
-  ledger.book(Column::contact_tributary, finder_.adopt_kinds(list_));
-  ledger.set(Column::contact_springs, contact_energy(list_));
+  ledger.book(Column::contact_tributary, finder_.adopt_kinds(*list_));
+  ledger.set(Column::contact_springs, contact_energy(*list_));
 }
 
 void Newmark::book_update(State& state, const Energies& after) {
@@ -247,15 +247,14 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   state.last_step = ticks_of_step;
   std::vector<double> linear = remember_contacts(state);
   book_contact_update(state, std::move(linear), state.ledger);
-  state.contacts = list_.memory;
   contacts_.accept(state.factored);
-  state.ledger.set(Column::contact_springs, contact_energy(list_));
+  state.ledger.set(Column::contact_springs, contact_energy(*list_));
   book_update(state, after);
-  if (damper_.acts() && stacks_.find(sliding_, setup_->outlines(), list_)) damp_stacks(state, h);
+  if (damper_.acts() && stacks_.find(sliding_, setup_->outlines(), *list_)) damp_stacks(state, h);
 }
 
 void Newmark::damp_stacks(State& state, double h) {
-  stacks_.act(setup_->outlines(), list_, state.q, state.v, h);
+  stacks_.act(setup_->outlines(), *list_, state.q, state.v, h);
   stacks_.add_acceleration(h, state.v);
   const double work = h * stacks_.power(), friction = h * stacks_.friction();
   state.ledger.book(Column::friction, -friction);

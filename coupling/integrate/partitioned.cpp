@@ -44,7 +44,7 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
       implicit_(std::make_unique<Newmark>(implicit_side_.setup, control, detection, choice.implicit)) {
   find_runs();
   implicit_->set_interface(this);
-  implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_->contacts());
+  implicit_->also_touch(&explicit_side_.setup.outlines(), &explicit_side_.state.contacts);
   const Setup& setup = explicit_side_.setup;
   for (const OutlineNode i : setup.outlines().nodes.indices()) {
     const Row& row = setup.outlines().nodes[i];
@@ -150,7 +150,7 @@ void Partitioned::split(const State& state) {
     s.step = state.step;
     s.stage = state.stage;
     s.last_step = state.last_step;
-    s.contacts = state.contacts;
+    s.contacts.memory = state.contacts.memory;
     s.bolts = state.bolts;
     const auto to = side == &explicit_side_ ? &Run::of_explicit : &Run::of_implicit;
     take(state.q, to, s.q);
@@ -203,7 +203,7 @@ double Partitioned::enter(State& state) {
   return energy;
 }
 
-void Partitioned::resume(const State& state, const IntegratorMemory& memory) {
+void Partitioned::resume(State& state, const IntegratorMemory& memory) {
   split(state);
   find_interface_constraints(&memory);
   explicit_side_.state.contacts.clear();
@@ -214,8 +214,10 @@ void Partitioned::resume(const State& state, const IntegratorMemory& memory) {
     };
     (choice_.shared_contacts || is_explicit(m.key.block_p) || is_explicit(m.key.block_e) ? explicit_side_
                                                                                          : implicit_side_)
-        .state.contacts.push_back(m);
+        .state.contacts.memory.push_back(m);
   }
+  explicit_side_.state.contacts.points = memory.sides[0].points;
+  implicit_side_.state.contacts.points = memory.sides[1].points;
   explicit_->resume(explicit_side_.state, memory.sides[0]);
   implicit_->resume(implicit_side_.state, memory.sides[1]);
   explicit_side_.state.ledger = memory.ledgers[0];
@@ -233,12 +235,16 @@ IntegratorMemory Partitioned::lend() {
   out.apart = apart_;
   out.sides[0] = explicit_->lend();
   out.sides[1] = implicit_->lend();
+  out.sides[0].points.swap(explicit_side_.state.contacts.points);
+  out.sides[1].points.swap(implicit_side_.state.contacts.points);
   return out;
 }
 
 void Partitioned::take_back(IntegratorMemory& memory) {
   explicit_->take_back(memory.sides[0]);
   implicit_->take_back(memory.sides[1]);
+  memory.sides[0].points.swap(explicit_side_.state.contacts.points);
+  memory.sides[1].points.swap(implicit_side_.state.contacts.points);
 }
 
 void Partitioned::join(State& state) {
@@ -260,7 +266,7 @@ void Partitioned::join(State& state) {
   state.last_step = e.last_step;
   state.contacts.clear();
   std::merge(e.contacts.begin(), e.contacts.end(), i.contacts.begin(), i.contacts.end(),
-             std::back_inserter(state.contacts),
+             std::back_inserter(state.contacts.memory),
              [](const ContactMemory& a, const ContactMemory& b) { return a.key < b.key; });
   for (const std::size_t b : explicit_bolts_) state.bolts[b] = e.bolts[b];
   for (const std::size_t b : implicit_bolts_) state.bolts[b] = i.bolts[b];

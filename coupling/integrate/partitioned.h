@@ -38,7 +38,7 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
               double detection, const Choice& choice);
 
   double enter(State& state) override;
-  void resume(const State& state, const IntegratorMemory& memory) override;
+  void resume(State& state, const IntegratorMemory& memory) override;
   [[nodiscard]] IntegratorMemory lend() override;
   void take_back(IntegratorMemory& memory) override;
   StepReport step(State& state, Tick ticks_of_step) override;

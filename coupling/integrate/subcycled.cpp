@@ -13,7 +13,7 @@ double Subcycled::enter(State& state) {
   return fine_.enter(state);
 }
 
-void Subcycled::resume(const State& state, const IntegratorMemory& memory) {
+void Subcycled::resume(State& state, const IntegratorMemory& memory) {
   fine_.resume(state, memory);
   bound_ = memory.step_bound;
 }

@@ -22,7 +22,7 @@ struct IntegratorMemory {
     ContactKey key;
     double stiffness = 0.0;  // [N/m]
   };
-  std::vector<ContactPoint> points;                     // of State::contacts
+  std::vector<ContactPoint> points;                     // partitioned: of a side, State::contacts has memories alone
   std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
   std::vector<double> held;                             // and those that it holds
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
@@ -50,7 +50,7 @@ class TimeIntegrator {
   /// @return energy of the contact springs as found on the present outlines [J]
   virtual double enter(State& state) = 0;
   /// Goes on within a stage where another integrator of its kind stopped after a step. In place of enter().
-  virtual void resume(const State& state, const IntegratorMemory& memory) = 0;
+  virtual void resume(State& state, const IntegratorMemory& memory) = 0;
   /// What resume() needs, lent rather than copied: it is as large as the model. Nothing else is asked of the
   /// integrator before take_back().
   [[nodiscard]] virtual IntegratorMemory lend() = 0;

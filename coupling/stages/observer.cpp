@@ -158,7 +158,7 @@ void Observer::see_contacts(const State& state) {
     put(corner, i, contact_position_);
     put(contact_geometry(corner, at(s.a), at(s.b)).n, i, contact_normal_);
   }
-  contact_view_ = {contact_position_, contact_normal_, state.contacts};
+  contact_view_ = {contact_position_, contact_normal_, state.contacts.memory};
 }
 
 void Observer::recover_stress(const State& state) {

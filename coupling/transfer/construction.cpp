@@ -86,7 +86,7 @@ void end_contacts(const Setup& from, const std::vector<char>& gone, State& state
       add_contact(from, m, gone, state, forces);
     }
   }
-  std::erase_if(state.contacts, [&](const ContactMemory& m) { return leaves(m, gone); });
+  std::erase_if(state.contacts.memory, [&](const ContactMemory& m) { return leaves(m, gone); });
   std::vector<SupportForce>& all = state.support.forces;
   all.insert(all.end(), forces.begin(), forces.end());
   Ledger& ledger = state.ledger;

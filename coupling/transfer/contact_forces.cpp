@@ -68,7 +68,7 @@ void hand_contacts_over(const Setup& from, const std::vector<char>& changed, Sta
       m.tributary += part * gone.tributary;  // what the force rests on: a new mesh takes the traction from it
     }
   }
-  std::erase_if(state.contacts, goes);
+  std::erase_if(state.contacts.memory, goes);
   for (ContactMemory& m : state.contacts)
     if (changed[static_cast<std::size_t>(m.key.block_e)] != 0 || changed[static_cast<std::size_t>(m.key.block_p)] != 0)
       m.segment = -1;

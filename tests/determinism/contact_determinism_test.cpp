@@ -55,7 +55,7 @@ Outcome run(const Scene& scene, int threads, int steps) {
   for (int i = 0; i < steps; ++i) EXPECT_EQ(integrator.step(hand.state, h).status, StepReport::Status::ok);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   integrator.update_ledger(hand.state);
-  const std::vector<ContactMemory>& contacts = hand.state.contacts;
+  const std::vector<ContactMemory>& contacts = hand.state.contacts.memory;
   const auto count = [&](ContactStatus status) {
     return std::count_if(contacts.begin(), contacts.end(), [&](const ContactMemory& m) { return m.status == status; });
   };

@@ -188,7 +188,7 @@ TEST(Audit, corners_where_joints_cross_go_as_deep_as_the_joints_beside_them_give
   // Without the joints beside it nothing excuses it.
   coupling::ContactFinder finder(setup, kDetection);
   coupling::ContactList known, list;
-  finder.restore(run.state().contacts, known);
+  finder.restore(run.state().contacts.memory, known);
   finder.find(run.state().q, known, false, list);
   const auto found = [&] {
     coupling::Audit audit;

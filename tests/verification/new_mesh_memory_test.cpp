@@ -96,7 +96,7 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
   const TransferReport handed = transfer_bodies(scene.model, hand.methods, *hand.setup, nmm, hand.state);
   ContactFinder finder(*handed.setup, 0.05);
   ContactList known, now;
-  finder.restore(hand.state.contacts, known);
+  finder.restore(hand.state.contacts.memory, known);
   finder.find(hand.state.q, known, false, now);
   int added = 0;
   double force = 0.0;

@@ -100,7 +100,7 @@ Recorded record(Scene scene, Kind kind) {
       now.v.push_back(position(row, view.state->v));
     }
     now.stress.assign(view.stress.begin(), view.stress.end());
-    now.contacts = view.state->contacts;
+    now.contacts = view.state->contacts.memory;
     out.instants.push_back(std::move(now));
   };
   run.add_sink(watch);

@@ -193,7 +193,7 @@ TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
     if (step % 50 != 0) continue;
     ContactFinder fresh(*hand.setup, detection);
     ContactList known, now, again;
-    followed.restore(hand.state.contacts, known);
+    followed.restore(hand.state.contacts.memory, known);
     followed.find(hand.state.q, known, false, now);
     fresh.find(hand.state.q, known, false, again);
     ASSERT_EQ(now.points.size(), again.points.size()) << "step " << step;

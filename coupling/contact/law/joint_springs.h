@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "coupling/bodies/setup.h"
+#include "coupling/contact_list.h"
 
 namespace scree::coupling {
-
-/// The springs of a contact point under a law.
-struct Springs {
-  double tributary = 0.0;     // length of joint that the point stands for [m]
-  double kn = 0.0, kt = 0.0;  // [N/m]
-  [[nodiscard]] bool operator==(const Springs&) const = default;
-};
 
 /// Knows every edge's block and its width normal to the edge. Constant during a stage.
 class JointSprings {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/contact/geometry/edge_overlap.h"
+#include "coupling/contact/law/joint_springs.h"
 #include "coupling/contact/search/search.h"
 #include "coupling/contact/table/known_contacts.h"
 #include "coupling/contact/table/quiet_pairs.h"

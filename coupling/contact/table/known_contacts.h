@@ -8,36 +8,6 @@
 
 namespace scree::coupling {
 
-/// Points and memories in the order of their keys, one memory a point.
-struct ContactList {
-  /// What the next search asks of a point, apart from the rest: reading it there is a cache miss a point.
-  struct Brief {
-    VertexIndex vertex;
-    EdgeIndex edge;
-  };
-  std::vector<ContactPoint> points;
-  std::vector<ContactMemory> memory;
-  std::vector<Brief> briefs;
-
-  void reserve(std::size_t size) {
-    points.reserve(size);
-    memory.reserve(size);
-    briefs.reserve(size);
-  }
-  void shrink_to_fit() {
-    points.shrink_to_fit();
-    memory.shrink_to_fit();
-    briefs.shrink_to_fit();
-  }
-  /// A list as it was, from what find() left in it.
-  void restore(const std::vector<ContactPoint>& all, const std::vector<ContactMemory>& of_all) {
-    points = all;
-    memory = of_all;
-    briefs.clear();
-    for (const ContactPoint& p : points) briefs.push_back({p.vertex, p.edge});
-  }
-};
-
 /// Finds points of a list by vertex and edge. Refers to the list.
 class KnownContacts {
  public:

@@ -146,7 +146,7 @@ TEST(LiveCellValues, joint_states_are_the_worst_of_a_blocks_closed_contacts) {
     coupling::ContactMemory c;
     c.key.block_p = p, c.key.block_e = e;
     c.status = status, c.failed = failed;
-    strip.state.contacts.push_back(c);
+    strip.state.contacts.memory.push_back(c);
     EXPECT_TRUE(take_source(raw, strip.frame));
     return cell_values(raw);
   };
@@ -321,7 +321,7 @@ TEST(LiveContacts, worst_ones_are_named_in_info) {
     return c;
   };
   using enum coupling::ContactStatus;
-  strip.state.contacts = {contact(0, 1, open, -9.0, 9e9), contact(1, 0, stick, -2e-6, 5.0),
+  strip.state.contacts.memory = {contact(0, 1, open, -9.0, 9e9), contact(1, 0, stick, -2e-6, 5.0),
                           contact(0, 5, slip, -1e-6, 7.0)};
   Model model = model_with_monitors(0);
   model.blocks.resize(2);
