@@ -2,6 +2,6 @@
 
 namespace scree::app {
 
-const char* built_from() { return SCREE_COMMIT; }  // by itself: a new commit compiles nothing else again
+const char* built_from() { return SCREE_COMMIT; }  // in a file of its own: a new commit recompiles nothing else
 
 }  // namespace scree::app

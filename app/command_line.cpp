@@ -25,7 +25,7 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
-/// Says which word is no command where one should stand, and what was probably meant; empty where all is well.
+/// Message about a word that is not a command where one is expected, with the probable intention; empty: no such word.
 std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   const CLI::App* at = &app;
   std::string path = "scree";
@@ -74,7 +74,7 @@ Choices choices() {
           {"scree completion", {"bash", "zsh", "fish"}}};
 }
 
-/// What the command that was given does, once all of the line has been read.
+/// Action of the given command, called after the whole line has been read.
 using Action = std::function<int()>;
 
 /// Options that live as long as the parser: `act` is called with them where `command` is given.
@@ -83,7 +83,7 @@ void carries_out(CLI::App* command, const std::shared_ptr<Options>& options, Act
   command->final_callback([options, &action, act] { action = [options, act] { return act(*options); }; });
 }
 
-/// The same of a command that prints and ends: what it says comes in few pieces.
+/// As carries_out(), for a command that prints and ends: its output is written in few pieces.
 template <class Options, class Act>
 void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& action, Act act) {
   carries_out(command, options, action, [act](Options& o) {
@@ -92,7 +92,7 @@ void prints(CLI::App* command, const std::shared_ptr<Options>& options, Action& 
   });
 }
 
-/// CLI11's own say what is wrong in terms of the largest number there is.
+/// The messages of CLI11's own validators name the largest representable number.
 const CLI::Validator kPositive(
     [](const std::string& text) {
       double value = 0.0;
@@ -138,12 +138,12 @@ CLI::Option* add_live(CLI::App* command, std::optional<std::string>& live,
       ->type_name("[URL]");
 }
 
-/// What the options of the whole command line leave for dispatch().
+/// Result of reading the command line, for dispatch().
 struct Line {
   std::string text;                    // as it was typed
-  std::vector<std::string> words;      // of it
+  std::vector<std::string> words;      // of the text
   Action action;                       // of the command
-  std::vector<std::string> libraries;  // to be loaded before it
+  std::vector<std::string> libraries;  // to be loaded before the action
 };
 
 void add_run(CLI::App& app, Line& line) {
@@ -274,7 +274,7 @@ void add_snapshot(CLI::App& app, Line& line) {
           ->excludes(ledger);
   prints(command, o, line.action, [history](SnapshotCommand& picture) {
     picture.history = history->count() > 0;
-    std::erase(picture.monitors, "");  // what CLI11 gives for the option alone
+    std::erase(picture.monitors, "");  // CLI11 gives this for the option without a value
     return snapshot(picture);
   });
 }
@@ -324,7 +324,7 @@ void add_view(CLI::App& app, Line& line) {
   command->add_option("--port", o->port, "port of 127.0.0.1 to serve on (default: a free one)")
       ->check(CLI::Range(1, 65535));
   CLI::Option* open = command->add_flag("--open", o->open, "open the page in the browser of the desktop (xdg-open)");
-  // The words of a browser that is started can be read by every user of the machine; the token may not.
+  // Every user of the machine can read the arguments of a browser that is started, and must not read the token.
   command->add_flag("--control", o->control, "let the page steer the run, which was started with --live --control")
       ->needs(live)
       ->excludes(open);
@@ -380,7 +380,7 @@ void add_replay(CLI::App& app, Line& line) {
   carries_out(command, o, line.action, replay);
 }
 
-/// What `scree sweep` does beside making the runs.
+/// Modes of `scree sweep` other than making the runs.
 void add_sweep_modes(CLI::App* command, SweepCommand& o) {
   CLI::Option* emit =
       command->add_option("--emit", o.emit, "write a workflow for snakemake or gnu-parallel into FILE instead")

@@ -1,9 +1,9 @@
-// The command line of `scree`: commands, their options, and what is said of wrong ones.
+// The command line of `scree`: commands, their options, and the messages about wrong ones.
 #pragma once
 
 namespace scree::app {
 
-/// Reads the command line and carries out what it says.
+/// Reads the command line and carries out its command.
 /// @return exit code (commands.h)   @throws what the commands throw
 [[nodiscard]] int dispatch(int argc, char** argv);
 

@@ -44,7 +44,7 @@ void each(const Command& c, Visitor&& see) {
   for (const Command& s : c.subcommands) each(s, see);
 }
 
-/// Every one of `special` in a text behind a backslash.
+/// The text with a backslash before every character of `special`.
 std::string escaped(std::string_view text, std::string_view special) {
   std::string out;
   for (const char c : text) {

@@ -8,7 +8,7 @@
 
 namespace scree::app {
 
-/// Words that options and arguments take, by where they stand: "scree snapshot --field", "scree cases verify".
+/// Words that options and arguments take, by their place: "scree snapshot --field", "scree cases verify".
 using Choices = std::map<std::string, std::vector<std::string>>;
 
 /// A script that completes commands, options, the words that they take, and file names.   @param shell  bash, zsh or

@@ -18,9 +18,9 @@
 namespace scree::app {
 namespace {
 
-/// The run to talk to where none is named: the only one that streams.
+/// The run to command if none is named: the only one that streams.
 std::optional<std::string> only_run(io::ControlClient& client, const std::string& url) {
-  constexpr auto kListen = std::chrono::milliseconds(1500);  // INFO comes once a second
+  constexpr auto kListen = std::chrono::milliseconds(1500);  // INFO is sent once per second
   const std::vector<std::string> runs = client.heard(kListen);
   if (runs.size() == 1) return runs.front();
   if (runs.empty()) {
@@ -31,7 +31,7 @@ std::optional<std::string> only_run(io::ControlClient& client, const std::string
   return std::nullopt;
 }
 
-/// The value of a command as it travels.   @param wrong  set where the text is none for this verb
+/// The value of a command as it is sent.   @param wrong  set where the text is no value for this verb
 double value_of(io::ControlVerb verb, const std::string& text, std::string& wrong) {
   using io::ControlVerb;
   if (verb == ControlVerb::field) {
@@ -114,7 +114,7 @@ int control(const ControlOptions& options) {
     case io::ControlReply::Kind::answered:
       break;
   }
-  // What came over the network cannot steer the terminal.
+  // Text from the network cannot control the terminal.
   constexpr std::size_t kMost = 1000;
   const bool done = reply.ack.result == "done";
   const std::string reason = reply.ack.reason.empty() ? "" : ": " + io::shown(reply.ack.reason, kMost);

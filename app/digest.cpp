@@ -48,8 +48,8 @@ double norm(const std::vector<double>& values) {
   return std::sqrt(sum);
 }
 
-/// A line for every frame. The list of what is told is written down here and not by State::visit(): it stays as it is
-/// while the program is taken apart and put together again.
+/// One line per frame. The list of printed quantities is written out here instead of using State::visit(), so that it
+/// stays the same while the program is restructured.
 class Lines final : public coupling::Sink {
  public:
   void begin(const Model& /*model*/, const coupling::Plan& /*plan*/) override {

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::ptrdiff_t kAfterRest = 3;              // stages that [reduction] puts after those to rest
-constexpr double kLeastHold = 0.5, kMostHold = 60.0;  // of the dynamic stage, unless asked for [s]
+constexpr double kLeastHold = 0.5, kMostHold = 60.0;  // of the dynamic stage, unless it is set [s]
 
 /// What is wrong with the options as a whole; empty: nothing.
 std::string usage_error(const FosCommand& c) {
@@ -51,13 +51,13 @@ std::vector<std::string> overrides(const FosCommand& c, const std::string& stren
   return set;
 }
 
-/// A search that is set up: the case has been read as its runs will have it.
+/// A search that is set up: the case has been read with the options of its runs.
 struct Question {
   FosRecord record;
   FosTitle title;
   Vec2 gravity{0.0, -9.81};
   bool implicit_rest = false;  // of the stages to rest
-  bool explicit_runs = false;  // the runs at a factor are explicit, too, where these are, unless asked for otherwise
+  bool explicit_runs = false;  // runs at a factor are explicit, too, if these are, unless another integrator is set
   bool weakens = false;        // some law that is divided loses strength by failure or slip
 };
 
@@ -107,7 +107,7 @@ Question question(const FosCommand& c, const std::string& strength) {
   return q;
 }
 
-/// Carries out one search and writes what came of it, under the title of the steps that were made.
+/// Carries out one search and writes its answer, with the integrator that was used in the title.
 FosAnswer answer(Question& q, const fs::path& path, const FosCommand& c, Signals& signals) {
   const FosFolder folder = FosFolder::open(path, q.record);
   const io::FolderLock lock(path);

@@ -18,21 +18,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is to be shown: a stored run, or one that is made first.
+/// An entry of the gallery: a stored run, or a run that is made first.
 struct Entry {
   std::string name;
-  fs::path case_file;  // empty: the run is there
+  fs::path case_file;  // empty: the run exists
   fs::path run;        // folder
 };
 
-/// Cases of the library that are one run; the others are studies of many.
+/// Cases of the library that consist of one run; the others are studies of many.
 std::vector<std::string> cases_with_runs() {
   std::vector<std::string> names = case_names();
   std::erase_if(names, [](const std::string& name) { return !fs::exists(case_library() / name / "case.toml"); });
   return names;
 }
 
-/// A run of this very program and case that is done needs not be made again.
+/// Whether the run is done, by this very program and with this case, so that it need not be made again.
 bool is_done(const Entry& entry) {
   if (!fs::exists(entry.run / "summary.json")) return false;
   try {

@@ -19,7 +19,7 @@ Function* symbol(void* library, const char* name) {
 
 std::string load(const std::string& file) {
   std::error_code ignored;
-  // With a slash the loader takes the file itself, not one of that name among the system's libraries.
+  // With a slash the loader opens the file itself, not one of that name among the system's libraries.
   const std::filesystem::path path = std::filesystem::absolute(file, ignored);
   if (!std::filesystem::is_regular_file(path, ignored))
     return "there is no such file; --load takes a shared library (.so) that was built for Scree";

@@ -6,9 +6,9 @@
 
 namespace scree::app {
 
-/// Loads libraries in their order and lets each register what it has (coupling/library.h).
+/// Loads libraries in order and lets each register its methods and laws (coupling/library.h).
 /// @pre no case has been read, nor the schema
-/// @return what is wrong with the first that cannot be used; empty: all are loaded
+/// @return the fault of the first library that cannot be used; empty: all are loaded
 [[nodiscard]] std::string load_libraries(const std::vector<std::string>& files);
 
 }  // namespace scree::app

@@ -1,11 +1,11 @@
-// Faults inside HDF5, which goes on where an allocation for its own tables has failed, and falls over what is missing.
+// Faults inside HDF5, which continues after a failed allocation for its own tables and then fails on missing data.
 #pragma once
 
 namespace scree::app {
 
-/// A signal by which the program itself ends (a fault, an abort) and whose innermost call of HDF5 or Scree is one of
-/// HDF5 ends it from then on with kFiles and a message; what was stored before the last checkpoint is safe. All other
-/// such signals end it as they did. Does nothing where others, such as sanitizers, look at these signals already.
+/// From this call on, a fault or an abort whose innermost call among those of HDF5 and Scree is one of HDF5 ends the
+/// program with kFiles and a message; data stored before the last checkpoint are safe. All other faults and aborts end
+/// it as before. A signal that already has a handler, such as that of a sanitizer, is left alone.
 void take_faults_of_hdf5();
 
 }  // namespace scree::app

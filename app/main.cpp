@@ -22,7 +22,7 @@ namespace {
 
 using namespace scree::app;
 
-/// Nothing of this is reached by an exception that main can catch: globals of libraries, before it, and threads.
+/// For errors that main cannot catch as exceptions: in globals of libraries, before main, and in threads.
 [[noreturn]] void end_without_memory() {
   constexpr std::string_view kWhy = "error: out of memory, or an error where none can be handled\n";
   (void)!::write(STDERR_FILENO, kWhy.data(), kWhy.size());

@@ -20,13 +20,13 @@ using SteadyClock = std::chrono::steady_clock;
 
 int first_error = 0;
 
-constexpr std::size_t kPiece = 4096;  // bytes; a pipe that is ready takes them without waiting (PIPE_BUF)
+constexpr std::size_t kPiece = 4096;  // bytes; a ready pipe accepts them without blocking (PIPE_BUF)
 bool collects = false;
 std::string collected;
 
-/// Writes no more at once than a pipe or a terminal that is ready takes without waiting, so that a signal is seen.
+/// Writes no more at once than a ready pipe or terminal accepts without blocking, so that a signal is noticed.
 void write_all(int descriptor, std::string_view text) {
-  // A terminal that nobody reads may take less.
+  // A terminal that nobody reads may accept less.
   const std::size_t piece = collects ? kPiece : 256;
   while (!text.empty()) {
     pollfd ready{descriptor, POLLOUT, 0};
@@ -86,7 +86,7 @@ bool output_is_lost() {
   if (SteadyClock::now() < next) return false;
   next = SteadyClock::now() + std::chrono::milliseconds(100);
   std::array<pollfd, 2> streams{{{STDOUT_FILENO, 0, 0}, {STDERR_FILENO, 0, 0}}};
-  gone = ::poll(streams.data(), streams.size(), 0) > 0;  // errors and hang-ups are told unasked
+  gone = ::poll(streams.data(), streams.size(), 0) > 0;  // errors and hang-ups are always reported
   return gone;
 }
 

@@ -8,23 +8,23 @@
 
 namespace scree::app {
 
-/// Standard input, output and error are open from then on: a file that is opened later never takes their place.
+/// Opens those of standard input, output and error that are closed, so that no file opened later takes their place.
 void open_standard_streams();
 
 /// Prints texts for people on standard output (say) and on standard error (complain). Names and paths in them cannot
-/// steer the terminal (io::printable). Throws nothing: what cannot be written is lost, and output_error() tells why.
-/// A reader that does not read holds the command up, but no longer than until a signal asks it to stop.
+/// control the terminal (io::printable). Throws nothing: text that cannot be written is lost, and output_error() gives
+/// the reason. A reader that does not read blocks the command, but only until a signal requests its end.
 template <class... Args>
 void say(fmt::format_string<Args...> form, Args&&... args);
 template <class... Args>
 void complain(fmt::format_string<Args...> form, Args&&... args);
 
-/// The same for a line that stands by itself (io::Notice).
+/// complain() for one complete line (io::Notice).
 void complain_line(const std::string& line);
 
-/// What is said while one lives goes out at its end, or when some has come together, unless standard output is a
-/// terminal: in few pieces, so that a reader who has seen enough (`scree cases list | grep -q miller`) finds it all
-/// written.
+/// Collects the text for standard output during its lifetime and writes it in few pieces (at its end, or when a piece
+/// is full), unless standard output is a terminal: a reader that closes early (`scree cases list | grep -q miller`)
+/// then finds everything written.
 class CollectedOutput {
  public:
   CollectedOutput();
@@ -33,12 +33,12 @@ class CollectedOutput {
   ~CollectedOutput();
 };
 
-/// Standard output as it is, escape sequences of our own included.
+/// Writes to standard output without changes, including our own escape sequences.
 void draw(std::string_view text);
 
 /// errno of the first write that failed; 0: none has.
 [[nodiscard]] int output_error();
-/// Whether a write failed, or would because whoever read it has gone: looks again ten times a second.
+/// Whether a write failed, or would fail because the reader has closed the stream; tested ten times per second.
 [[nodiscard]] bool output_is_lost();
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@
 
 namespace scree::app {
 
-/// Made where temporary files belong, removed at its end.
+/// Made in the folder for temporary files, removed by the destructor.
 class OwnFolder {
  public:
   /// @param purpose  a word for its name   @throws FileError

@@ -10,7 +10,7 @@
 namespace scree::app {
 namespace {
 
-constexpr std::chrono::seconds kSilence{5};  // after which a log has a line, however little of the run is done
+constexpr std::chrono::seconds kSilence{5};  // after which a log gets a line, however small the progress
 
 }  // namespace
 
@@ -35,8 +35,8 @@ void Progress::line(const std::string& text) {
 
 void Progress::event(const coupling::Event& e) {
   using Kind = coupling::EventKind;
-  if (e.kind == Kind::transfer) return;       // one a block: they are in the results
-  if (e.kind == Kind::not_converged) return;  // what the run ends with is told at its end
+  if (e.kind == Kind::transfer) return;       // one per block: they are in the results
+  if (e.kind == Kind::not_converged) return;  // the reason is printed at the end of the run
   if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
   if (e.kind == Kind::partition && ++changes_shown_ > 5) return;
   if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];

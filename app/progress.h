@@ -1,4 +1,4 @@
-// What a run shows while it goes: a bar on a terminal, plain lines in a log.
+// Progress output of a run: a bar on a terminal, plain lines in a log.
 #pragma once
 
 #include <chrono>
@@ -10,9 +10,8 @@
 
 namespace scree::app {
 
-/// On a terminal one line is redrawn ten times a second; elsewhere there is a line every tenth of the run, and every
-/// five seconds of a long one. Warnings and step
-/// cuts get lines of their own (cuts of one kind at most five).
+/// On a terminal one line is redrawn ten times per second; elsewhere there is a line every tenth of the run, and every
+/// five seconds of a long one. Warnings and step cuts get lines of their own (cuts of one kind at most five).
 class Progress final : public coupling::Sink {
  public:
   /// @param from  null: the run is at its start
@@ -34,7 +33,7 @@ class Progress final : public coupling::Sink {
   bool terminal_;
   double end_, closure_ = 0.0;
   double begin_ = 0.0;           // simulated time at which this program began [s]
-  std::int64_t steps_made_ = 0;  // before
+  std::int64_t steps_made_ = 0;  // before it
   double next_tenth_ = 0.0;
   int cuts_shown_ = 0, changes_shown_ = 0;
   std::string stage_;

@@ -1,4 +1,4 @@
-// `scree resume`: goes on with a run that was stopped, killed or ended early.
+// `scree resume`: continues a run that was stopped, killed or ended early.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ int resume(const ResumeOptions& options) {
     return kUsage;
   }
   io::Case c = stored_case(run, options.run);
-  RunOptions as;  // the run was asked for
+  RunOptions as;  // options with which the run was started
   as.case_file = run.case_path;
   as.quiet = options.quiet;
   as.audit = run.audit;

@@ -32,7 +32,7 @@
 namespace scree::app {
 namespace {
 
-/// Where a model counts its coordinates from; empty for (0, 0).
+/// Origin of the coordinates of a model, as text; empty for (0, 0).
 std::string told_origin(const Model& model) {
   if (model.origin == Vec2(0.0, 0.0)) return {};
   return fmt::format("coordinates are counted from ({}, {}) m", model.origin.x(), model.origin.y());
@@ -41,7 +41,7 @@ std::string told_origin(const Model& model) {
 /// run.log: every event of the run.
 class Log final : public coupling::Sink {
  public:
-  /// @param from  where the run goes on, and the log with it; empty: it begins
+  /// @param from  place from which the run and its log continue; empty: from the start
   Log(const std::filesystem::path& file, const std::string& from)
       : log_(spdlog::basic_logger_st("run:" + file.string(), file.string(), from.empty())) {
     log_->set_pattern("%Y-%m-%d %H:%M:%S.%e [%l] %v");
@@ -101,7 +101,7 @@ std::string told_sides(const Model& model, const coupling::Stage& stage) {
   return limits.empty() ? text : text + "; others above " + limits;
 }
 
-/// What a stage excavates, fills and releases; a line each.   @param before  the stage before; nullptr: it is the first
+/// What a stage excavates, fills and releases, one line each.   @param before  the stage before; nullptr: none
 void print_construction(const Model& model, const coupling::Stage* before, const coupling::Stage& stage) {
   const coupling::Construction& c = stage.construction;
   const std::size_t n = model.blocks.size();
@@ -124,7 +124,7 @@ void print_construction(const Model& model, const coupling::Stage* before, const
         c.release_time > 0 ? fmt::format("within {:g} s", seconds(c.release_time)) : std::string("at once"));
 }
 
-/// What there is of functions, loads, viscous edges and cracks.
+/// Prints the functions, loads, viscous edges and cracks of a model.
 void print_loads(const Model& m) {
   std::string line;
   const auto add = [&line](std::size_t count, std::string_view one, std::string_view many) {
@@ -178,7 +178,7 @@ std::string told_names(const Model& model) {
   return out;
 }
 
-/// A line a block; positions as the case has them.
+/// One line per block; positions in the coordinates of the case.
 void print_blocks(const Model& model) {
   std::size_t width = 5;
   for (const Block& b : model.blocks) width = std::max(width, b.name.size());
@@ -194,7 +194,7 @@ void print_blocks(const Model& model) {
   }
 }
 
-/// What was read of a drawing, and what was left out.
+/// Prints what was read from a drawing, and what was left out.
 void print(const io::DrawingReport& d) {
   say("  drawing {}: {}, unit {:g} m by {}, curves to {:.3g} m, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m\n", d.file,
       d.form, d.unit, d.unit_from, d.tolerance, d.box.lo.x(), d.box.lo.y(), d.box.hi.x(), d.box.hi.y());
@@ -220,8 +220,8 @@ void print(const coupling::Plan& plan, const GroundMotion& m) {
       f.final_velocity, f.final_displacement, f.arias);
 }
 
-/// What joint sets asked for against what was drawn; a mean that is off by more than 2.58 standard errors, which one in
-/// a hundred is by chance, is marked.
+/// Prints the requested statistics of joint sets against those of the drawn samples; a mean that deviates by more than
+/// 2.58 standard errors, as one in a hundred does by chance, is marked.
 void print(const Model& model, const SetStatistics& s) {
   const auto told = [](const Sample& drawn, const Moments1& asked, const char* unit) {
     const double error = asked.deviation / std::sqrt(static_cast<double>(std::max<std::int64_t>(drawn.n, 1)));
@@ -254,7 +254,7 @@ void print(const CuttingReport& r) {
       r.least_angle * 180.0 / std::numbers::pi);
 }
 
-/// What implicit steps of a stage damp.   @return 1 if that is a warning
+/// Prints the damping by implicit steps of a stage.   @return 1 if that is a warning
 std::size_t print_damping(const io::Case& c, std::size_t stage) {
   const auto damping =
       coupling::stage_damping(c.model, c.plan.stages[stage], coupling::acts_in(c.model, c.plan, stage));
@@ -264,9 +264,9 @@ std::size_t print_damping(const io::Case& c, std::size_t stage) {
   return much ? 1 : 0;
 }
 
-/// Says what large meshes will be made, before a user waits for them.
+/// Announces the large meshes that will be made, before a user waits for them.
 void tell_meshes(const Model& model, const coupling::Plan& plan) {
-  constexpr double kLarge = 1e5;  // elements, of which a second makes about as many
+  constexpr double kLarge = 1e5;  // elements; about as many are made per second
   for (const coupling::Stage& s : plan.stages)
     if (const coupling::MeshEstimate e = coupling::mesh_estimate(model, s); e.elements > kLarge) {
       say("stage '{}': about {:.2g} elements, {:.2g} GB of memory\n", s.name, e.elements, 1e-9 * e.bytes);
@@ -275,7 +275,7 @@ void tell_meshes(const Model& model, const coupling::Plan& plan) {
     if (const auto note = coupling::bending_note(model, s)) say("{}\n", *note);
 }
 
-/// What the last line says of the ledger.
+/// Text about the ledger in the last line.
 std::string closing_words(const coupling::Ledger& ledger) {
   const double moved = ledger.moved(), passed = ledger.passed();
   if (ledger.next_to_nothing(moved))
@@ -285,7 +285,7 @@ std::string closing_words(const coupling::Ledger& ledger) {
                      moved, ledger.passed_closure(), passed);
 }
 
-/// The stream as the command line wants it; false, and said why, where that cannot be.
+/// Sets up the stream as the command line requires; prints the reason and returns false if that is impossible.
 bool take_stream(coupling::LivePlan& live, const RunOptions& options) {
   if (options.live) {
     live.enabled = true;
@@ -369,7 +369,7 @@ int run(const RunOptions& options) {
                    {nullptr, begin ? &*begin : nullptr});
 }
 
-/// What a run folder says of the program, the case and the command that made it.
+/// What a run folder states about the program, the case and the command that made it.
 static io::Provenance provenance_of(const io::Case& c, const RunOptions& options, int threads) {
   io::Provenance provenance;
   provenance.version = SCREE_VERSION;
@@ -446,7 +446,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
     control = std::make_unique<io::ControlServer>(c.plan.live.url, name, signals,
                                                   hooks(driver, checkpoints, *live, log, warn));
     driver.set_control(*control);
-    driver.add_sink(*control);  // after the stream, whose session it goes by
+    driver.add_sink(*control);  // after the stream, whose session it uses
   }
 
   coupling::RunEnd end;
@@ -478,8 +478,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   return kNotConverged;
 }
 
-/// Says which steps a first stage with explicit ones takes. To begin the stage finds its contacts, which may take a
-/// minute where tens of thousands of edges lie near each other; then only the run says so.
+/// Prints the steps of a first stage with explicit steps. The stage begins with the search for its contacts, which may
+/// take a minute where tens of thousands of edges lie near each other; in that case only the run prints the steps.
 /// @param edges  of the outlines
 /// @return warnings   @throws coupling::PlanError where they are refused, or the stage cannot begin
 std::size_t print_first_step(const io::Case& c, const coupling::Methods& methods, std::size_t edges) {

@@ -10,7 +10,7 @@
 namespace scree::app {
 namespace {
 
-/// A terminal that went away is no reason to stop here: the next read of it will tell.
+/// A closed terminal is no error here: the next read from it reports the fault.
 void to_terminal(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());

@@ -1,4 +1,4 @@
-// The terminal while something is drawn all over it.
+// Full-screen drawing on the terminal.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ struct TerminalSize {
 /// and 60 lines.
 [[nodiscard]] TerminalSize terminal_size();
 
-/// Switches to the alternate screen and back again when it goes, whatever the reason: what was there before is back.
+/// Switches to the alternate screen; the destructor restores the previous screen, whatever the reason of the end.
 class Screen {
  public:
   Screen();
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
-  /// Shows these lines, the first one in reverse; what is longer than the terminal is wide does not wrap.
+  /// Shows these lines, the first one in reverse video; lines longer than the terminal is wide do not wrap.
   /// @pre no control characters
   void draw(const std::vector<std::string>& lines, TerminalSize size) const;
 };

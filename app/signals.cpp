@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kTogether = 500;  // [ms]; closing a terminal, timeout and systemd send two at a time
 
-std::atomic<std::int64_t> came_at = 0;  // [ms]; 0: none came
+std::atomic<std::int64_t> came_at = 0;  // time of the signal [ms]; 0: none
 std::atomic<bool> running = false;
 
 std::int64_t now() {

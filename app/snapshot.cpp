@@ -18,7 +18,7 @@ namespace {
 std::optional<std::size_t> first_frame(const io::RunReader& run, std::size_t stage) {
   const std::vector<io::StoredStage> stages = run.stages();
   std::size_t low = 0, high = run.times().size();
-  while (low < high) {  // stages follow one another: halve
+  while (low < high) {  // stages follow one another: bisection
     const std::size_t middle = (low + high) / 2;
     const std::string name = run.frame(middle).stage;
     const auto at = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.name == name; });
@@ -63,14 +63,14 @@ int choose_instant(const std::string& at, const io::RunReader& run, io::Snapshot
     options.time = number;
     return kDone;
   }
-  if (run.times().empty()) return kDone;  // drawing says that there are no frames
+  if (run.times().empty()) return kDone;  // drawing reports that there are no frames
   if (number >= static_cast<double>(run.times().size()) || number != std::floor(number))
     return refuse("at", at, "no such frame", fmt::format("0 to {}", run.times().size() - 1));
   options.frame = static_cast<std::size_t>(number);
   return kDone;
 }
 
-/// Options but the instant.   @return kDone, or what to exit with
+/// Options other than the instant.   @return kDone, or what to exit with
 int choose_looks(const SnapshotCommand& command, io::SnapshotOptions& options) {
   const auto field = io::field_named(command.field);
   if (!field) return refuse("field", command.field, "unknown", fmt::format("{}", fmt::join(io::field_names(), ", ")));

@@ -48,7 +48,7 @@ fs::path absolute_path(const fs::path& path) {
   return full.has_filename() ? full : full.parent_path();
 }
 
-/// Number of a run; nothing where the text is none of them.
+/// Number of a run; empty where the text is not the number of one.
 std::optional<std::size_t> run_number(const std::string& text, std::size_t runs) {
   std::size_t number = 0;
   const char* end = text.data() + text.size();
@@ -87,7 +87,7 @@ Sweep checked_sweep(const SweepCommand& c) {
     sweep.runs.push_back(*only);
   }
   std::vector<std::size_t> checked = sweep.runs;
-  if (c.collect) checked.resize(1);  // all were checked when the sweep began, and the record tells of changes
+  if (c.collect) checked.resize(1);  // all were checked when the sweep began, and the record shows changes
   const std::vector<std::string> methods = method_names();
   CheckedCase found = check_runs(c.case_file, c.set, record.parameters, checked, methods, complain_line);
   record.case_sha256 = std::move(found.sha256);
@@ -110,7 +110,7 @@ PoolHooks hooks_of(const Sweep& sweep, Signals& signals) {
   return hooks;
 }
 
-/// Makes the table and its plots, and tells of the runs that are not done.
+/// Makes the table and its plots, and reports the runs that are not done.
 int tabulate(const Sweep& sweep, const SweepFolder& folder) {
   const ResultTable table = collect(folder, sweep.record, sweep.title, sweep.command->blocks);
   io::write_atomically(folder.csv(), csv_text(table));
@@ -155,7 +155,7 @@ int make_one(const Sweep& sweep) {
   const PoolCounts counts =
       make_runs(folder, sweep.record, sweep.runs, {1, sweep.command->threads}, hooks_of(sweep, signals));
   if (counts.left > 0) return kInterrupted;
-  if (counts.without_outcome == 0) return kDone;  // a failure is an outcome, which the table tells
+  if (counts.without_outcome == 0) return kDone;  // a failure is an outcome, which the table contains
   complain("error: {} has no outcome: {}\n", sweep.told_run(sweep.runs.front()),
            first_error(folder.log(sweep.runs.front())));
   return kFailed;

@@ -62,7 +62,7 @@ class Queue {
     std::size_t which = 0;
     double minutes = 0.0;
   };
-  std::vector<Item> shared_, alone_;  // what comes first last
+  std::vector<Item> shared_, alone_;  // in reverse order: the last item begins first
 };
 
 /// The report of a process that left none. It has no title: it may be the case file that cannot be read.

@@ -16,8 +16,8 @@ namespace scree::app {
 /// that take longest first. Cases whose timings need several cores to themselves come last, one by one with all
 /// threads.
 /// @param library  folder of the cases
-/// @param see      is shown each report as it comes
-/// @return reports in the order of the names; none: a signal asked for the end
+/// @param see      called with each report when it is available
+/// @return reports in the order of the names; none: a signal requested the end
 /// @throws io::CaseError for what is wrong in an expected.toml, io::FileError for temporary files
 [[nodiscard]] std::optional<std::vector<CaseReport>> evaluate_in_processes(
     const VerifyCommand& command, const std::vector<std::string>& names, const std::filesystem::path& library,

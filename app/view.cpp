@@ -31,8 +31,8 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 extern "C" void on_view_signal(int signal) { stop_signal = signal; }
 
-/// The model of a case as its run would begin: the results of a run that takes no step. What was read stays open when
-/// the folder is gone.
+/// The model of a case as its run would begin: the results of a run that takes no step. The file that was read stays
+/// open after its folder is removed.
 std::unique_ptr<io::StoredSite> model_site(const ViewOptions& options) {
   const std::vector<std::string> names = method_names();
   const io::Case c = io::read_case(options.source, options.set, names, complain_line);
@@ -55,7 +55,7 @@ std::unique_ptr<io::StoredSite> model_site(const ViewOptions& options) {
   return std::make_unique<io::StoredSite>(folder, SCREE_VERSION, io::StoredSite::Kind::model);
 }
 
-/// Asks the desktop to show a page; where there is no desktop the address is on the screen all the same.
+/// Opens a page in the browser of the desktop; without a desktop the user still has the printed address.
 void open_browser(const std::string& address) {
   std::signal(SIGCHLD, SIG_IGN);  // nobody waits for it
   posix_spawn_file_actions_t actions;

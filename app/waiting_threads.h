@@ -5,16 +5,17 @@
 
 namespace scree::app {
 
-/// True for commands that compute in parallel; the others are not worth the 40 ms of a second beginning.
+/// True for commands that compute in parallel; for the others a restart of the program (40 ms) does not pay.
 [[nodiscard]] bool computes(std::string_view command);
 
-/// Threads that wait look for some microseconds whether they may go on, and then sleep, unless the environment says
-/// otherwise (OMP_WAIT_POLICY, GOMP_SPINCOUNT). To wake one that sleeps takes longer than most loops of a step:
-/// sleeping at once, two threads took 1.27 of the time of one in cases/threads, and so 1.06 (a quiet machine). By
-/// default GCC's OpenMP has them spin, for minutes if need be: where anything else computes on the machine, steps of
-/// small models take fifty times as long, all of it processor time. OpenMP reads its environment before main and has no
-/// call for it, so the program begins anew, once. Where that cannot be done it goes on as it is.
-/// @param argv  as main has it
+/// Makes waiting threads poll for some microseconds and then sleep, unless the environment sets another policy
+/// (OMP_WAIT_POLICY, GOMP_SPINCOUNT). Waking a sleeping thread takes longer than most loops of a step: if they slept at
+/// once, two threads took 1.27 times as long as one in cases/threads, with this policy 1.06 times (a quiet machine).
+/// By default GCC's OpenMP lets waiting threads spin, for minutes if necessary: if anything else computes on the
+/// machine, steps of small models take fifty times as long, all of it processor time. OpenMP reads its environment
+/// before main and has no call for this setting, so the program restarts itself once. If it cannot, it continues
+/// unchanged.
+/// @param argv  as passed to main
 void let_threads_sleep(char** argv);
 
 }  // namespace scree::app

@@ -34,7 +34,7 @@ void print(const io::Dashboard& run) {
   for (const std::string& line : io::render(run, size.width, size.height)) say("{}\n", line);
 }
 
-/// On a terminal a screen, redrawn when something changed; elsewhere a line a second.
+/// On a terminal a screen, redrawn when something changed; elsewhere one line per second.
 class Display {
  public:
   Display() {
@@ -49,7 +49,7 @@ class Display {
       line(run);
     }
   }
-  /// The terminal as it was, and on it the last screen; elsewhere the last line.
+  /// Restores the terminal and prints the last screen on it; elsewhere prints the last line.
   void close(const io::Dashboard& run) {
     if (screen_) {
       screen_ = nullptr;
@@ -72,7 +72,7 @@ class Display {
   std::string last_;
 };
 
-/// What is worth one look: everything, or what there is after the time in which all of it is sent again.
+/// Whether the data suffice for one screen: they are complete, or the time in which everything is sent again is over.
 bool complete(const io::Dashboard& run, double since_info) {
   constexpr double kKeyframe = 2.5;  // s
   return !run.run.empty() && ((run.ledger && run.frame_time) || since_info > kKeyframe);
@@ -101,7 +101,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
     return code;
   };
   for (;;) {
-    const bool ended = source.ended();  // asked first: what came before the end is shown
+    const bool ended = source.ended();  // read first: messages before the end are still shown
     const io::Dashboard& run = source.refresh();
     const bool known = !run.run.empty();
     if (known && !info_at) info_at = SteadyClock::now();

@@ -1,4 +1,4 @@
-// What a bolt remembers from step to step; part of the State.
+// What is stored of a bolt from step to step; part of the State.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@ namespace scree::coupling {
 
 /// One bolt of the model, in the order of Model::bolts.
 struct BoltMemory {
-  std::int8_t installed = 0;  // 0: not yet; 1: it is there; 2: a block that it was in has been taken away
-  // A segment: length at which it has no force while no node slips and nothing has yielded [m], plastic elongation [m],
-  // force [N], 1 where it is broken.
+  std::int8_t installed = 0;  // 0: not yet installed; 1: installed; 2: a block that it crossed has been removed
+  // Per segment: length at zero force while no node slips and nothing has yielded [m], plastic elongation [m], force
+  // [N], 1 where it is broken.
   std::vector<double> rest, plastic, force;
   std::vector<std::int8_t> broken;
-  // A node: how far the bar has moved through the rock towards the toe [m], the part of it that the bond has slipped
-  // [m], force of the rock on the bar towards the head [N].
+  // Per node: displacement of the bar relative to the rock towards the toe [m], the part of this displacement that is
+  // slip of the bond [m], force of the rock on the bar towards the head [N].
   std::vector<double> slip, slipped, bond;
-  // A crossing: shear displacement at which it has no force while nothing has yielded [m], plastic part [m], force [N].
+  // Per crossing: shear displacement at zero force while nothing has yielded [m], plastic part [m], force [N].
   std::vector<double> offset, sheared, shear;
-  double slack = 0.0;       // of a first segment that hangs slack: its elongation, negative [m]
-  double energy = 0.0;      // elastic, of steel and grout [J]
-  double dissipated = 0.0;  // by yield and slip since it was installed [J]
-  double breaking = 0.0;    // explicit steps: energy that the next one loses, because something has just broken [J]
+  double slack = 0.0;       // elongation of the first segment while it is slack, negative [m]
+  double energy = 0.0;      // elastic energy of steel and grout [J]
+  double dissipated = 0.0;  // by yield and slip since the installation [J]
+  double breaking = 0.0;    // explicit: energy lost in the next step, by what has just broken [J]
 
   /// As State::visit().
   template <class Visitor>

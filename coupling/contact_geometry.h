@@ -14,7 +14,7 @@ struct ContactGeometry {
   Vec2 n, t;
   double length = 0.0, gap = 0.0, xi = 0.0;
 };
-/// What it has of the segment alone.
+/// The part of the geometry that depends on the segment alone.
 struct SegmentFrame {
   Vec2 begin, t;
   double length = 0.0;
@@ -39,11 +39,11 @@ struct SegmentFrame {
   return contact_geometry(xP, segment_frame(x1, x2));
 }
 
-/// A vector for each of P, 1, 2: the gradient of a scalar of the contact. Its change is sum c_i.u_i, and a force f
-/// that works on it puts f c_i on each point: forces add to zero and make no torque.
+/// A vector c_i for each of P, 1, 2: the gradient of a scalar of the contact. The scalar changes by sum c_i.u_i, and a
+/// force f conjugate to it applies f c_i to each point: these forces add to zero and make no torque.
 using ContactRow = std::array<Vec2, 3>;
 
-/// Gradient of g: exactly n on P and -n shared by the foot.
+/// Gradient of g: exactly n on P; -n is shared between 1 and 2 by the position of the foot.
 /// @source [Qu2013] eq. 3.11-3.12; deviation: exact current normal instead of the linearised one
 [[nodiscard]] inline ContactRow gap_row(const ContactGeometry& c) { return {c.n, -(1.0 - c.xi) * c.n, -c.xi * c.n}; }
 /// Gradient of the stretch e = t.(x_P - x_a), x_a at the fraction `anchor` of the segment:

@@ -1,4 +1,4 @@
-// The contact points of an instant, with what they remember.
+// The contact points at one instant, with their memories.
 #pragma once
 
 #include <array>
@@ -18,39 +18,39 @@ struct Springs {
   [[nodiscard]] bool operator==(const Springs&) const = default;
 };
 
-/// A contact that the law may see, at one instant.
+/// A contact point to which the contact law may apply, at one instant.
 struct ContactPoint {
   ContactKey key;
   VertexIndex vertex;
   EdgeIndex edge;
   SegmentIndex segment;
-  std::int32_t joint = -1;            // law between the edges
-  std::int32_t from = -1;             // its point in the list it was found from; -1: new
-  std::int32_t beside = -1;           // of a new point: the one in that list that it begins like
+  std::int32_t joint = -1;            // joint law between the edges
+  std::int32_t from = -1;             // index of the same point in the list that the search began with; -1: new
+  std::int32_t beside = -1;           // of a new point: the one in that list whose state it copies
   std::array<OutlineNode, 3> node{};  // of P, 1, 2
   ContactGeometry at;
   bool edge_edge = false;              // part of an edge-edge contact
-  double behind = 0.0, ahead = 0.0;    // of it: pieces of the overlap on either side, against and along the edge [m]
-  double first_gap0 = 0.0;             // of a point that is new, or was in too deep to close [m]
-  bool suppressed = false;             // another edge, or another corner, holds what there is here
+  double behind = 0.0, ahead = 0.0;    // edge-edge contact: overlap on either side, against and along the edge [m]
+  double first_gap0 = 0.0;             // gap0 of a point that is new, or had penetrated too far to close [m]
+  bool suppressed = false;             // another edge, or another corner, carries the load at this point
   bool beyond = false;                 // open, and its foot lies beyond a convex end of the edge: cannot close here
   double s_low = 0.0, s_high = 0.0;    // range of the foot within which it may close [m along the segment]
   std::int32_t partner[2] = {-1, -1};  // the same corner on the edges before and after, where they meet convexly
-  Springs springs;                     // what the geometry asks for; a closed contact of another kind has its own yet
-  double largest_tributary = 0.0;      // that the vertex could have in an overlap per area [m]
-  double full_tributary = 0.0;         // that it has where the segments of both sides lie on each other [m]
-  double margin = 0.0;                 // stiffness to add in a step bound that is to outlive small changes [N/m]
+  Springs springs;                     // as the geometry requires; a closed contact of another kind still has its own
+  double largest_tributary = 0.0;      // largest possible one in an overlap; springs per area [m]
+  double full_tributary = 0.0;         // where the segments of both sides lie on each other [m]
+  double margin = 0.0;                 // stiffness added in a step bound that must stay valid for small changes [N/m]
   double cn = 0.0, ct = 0.0;           // damping of explicit steps, normal and (while sticking) tangential [N s/m]
 
-  /// Shows every field, in a fixed order, to see(name, value), as State::visit().
+  /// Calls see(name, value) for every field, in a fixed order, as State::visit().
   template <class Visitor>
   void visit(Visitor&& see) const;
 };
 
-/// The contact points of an instant in the order of their keys, and as many memories. As a range it is that of the
-/// memories: what a point of one instant is, is found again from them and the positions, but for the last bits.
+/// The contact points at one instant in the order of their keys, and as many memories. As a range it is the range of
+/// the memories: the points can be found again from the memories and the positions, except for the last bits.
 struct ContactList {
-  /// What the next search asks of a point, apart from the rest: reading it there is a cache miss a point.
+  /// The fields of a point that the next search reads, stored separately: in `points` each read is a cache miss.
   struct Brief {
     VertexIndex vertex;
     EdgeIndex edge;
@@ -82,12 +82,12 @@ struct ContactList {
     memory.shrink_to_fit();
     briefs.shrink_to_fit();
   }
-  /// They are of the outlines of a stage, memories are not.
+  /// Drops the points, which refer to the outlines of a stage; the memories do not, and stay.
   void forget_points() {
     points = {};
     briefs = {};
   }
-  /// After points have been put in by hand.
+  /// Fills `briefs` after points have been inserted directly.
   void find_briefs() {
     briefs.clear();
     for (const ContactPoint& p : points) briefs.push_back({p.vertex, p.edge});

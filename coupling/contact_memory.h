@@ -1,4 +1,4 @@
-// What a contact point remembers from step to step.
+// What is stored of a contact point from step to step.
 #pragma once
 
 #include <compare>
@@ -10,7 +10,7 @@ namespace scree::coupling {
 
 enum class ContactStatus : std::int32_t { open, slip, stick };
 
-/// Per vertex of one block against an outline edge of another: the identity of a contact, whatever the methods.
+/// Identity of a contact: a vertex of one block against an outline edge of another. It is independent of the methods.
 struct ContactKey {
   std::int32_t block_p = -1, ring_p = 0, vertex = 0, part = 0;  // the corner; part > 0: a mesh node along edge `vertex`
   std::int32_t block_e = -1, ring_e = 0, edge = 0;              // the edge
@@ -20,23 +20,23 @@ struct ContactKey {
   void visit(Visitor&& see) const;
 };
 
-/// What the check of friction remembers of a contact point that slides; all but `worst` are zero while it does not.
-/// 72 bytes: memories are copied at every step. Windows are sums of many steps, in double; what is kept of them is not.
+/// Data of the friction check for a contact point that slides; all but `worst` are zero while it does not slide.
+/// 72 bytes, since memories are copied at every step: sums over the present window are double, results are float.
 /// @see coupling/contact/audit/friction_check.h
 struct SlideMemory {
-  /// A window, or some: net slip in elastic stretches; impulse of the tangential force and of Coulomb's limit [N s].
+  /// Sum over one or more windows: net slip in elastic stretches; impulses of tangential force and Coulomb limit [N s].
   struct Sum {
     float slip = 0.0F, drag = 0.0F, limit = 0.0F;
   };
-  double slip = 0.0, drag = 0.0, limit = 0.0;            // of the present window: [m], [N s], [N s]
-  double time = 0.0;                                     // of it that has passed [s]
-  float length = 0.0F;                                   // of it, when it is complete [s]; 0: the point does not slide
-  Sum last{};                                            // the window before; the first of a stretch has no impulses
-  Sum total{};                                           // of the windows below
-  std::int32_t losing = 0;                               // windows in succession that lose friction,
-  std::int16_t keeping = 0;                              // and that keep it; no more are counted than matter
+  double slip = 0.0, drag = 0.0, limit = 0.0;            // in the present window [m], [N s], [N s]
+  double time = 0.0;                                     // elapsed in the present window [s]
+  float length = 0.0F;                                   // of the whole present window [s]; 0: no sliding
+  Sum last{};                                            // the previous window; the first one has no impulses
+  Sum total{};                                           // of the windows counted below
+  std::int32_t losing = 0;                               // number of successive windows that lose friction,
+  std::int16_t keeping = 0;                              // and that keep it; the count is limited
   std::int16_t lost = 0;                                 // 1: a window of the stretch lost friction
-  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of the impulses in a long stretch
+  float worst = std::numeric_limits<float>::infinity();  // smallest ratio of impulses in a long stretch
 
   /// The stretch is over.
   void end() {
@@ -46,28 +46,28 @@ struct SlideMemory {
   }
 };
 
-/// What a contact point remembers between steps.
+/// What is stored of a contact point between steps.
 struct ContactMemory {
   ContactKey key;
   ContactStatus status = ContactStatus::open;
   std::int32_t failed = 0;       // 1 once cohesion is lost
-  std::int32_t bonded = 0;       // 1: closed since t = 0 with a tensile strength, which it still has
-  std::int32_t joint = -1;       // law, chosen when the pair was first seen
+  std::int32_t bonded = 0;       // 1: closed since t = 0 with a tensile strength that is not lost
+  std::int32_t joint = -1;       // joint law, chosen when the pair was first found
   std::int32_t segment = -1;     // segment of the edge that the anchor below refers to, counted within the edge
   double gap0 = 0.0;             // gap that counts as closed without stress (closed at t = 0, changed tributary) [m]
-  double gap = 0.0;              // gap at the present time, less gap0 [m]
+  double gap = 0.0;              // present gap minus gap0 [m]
   double stretch = 0.0;          // elongation of the tangential spring [m]
-  double anchor = 0.0;           // its anchor: fraction of the segment
+  double anchor = 0.0;           // anchor of the tangential spring: fraction of the segment
   double fn = 0.0, ft = 0.0;     // forces on the corner, along the outward normal and the direction of the edge [N]
   double fd = 0.0, fdt = 0.0;    // parts of fn and ft that are damping [N]
   double water = 0.0;            // force of the water in the joint on the corner, along the outward normal [N]
   double slip = 0.0;             // accumulated |slip| [m]
-  double slip_known = 0.0;       // of it, what the law of friction has seen (model/friction_law.h) [m]
-  double friction_change = 0.0;  // what that law has made of tan phi, less that of the friction angle
+  double slip_known = 0.0;       // part of it already used by the friction law (model/friction_law.h) [m]
+  double friction_change = 0.0;  // tan phi by that law minus tan of the friction angle
   std::int32_t edge_edge = 0;    // 1: part of an edge-edge contact; 0: a corner against an edge
   double tributary = 0.0;        // length of joint that the point stands for [m]
   double kn = 0.0, kt = 0.0;     // stiffness of its springs [N/m]
-  double impact = 0.0;           // time for which it still keeps the springs it closed with [s] (explicit steps)
+  double impact = 0.0;           // remaining time with the springs it closed with [s] (explicit steps)
   SlideMemory slide{};
   /// As State::visit().
   template <class Visitor>

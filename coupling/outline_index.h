@@ -1,4 +1,4 @@
-// Indices of the parts of outlines: a vector of one kind takes no index of another.
+// Indices of the parts of outlines: a vector of one kind does not accept an index of another kind.
 #pragma once
 
 #include "model/indexed.h"

@@ -1,4 +1,4 @@
-// What a run does with a model: its stages, output and streaming.
+// Plan of a run: stages, output and streaming.
 #pragma once
 
 #include <cstdint>
@@ -25,23 +25,23 @@ enum class TransferMode { reservoir, strain_rate, rotational };
 struct StepControl {
   // Open-close passes that do not halve the number of switches before the step is cut ([Qu2013]: 6).
   int max_passes = 12;
-  double max_displacement = 0.0;  // largest displacement a step [m]; 0: a hundredth of the smallest block's width
-  double cut_factor = 1.0 / 3.0;  // a step that fails is repeated with this fraction
+  double max_displacement = 0.0;  // largest displacement per step [m]; 0: a hundredth of the smallest block's width
+  double cut_factor = 1.0 / 3.0;  // a step that fails is repeated with this fraction of its length
   int max_cuts = 12;              // consecutive cuts before the run gives up
 };
 
-/// Blocks that a stage treats in their own way.
+/// Method and mesh of named blocks in a stage.
 struct MethodRule {
   std::vector<BlockId> blocks;
   std::string method;
-  double cover_size = 0.0;      // NMM mesh; 0: as the block or the stage says [m]
+  double cover_size = 0.0;      // NMM mesh; 0: that of the block or the stage [m]
   bool onefold = false;         // NMM: one cover around the whole block
-  bool model_triangle = false;  // its triangle is the model's
+  bool model_triangle = false;  // of onefold: one triangle, common to the whole model
 };
 
-/// Which blocks of a partitioned stage take explicit steps, the others implicit ones. Lists come first, then the
-/// region, where the model first had the blocks (of a block across its border the elements inside), then the area;
-/// what moves may change sides from step to step: it becomes explicit above `up` and implicit again below `down`.
+/// Which blocks of a partitioned stage take explicit steps; the others take implicit ones. The lists have precedence,
+/// then the region, at the initial position of the blocks (of a block across its border: the elements inside), then the
+/// area. Moving blocks may change sides from step to step: explicit above `up`, implicit again below `down`.
 /// @source docs/theory/explicit-implicit-coupling.md, "Sides"; [Qu2013] ch. 7
 struct Partition {
   struct Band {
@@ -53,29 +53,29 @@ struct Partition {
   double explicit_area = 0.0;  // smaller blocks are explicit [m2]; 0: no such rule
   Band speed;                  // of the fastest corner [m/s]
   Band strain_rate;            // largest principal one of the affine part [1/s]
-  std::int32_t substeps = 0;   // explicit steps in an implicit one; 0: as many as the certified bound asks for
+  std::int32_t substeps = 0;   // explicit steps per implicit one; 0: as the certified bound requires
   // All contacts explicit; false: those between implicit blocks by the open-close iteration ([Qu2013] figure 7.6).
   bool shared_contacts = false;
-  // The others take explicit steps too, of the same length; their internal force is met once in a dt.
+  // The other blocks take explicit steps too, of the same length; their internal force is evaluated once per dt.
   bool slow_explicit = false;
   [[nodiscard]] bool changes() const { return speed.used() || strain_rate.used(); }
 };
 
-/// What ends a stage before its duration is over, whichever comes first. 0: no such rule.
+/// Conditions that end a stage before its duration is over: the first that is met. 0: no such rule.
 /// @source docs/theory/time-integration.md, "Rest and statics"
 struct EndRules {
-  double kinetic_below = 0.0;  // kinetic energy: a fraction of the largest of the stage so far
+  double kinetic_below = 0.0;  // kinetic energy: a fraction of its maximum in the stage so far
   double force_below = 0.0;    // the largest unbalanced force: a fraction of the largest single one
-  Tick hold = 0;               // the two above have to hold for so long without a break
-  double slip = 0.0;           // largest between two blocks, by how much it has grown since the stage began [m]
+  Tick hold = 0;               // the two above must hold without interruption for this time
+  double slip = 0.0;           // largest slip between two blocks since the stage began [m]
   double displacement = 0.0;   // of a block's centre of mass since the stage began [m]
   [[nodiscard]] bool used() const {
     return kinetic_below > 0.0 || force_below > 0.0 || slip > 0.0 || displacement > 0.0;
   }
 };
 
-/// Blocks change between the NMM and the DDA during a stage: one that has been all but affine for long enough goes on
-/// by the DDA, one that is struck or strained by the NMM. Bounds of 0: no such rule.
+/// Blocks change between the NMM and the DDA during a stage: a block whose motion has been almost affine for long
+/// enough changes to the DDA, a block that is hit or strained changes to the NMM. A bound of 0: no such rule.
 /// @source docs/theory/transfer.md, "Switching rules"
 struct SwitchRules {
   bool used = false;
@@ -83,11 +83,11 @@ struct SwitchRules {
   double kinetic = 0.0;         // dT/(T + |U|) below this,
   double elastic = 0.0;         // dU/(T + |U|),
   double inhomogeneity = 0.0;   // and sqrt(dU/|U|)
-  Tick hold = 0;                // for so long: to the DDA
-  struct Back {                 // above any of them: to the NMM
+  Tick hold = 0;                // for this time: to the DDA
+  struct Back {                 // above any of these bounds: to the NMM
     double strain_rate = 0.0;   // largest principal one of the affine part [1/s]
     double stress = 0.0;        // largest principal one of the affine part, of either sign [Pa]
-    double acceleration = 0.0;  // by the contacts: their resultant over the mass [m/s2]
+    double acceleration = 0.0;  // resultant of the contact forces over the mass [m/s2]
     [[nodiscard]] bool used() const { return strain_rate > 0.0 || stress > 0.0 || acceleration > 0.0; }
   };
   Back back;
@@ -95,20 +95,20 @@ struct SwitchRules {
 
 /// Strengths of joint laws that a stage divides by a factor (coupling/bodies/joint_laws.h).
 struct StrengthPlan {
-  enum class Part { all, friction, cohesion };  // friction: tan phi, tan psi; cohesion: that and tensile strength
+  enum class Part { all, friction, cohesion };  // friction: tan phi, tan psi; cohesion: cohesion and tensile strength
   std::vector<JointId> joints;                  // empty: none
   Part part = Part::all;
-  double from = 1.0, to = 1.0;  // factor where the stage begins, and where its duration is over
+  double from = 1.0, to = 1.0;  // factor at the beginning of the stage, and when its duration is over
   [[nodiscard]] bool used() const { return !joints.empty(); }
 };
 
-/// What construction changes as a stage begins. Blocks that are absent in it and were not in the stage before leave;
-/// those that were and are not any more come.
+/// Construction at the beginning of a stage. Blocks that are absent in this stage and were present in the previous one
+/// are removed; those that were absent and are present now are added.
 /// @source docs/theory/construction.md, "Release"
 struct Construction {
-  std::vector<BlockId> absent;    // not there in this stage, in their order
-  std::optional<double> release;  // part of what left that is released in this stage, 0 to 1; empty: none of it
-  Tick release_time = 0;          // in which that happens, in a straight line; 0: at once, as the stage begins
+  std::vector<BlockId> absent;    // blocks absent in this stage, in ascending order
+  std::optional<double> release;  // part of the removed forces released in this stage, 0 to 1; empty: none
+  Tick release_time = 0;          // duration of the linear release; 0: at once, as the stage begins
   [[nodiscard]] std::vector<char> flags(std::size_t blocks) const {
     std::vector<char> out(blocks, 0);
     for (const BlockId b : absent) out[b.index()] = 1;
@@ -118,11 +118,11 @@ struct Construction {
 
 struct Stage {
   std::string name;
-  std::string method;  // for blocks that no rule names
+  std::string method;  // of blocks that no rule names
   std::vector<MethodRule> rules;
   Integrator integrator = Integrator::explicit_;
   std::optional<double> dt;  // [s]; empty: auto, explicit only
-  bool force_dt = false;     // an explicit dt above the certified bound is taken all the same
+  bool force_dt = false;     // an explicit dt above the certified bound is used nevertheless
   double safety = 0.8;       // fraction of the certified explicit bound that auto takes
   Tick duration = 0;
   double cover_size = 0.0;  // NMM mesh [m]
@@ -131,17 +131,17 @@ struct Stage {
   std::optional<MassKind> mass;                   // empty: affine-exact in explicit stages, consistent in implicit ones
   bool cracks = true;                             // NMM: blocks are cut along their cracks
   double damping = 0.0;                           // mass-proportional [1/s]
-  bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
+  bool damp_rigid_motion = false;  // `damping` acts on the whole velocity, not only on its non-affine part
   double stiffness_damping = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local_damping = 0.0;      // fraction of the unbalanced force, against the velocity; explicit, 0 to 1
-  double sliding_damping = 1.0;    // of the deformation of blocks that slide, a fraction of critical
+  double sliding_damping = 1.0;    // damping of the deformation of sliding blocks, fraction of critical
   NewmarkScheme newmark = NewmarkScheme::damped;
   TransferMode transfer = TransferMode::reservoir;  // of blocks that change method as the stage begins
   double transfer_cap = 1.1;                        // strain_rate: largest factor of the strain rates
   double dynamics = 1.0;    // fraction of the velocity that an implicit step hands to the next, 0 to 1
-  bool rest = false;        // motion is taken out: explicit at peaks of kinetic energy, implicit after every step
+  bool rest = false;        // velocities are set to 0: explicit at peaks of kinetic energy, implicit after each step
   double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
-  std::int64_t rest_steps = 0;  // and fails if it has not after so many steps; 0: at its duration
+  std::int64_t rest_steps = 0;  // and fails if it has not ended after so many steps; 0: after its duration
   Partition partition;
   EndRules end;
   SwitchRules change;
@@ -165,7 +165,7 @@ struct OutputPlan {
 struct LivePlan {
   bool enabled = false;
   std::string url = "udpm://239.255.76.67:7667?ttl=0";
-  double rate = 30.0;  // frames a second of wall time, at most
+  double rate = 30.0;  // largest number of frames per second of wall time
 };
 
 struct Plan {
@@ -173,14 +173,14 @@ struct Plan {
   double detection = 0.0;  // contact detection distance [m]; 0: auto
   OutputPlan output;
   LivePlan live;
-  std::map<std::string, std::vector<double>> constants;  // of methods that have keys, by name
+  std::map<std::string, std::vector<double>> constants;  // of methods with keys of their own, by name of the method
   int threads = 0;                                       // 0: as many as the machine has
   double max_closure = 0.0;  // a run ends once its ledger is open by more than this part of the energy moved; 0: never
-  double max_passed_closure = 1e-3;  // the same, of the energy passed (Ledger::passed)
-  double max_gain = 1.0;  // a run ends once it holds more than it was given by this part of the energy passed; 0: never
-  // A partitioned stage ends once it has taken more than so many times the effort of implicit steps; 0: never (Pace)
+  double max_passed_closure = 1e-3;  // the same bound relative to the energy passed (Ledger::passed)
+  double max_gain = 1.0;             // a run ends once Ledger::gain() exceeds this part of the energy passed; 0: never
+  // A partitioned stage ends once its effort exceeds this multiple of the effort of implicit steps; 0: never (pace.h)
   double max_slowdown = 20.0;
-  bool audit = false;  // every step is checked, and a run ends where one is wrong
+  bool audit = false;  // every step is checked, and a run ends at the first wrong one
 };
 
 }  // namespace scree::coupling

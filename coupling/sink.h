@@ -1,4 +1,4 @@
-// Read-only views of a run for whatever watches it: results, live streaming, progress, tests.
+// Read-only views of a run for its consumers: results, live streaming, progress, tests.
 #pragma once
 
 #include <cstdint>
@@ -14,62 +14,63 @@
 
 namespace scree::coupling {
 
-/// The cells of all bodies; constant while `id` does not change (it changes when a stage makes new bodies).
+/// The cells of all bodies; constant while `id` does not change (it changes when a stage creates new bodies).
 struct MeshView {
   std::uint32_t id = 0;
   std::span<const std::int32_t> offsets, connectivity;                   // polygon cells of points (VTK polygons)
   std::span<const std::int32_t> cell_block, cell_material, cell_method;  // per cell
   std::span<const char> cell_explicit;  // per cell: 1 in the explicit half of a divided block
-  std::span<const double> origin;       // x, y per point: where the model first had it [m]
-  std::vector<std::string> methods;     // names that cell_method counts
+  std::span<const double> origin;       // x, y per point: initial position in the model [m]
+  std::vector<std::string> methods;     // names; cell_method is an index into them
 };
 
 /// Statistics of the driver since the start.
 struct RunStats {
   std::int64_t steps = 0, cuts = 0;
-  // Of implicit steps: Newton iterations, open-close passes, contact states switched in them, factors, their updates.
+  // Of implicit steps: Newton iterations, open-close passes, switches of contact states in these passes,
+  // factorisations, rank-1 updates of factors.
   std::int64_t iterations = 0, passes = 0, switches = 0, factorisations = 0, updates = 0;
-  std::int64_t corrections = 0;  // solutions with a factor of another matrix
-  // Of them with an incomplete factor of blocks; such factors; passes of clusters of bodies; passes that fell back from
-  // blocks to a complete factor.
+  std::int64_t corrections = 0;  // solutions with the factor of another matrix
+  // Corrections with an incomplete factor of blocks; number of such factors; passes of clusters of bodies; passes that
+  // fell back from an incomplete factor to a complete one.
   std::int64_t block_iterations = 0, incomplete_factors = 0, local_passes = 0, fallbacks = 0;
-  std::int64_t contacts = 0;  // points closed now
+  std::int64_t contacts = 0;  // closed points at present
   std::int64_t elements = 0, unknowns = 0, blocks = 0;
-  double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // of attempts at steps; of output [s]
-  // Processor time of the process, all its threads [s]: of stages of explicit steps and of others (steps with all that
-  // is done for and after them: bounds, rules, checks, ledger), and of output (frames, histories, checkpoints).
+  double wall_explicit = 0.0, wall_implicit = 0.0, wall_output = 0.0;  // of all attempts at steps; of output [s]
+  // Processor time of the process, all threads [s]: of stages with explicit steps only, of other stages (steps with the
+  // work before and after them: bounds, rules, checks, ledger), and of output (frames, histories, checkpoints).
   double cpu_explicit = 0.0, cpu_implicit = 0.0, cpu_output = 0.0;
-  std::int64_t audit_checks = 0;  // made so far in an audited run
-  double audit_worst = 0.0;       // the largest value over what is allowed
-  // Of partitioned stages, steps that failed too (Pace): so far, and as the present stage began.
+  std::int64_t audit_checks = 0;  // so far, in an audited run
+  double audit_worst = 0.0;       // the largest ratio of a checked value to its limit
+  // Effort of partitioned stages, including failed steps (pace.h): so far, and at the beginning of the present stage.
   double effort = 0.0, effort_before = 0.0;
-  double left_work = 0.0;      // of forces that round-off leaves in implicit steps [J]
-  double element_steps = 0.0;  // explicit element updates made
-  // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and whose it is.
+  double left_work = 0.0;      // work of residual forces at round-off in implicit steps [J]
+  double element_steps = 0.0;  // number of explicit element updates
+  // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and the contact.
   double friction_ratio = std::numeric_limits<double>::infinity();
   ContactKey friction_key{};
 };
 
-/// The contact points watched at an instant, open ones too, in the order of their keys.
+/// The contact points in the list at an instant, open ones included, in the order of their keys.
 struct ContactView {
-  std::span<const double> position;       // x, y of the corner of a point [m]
-  std::span<const double> normal;         // x, y of the unit normal of the edge, outward of its block
-  std::span<const ContactMemory> memory;  // of a point: who, state, forces
+  std::span<const double> position;       // x, y of the corner per point [m]
+  std::span<const double> normal;         // x, y per point of the unit normal of the edge, outward of its block
+  std::span<const ContactMemory> memory;  // per point: key, status, forces
 };
 
 /// The bolts and liners at an instant, in the order of Model::bolts, and the nodes of those that are installed. Of a
 /// liner `force` is the axial force of largest size, and `shear` the largest bending moment [N m]; it has no slip.
 struct BoltsView {
-  std::span<const double> force, shear;  // a bolt: largest axial force, and shear force at a joint [N]
-  std::span<const double> slip, strain;  // a bolt: largest slip of its bond [m], largest plastic strain
-  std::span<const std::int32_t> broken;  // a bolt: segments that are broken
-  std::span<const double> position;      // x, y a node [m]
-  std::span<const double> node_force;    // a node: axial force from it to the next [N]
-  std::span<const std::int32_t> bolt;    // a node
-  std::span<const std::int32_t> liner;   // a bolt: 1 where it is a liner
+  std::span<const double> force, shear;  // per bolt: largest axial force, and shear force at a joint [N]
+  std::span<const double> slip, strain;  // per bolt: largest slip of the bond [m], largest plastic strain
+  std::span<const std::int32_t> broken;  // per bolt: number of broken segments
+  std::span<const double> position;      // x, y per node [m]
+  std::span<const double> node_force;    // per node: axial force in the segment to the next node [N]
+  std::span<const std::int32_t> bolt;    // per node: index of its bolt
+  std::span<const std::int32_t> liner;   // per bolt: 1 for a liner
 };
 
-/// One instant. Points are those of the mesh, in its order.
+/// State at one instant. Points are those of the mesh, in the same order.
 struct FrameView {
   double time = 0.0;  // [s]
   Tick tick = 0;
@@ -83,53 +84,53 @@ struct FrameView {
   const MeshView* mesh = nullptr;
   const State* state = nullptr;
   const RunStats* stats = nullptr;
-  const ContactView* contacts = nullptr;  // nullptr: not asked for (Plan::output.contacts)
-  const BoltsView* bolts = nullptr;       // nullptr: the model has none
+  const ContactView* contacts = nullptr;  // nullptr: not requested (Plan::output.contacts)
+  const BoltsView* bolts = nullptr;       // nullptr: the model has no bolts
 };
 
-/// Monitors and ledger, more often than frames. Spans in the order of Model::monitors.
+/// Monitors and ledger, written more often than frames. Spans are in the order of Model::monitors.
 struct HistoryView {
   double time = 0.0;
   Tick tick = 0;
-  std::span<const double> position, displacement, velocity;  // x, y a monitor
-  std::span<const double> stress;                            // xx, yy, xy a monitor, recovered Cauchy stress [Pa]
+  std::span<const double> position, displacement, velocity;  // x, y per monitor
+  std::span<const double> stress;                            // xx, yy, xy per monitor, recovered Cauchy stress [Pa]
   const Ledger* ledger = nullptr;
   const RunStats* stats = nullptr;
-  const BoltsView* bolts = nullptr;  // nullptr: the model has none
+  const BoltsView* bolts = nullptr;  // nullptr: the model has no bolts
 };
 
-/// What decides whether a block changes method by a rule (plan.h: SwitchRules). T and U are its energies, dT and dU the
-/// parts of them that an affine block would not have.
+/// Measures by which a rule changes the method of a block (plan.h: SwitchRules). T and U are its kinetic and elastic
+/// energy, dT and dU their non-affine parts.
 struct MethodMeasures {
   double kinetic = 0.0, elastic = 0.0;         // dT and dU over T + |U|
   double inhomogeneity = 0.0;                  // sqrt(dU/|U|)
   double strain_rate = 0.0;                    // largest principal one of the affine part [1/s]
-  double stress = 0.0;                         // largest principal one of the affine part, without its sign [Pa]
-  double acceleration = 0.0;                   // resultant of its contacts over its mass [m/s2]
-  double cost_before = 0.0, cost_after = 0.0;  // predicted: unknowns a step, explicit a second; 0: not asked
+  double stress = 0.0;                         // largest principal one of the affine part, absolute value [Pa]
+  double acceleration = 0.0;                   // resultant of the contact forces over the mass [m/s2]
+  double cost_before = 0.0, cost_after = 0.0;  // predicted: unknowns per step, explicit: per second; 0: none
 };
 
-/// Books of one hand-over of one block (docs/theory/transfer.md).
+/// Balance of one hand-over of one block (docs/theory/transfer.md).
 struct TransferRow {
   double time = 0.0;
   BlockId block;
   std::string from, to;
   BodyTotals before, after;
   double reservoir_kinetic = 0.0, reservoir_elastic = 0.0, booked = 0.0;  // [J]
-  /// Relative errors: mass, momentum, angular momentum about the block's centre, energy with reservoir and booked.
+  /// Relative errors: mass, momentum, angular momentum about the block's centre, energy with `reservoir` and `booked`.
   double mass_error = 0.0, momentum_error = 0.0, angular_error = 0.0, energy_error = 0.0;
-  bool by_rule = false;  // during a stage, for its measures
+  bool by_rule = false;  // changed by a rule during a stage, because of `measures`
   MethodMeasures measures;
 };
 
-/// The free block that moved farthest in a stage, by its centre of mass.
+/// The free block whose centre of mass moved farthest in a stage.
 struct StageTravel {
   std::string stage;
   BlockId block;          // invalid: no block is free
   double farthest = 0.0;  // [m]
 };
 
-/// Something that a user should know of a run that goes on all the same.
+/// A message to the user about a run that continues.
 struct Warning {
   double time = 0.0;  // [s]
   std::string text;   // one line
@@ -154,20 +155,21 @@ struct Event {
   double time = 0.0;
   std::string text;  // one line
   const TransferRow* transfer = nullptr;
-  const StageTravel* travel = nullptr;  // of a stage that ends
+  const StageTravel* travel = nullptr;  // of stage_end
 };
 [[nodiscard]] std::string_view name(EventKind kind);
-/// Of a kind that may come by the hundred: cuts, hand-overs of blocks, changes of a partition.   @param kind  its name
+/// True for a kind that may occur hundreds of times: cuts, hand-overs of blocks, changes of a partition.
+/// @param kind  its name
 [[nodiscard]] bool comes_often(std::string_view kind);
 [[nodiscard]] std::string_view name(Integrator integrator);
 
-/// What a run ended with.
+/// Result of a run.
 struct RunEnd {
   enum class Status { done, interrupted, not_converged, non_finite } status = Status::done;
   std::string reason;  // for anything but done: time, block, contact, likely cause
 };
 
-/// A consumer. It may not change the run, and it never makes the run wait or fail unless losing results would.
+/// A consumer. It must not change the run, and must not make the run wait or fail unless results would be lost.
 class Sink {
  public:
   Sink() = default;
@@ -184,7 +186,7 @@ class Sink {
   virtual void end(const RunEnd& end, const FrameView& last) { (void)end, (void)last; }
 };
 
-/// What may be asked of a run from outside between steps.
+/// Requests to a run from outside, polled between steps.
 class Control {
  public:
   Control() = default;
@@ -193,8 +195,8 @@ class Control {
   virtual ~Control() = default;
   /// True to stop after the present step.
   virtual bool stop_requested() { return false; }
-  /// True to give up the present step too, if it takes long: the state stays what it was before. Asked inside of steps:
-  /// must be quick.
+  /// True to give up the present step too, if it takes long: the state stays the one before the step. Polled inside
+  /// steps: it must be fast.
   virtual bool give_up_step() { return false; }
 };
 

@@ -8,7 +8,7 @@
 namespace scree::coupling {
 namespace {
 
-/// FNV-1a over 64-bit words with a final mix; every bit of a value counts, also the sign of zero.
+/// FNV-1a over 64-bit words with a final mix; every bit of a value counts, including the sign of zero.
 class Hasher {
  public:
   void bytes(const void* data, std::size_t size) {

@@ -15,8 +15,8 @@
 
 namespace scree::coupling {
 
-/// Energy that a block could not take along into its present method (docs/theory/transfer.md), and what brings it back:
-/// the body that it was, and its fields as Release has them. They are empty where the block has been something else
+/// Energy of a block that its present method cannot represent (docs/theory/transfer.md), and the data to restore it:
+/// the former body, and its fields as in Release. These are empty if the block has had yet another method or mesh
 /// since.
 struct Remainder {
   BlockId block;
@@ -25,43 +25,43 @@ struct Remainder {
   std::vector<double> position, velocity;
 };
 
-/// What the next implicit step begins to solve with.
+/// Factor and solver settings with which the next implicit step begins.
 struct KeptFactor {
-  /// Steps make a factor of their own while `wait` is above 0, and wait the longer the less a kept one was worth.
+  /// Steps compute their own factor while `wait` is above 0; the wait grows with each successive failure of a kept one.
   struct Patience {
     std::int32_t wait = 0, next_wait = 0;
-    std::int32_t least = -1;  // corrections of a step with this factor; -1: of none yet
-    std::int32_t excess = 0;  // of its steps so far, above that and one more
+    std::int32_t least = -1;  // smallest number of corrections of a step with this factor; -1: no step yet
+    std::int32_t excess = 0;  // sum over its steps of the corrections beyond `least` + 1
   };
   Patience patience;
   /// Which solver the next step of affine bodies begins with (docs/theory/linear-solvers.md).
   struct Choice {
     std::int32_t direct = 0;                // 1: a complete factor, 0: an incomplete one of blocks
-    std::int32_t hold = 0, next_hold = 0;   // steps that it stays so after the incomplete one failed; the next time
-    std::int32_t returns = 0;               // how often the complete one has been tried in vain
-    double block_work = 0.0, excess = 0.0;  // of the last step by blocks; by which the other would have been less
+    std::int32_t hold = 0, next_hold = 0;   // steps with `direct` after the incomplete one failed; next time
+    std::int32_t returns = 0;               // number of trials of the complete one without a gain
+    double block_work = 0.0, excess = 0.0;  // of the last step by blocks; excess over the other solver
   };
   Choice choice;
-  std::vector<std::int32_t> column_start, row;  // the matrix it is of: lower triangle; empty: there is none
+  std::vector<std::int32_t> column_start, row;  // factored matrix: lower triangle; empty: none
   std::vector<double> value;
 };
 
-inline constexpr char kDivided = 2;  // in State::explicit_side
+inline constexpr char kDivided = 2;  // value in State::explicit_side
 
-/// What the rules of a stage remember of it (plan.h: EndRules, SwitchRules).
+/// Data of the rules of the present stage (plan.h: EndRules, SwitchRules).
 struct RuleMemory {
   struct Slip {
     std::int32_t a = -1, b = -1;  // blocks, a <= b
-    double slip = 0.0;            // the largest of a point between them as the stage began [m]
+    double slip = 0.0;            // largest of their contact points as the stage began [m]
     [[nodiscard]] bool same_pair(const Slip& other) const { return a == other.a && b == other.b; }
   };
-  double peak = 0.0;                          // kinetic energy, the largest so far [J]
-  Tick slow_since = -1, balanced_since = -1;  // -1: it is not
+  double peak = 0.0;                          // largest kinetic energy so far [J]
+  Tick slow_since = -1, balanced_since = -1;  // -1: the condition does not hold
   std::vector<Slip> slips;                    // sorted by blocks
-  Tick evaluated = -1, next_evaluation = 0;   // for blocks that may change method
-  std::vector<Tick> calm_since;               // per block; -1: it is not
-  std::vector<char> other_method;             // per block: 1 where a rule has taken it from the stage's method
-  struct Energy {                             // where a subcycled stage began (energy_watch.h) [J]
+  Tick evaluated = -1, next_evaluation = 0;   // of blocks that may change method
+  std::vector<Tick> calm_since;               // per block; -1: not calm
+  std::vector<char> other_method;             // per block: 1 where a rule has changed it from the stage's method
+  struct Energy {                             // at the beginning of a subcycled stage (energy_watch.h) [J]
     double held = 0.0, work = 0.0, made = 0.0;
     std::int32_t told = 0;  // 1: a warning has been given
   };
@@ -75,40 +75,40 @@ struct State {
   Tick time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  std::vector<Tick> stage_begin;   // of each stage so far: what may be counted from them begins there
+  std::vector<Tick> stage_begin;   // of each stage so far: origin of times counted from a stage
   Tick last_step = 0;              // length of the step before, for the shadow term
   StepLimit step_limit;            // of partitioned stages
-  double relaxing = 0.0;           // kinetic energy a step ago, in stages that run to rest [J]
+  double relaxing = 0.0;           // kinetic energy one step before, in stages that run to rest [J]
   std::vector<BodyRecord> bodies;  // in the order of their blocks
-  // Per body: 1 where it takes explicit steps, kDivided where one half of it does; partitioned stages, else empty.
+  // Per body: 1 where it takes explicit steps, kDivided where one part of it does; partitioned stages, else empty.
   std::vector<char> explicit_side;
   std::vector<double> q, v;      // x, y per node; pool after pool, body after body (Setup has the offsets)
   std::vector<double> a;         // acceleration at `time`, same layout (explicit stages; else empty)
-  std::vector<double> v_before;  // velocity of the half step before, where damping lags on it (else empty)
-  std::vector<double> damping;   // forces of mass-proportional damping that spares affine motion (else empty) [N]
-  std::vector<double> sliding;   // forces that damp the deformation of sliding blocks (none slides: empty) [N]
-  ContactList contacts;          // sorted by key; between stages, and where each half of a step has its own, memories alone
+  std::vector<double> v_before;  // velocity of the previous half step, where damping uses it (else empty)
+  std::vector<double> damping;   // forces of mass-proportional damping of non-affine motion (else empty) [N]
+  std::vector<double> sliding;   // forces that damp the deformation of sliding blocks (empty: none slides) [N]
+  ContactList contacts;          // sorted by key; memories alone between stages, or where each side of a step has one
   KeptFactor factored;           // of implicit steps
   std::vector<Remainder> rest;
   std::vector<double>
-      anchors;  // x, y per point support: how far hand-overs have shifted its anchor; empty: none yet [m]
-  std::vector<BoltMemory> bolts;  // of the model; empty: it has none
-  SupportForces support;          // of what has left the model
+      anchors;  // x, y per point support: total shift of its anchor by hand-overs so far; empty: no shift yet [m]
+  std::vector<BoltMemory> bolts;  // of the model; empty: the model has none
+  SupportForces support;          // of blocks and supports that have been removed
   RuleMemory rules;
   Ledger ledger;
 
-  /// Shows every field, in a fixed order, to see(name, value); visit_to_write() so that they may change.
+  /// Calls see(name, value) for every field, in a fixed order; visit_to_write() lets the visitor change them.
   template <class Visitor>
   void visit(Visitor&& see) const;
 };
 
-/// 64-bit hash of every bit of the state. Equal states have equal hashes; it is promised for one binary on one
-/// type of processor.
+/// 64-bit hash of every bit of the state. Equal states have equal hashes; this is guaranteed only for the same binary
+/// on the same type of processor.
 [[nodiscard]] std::uint64_t state_hash(const State& state);
 
 // ---------------------------------------------------------------------------------------------------------------
 
-/// A body as State::visit() shows it.
+/// The fields of a body, as part of State::visit().
 template <class Visitor>
 void visit_body(Visitor&& see, const BodyRecord& b) {
   see("body.block", b.block.value);

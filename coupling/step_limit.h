@@ -1,4 +1,4 @@
-// How long the steps of a partitioned stage may be after one that did not converge, or took too many iterations.
+// Limit of the step length in a partitioned stage after a step that did not converge, or took too many iterations.
 #pragma once
 
 #include <algorithm>
@@ -9,21 +9,21 @@
 namespace scree::coupling {
 
 /// A step whose iteration does not converge is repeated with a shorter length. The next steps begin with the length
-/// that converged, and this length is doubled only after some steps: after twice as many each time that doubling
-/// failed. Without it every step of a stage that needs shorter steps begins with attempts that fail, each as costly as
-/// several steps that converge. A step that converged, in so many iterations that steps of half its length take less
-/// for the same time, is followed by those, under the same rule.
+/// that converged, and this length is doubled only after a number of steps, which itself doubles each time that
+/// doubling the length failed. Without this limit every step of a stage that needs shorter steps begins with attempts
+/// that fail, each as costly as several steps that converge. If a step converged, but in so many iterations that steps
+/// of half its length are cheaper for the same time, steps of half its length follow, under the same rule.
 struct StepLimit {
   enum class Iteration { short_, long_, failed };  // in the first attempt of a step
 
-  Tick length = 0;             // longest attempt; 0: none
-  std::int32_t hold = 0;       // steps until it grows
-  std::int32_t next_hold = 1;  // after the next step that does not converge, or takes too many iterations
+  Tick length = 0;             // longest attempt; 0: no limit
+  std::int32_t hold = 0;       // steps until the length is doubled
+  std::int32_t next_hold = 1;  // `hold` after the next step that does not converge, or takes too many iterations
 
-  /// A step has been taken.
+  /// Updates the limit after a step.
   /// @param h          its length
   /// @param iteration  of its first attempt
-  /// @param largest    length that the stage would have without this
+  /// @param largest    step length of the stage without this limit
   void taken(Tick h, Iteration iteration, Tick largest) {
     constexpr std::int32_t kLongest = 32;
     if (iteration != Iteration::short_) {

@@ -1,4 +1,4 @@
-// Forces that stand in for rock or supports that have gone, while they are released.
+// Forces that replace removed rock or supports while these forces are released.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,23 @@
 
 namespace scree::coupling {
 
-/// A force on a spot of a block's outline, whatever mesh or method the block has. Its direction stays.
+/// A force at a point of a block's outline, independent of mesh and method of the block. Its direction is constant.
 struct SupportForce {
   BlockId block;
   std::int32_t ring = 0, edge = 0;
   double s = 0.0;                 // along the edge, 0 to 1
-  double x = 0.0, y = 0.0;        // what it was when it came to stand in [N]
-  double left = 1.0, last = 1.0;  // of that: as the release begins, and after it
+  double x = 0.0, y = 0.0;        // the whole force, at the removal [N]
+  double left = 1.0, last = 1.0;  // fraction that acts as the release begins, and after it
 };
 
-/// All of them, with their release: the part that acts falls from `left` to `last` in a straight line.
+/// All such forces, with their release: the fraction that acts decreases linearly from `left` to `last`.
 ///   p(t) = last + (left - last) r,  r = (end - t)/(end - begin), 0 <= r <= 1
 /// @source docs/theory/construction.md, "Release"
 struct SupportForces {
   std::vector<SupportForce> forces;
-  Tick begin = 0, end = 0;  // of the release; the same: at once
+  Tick begin = 0, end = 0;  // of the release; equal: at once
 
-  /// r at a time.
+  /// r at time t.
   [[nodiscard]] double remaining(Tick t) const {
     if (t >= end) return 0.0;
     return t <= begin ? 1.0 : static_cast<double>(end - t) / static_cast<double>(end - begin);

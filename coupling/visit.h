@@ -1,4 +1,4 @@
-// Lists of fields: one serves all that reads an object (hash, comparison, checkpoint) and all that writes to it.
+// Lists of fields: one list serves all code that reads an object (hash, comparison, checkpoint) and all that writes it.
 #pragma once
 
 #include <utility>
@@ -6,8 +6,8 @@
 
 namespace scree::coupling {
 
-/// object.visit(see) is const: see(name, field) and see.size(name, list) are shown constants. This one hands them on as
-/// what they are in an object that is not const.
+/// object.visit(see) is const: see(name, field) and see.size(name, list) receive constants. This visitor passes them on
+/// without const, as they are in an object that is not const.
 template <class Visitor>
 class Writer {
  public:
@@ -25,7 +25,7 @@ class Writer {
   Visitor* see_;
 };
 
-/// Shows every field of an object to a visitor that may write to them; see.size() may change the size of a list.
+/// Calls a visitor for every field of an object; the visitor may write to them, and see.size() may resize a list.
 template <class T, class Visitor>
 void visit_to_write(T& object, Visitor&& see) {
   std::as_const(object).visit(Writer(see));

@@ -30,10 +30,10 @@ struct AffineState {
 [[nodiscard]] Mat6 mass_matrix(double mass, const Mat2& S);
 /// Elastic stiffness in the unknowns, area times C on (ex, ey, gxy) [N m].
 [[nodiscard]] Mat6 stiffness_matrix(double area, const Elasticity& law);
-/// Generalised internal force -A0 tau : L_j of the Kirchhoff stress tau = P F^T; exactly none on r0.
+/// Generalised internal force -A0 tau : L_j of the Kirchhoff stress tau = P F^T; exactly zero for r0.
 /// @param s0  initial stress in the co-rotated frame [Pa]
 [[nodiscard]] Vec6 internal_force(double area, const Elasticity& law, const Mat2& F, const Mat2& s0);
-/// The same of a Kirchhoff stress.
+/// Generalised internal force -A0 tau : L_j of a given Kirchhoff stress tau.
 [[nodiscard]] Vec6 unknowns_of_stress(double area, const Mat2& kirchhoff);
 
 /// Exact rotation: F <- R(r0)(I + e) F, c <- c + u, G <- R G R^T, so a free spin neither slows nor grows.
@@ -42,7 +42,7 @@ struct AffineState {
 /// @source docs/theory/dda.md, "Exact rotation"; [MacLaughlin1997] for the remedy that [Sitar1997] 2.1 names
 [[nodiscard]] AffineState exact_update(const AffineState& before, const Vec6& D, const Vec6& rate);
 
-/// The linear update of the original DDA: F <- (I + L) F, c <- c + u, G as it is. A step that turns by r0 makes every
+/// The linear update of the original DDA: F <- (I + L) F, c <- c + u, G unchanged. A step that turns by r0 makes every
 /// edge longer by sqrt(1 + r0^2).
 /// @source docs/theory/dda.md, "First-order update"; [Shi1988]
 [[nodiscard]] AffineState first_order_update(const AffineState& before, const Vec6& D, const Vec6& rate);

@@ -14,12 +14,12 @@
 namespace scree::dda {
 namespace {
 
-// The last two nodes are those of a strain that is summed up.
+// The last two nodes hold a summed strain.
 constexpr std::array<double, 5> kTranslation{1.0, 0.0, 0.0, 0.0, 0.0};
 
 Row affine_row(std::int32_t first, const Vec2& X) { return {{first, first + 1, first + 2}, {1.0, X.x(), X.y()}}; }
 
-/// The six numbers of a body in q from its first node on, and of its rates in v.
+/// The six numbers of a body in q from its first node on, and their rates in v.
 AffineState load(std::int32_t first, std::span<const double> q, std::span<const double> v) {
   const auto i = 2 * static_cast<std::size_t>(first);
   AffineState s;
@@ -40,7 +40,7 @@ void store(std::int32_t first, const Vec2& c, const Mat2& F, std::span<double> q
   q[i + 5] = F(1, 1);
 }
 
-/// The strain that BlockRotation::first_order sums up, columns on the two nodes behind those of position.
+/// The summed strain of BlockRotation::first_order: its columns are the two nodes after those of position.
 Mat2 load_strain(std::int32_t first, std::span<const double> q) {
   const auto i = 2 * static_cast<std::size_t>(first) + 6;
   return (Mat2() << q[i], q[i + 2], q[i + 1], q[i + 3]).finished();
@@ -50,8 +50,8 @@ void store_strain(std::int32_t first, const Mat2& strain, std::span<double> q) {
   std::copy_n(strain.data(), 4, q.begin() + 2 * static_cast<std::ptrdiff_t>(first) + 6);
 }
 
-/// Gives the growth of a body that turned by first order to its reference shape, so that its stretch is that of the
-/// strain given, in the axes that turn along.
+/// Moves the growth of a body that was rotated to first order into its reference shape, so that the remaining stretch
+/// is that of the given strain, in the co-rotated axes.
 void regrow(const Mat2& R, const Mat2& strain, Release& out) {
   const Mat2 F = R * (Mat2::Identity() + strain), growth = F.inverse() * out.motion.F;
   out.shape.outline = transformed(out.shape.outline, Vec2(0.0, 0.0), growth);
@@ -99,7 +99,7 @@ DdaPool::Stressed DdaPool::stress_of(int body, std::span<const double> q) const 
     const ElasticResponse r = elastic_response(b.law, F, b.initial);
     return {r.energy, r.P};
   }
-  // U = 1/2 s:D:s less that of the in-situ stress alone: what the stretch would have in the axes that turn along.
+  // U = 1/2 s:D:s minus that of the in-situ stress alone: the energy of the stretch in the co-rotated axes.
   const Mat2 strain = load_strain(first_node(body), q), stress = b.law.stress(strain);
   return {0.5 * (stress.cwiseProduct(strain).sum() - b.initial.cwiseProduct(b.law.strain(b.initial)).sum()),
           stress * F.transpose().inverse()};
@@ -233,7 +233,7 @@ void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& grou
 
 ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
   const AffineState s = load(first_node(body), q, q);
-  std::array<double, 3> w{};  // by node of the body, in whatever order the row names them
+  std::array<double, 3> w{};  // by node of the body, whatever the order in the row
   for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - first_node(body))] += row.w[k];
   if (of(body).affine) return of(body).affine->chart_row(w[0], {w[1], w[2]});
   const Mat26 T = shi_matrix(s.F * Vec2(w[1], w[2]));
@@ -301,7 +301,7 @@ void DdaPool::topology(MeshPart& mesh) const {
   for (int b = 0; b < bodies(); ++b) {
     const ReferenceShape& shape = of(b).shape;
     const AffineMotion origin = affine_fit(shape.outline, shape.origin);
-    // Outline vertices remember exactly where the model had them; of those at one place the first.
+    // Outline vertices have exact initial positions; of several vertices at one place the first is used.
     std::map<std::pair<double, double>, Vec2> corners;
     for (std::size_t r = 0; r < shape.outline.rings(); ++r)
       for (std::size_t i = 0; i < shape.outline.ring(r).size(); ++i) {
@@ -343,7 +343,7 @@ void DdaPool::stress(std::span<const double> q, std::span<double> cells) const {
 }
 
 void DdaPool::recovered_stress(std::span<const double> q, std::span<double> nodes) const {
-  // Rows weigh the first node of a block, its centre, with 1: the stress of the block is that of every point.
+  // Rows have the weight 1 on the first node of a block, its centre: every point gets the stress of the block.
   std::fill(nodes.begin(), nodes.end(), 0.0);
   for (int b = 0; b < bodies(); ++b) {
     const Mat2 s = cauchy(b, q);

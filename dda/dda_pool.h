@@ -8,10 +8,11 @@
 
 namespace scree::dda {
 
-/// Discontinuous deformation analysis: three nodes a block, q = (c, F e1, F e2), so that a point is
-/// x = c + X1 (F e1) + X2 (F e2). Implicit steps take Shi's six unknowns through their chart and rotate exactly, or,
+/// Discontinuous deformation analysis: three nodes per block, q = (c, F e1, F e2), so that a point is
+/// x = c + X1 (F e1) + X2 (F e2). Implicit steps use Shi's six unknowns, mapped by their chart, and rotate exactly, or,
 /// with BlockRotation::affine, move (c, F) by Newton's method; explicit steps move the nodes themselves. Blocks with
-/// BlockRotation::first_order have two nodes more, the strain that steps sum up, and take implicit steps alone.
+/// BlockRotation::first_order have two more nodes, which hold the strain summed over the steps, and take implicit steps
+/// only.
 /// @source docs/theory/dda.md, "Unknowns of a block"; [Shi1988]; [Shi1993]; [Sitar1997] 2.1
 class DdaPool final : public Pool {
  public:
@@ -63,7 +64,7 @@ class DdaPool final : public Pool {
     double energy = 0.0;  // per reference area [J/m2 for unit thickness]
     Mat2 P;               // first Piola-Kirchhoff stress [Pa]
   };
-  /// Of the stretch of a block, or of the strain that it has summed up.
+  /// Response to the stretch of a block, or to its summed strain.
   [[nodiscard]] Stressed stress_of(int body, std::span<const double> q) const;
   /// Cauchy stress of a block [Pa].
   [[nodiscard]] Mat2 cauchy(int body, std::span<const double> q) const;
@@ -75,13 +76,13 @@ class DdaPool final : public Pool {
     Boundary boundary;
     Mat2 second_inverse;
     std::optional<AffineForm> affine;  // of implicit steps; none: Shi's unknowns and an exact rotation
-    bool summed = false;               // its strain is summed up, C^-1 of all of its stress in axes that stand still
+    bool summed = false;               // its strain is summed over the steps: C^-1 of its total stress, in fixed axes
     double frequency = 0.0;
     std::vector<Ring> cells;
   };
   [[nodiscard]] const Body& of(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> first_{0};  // node of each body, and how many there are
+  std::vector<std::int32_t> first_{0};  // first node of each body, then the number of nodes
 };
 
 }  // namespace scree::dda

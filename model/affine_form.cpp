@@ -52,7 +52,7 @@ double AffineForm::linearise(const Mat2& F, Stiffness kind, std::span<double> lo
   force[0] = force[1] = 0.0;
   for (std::size_t k = 0; k < 4; ++k) force[2 + k] = -area_ / length_ * r.P.data()[k];
   if (!lower.empty()) {
-    // F column after column, as the unknowns are.
+    // F column after column, in the order of the unknowns.
     const Tangent K = area_ / (length_ * length_) * tangent(law_, kinematics_, F, initial_, kind);
     std::size_t at = 0;
     for (int j = 0; j < kUnknowns; ++j)

@@ -1,14 +1,14 @@
-// The six unknowns of a body that is affine as a whole, in centroidal form: what implicit steps solve for.
+// The six unknowns of a body that is affine as a whole, in centroidal form: the unknowns of implicit steps.
 #pragma once
 
 #include "model/pool.h"
 
 namespace scree {
 
-/// An implicit step of a body x = c + F X in the unknowns
+/// Unknowns of an implicit step of a body x = c + F X:
 ///   d = (dc, r dF e1, r dF e2) [m],   r = (tr S/m)^1/2, the radius of gyration,
 /// S = int rho X X^T about the centre of mass. The mass is diag(m, m) and S/r^2 on x and y: translation and gradient
-/// do not mix, and the condition is that of the block's shape alone, wherever it lies and whatever carries it.
+/// are not coupled, and the condition number depends on the block's shape alone, not on its position or its nodes.
 /// @source docs/theory/kinematics-and-nmm.md, "Onefold covers"; docs/theory/dda.md, "Affine form"
 class AffineForm {
  public:
@@ -17,15 +17,15 @@ class AffineForm {
   /// @param initial  in-situ stress in the co-rotated frame [Pa]
   AffineForm(const ReferenceShape& shape, const Elasticity& law, Kinematics kinematics, const Mat2& initial);
 
-  /// Of the point  x = weight c + F X.
+  /// Chart row of the point  x = weight c + F X.
   [[nodiscard]] ChartRow chart_row(double weight, const Vec2& X) const;
   /// One element that holds all unknowns.
   [[nodiscard]] static ElementDofs element_dofs() { return {{0, kUnknowns}, {0, 1, 2, 3, 4, 5}}; }
   /// Mass, lower triangle [kg].
   void mass(std::span<double> lower) const;
-  /// Tangent stiffness, lower triangle (empty: not wanted), and the force -dU/dd.   @return elastic energy [J]
+  /// Tangent stiffness, lower triangle (empty: not computed), and the force -dU/dd.   @return elastic energy [J]
   double linearise(const Mat2& F, Stiffness kind, std::span<double> lower, std::span<double> force) const;
-  /// d of a change of c and F.
+  /// Unknowns d of a change of c and F.
   void unknowns(const Vec2& dc, const Mat2& dF, std::span<double> d) const;
   [[nodiscard]] static Vec2 translation(std::span<const double> d) { return {d[0], d[1]}; }
   [[nodiscard]] Mat2 gradient(std::span<const double> d) const;

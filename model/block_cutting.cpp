@@ -19,7 +19,7 @@ namespace scree {
 namespace {
 
 constexpr std::int32_t kNoRegion = -1;
-constexpr int kMostRounds = 4;  // of lines that run on
+constexpr int kMostRounds = 4;  // of extended lines
 using Role = SourceLine::Role;
 
 std::pair<double, double> key_of(const Vec2& p) { return {p.y(), p.x()}; }
@@ -52,7 +52,7 @@ class Cutter {
   Cutting cut() {
     out_.lines = draw_lines(domain_.network, domain_.outline, &out_.sets);
     Faces cut = faces();
-    // Lines that run on end at lines that do, too: a few times around are enough.
+    // Extended lines may end at other extended lines: a few rounds are enough.
     for (int round = 0; domain_.dead_ends == DeadEnds::extend && round < kMostRounds && extend(cut.dead); ++round)
       cut = faces();
     std::vector<Face> faces = std::move(cut.faces);
@@ -83,7 +83,7 @@ class Cutter {
     return faces_of(graph_);
   }
 
-  /// Adds a line from each dead end on, to the nearest line that it meets.   @return true where there are any
+  /// Extends each dead end by a line to the nearest line in its way.   @return true if any line was added
   bool extend(const std::vector<GraphEdge>& dead) {
     std::map<std::int32_t, int> degree;
     for (const GraphEdge& e : graph_.edges) {
@@ -113,7 +113,7 @@ class Cutter {
     return !more.empty();
   }
 
-  /// Distance to the first other line along a ray; 0 where the ray only grazes its end, or leaves the domain.
+  /// Distance to the first other line along a ray; 0 if that line is at the start of the ray, or if there is none.
   [[nodiscard]] double first_hit(const Vec2& from, const Vec2& along, std::int32_t own) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < sources_.size(); ++i) {
@@ -136,8 +136,8 @@ class Cutter {
     for (const Region& r : domain_.regions) add_ring(r.outline, Role::region, r.joint);
     const std::size_t boundaries = boundaries_ = sources_.size();
 
-    // A line cut off at a boundary ends on it but for rounding, on either side. It runs on until it has left
-    // the grid cells of the boundary, so that the two cross. Such overruns go with all edges outside, or as dead ends.
+    // A line cut off at a boundary ends on it up to rounding, on either side. It is extended until it has left the
+    // grid cells of the boundary, so that the two cross. The overruns are removed as edges outside or as dead ends.
     CellGrid near(bounds(domain_.outline), boundaries + 1);
     for (std::size_t i = 0; i < boundaries; ++i)
       near.insert(sources_[i].a, sources_[i].b, 2.0 * grid_, static_cast<std::int32_t>(i));
@@ -147,7 +147,7 @@ class Cutter {
         const SourceLine& s = sources_[static_cast<std::size_t>(i)];
         if (distance(p, s.a, s.b) > grid_) continue;
         const double sine = std::abs(cross(along, (s.b - s.a).normalized()));
-        if (sine > 1e-2) length = std::max(length, 3.0 * grid_ / sine);  // one that runs along it needs no crossing
+        if (sine > 1e-2) length = std::max(length, 3.0 * grid_ / sine);  // a line along the boundary needs no crossing
       }
       return length;
     };
@@ -180,7 +180,7 @@ class Cutter {
     return kNoRegion;
   }
 
-  /// Joins slivers; `faces` are then those of the graph without the edges between joined faces.
+  /// Joins slivers; afterwards `faces` are the faces of the graph without the edges between joined faces.
   void join(std::vector<Face>& faces) {
     for (const Face& f : faces) region_.push_back(region_at(f.inside));
     const SliverJoin joined = join_slivers(graph_, faces, region_, {domain_.least_area, least_width_});
@@ -236,7 +236,7 @@ class Cutter {
   using Corner = std::pair<std::int32_t, JointId>;
 
   /// Ring of a block, from its lowest vertex on, without the vertices at which a straight edge with one law was noded.
-  /// A vertex that had to stay on the grid beside its line is kept: without it blocks would gap or overlap there.
+  /// A vertex that had to stay on the grid beside its line is kept: without it blocks would have a gap or an overlap.
   [[nodiscard]] std::vector<Corner> straightened(const std::vector<std::int32_t>& ring) const {
     std::vector<Corner> kept, all;
     const std::size_t n = ring.size();
@@ -355,10 +355,10 @@ class Cutter {
 
   const Domain& domain_;
   double grid_, least_width_;
-  double straight_;  // how far from a straight line a corner may be that is left out [m]
+  double straight_;  // largest distance from a straight line of a corner that is left out [m]
   Cutting out_;
   std::vector<SourceLine> sources_;
-  std::size_t boundaries_ = 0;  // how many of them are not joints
+  std::size_t boundaries_ = 0;  // number of sources that are not joints
   LineGraph graph_;
   std::vector<std::int32_t> region_;  // of each face
 };

@@ -26,11 +26,11 @@ struct CuttingError : std::runtime_error {
 
 /// Nodes all lines on the snapped grid, drops dead ends (kept as cracks unless shorter than least_width), polygonises,
 /// joins slivers (below least_area or least_width) to the neighbour with the longest shared edge, preferring those of
-/// the same region, and straightens: a corner where two edges lie on one line and have one law goes.
-///   Law of an edge: that of the joint it lies on; on a region's outline the region's; else none, so that the block's
-///   (region's or domain's) or the model's default holds; none on the outline of the domain.
+/// the same region, and straightens: a corner where two edges lie on one line and have one law is removed.
+///   Law of an edge: the law of the joint on which it lies; on a region's outline the region's law; else none, so that
+///   the default of the block (its region's or the domain's) or of the model applies; none on the domain's outline.
 /// The result is the same bit for bit on every run, and does not depend on the order of traces, arcs and sets, unless
-/// lines lie on top of each other: then the first gives its law.
+/// lines are coincident: then the first one determines the law.
 /// @pre check_domain finds nothing     @throws CuttingError, std::runtime_error (GEOS)
 /// @source docs/theory/contact-geometry.md, "Block cutting"
 [[nodiscard]] Cutting cut_blocks(const Domain& domain);

@@ -29,7 +29,7 @@ AffineMotion affine_fit(const Polygon& from, const Polygon& to) {
 }
 
 InSituStress::InSituStress(const Model& model, const BodyRecord& record) {
-  if (record.placed) return;  // what is filled comes without stress
+  if (record.placed) return;  // fill is placed without stress
   const auto& stress = model.material_of(record.block).initial_stress;
   if (!stress) return;
   stress_ = &*stress;

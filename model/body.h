@@ -1,8 +1,8 @@
-// Per body: its boundary as rows on its nodes, its shape free of stress, how it is represented, and its motion.
+// Per body: its boundary as rows on its nodes, its stress-free shape, its representation and its motion.
 // The one idea that joins the methods: the position of a boundary node is linear in its body's nodes,
 //   x = sum_k w_k q[node_k],
-// three weights, constant until the body is discretised anew. Contact, supports, transfer, output and streaming see
-// bodies only through these rows and never ask which method a body uses.
+// three weights, constant until the body is discretised anew. Contact, supports, transfer, output and streaming use
+// bodies only through these rows and do not depend on the method of a body.
 #pragma once
 
 #include <array>
@@ -44,10 +44,10 @@ struct Boundary {
   std::vector<Corner> corners;    // by ring and vertex
 };
 
-/// A body without stress, in material coordinates about its centre of mass: what a discretisation is made from.
+/// A body without stress, in material coordinates about its centre of mass: the basis of a discretisation.
 struct ReferenceShape {
   Polygon outline;             // stress-free shape, centre of mass at the origin [m]
-  Polygon origin;              // the same vertices where the model first had them [m]
+  Polygon origin;              // initial positions of the same vertices in the model [m]
   double mass = 0.0;           // [kg] for unit thickness
   double area = 0.0;           // mass / density [m2]
   Mat2 second = Mat2::Zero();  // int rho X X^T dA [kg m2]
@@ -64,36 +64,36 @@ struct AffineMotion {
 /// Least-squares affine map of the vertices of `from` to those of `to` (same rings and counts); velocities zero.
 [[nodiscard]] AffineMotion affine_fit(const Polygon& from, const Polygon& to);
 
-/// What one body is, and how it is represented now. Rebuilds the discretisation bit for bit.
+/// Identity and current representation of one body. The discretisation can be rebuilt from it bit for bit.
 struct BodyRecord {
   BlockId block;
   std::string method;  // name of the pool it lives in
   ReferenceShape shape;
   Formulation form;
-  // How far a hand-over has moved the anchors of the block's edge supports: x, y at either end of each; empty: nowhere.
+  // Displacement of the anchors of the block's edge supports by transfers: x, y at both ends of each; empty: none.
   std::vector<double> edge_shift{};
-  bool absent = false;  // not there: not come yet, or excavated. It keeps its place in lists, and nothing acts on it
-  bool placed = false;  // it came with a stage: its material's in-situ stress is not in it
+  bool absent = false;  // not placed yet, or excavated. The body keeps its place in lists, and nothing acts on it
+  bool placed = false;  // placed by a stage: it does not have its material's in-situ stress
 };
 
-/// In-situ stress of a block in its reference shape: the axes there are those that turn with the rock.
+/// In-situ stress of a block in its reference shape, whose axes rotate with the rock.
 class InSituStress {
  public:
   InSituStress(const Model& model, const BodyRecord& record);
   [[nodiscard]] bool none() const { return stress_ == nullptr; }
-  /// At a point of the reference shape; of a stress that is linear, at the centroid of a piece its mean [Pa].
+  /// Stress at a point of the reference shape [Pa]. The mean of a linear stress over a piece is that at its centroid.
   [[nodiscard]] Mat2 at(const Vec2& X) const;
   /// Mean over the outline [Pa].
   [[nodiscard]] Mat2 mean() const { return at(centroid_); }
 
  private:
   const InitialStress* stress_ = nullptr;
-  Vec2 centroid_{0.0, 0.0};  // of the outline: not the centre of mass where a deformed body left it behind
-  AffineMotion origin_;      // from the reference shape to where the model first had the block
+  Vec2 centroid_{0.0, 0.0};  // of the outline; not the centre of mass if a deformed body left this shape behind
+  AffineMotion origin_;      // from the reference shape to the block's initial position in the model
   Mat2 turn_ = Mat2::Identity();
 };
 
-/// Momenta and energies of one body, from the operators that its method really uses.
+/// Momenta and energies of one body, from the operators that its method actually uses.
 struct BodyTotals {
   double mass = 0.0;
   Vec2 centre{0.0, 0.0};

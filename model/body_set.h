@@ -34,19 +34,19 @@ class BodySet {
   [[nodiscard]] virtual const Boundary& boundary(int body) const = 0;
   /// Row of any material point of the body (supports, monitors).
   [[nodiscard]] virtual Row row_at(int body, const Vec2& X) const = 0;
-  /// Nodes of the two halves of a divided body that are one place of one continuum.
+  /// Nodes of the two halves of a divided body that are the same point of one continuum.
   struct InterfaceConstraint {
     std::int32_t explicit_node, implicit_node;  // in the pool
   };
   [[nodiscard]] virtual std::span<const InterfaceConstraint> interface_constraints(int body) const;
-  /// Per node of a divided body: its number, counted from the body's first, where the body is made undivided; empty: it
+  /// Per node of a divided body: its number in the undivided body, counted from the body's first node; empty: the body
   /// is not divided.
   [[nodiscard]] virtual std::span<const std::int32_t> undivided(int body) const;
-  /// Puts nodes that follow others to where these are.
+  /// Sets positions and velocities of nodes that follow others from the nodes that they follow.
   virtual void settle(int body, std::span<double> q, std::span<double> v) const;
-  /// True for a node of the half of a divided body that does not act here: another integrator moves it.
+  /// True for a node of the inactive half of a divided body: another time integrator moves it.
   [[nodiscard]] virtual bool idle(std::int32_t node) const;
-  /// Weights t with: a translation by a adds t_k a to node k of the body.
+  /// Weights t of a translation: a translation by a adds t_k a to node k of the body.
   [[nodiscard]] virtual std::span<const double> translation(int body) const = 0;
   /// The first body in an invalid configuration: not finite, or inverted.
   [[nodiscard]] virtual Fault find_fault(std::span<const double> q) const;

@@ -10,10 +10,10 @@
 namespace scree {
 namespace {
 
-constexpr double kNear = 1e-6;           // of the bolt's length: coordinates as people write them
+constexpr double kNear = 1e-6;           // of the bolt's length: the rounding of typed coordinates
 constexpr std::size_t kMostNodes = 400;  // of a bolt
 
-/// The piece that holds a distance from the head; nullptr: none.
+/// The piece that contains the point at a distance from the head; nullptr: none.
 const BoltPiece* piece_at(const std::vector<BoltPiece>& pieces, double at, double near) {
   for (const BoltPiece& p : pieces)
     if (at >= p.from - near && at <= p.to + near) return &p;
@@ -36,7 +36,7 @@ void add_crossings(const std::vector<BoltPiece>& pieces, Bolt& bolt) {
     const BoltPiece &a = pieces[k], &b = pieces[k + 1];
     const auto after = std::find_if(bolt.nodes.begin(), bolt.nodes.end(),
                                     [&](const Bolt::Node& n) { return n.at > 0.5 * (a.to + b.from); });
-    if (after == bolt.nodes.begin() || after == bolt.nodes.end()) continue;  // no bar on one side of it
+    if (after == bolt.nodes.begin() || after == bolt.nodes.end()) continue;  // no bar on one side of the crossing
     bolt.crossings.push_back(
         {static_cast<std::int32_t>(after - bolt.nodes.begin()) - 1, a.block, b.block, a.to, b.from});
   }

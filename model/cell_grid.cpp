@@ -33,7 +33,7 @@ void CellGrid::insert(const Box& box, std::int32_t item) {
 }
 
 void CellGrid::insert(const Vec2& a, const Vec2& b, double reach, std::int32_t item) {
-  // Cut at the four lines of the extent's sides, a part lies within the extent or on one side of it.
+  // The segment is cut at the four lines of the extent's sides: each part lies within the extent or on one side of it.
   const Vec2 d = b - a;
   std::array<double, 6> cuts{0.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   for (int k = 0; k < 2; ++k) {

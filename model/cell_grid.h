@@ -1,4 +1,4 @@
-// A plane cut into square cells that know which boxes touch them: finds what is near a point or a box.
+// A plane divided into square cells, each with a list of the boxes that touch it: finds items near a point or a box.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace scree {
 
 class CellGrid {
  public:
-  /// @param items  about how many boxes will be put in; cells are made as many
+  /// @param items  approximate number of boxes to insert, and of cells
   CellGrid(const Box& extent, std::size_t items);
 
   void insert(const Box& box, std::int32_t item);
-  /// Puts in a segment by boxes of at most a cell, so that a long one does not fill the square around it. What lies
-  /// outside the extent goes into cells of its border by one box for each side, however long it is.
-  /// @param reach  points up to this far from the segment find it [m]
+  /// Inserts a segment as boxes of at most one cell, so that a long segment does not fill its bounding box. Parts
+  /// outside the extent are inserted into cells of its border as one box for each side, whatever their length.
+  /// @param reach  largest distance at which a point finds the segment [m]
   void insert(const Vec2& a, const Vec2& b, double reach, std::int32_t item);
 
-  /// Items whose boxes touch the cell of the point: those that hold the point, and some more; in order of insertion.
+  /// Items whose boxes touch the cell of the point: those that contain it, and some others; in order of insertion.
   [[nodiscard]] std::span<const std::int32_t> at(const Vec2& point) const;
   /// Items that share a cell with the box, each once, ascending.
   void near(const Box& box, std::vector<std::int32_t>& items) const;

@@ -1,4 +1,4 @@
-// What must hold for a domain to be cut into blocks.
+// Conditions under which a domain can be cut into blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,13 +36,13 @@ std::optional<DomainFault> ring_fault(Part part, std::size_t index, const std::s
     if (gap <= 1e-9 * extent)
       return fault(fmt::format("has corner {} twice", at(ring[i])),
                    "remove the repeated corner; the first corner is not repeated at the end");
-    // A last corner this near the first is one that was meant to be the first again.
+    // A last corner this near the first was meant to repeat the first.
     if (i + 1 == ring.size() && gap <= 1e-4 * extent)
       return fault(
           fmt::format("is open: it ends at {}, {:.3g} m short of its first corner {}", at(ring[i]), gap, at(ring[0])),
           "remove the last corner: the outline closes from the last corner to the first by itself");
   }
-  // The signed area would be no test: that of a ring like an 8 may vanish too.
+  // The signed area is no test: it may vanish for a ring shaped like an 8 too.
   const Vec2 farthest = *std::max_element(ring.begin(), ring.end(), [&](const Vec2& p, const Vec2& q) {
     return (p - ring[0]).squaredNorm() < (q - ring[0]).squaredNorm();
   });
@@ -153,7 +153,7 @@ std::optional<DomainFault> line_fault(const JointNetwork& network, const Domain&
 }  // namespace
 
 double auto_snap(const Domain& domain) {
-  // Where lines cross is known to a few last places of the coordinates, which the grid must swallow.
+  // Crossings of lines have errors of a few units in the last place of the coordinates; the grid must be coarser.
   constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
   const Box box = bounds(domain.outline);
   const double farthest = std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());

@@ -1,4 +1,4 @@
-// What must hold for polygons to be blocks.
+// Conditions under which polygons can be blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,8 +67,8 @@ std::vector<GeometryFault> check_geometry(const Model& model) {
     if (auto f = fault_of(model, BlockId{i}, extent)) faults.push_back(std::move(*f));
   if (!faults.empty()) return faults;
 
-  // Overlaps: pairs whose boxes overlap, the common area against a sliver of width 1e-9 of the extent. A straight
-  // edge between two blocks, the one convex, settles nearly all pairs before GEOS is asked.
+  // Overlaps: for pairs whose boxes overlap, the common area against a sliver of width 1e-9 of the extent. In nearly
+  // all pairs an edge of a convex block separates the two, and GEOS is not needed.
   std::vector<char> is_convex;
   for (const Block& b : model.blocks) is_convex.push_back(convex(b.polygon.outer) ? 1 : 0);
   for (const auto& [i, j] : near_pairs(model.blocks, std::vector<double>(model.blocks.size(), 1e-12 * extent))) {

@@ -1,12 +1,12 @@
-// Decompositions of small dense matrices, compiled once: each of them costs the compiler several seconds a source.
+// Decompositions of small dense matrices, compiled once: each costs several seconds of compilation per source file.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace scree {
 
-// Matrices of a fixed size convert. Each call allocates its results, so that loops over elements or contact points
-// should not call these functions with matrices of two or three rows.
+// Matrices of a fixed size are converted. Each call allocates its results, so that loops over elements or contact
+// points should not call these functions with matrices of two or three rows.
 
 /// Eigenvalues and, as columns in the same order, eigenvectors.
 struct Modes {
@@ -34,20 +34,21 @@ struct Modes {
 [[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);
 
 /// The lower triangular L of A = L L^T. Only the lower triangle of A is read.   @pre A symmetric
-/// @return not a number in each place where A is not positive definite
+/// @return not a number in every entry if A is not positive definite
 [[nodiscard]] Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& A);
 
 /// X of A X = B by A = L L^T, with as many columns as B. Only the lower triangle of A is read.
 /// @pre A symmetric and positive definite
 [[nodiscard]] Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// The same by A = P^T L D L^T P with pivots from the diagonal.   @pre A symmetric, positive or negative semi-definite
+/// X of A X = B by A = P^T L D L^T P with pivots from the diagonal.
+/// @pre A symmetric, positive or negative semi-definite
 [[nodiscard]] Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// The same by A = P^T L U with partial pivoting.   @pre A square and not singular
+/// X of A X = B by A = P^T L U with partial pivoting.   @pre A square and not singular
 [[nodiscard]] Eigen::MatrixXd solve_general(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// A^-1 by A = P^T L U with partial pivoting.   @pre A square and not singular
 [[nodiscard]] Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& A);
 
-/// X (n columns of A x columns of B) that makes each column of A X - B least in the Euclidean norm, by A P = Q R with
+/// X (n columns of A x columns of B) that minimises the Euclidean norm of each column of A X - B, by A P = Q R with
 /// pivoting of columns.   @pre as many rows as columns or more, independent columns
 [[nodiscard]] Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 

@@ -16,7 +16,7 @@ struct Crack {
   BlockId block;
 };
 
-/// What cutting a domain gave.
+/// Statistics of cutting a domain into blocks.
 struct CuttingReport {
   std::int64_t blocks = 0;
   std::int64_t lines = 0;                // straight pieces drawn
@@ -24,9 +24,9 @@ struct CuttingReport {
   double crack_length = 0.0;             // of these [m]
   std::int64_t cracks_trimmed = 0;       // dead ends shorter than least_width, removed
   double trimmed_length = 0.0;           // of these [m]
-  std::int64_t ends_extended = 0;        // dead ends that run on to the next line
+  std::int64_t ends_extended = 0;        // dead ends extended to the next line
   double extended_length = 0.0;          // [m]
-  std::int64_t slivers_joined = 0;       // to a neighbour
+  std::int64_t slivers_joined = 0;       // with a neighbour
   std::int64_t slivers_left = 0;         // without a neighbour to join
   double area = 0.0;                     // of all blocks [m2]
   double least_area = 0.0;               // of a block [m2]

@@ -49,7 +49,7 @@ std::vector<EdgeSpan> edges_on_line(BlockId block, const Polygon& polygon, const
     const auto [from, to] = ends_of(polygon, edge);
     const Vec2 d = to - from;
     const double rise = d.dot(along), edge_length = d.norm();
-    // An edge across the line has a stretch within the tolerance too, but does not run beside it.
+    // An edge across the line also has a stretch within the tolerance, but does not run beside the line.
     if (std::abs(rise) <= std::abs(cross(along, d))) return;
     // x(s) = from + s d is beside the line where 0 <= (x - a).along <= length.
     double s0 = -(from - a).dot(along) / rise, s1 = s0 + length / rise;
@@ -71,7 +71,7 @@ struct Interval {
   double from = 0.0, to = 0.0;
 };
 
-/// What is left of an interval where others are taken away; rests shorter than `least` are not counted.
+/// The rest of an interval without some others; rests shorter than `least` are ignored.
 std::vector<Interval> without(Interval whole, std::vector<Interval> taken, double least) {
   std::sort(taken.begin(), taken.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
   std::vector<Interval> left;
@@ -97,7 +97,7 @@ std::vector<Box> boxes_of(const Model& model) {
   return boxes;
 }
 
-/// Part of an edge within a box; from >= to where there is none.
+/// Part of an edge within a box; from >= to if there is none.
 Interval clipped(const Vec2& a, const Vec2& b, const Box& box, double tolerance) {
   Interval in{0.0, 1.0};
   for (int d = 0; d < 2; ++d) {
@@ -235,7 +235,7 @@ NearestEdge nearest_edge(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   NearestEdge nearest{{}, std::numeric_limits<double>::infinity()};
   each_edge(polygon, [&](const OutlineEdge& edge) {
     const auto [from, to] = ends_of(polygon, edge);
-    // The distance from a straight piece is convex along a -> b: it is largest at an end.
+    // The distance from a straight piece is convex along a -> b, hence largest at an end.
     const double distance = std::max(distance_to_segment(a, from, to), distance_to_segment(b, from, to));
     if (distance < nearest.distance) nearest = {edge, distance};
   });

@@ -1,4 +1,4 @@
-// Stretches of a block's outline by where they are: what a load or a support along a line acts on.
+// Selects stretches of block outlines by position, for loads and supports along a line.
 #pragma once
 
 #include <vector>
@@ -24,32 +24,32 @@ struct EdgeEnds {
 /// @pre the polygon is oriented, the edge has a length
 [[nodiscard]] Vec2 outward_normal(const Polygon& polygon, const OutlineEdge& edge);
 
-/// Parts of the outline, holes too, that lie on the straight piece a -> b, whichever way that runs; by ring, edge.
-/// A part lies on it where it runs beside it and both its ends are within the tolerance of it. Ends of a part within
-/// the tolerance of a vertex are that vertex; parts shorter than twice the tolerance do not count.
+/// Parts of the outline, holes too, that lie on the straight piece a -> b, in either direction; by ring, edge.
+/// A part lies on the piece if it runs beside the piece and both its ends are within the tolerance of it. An end within
+/// the tolerance of a vertex is set to that vertex; parts shorter than twice the tolerance are ignored.
 /// @param tolerance [m], > 0      @pre |b - a| > tolerance
 [[nodiscard]] std::vector<EdgeSpan> edges_on_line(BlockId block, const Polygon& polygon, const Vec2& a, const Vec2& b,
                                                   double tolerance);
 
 /// Parts of the outlines of all blocks that lie on the straight piece a -> b and face no other block's edge there: the
-/// free faces of a model that blocks were cut from, by block, ring, edge, then along a -> b. Parts as in
+/// free faces of a domain that was cut into blocks. Ordered by block, ring, edge, then along a -> b. Parts are as in
 /// edges_on_line().
 /// @param tolerance [m], > 0      @pre |b - a| > tolerance
 [[nodiscard]] std::vector<EdgeSpan> free_edges_on_line(const Model& model, const Vec2& a, const Vec2& b,
                                                        double tolerance);
 
-/// The same within a box (its border belongs to it), whatever way the edges run.
+/// Free parts of the outlines within a box, its border included, whatever the direction of the edges.
 [[nodiscard]] std::vector<EdgeSpan> free_edges_in_box(const Model& model, const Box& box, double tolerance);
 
-/// The faces of a model that water before a slope can press on: those that face no other block and from which a
-/// straight line leads out of the model, up or up to either side, through no block; not those on the left, right and
-/// lower border of the model's box.
+/// Faces of a model on which water in front of a slope can act: they face no other block, and from them a straight
+/// line, upwards or obliquely upwards to either side, leaves the model without crossing a block. Faces on the left,
+/// right and lower border of the model's box are excluded.
 [[nodiscard]] std::vector<EdgeSpan> outer_faces(const Model& model, double tolerance);
 
 /// Length of a span [m].
 [[nodiscard]] double length_of(const Model& model, const EdgeSpan& span);
 
-/// The outline edge that comes nearest to holding the whole of a -> b, and how far the piece strays from it.
+/// The outline edge nearest to the whole of a -> b, and the largest distance of the piece from it.
 struct NearestEdge {
   OutlineEdge edge;
   double distance = 0.0;  // largest distance of a point of a -> b from the edge [m]

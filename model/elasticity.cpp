@@ -44,7 +44,7 @@ ElasticResponse elastic_response(const Elasticity& law, const Mat2& F, const Mat
 
 namespace {
 
-/// Change of the stretch U with the unit changes of F, and the rotation that goes with them.
+/// Changes of the stretch U and of the rotation for the unit changes of F.
 struct StretchRates {
   std::array<Mat2, 4> dU;
   std::array<double, 4> turn{};

@@ -45,7 +45,7 @@ using Tangent = Eigen::Matrix<double, 4, 4>;
 /// The part de:C:de of the second derivative, e(F) = U - I: positive semi-definite, zero for rigid motion.
 [[nodiscard]] Tangent material_tangent(const Elasticity& law, const Mat2& F);
 
-/// The same without rotation: W = 1/2 e:C:e + s0:e with e = sym(F) - I, P = C:e + s0.
+/// Response without rotation: W = 1/2 e:C:e + s0:e with e = sym(F) - I, P = C:e + s0.
 [[nodiscard]] ElasticResponse linear_response(const Elasticity& law, const Mat2& F, const Mat2& s0);
 [[nodiscard]] Tangent linear_tangent(const Elasticity& law);
 

@@ -8,8 +8,8 @@
 namespace scree {
 namespace {
 
-constexpr double kStraight = 2e-5;  // of the largest velocity: what straight lines between times may miss of a wave
-constexpr double kSpan = 6.0;       // height of a stretch with one traction: the way of a shear wave in so many times
+constexpr double kStraight = 2e-5;  // of the largest velocity: tolerated error of linear interpolation
+constexpr double kSpan = 6.0;       // height of a stretch with one traction: path of a shear wave in so many steps
 constexpr double kMostTimes = 2e5;
 constexpr double kLeastStretches = 8.0, kMostStretches = 256.0;  // of the height
 constexpr const char* kName = "free_field.";
@@ -20,8 +20,9 @@ double speed_of(const Model& model, MaterialId id, int axis) {
   return std::sqrt((axis == 0 ? law.mu : law.p_modulus()) / m.density);
 }
 
-/// Step of tables of a motion's velocity [s]. v is a parabola between samples of an acceleration that is linear between
-/// them: lines miss v'' step^2/8. Where it is constant v has kinks: lines miss the jump of v' times step/4.
+/// Step of tables of a motion's velocity [s]. If the acceleration is linear between samples, v is a parabola between
+/// them and linear interpolation has the error v'' step^2/8. If it is constant, v has kinks and the error is the jump
+/// of v' times step/4.
 double time_step(const GroundMotion& motion, double largest) {
   const std::vector<double>&t = motion.times(), &a = motion.accelerations();
   double rate = 0.0, jump = 0.0;
@@ -48,7 +49,7 @@ GroundHistory ground_history(const Model& model, const FreeField& ground, Materi
   GroundHistory out;
   if (part == 0.0 || motion.facts().pgv == 0.0 || !(until > 0.0)) return out;
   const double c = speed_of(model, material, axis), y = std::clamp(height - ground.bottom, 0.0, H), echo = 2.0 * H / c;
-  // The step divides the time of the echo, so that what a rigid base sends back is in the table already.
+  // The step divides the time of the echo, so that the reflection from a rigid base is an earlier entry of the table.
   const auto steps = static_cast<std::size_t>(std::ceil(echo / step_of(model, ground, material, until)));
   const double step = echo / static_cast<double>(steps);
   const double duration = motion.times().back() - motion.times().front();

@@ -1,4 +1,4 @@
-// How the friction of a joint changes with its motion: what Scree has to know of such a law.
+// How the friction of a joint changes with its motion: the data and functions that define such a law.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@ namespace scree {
 
 /// A contact point in a step.
 struct FrictionRow {
-  double slip = 0.0;    // way of the slider, >= 0; slip / step is the slip rate [m]
-  double change = 0.0;  // tan phi less tan phi_p: as the step begins, to be replaced by that at its end; 0 at first
+  double slip = 0.0;    // path of the slider, >= 0; slip / step is the slip rate [m]
+  double change = 0.0;  // tan phi - tan phi_p at the start of the step, replaced by the value at its end; initially 0
 };
 
-/// A law by which tan phi of a contact point leaves that of the joint's friction angle, tan phi_p. A step takes the
-/// value at its start, explicit and implicit alike. Stages to rest, which have no physical velocity, do not change it.
-/// The work of friction is booked with the force that the law leaves: a law has no energy of its own.
+/// A law by which tan phi of a contact point deviates from tan phi_p of the joint's friction angle. Explicit and
+/// implicit steps use the value at their start. Stages to rest, which have no physical velocity, do not change it.
+/// The work of friction is booked with the friction force that results: a law has no energy of its own.
 struct FrictionLaw {
   std::string name;     // in a case file: the table joint.NAME.<name>, which selects the law
   std::string meaning;  // of that table; a full sentence

@@ -43,8 +43,8 @@ struct Moments {
 /// @source [Shi1988], simplex integration; [Qu2013] 3.3.1
 [[nodiscard]] Moments moments(const Polygon& polygon);
 
-/// Turns rings so that the outer one runs counter-clockwise and the holes clockwise. Returns the rings that were
-/// turned.
+/// Reverses rings so that the outer one runs counter-clockwise and the holes clockwise. Returns the rings that were
+/// reversed.
 std::vector<std::size_t> orient(Polygon& polygon);
 
 /// Image of the polygon under x -> c + F x.
@@ -55,7 +55,7 @@ struct Box {
 };
 [[nodiscard]] Box bounds(const Polygon& polygon);
 
-/// True where the point lies inside the polygon (boundary points may go either way).
+/// True where the point lies inside the polygon (boundary points may count as inside or outside).
 [[nodiscard]] bool contains(const Polygon& polygon, const Vec2& point);
 
 }  // namespace scree

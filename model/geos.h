@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// A GEOS context of the caller's own (the reentrant interface), with geometry that frees itself.
+/// A GEOS context of the caller's own (the reentrant interface), with geometry that is freed automatically.
 class Geos {
  public:
   Geos() : handle_(GEOS_init_r()) {
@@ -35,12 +35,12 @@ class Geos {
     return Geometry(g, Free{handle_});
   }
 
-  /// A yes or no.   @throws std::runtime_error where GEOS could not tell
+  /// Result of a predicate.   @throws std::runtime_error if GEOS could not evaluate it
   [[nodiscard]] bool holds(char answer, const char* what) const {
     if (answer != 0 && answer != 1) fail(what);
     return answer == 1;
   }
-  /// After calls whose failure only the context is told of.   @throws std::runtime_error where there was one
+  /// Checks calls whose failure is reported to the context only.   @throws std::runtime_error if one failed
   void check(const char* what) const {
     if (!last_error_.empty()) fail(what);
   }
@@ -48,13 +48,13 @@ class Geos {
     throw std::runtime_error(std::string("GEOS: ") + what + " failed: " + last_error_);
   }
 
-  /// Room for points, not owned yet.
+  /// A coordinate sequence for points, not owned yet.
   [[nodiscard]] GEOSCoordSequence* coordinates(unsigned points) const {
     GEOSCoordSequence* s = GEOSCoordSeq_create_r(handle_, points, 2);
     if (s == nullptr) throw std::bad_alloc();
     return s;
   }
-  /// Sound points always make a line: without one there was no memory.
+  /// Valid points always make a line or ring: a null result means that there was no memory.
   [[nodiscard]] static GEOSGeometry* made(GEOSGeometry* g) {
     if (g == nullptr) throw std::bad_alloc();
     return g;

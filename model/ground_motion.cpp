@@ -58,7 +58,7 @@ MotionFacts GroundMotion::facts() const {
     const double h = time_[i] - time_[i - 1], a0 = a_[i - 1];
     const double a1 = setting_.between == Between::linear ? a_[i] : a0;
     integral += h * (a0 * a0 + a1 * a1) / 2.0;
-    // Where the acceleration passes zero within a step the velocity peaks there, by the triangle up to that point.
+    // If the acceleration passes zero within a step, the velocity peaks there, by the triangle up to that point.
     if (a0 * a1 < 0.0) f.pgv = std::max(f.pgv, std::abs(v_[i - 1] + a0 * h * (a0 / (a0 - a1)) / 2.0));
   }
   f.arias = std::numbers::pi / (2.0 * kStandardGravity) * integral;

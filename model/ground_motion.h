@@ -11,15 +11,15 @@ namespace scree {
 
 constexpr double kStandardGravity = 9.80665;  // [m/s2]
 
-/// How the acceleration runs from a sample to the next.
+/// Interpolation of the acceleration between samples.
 enum class Between {
   linear,   // straight to the next sample: v += (a0 + a1) h/2, d += v h + (2 a0 + a1) h^2/6
-  constant  // stays until the next sample: v += a0 h, d += v h + a0 h^2/2 ([Qu2013] eq. 8.1)
+  constant  // constant until the next sample: v += a0 h, d += v h + a0 h^2/2 ([Qu2013] eq. 8.1)
 };
 
-/// Facts that an engineer reads off a record. The Arias intensity is the sum over the samples that catalogues print: of
-/// a record without content above its Nyquist frequency that is the integral itself, while straight lines between the
-/// samples lose some (1.5 % of El Centro 1940 at 0.01 s).
+/// Characteristic values of a record. The Arias intensity is the sum over the samples, as printed in catalogues. For a
+/// record without content above its Nyquist frequency that sum is the integral itself; the integral over straight lines
+/// between the samples is smaller (by 1.5 % for El Centro 1940 at 0.01 s).
 struct MotionFacts {
   double duration = 0.0;            // from the first sample to the last [s]
   double pga = 0.0;                 // peak |acceleration| [m/s2]
@@ -30,11 +30,11 @@ struct MotionFacts {
 };
 
 /// A motion along a straight line: at rest before the first sample, moving on at the final velocity after the last
-/// (zero acceleration). Displacement and velocity are functions of the time alone, whatever steps ask for them.
-/// @source [Qu2013] eq. 8.1 is Between::constant; deviation: Between::linear is what a record means
+/// (zero acceleration). Displacement and velocity are functions of the time alone, independent of the steps.
+/// @source [Qu2013] eq. 8.1 is Between::constant; deviation: Between::linear is the meaning of a record
 class GroundMotion {
  public:
-  /// When it acts, how it runs between samples, what it is called.
+  /// Start, interpolation between samples, name and clock of the motion.
   struct Setting {
     double start = 0.0;  // time of the first sample, on the clock below [s]
     Between between = Between::linear;

@@ -12,7 +12,7 @@ struct Id {
   std::int32_t value = -1;
   constexpr Id() = default;
   constexpr explicit Id(std::int32_t v) : value(v) {}
-  /// That of place i of an array.
+  /// Id of place i of an array.
   [[nodiscard]] static constexpr Id of(std::size_t i) { return Id(static_cast<std::int32_t>(i)); }
   [[nodiscard]] constexpr bool valid() const { return value >= 0; }
   [[nodiscard]] constexpr std::size_t index() const { return static_cast<std::size_t>(value); }

@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// A row expressed in the unknowns d of an implicit step, counted from the body's first: dx = T d. At most three nodes
-/// that each follow three others, with two unknowns.
+/// A row expressed in the unknowns d of an implicit step, counted from the body's first: dx = T d. At most three nodes,
+/// each following three others that have two unknowns each.
 struct ChartRow {
   static constexpr int kMax = 18;
   int n = 0;
@@ -19,13 +19,13 @@ struct ChartRow {
   std::array<double, kMax> tx{}, ty{};
 };
 
-/// The unknowns of the element matrices that a body's system is the sum of, counted from the body's first. Values come
-/// as lower triangles, element after element, each column after column: n (n + 1)/2 numbers for n unknowns.
+/// Unknowns of the element matrices whose sum is the body's system, counted from the body's first. Values are stored as
+/// lower triangles, element after element, each column after column: n (n + 1)/2 numbers for n unknowns.
 struct ElementDofs {
   std::vector<std::int32_t> start{0};  // into dof; elements + 1
   std::vector<std::int32_t> dof;
   [[nodiscard]] std::size_t size() const { return start.size() - 1; }
-  /// Numbers that all lower triangles have together.
+  /// Total count of values in all lower triangles.
   [[nodiscard]] std::size_t values() const {
     std::size_t sum = 0;
     for (std::size_t e = 0; e + 1 < start.size(); ++e) {
@@ -36,7 +36,7 @@ struct ElementDofs {
   }
 };
 
-/// Which stiffness an implicit step asks for.
+/// Kind of stiffness that an implicit step requires.
 enum class Stiffness {
   exact,     // second derivative of the elastic energy: Newton's method converges quadratically
   definite,  // its nearest positive semi-definite neighbour, element by element
@@ -52,9 +52,9 @@ class ImplicitOperator {
   ImplicitOperator& operator=(const ImplicitOperator&) = delete;
   virtual ~ImplicitOperator() = default;
 
-  /// Unknowns a body; 0: explicit only.
+  /// Number of unknowns of a body; 0: explicit only.
   [[nodiscard]] virtual int dofs(int body) const;
-  /// True where the internal force is not linear in the unknowns of a step: Newton's method goes on at new iterates.
+  /// True where the internal force is not linear in the unknowns of a step: Newton's method continues at new iterates.
   [[nodiscard]] virtual bool nonlinear(int body) const;
   /// True where the chart is a constant matrix, so that accelerations are those of the nodes.
   [[nodiscard]] virtual bool constant_chart(int body) const;
@@ -68,7 +68,7 @@ class ImplicitOperator {
   /// Velocity in the unknowns.
   virtual void rates(int body, std::span<const double> q, std::span<const double> v, std::span<double> rate) const;
   /// Tangent stiffness of the elements at q and internal force -dU/dd of the body.
-  /// @param stiffness  lower triangles; empty: only the force is wanted
+  /// @param stiffness  lower triangles; empty: only the force is computed
   /// @return elastic energy [J]
   virtual double linearise(int body, std::span<const double> q, Stiffness kind, std::span<double> stiffness,
                            std::span<double> force) const;

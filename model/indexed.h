@@ -1,4 +1,4 @@
-// Arrays that take an index of their own type and no other, so that the number of a node cannot pick out an edge.
+// Arrays that accept an index of one type only, so that the number of a node cannot index an array of edges.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ template <class Tag>
   return i.value - first.value;
 }
 
-/// Indices [begin, end), to go through one by one.
+/// Indices [begin, end), for loops.
 template <class Index>
 class IndexRange {
  public:
@@ -92,7 +92,7 @@ class IndexedVector {
   void resize(std::size_t size) { values_.resize(size); }
   void reserve(std::size_t size) { values_.reserve(size); }
   void assign(std::size_t size, const T& value) { values_.assign(size, value); }
-  /// As a vector becomes a span.
+  /// Implicit conversion, as from a vector to a span.
   // NOLINTNEXTLINE(google-explicit-constructor)
   operator IndexedSpan<Index, const T>() const { return IndexedSpan<Index, const T>(std::span<const T>(values_)); }
   /// The values alone, in the order of their indices.

@@ -94,16 +94,16 @@ void append(std::vector<JointLine>& lines, const Segment& piece, const Polygon& 
     lines.push_back({s.a, s.b, joint, kind, static_cast<std::int32_t>(source)});
 }
 
-/// Turn of a trace in the section where its plane's pole leans away from the mean pole by the Fisher distribution:
-///   cos t = 1 + ln(1 - u (1 - exp(-2 K)))/K, a direction uniform about the mean pole; the section cuts the plane
-///   along the normal of the pole's part in it.
+/// Rotation of a trace in the section if the pole of its plane deviates from the mean pole by the Fisher distribution:
+///   cos t = 1 + ln(1 - u (1 - exp(-2 K)))/K, in a direction uniform about the mean pole; the section cuts the plane
+///   along the normal of the pole's part in the section.
 /// @source [Fisher1953]
 double fisher_turn_deg(double k, Random& random) {
   const double u = random.uniform(), about = 2.0 * std::numbers::pi * random.uniform();
   const double cosine = 1.0 + portable_log(1.0 - u * (1.0 - (k < 300.0 ? portable_exp(-2.0 * k) : 0.0))) / k;
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   double turn = std::atan2(sine * std::cos(about), cosine) * 180.0 / std::numbers::pi;
-  if (turn > 90.0) turn -= 180.0;  // a pole that points down is that of the same plane
+  if (turn > 90.0) turn -= 180.0;  // a pole that points down belongs to the same plane
   if (turn < -90.0) turn += 180.0;
   return turn;
 }
@@ -119,7 +119,7 @@ void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t inde
         set.fisher_k > 0.0 ? set.dip_deg.mean + fisher_turn_deg(set.fisher_k, random) : set.dip_deg.draw(random);
     drawn.drawn_dip.add(dip);
     const Vec2 along = direction_deg(dip);
-    const double half = 1.1 * w.radius;  // the window and a margin for lines turned about their pivot
+    const double half = 1.1 * w.radius;  // the window and a margin for lines rotated about their pivot
     for (const TraceInterval& i : intervals(set, -w.s, offset.k, half, random, drawn)) {
       const Segment whole{pivot + i.from * along, pivot + i.to * along};
       if (!set.region) {
@@ -134,7 +134,7 @@ void append(std::vector<JointLine>& lines, const JointSet& set, std::size_t inde
   drawn.lines = static_cast<std::int64_t>(lines.size() - first);
 }
 
-/// Area of the part of a polygon within a ring, or of all of it: of a grid of points, 400 along the longer side.
+/// Area of a polygon, or of its part within a ring, then by a grid of points, 400 along the longer side.
 double area_within(const Polygon& domain, const std::optional<Ring>& ring) {
   double area = 0.0;
   for (std::size_t r = 0; r < domain.rings(); ++r)
@@ -208,7 +208,7 @@ std::vector<Segment> clipped(const Segment& segment, const Polygon& polygon) {
 
 double expected_traces(const JointSet& set, const Polygon& domain) {
   const Window w = window_of(set, domain);
-  const double lines = 2.0 * (w.radius + std::abs(w.t)) / set.spacing.mean + 1.0;  // drawn up to the window too
+  const double lines = 2.0 * (w.radius + std::abs(w.t)) / set.spacing.mean + 1.0;  // also those from origin to window
   if (!set.length) return lines;
   return lines * (2.2 * w.radius / (set.length->mean + set.gap.mean) + 1.0);
 }

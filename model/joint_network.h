@@ -14,8 +14,8 @@ namespace scree {
 
 /// A family of parallel joints.
 ///   Line k passes through origin + t_k n, n the normal of the mean dip; t_0 = 0, and t_k - t_(k-1) is a spacing.
-///   Along a line traces of a length alternate with gaps (rock bridges). Where neither varies, a trace of line k begins
-///   at its foot point origin + t_k n moved by k stagger (length + gap); where one does, the first begins at random.
+///   Along a line traces alternate with gaps (rock bridges). If neither length nor gap varies, a trace of line k begins
+///   at its foot point origin + t_k n moved by k stagger (length + gap); else the first trace begins at random.
 struct JointSet {
   Spread dip_deg;         // [deg] counter-clockwise from +x
   double fisher_k = 0.0;  // > 0: poles scatter in space by the Fisher distribution of this K, dips are apparent ones
@@ -29,11 +29,11 @@ struct JointSet {
   std::uint64_t seed = 1;
 };
 
-/// What was drawn of a quantity, before lines were cut off at the domain.
+/// Statistics of the drawn values of a quantity, before lines were cut off at the domain.
 struct Sample {
   std::int64_t n = 0;
   double sum = 0.0, squares = 0.0;  // about `about`
-  double about = 0.0;               // near the mean, against cancellation
+  double about = 0.0;               // near the mean, to avoid cancellation
   void add(double x) {
     ++n;
     sum += x - about;
@@ -43,25 +43,25 @@ struct Sample {
   [[nodiscard]] double deviation() const;  // of the sample; 0 for less than two
 };
 
-/// What a joint set asked for, and what its draws gave.
+/// Specified and drawn values of a joint set.
 struct SetStatistics {
   JointId joint;
-  Spread dip_deg, spacing, length, gap;  // as asked
+  Spread dip_deg, spacing, length, gap;  // as specified
   double fisher_k = 0.0;
-  bool through = true;                                       // its lines have no length
+  bool through = true;                                       // its lines run through: no length is given
   Sample drawn_dip, drawn_spacing, drawn_length, drawn_gap;  // [deg], [m]
   std::int64_t lines = 0;                                    // straight pieces in the domain
   double total_length = 0.0;                                 // of these [m]
   double area = 0.0;                                         // that the set fills [m2]
-  /// Length of traces per area, as drawn and as asked [1/m].
+  /// Length of traces per area, as drawn and as specified [1/m].
   [[nodiscard]] double density() const { return area > 0.0 ? total_length / area : 0.0; }
   [[nodiscard]] double asked_density() const;
   /// length/(length + gap)
   [[nodiscard]] double persistence() const { return through ? 1.0 : length.mean / (length.mean + gap.mean); }
 };
 
-/// Mean and standard deviation of a spread as it is drawn: of a normal distribution that is drawn again until it is
-/// positive, those of the truncated one.
+/// Mean and standard deviation of the drawn values of a spread. For a normal distribution that is drawn again until it
+/// is positive, those of the truncated distribution.
 struct Moments1 {
   double mean = 0.0, deviation = 0.0;
 };
@@ -74,7 +74,7 @@ struct Trace {
   JointId joint;
 };
 
-/// A circular arc of chords, counter-clockwise where to > from.
+/// A circular arc made of chords, counter-clockwise where to > from.
 struct Arc {
   Vec2 centre{0.0, 0.0};  // [m]
   double radius = 0.0;    // [m], > 0
@@ -119,7 +119,7 @@ struct Segment {
 ///         stationary systems of straight lines
 [[nodiscard]] double expected_crossings(const JointSet& first, const JointSet& second, const Polygon& domain);
 
-/// What joint sets are expected to draw in a domain. What it costs to cut the domain goes by the sum of the two.
+/// Numbers that joint sets are expected to draw in a domain. The cost of cutting the domain depends on their sum.
 struct NetworkSize {
   double lines = 0.0, crossings = 0.0;
 };
@@ -127,7 +127,7 @@ struct NetworkSize {
 
 /// All lines: traces, arcs, then sets, in the order given, cut off at the domain's boundary.
 /// @pre mean spacing and length > 0     @source docs/theory/contact-geometry.md, "Block cutting"
-/// @param statistics  of the sets, appended; null: not wanted
+/// @param statistics  of the sets, appended; null: not computed
 [[nodiscard]] std::vector<JointLine> draw_lines(const JointNetwork& network, const Polygon& domain,
                                                 std::vector<SetStatistics>* statistics = nullptr);
 

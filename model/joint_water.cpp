@@ -22,7 +22,7 @@ double weighted(double r0, double d0, double r1, double d1) {
   return (r1 - r0) / 6.0 * (d0 * (1.0 - r0) + 2.0 * (d0 + d1) * (1.0 - middle) + d1 * (1.0 - r1));
 }
 
-/// The same over the part where d is positive.
+/// The same integral over the part where d is positive.
 double weighted_wet(double r0, double d0, double r1, double d1) {
   if (d0 <= 0.0 && d1 <= 0.0) return 0.0;
   if (d0 >= 0.0 && d1 >= 0.0) return weighted(r0, d0, r1, d1);

@@ -47,7 +47,7 @@ void each_piece(const Geos& geos, const GEOSGeometry* g, See&& see) {
   }
 }
 
-/// The direction of more than half of the length of very many lines; else the x axis.
+/// The direction of more than half of the total length, if there are very many lines; else the x axis.
 Vec2 main_direction(const std::vector<SourceLine>& sources) {
   if (sources.size() < kManyLines) return {1.0, 0.0};
   MainDirection main;
@@ -55,8 +55,8 @@ Vec2 main_direction(const std::vector<SourceLine>& sources) {
   return main.share() > 0.5 ? main.along() : Vec2(1.0, 0.0);
 }
 
-/// Lines in the order in which GEOS gets them. Its tree of nodes is not balanced: in the order of their ends very many
-/// lines would make a list of it.
+/// Order in which the lines are passed to GEOS. Its tree of nodes is not balanced: very many lines in the order of
+/// their ends would degenerate it to a list.
 std::vector<std::size_t> drawing_order(std::size_t lines) {
   std::vector<std::size_t> order(lines);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -74,8 +74,8 @@ std::vector<SourceLine> turned(std::vector<SourceLine> sources, const Mat2& axes
   return sources;
 }
 
-/// Sources of each edge, in the axes of the grid: those within 1.5 grid widths of both its ends (snap rounding moves a
-/// line by at most 0.71).
+/// Sources of each edge, in the axes of the grid: lines within 1.5 grid widths of both ends of the edge (snap rounding
+/// moves a line by at most 0.71).
 void find_sources(LineGraph& graph, const std::vector<SourceLine>& sources) {
   if (graph.edges.empty()) return;
   Box box{sources.front().a, sources.front().a};
@@ -99,11 +99,11 @@ std::optional<Vec2> intersection(const SourceLine& s, const SourceLine& t, doubl
   const Vec2 d = s.b - s.a, e = t.b - t.a;
   const double det = cross(d, e);
   squareness = std::abs(det) / (d.norm() * e.norm());
-  if (squareness < 1e-7) return std::nullopt;  // less and the intersection is known no better than the grid
+  if (squareness < 1e-7) return std::nullopt;  // below this the intersection is no more accurate than the grid
   return s.a + cross(t.a - s.a, e) / det * d;
 }
 
-/// Where a vertex of a graph belongs.   @param lines  sources of its edges, ascending, each once
+/// Final position of a vertex of a graph.   @param lines  sources of its edges, ascending, each once
 Vec2 placed(const LineGraph& graph, std::int32_t vertex, const std::vector<std::int32_t>& lines,
             const std::vector<SourceLine>& sources) {
   const double grid = graph.grid;
@@ -118,7 +118,7 @@ Vec2 placed(const LineGraph& graph, std::int32_t vertex, const std::vector<std::
       if (!end) end = p;
     }
   }
-  // An end as the user wrote it, where it is on all lines to the last bit: intersections round.
+  // An end as the user wrote it, if it is on all lines to the last bit: computed intersections have rounding errors.
   if (end && std::all_of(lines.begin(), lines.end(), [&](std::int32_t i) {
         const SourceLine& s = sources[static_cast<std::size_t>(i)];
         return cross(*end - s.a, s.b - s.a) == 0.0;
@@ -137,7 +137,7 @@ Vec2 placed(const LineGraph& graph, std::int32_t vertex, const std::vector<std::
     }
   if (best) return *best;
   if (end || lines.empty()) return end.value_or(snapped);
-  // A node that a line since removed has left: onto the line that remains.
+  // A node of a line that was removed since: it is projected on the remaining line.
   const SourceLine& s = sources[static_cast<std::size_t>(lines.front())];
   const Vec2 d = s.b - s.a;
   return s.a + (snapped - s.a).dot(d) / d.squaredNorm() * d;

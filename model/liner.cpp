@@ -1,4 +1,4 @@
-// Where the nodes of a liner are.
+// Positions of the nodes of a liner.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace scree {
 namespace {
 
 constexpr std::size_t kMostNodes = 2000;  // of a liner
-constexpr double kSame = 1e-9;            // of the tolerance: outlines that touch are as near as each other
+constexpr double kSame = 1e-9;            // of the tolerance: outlines that touch count as equally near
 
 /// The nearest point of the outlines.
 struct Spot {

@@ -9,7 +9,7 @@
 namespace scree {
 namespace {
 
-/// Box of all blocks; lo > hi where there are no corners.
+/// Box of all blocks; lo > hi if there are no corners.
 Box box_of(const Model& model) {
   Box box{Vec2::Constant(std::numeric_limits<double>::infinity()),
           Vec2::Constant(-std::numeric_limits<double>::infinity())};
@@ -21,7 +21,7 @@ Box box_of(const Model& model) {
   return box;
 }
 
-/// Where one axis is to be counted from.
+/// Origin of one axis.
 double origin_of(double lo, double hi, double extent) {
   const double distance = std::max(lo, -hi);  // negative where zero lies between them
   if (!(distance > kFarExtents * extent)) return 0.0;
@@ -73,7 +73,7 @@ void move_to_local_origin(Model& model) {
 }
 
 std::string place_text(const Vec2& x, const Vec2& origin) {
-  // Four digits find a place in a model, but not among coordinates of a survey.
+  // Four digits are enough to find a place in a model, but not for survey coordinates.
   const auto text = [](double value, double from) {
     return from == 0.0 ? fmt::format("{:.4g}", value) : fmt::format("{:.10g}", value + from);
   };

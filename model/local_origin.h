@@ -7,11 +7,11 @@
 
 namespace scree {
 
-/// A model farther away than so many times its extent gets an origin of its own.
+/// A model farther from (0, 0) than this multiple of its extent gets a local origin.
 ///   Positions are rounded to the last place of their distance d from (0, 0), eps d. A joint of stiffness k [Pa/m]
 ///   turns that into forces: of the weight of a block of size L, k L eps d/(rho g L^2), which for k = 1e11 Pa/m, L = 1
-///   m and rho g = 26 kN/m3 is 9e-8 at d = 100 L, and with the errors of hundreds of steps added up stays near 1e-6. A
-///   model nearer to (0, 0) is left alone to the last bit.
+///   m and rho g = 26 kN/m3 is 9e-8 at d = 100 L, and stays near 1e-6 with the errors of hundreds of steps added up. A
+///   model nearer to (0, 0) is not changed by a single bit.
 inline constexpr double kFarExtents = 100.0;
 
 /// Moves all positions of a model, in x and in y where the box of its blocks lies farther from zero than kFarExtents

@@ -12,7 +12,7 @@ namespace scree {
 class MainDirection {
  public:
   MainDirection();
-  /// A line from any point to that point + d.
+  /// Adds a line that leads from one end to the other by the vector d.
   void add(const Vec2& d);
   /// Unit vector along the longest line of the part that has most of the length; the x axis without any line.
   [[nodiscard]] Vec2 along() const { return along_[most()]; }

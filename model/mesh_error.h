@@ -1,4 +1,4 @@
-// A block that cannot be discretised as its stage wants it.
+// A block that cannot be discretised as its stage requires.
 #pragma once
 
 #include <stdexcept>

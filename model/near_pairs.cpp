@@ -8,7 +8,7 @@
 namespace scree {
 namespace {
 
-/// Of the outlines of the blocks.
+/// Main direction of the outlines of the blocks.
 Vec2 main_direction(std::span<const Block> blocks) {
   MainDirection main;
   for (const Block& b : blocks)

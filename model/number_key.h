@@ -1,4 +1,4 @@
-// A number that a law or a method asks of the case file.
+// A number that a law or a method reads from the case file.
 #pragma once
 
 #include <limits>
@@ -15,7 +15,7 @@ struct NumberKey {
   double high = std::numeric_limits<double>::infinity();
   bool high_open = false;
   std::string meaning;        // a full sentence
-  std::string fallback = {};  // value where the key is absent, as a case file has it; empty: the key must be given
+  std::string fallback = {};  // value if the key is absent, as written in a case file; empty: the key must be given
 };
 
 }  // namespace scree

@@ -11,11 +11,11 @@
 
 namespace scree {
 
-inline constexpr std::int64_t kChunk = 512;         // items a partial sum
-inline constexpr std::int64_t kSerialBelow = 4096;  // fewer items are not worth waking threads
+inline constexpr std::int64_t kChunk = 512;         // items per partial sum
+inline constexpr std::int64_t kSerialBelow = 4096;  // fewer items run serially: waking threads costs more
 
 /// body(i) for i in [0, n); iterations must not share anything they write.
-/// @param serial_below  fewer items are not worth waking threads
+/// @param serial_below  loops over fewer items run serially: waking threads would cost more
 template <class Body>
 void parallel_for(std::int64_t n, Body&& body, std::int64_t serial_below = kSerialBelow) {
   if (n < serial_below) {  // a parallel region costs something even with one thread
@@ -34,7 +34,7 @@ void parallel_for(IndexRange<Index> range, Body&& body, std::int64_t serial_belo
 }
 
 /// chunk(begin, end) over [0, n) in chunks of `size`.
-/// @param serial_below  fewer items are not worth waking threads
+/// @param serial_below  loops over fewer items run serially: waking threads would cost more
 template <class Chunk>
 void parallel_for_chunks(std::int64_t n, Chunk&& chunk, std::int64_t serial_below = kSerialBelow,
                          std::int64_t size = kChunk) {

@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// Of the outer ring and the holes [m].
+/// Total length of the outer ring and the holes [m].
 [[nodiscard]] double perimeter(const Polygon& p);
 
 }  // namespace scree

@@ -51,7 +51,7 @@ std::vector<Polygon> cut_by_lines(const Polygon& polygon, std::span<const CutLin
   const auto faces = geos.own(GEOSPolygonize_r(geos.get(), &all, 1), "polygons");
   std::vector<Polygon> found, inside;
   geos.collect(faces.get(), found);
-  for (Polygon& face : found) {  // lines beyond the polygon, and holes, bound faces of their own
+  for (Polygon& face : found) {  // lines beyond the polygon, and holes, also bound faces
     const auto g = geos.polygon(face);
     const auto point = geos.own(GEOSPointOnSurface_r(geos.get(), g.get()), "point");
     double x = 0.0, y = 0.0;

@@ -31,7 +31,7 @@ class Clipper {
 struct CutLine {
   Vec2 from{0.0, 0.0}, to{0.0, 0.0};
 };
-/// The parts into which lines cut a polygon, oriented: one where no line runs through it. Ends within it cut nothing.
+/// The parts into which lines cut a polygon, oriented: one if no line runs through it. Line ends inside cut nothing.
 [[nodiscard]] std::vector<Polygon> cut_by_lines(const Polygon& polygon, std::span<const CutLine> lines);
 
 /// Reason why a polygon is not simple and valid, with the place; empty if it is.
@@ -40,7 +40,7 @@ struct CutLine {
 [[nodiscard]] std::vector<Polygon> intersection(const Polygon& a, const Polygon& b);
 /// Area common to two valid polygons [m2].
 [[nodiscard]] double overlap_area(const Polygon& a, const Polygon& b);
-/// Cells that draw a polygon: itself, or triangles where it has holes (a polygon cell of VTK has none).
+/// Cells for drawing a polygon: itself, or triangles where it has holes (a polygon cell of VTK has none).
 [[nodiscard]] std::vector<Ring> drawing_cells(const Polygon& polygon);
 /// Triangles that fill a polygon with holes, without new points (constrained Delaunay).
 [[nodiscard]] std::vector<Ring> triangulate(const Polygon& polygon);

@@ -1,4 +1,4 @@
-// What a role does where a method does not override it.
+// Defaults of the roles for methods that do not override them.
 #include "model/pool.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// All bodies of one method, by five roles. A method derives from Pool and implements the roles as far as it can: what a
-// role does not need has a default.
+// All bodies of one method, by five roles. A method derives from Pool and implements the roles that it supports;
+// functions that a role does not require have a default.
 #pragma once
 
 #include "model/body_output.h"
@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// The bodies that use one method. The driver, the integrators and output each see the role that they need.
+/// The bodies that use one method. The driver, the integrators and output each use only the role that they need.
 class Pool : public BodySet,
              public ExplicitOperator,
              public ImplicitOperator,

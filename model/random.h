@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Draws from one stream of bits. The distributions of the standard library are left to each library to define, and
+/// Draws from one stream of bits. The distributions of the standard library differ between implementations, and
 /// std::log differs in the last bit, so both are replaced here.
 /// @source [Blackman2021]: xoshiro256** 1.0 and splitmix64 (public domain)
 class Random {
@@ -35,9 +35,9 @@ struct Spread {
   Distribution distribution = Distribution::normal;
 
   [[nodiscard]] bool varies() const { return deviation > 0.0 || distribution == Distribution::exponential; }
-  /// A draw; the mean, without touching the generator, where nothing varies.
+  /// A draw, or the mean if nothing varies; then the generator is not used.
   [[nodiscard]] double draw(Random& random) const;
-  /// The same, drawn again until it is positive.   @pre mean > 0
+  /// A draw, repeated until it is positive.   @pre mean > 0
   [[nodiscard]] double draw_positive(Random& random) const;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kNothing = 1e-9;  // of the record; rounding leaves less
 
 int terms_of(Baseline degree) { return static_cast<int>(degree); }  // none 0, constant 1, ...
-/// With fewer samples little else than the polynomial could be left.
+/// With fewer samples little more than the polynomial would remain.
 std::size_t least_samples(Baseline degree) { return static_cast<std::size_t>(terms_of(degree)) + 2; }
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v) {
@@ -109,7 +109,7 @@ Samples correct_baseline(Samples record, Baseline degree, Between between) {
   }
   Eigen::VectorXd v = as_vector(integrate(time, record.acceleration, between).velocity);
 
-  // The constant takes the end velocity off the motion and off the other terms, which are free then.
+  // The constant removes the end velocity from the motion and from the other terms, whose coefficients are then free.
   Eigen::VectorXd c = Eigen::VectorXd::Zero(terms);
   c[0] = v[n - 1] / V(n - 1, 0);
   v -= c[0] * V.col(0);

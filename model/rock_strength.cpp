@@ -6,7 +6,7 @@
 namespace scree {
 namespace {
 
-/// Radius of the circle about a centre, compression positive, that touches the envelope; not above 0: none does.
+/// Radius of the circle about a centre, compression positive, that touches the envelope; not above 0: there is none.
 double largest_radius(const MohrCoulombStrength& m, double centre) {
   return m.cohesion * std::cos(m.friction) + centre * std::sin(m.friction);
 }
@@ -27,7 +27,7 @@ double largest_radius(const HoekBrownStrength& h, double centre) {
 double tension_of(const MohrCoulombStrength& m) { return m.tension; }
 double tension_of(const HoekBrownStrength& h) { return h.tension(); }
 
-/// A part of what there is; all that is told where there is nothing.
+/// Ratio of a part to the whole, at most kMostUtilisation; without a whole, kMostUtilisation.
 double over(double part, double whole) {
   if (!(part > 0.0)) return 0.0;
   return whole > 0.0 ? std::min(part / whole, kMostUtilisation) : kMostUtilisation;

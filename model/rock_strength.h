@@ -1,5 +1,5 @@
 // Strength of intact or jointed rock against the stress in it: Mohr-Coulomb, or Hoek and Brown. Blocks stay elastic;
-// this says where that is no longer true.
+// the utilisation shows where that is no longer true.
 #pragma once
 
 #include <variant>
@@ -30,12 +30,12 @@ struct HoekBrownStrength {
 
 using RockStrength = std::variant<MohrCoulombStrength, HoekBrownStrength>;
 
-/// The largest utilisation that is told: where there is no strength at all, it would be infinite.
+/// Upper limit of the reported utilisation, which would be infinite without any strength.
 inline constexpr double kMostUtilisation = 999.0;
 
-/// How much of the strength a stress in the plane takes: the radius of Mohr's circle over that of the circle about the
-/// same centre that touches the envelope, or the tension over the tensile strength, whichever is larger. 1: it just
-/// fails; at most kMostUtilisation.
+/// Utilisation of the strength by a stress in the plane: the radius of Mohr's circle over that of the circle about the
+/// same centre that touches the envelope, or the tension over the tensile strength, whichever is larger. 1:
+/// failure; at most kMostUtilisation.
 /// @param s1,s3  larger and smaller principal stress in the plane, tension positive [Pa]
 [[nodiscard]] double utilisation(const RockStrength& strength, double s1, double s3);
 

@@ -9,7 +9,7 @@
 namespace scree {
 namespace {
 
-/// A face, or several that have become one.
+/// A face, or several that were joined.
 struct Group {
   double area = 0.0, perimeter = 0.0;
   std::map<std::int32_t, double> shared;  // length of the common edge with each neighbour

@@ -1,4 +1,4 @@
-// Faces that are too small or too narrow to be blocks go to a neighbour.
+// Faces that are too small or too narrow to be blocks are joined to a neighbour.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ struct SliverLimits {
 };
 
 struct SliverJoin {
-  std::vector<std::int32_t> group;  // of each face: the face that it has become part of (itself mostly)
+  std::vector<std::int32_t> group;  // per face: the face that it is now part of (usually itself)
   std::int64_t joined = 0;
   std::int64_t left = 0;  // below a limit, without a neighbour
 };
 
-/// Joins slivers, the smallest first, to the neighbour with the longest shared edge; neighbours of the same region come
-/// first. Ties go to the neighbour of lower number.
-/// @param region  of each face
+/// Joins slivers, the smallest first, to the neighbour with the longest shared edge; neighbours of the same region are
+/// preferred. For equal lengths the neighbour of lower number is taken.
+/// @param region  per face
 [[nodiscard]] SliverJoin join_slivers(const LineGraph& graph, const std::vector<Face>& faces,
                                       const std::vector<std::int32_t>& region, const SliverLimits& limits);
 

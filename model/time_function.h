@@ -14,7 +14,7 @@ namespace scree {
 ///   sine       sin(2 pi frequency (t - start)), for `duration` if that is given (> 0)
 ///   half_sine  sin(pi (t - start)/duration) for `duration`, then 0
 ///   sine_squared  sin^2(pi (t - start)/duration) for `duration`, then 0
-///   table      straight lines through (time, value), times counted from `start`; the last value stays
+///   table      straight lines through (time, value), times counted from `start`; then the last value
 struct TimeFunction {
   enum class Shape { constant, ramp, sine, half_sine, sine_squared, table };
   std::string name;
@@ -23,15 +23,15 @@ struct TimeFunction {
   double start = 0.0;               // [s], on the clock below
   double duration = 0.0;            // [s]
   double frequency = 0.0;           // of sine [Hz]
-  std::vector<double> time, table;  // of table, as many; times strictly increasing, the first >= 0 [s]
+  std::vector<double> time, table;  // of table, in equal number; times strictly increasing, the first >= 0 [s]
   StageId stage;                    // its clock begins with this stage of the plan; invalid: simulated time
   bool of_load = false;             // made for one load, which has a start of its own
 
   /// @param t  time of its clock [s]
   [[nodiscard]] double value(double t) const;
-  /// Where it first differs from zero, as far as its shape says [s].
+  /// Time before which the value is zero, according to the shape [s].
   [[nodiscard]] double begin() const;
-  /// After that it stays as it is, if only at zero; infinite: it never does [s].
+  /// Time after which the value is constant, possibly zero; infinite: never [s].
   [[nodiscard]] double end() const;
 };
 

@@ -40,7 +40,7 @@ double distance(const Edge& e, const Edge& f) {
   return std::min({distance(e.a, f.a, f.b), distance(e.b, f.a, f.b), distance(f.a, e.a, e.b), distance(f.b, e.a, e.b)});
 }
 
-/// What edge f, which runs the other way, covers of edge e: its ends projected on e, both within the gap.
+/// Length of edge e that edge f, of opposite direction, covers: the ends of f projected on e, both within the gap.
 std::optional<double> common_length(const Edge& e, const Edge& f, double gap) {
   const Vec2 d = e.b - e.a;
   const double length = d.norm();
@@ -74,7 +74,7 @@ bool near(const Box& a, const Box& b, double gap) {
 
 Box box_of(const Edge& e) { return {e.a.cwiseMin(e.b), e.a.cwiseMax(e.b)}; }
 
-/// How two blocks touch; nothing where they do not.
+/// Contact of two blocks; empty if they do not touch.
 std::optional<Touch> touch_of(const Model& model, const std::vector<Outline>& all, std::size_t i, std::size_t j) {
   const double gap = kTouchingGap * std::min(all[i].root_area, all[j].root_area);
   Touch touch{BlockId(static_cast<std::int32_t>(i)), BlockId(static_cast<std::int32_t>(j)), {}};

@@ -1,4 +1,4 @@
-// Which blocks of a model touch where the model first has them, and along what.
+// Blocks of a model that touch at their initial positions, and the stretches along which they touch.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct Touch {
   std::vector<Stretch> facing;  // empty: they touch at points only
 };
 
-/// The law between two edges that name laws, or none (invalid): the one that is given; of two the one with less
-/// friction, and of two with the same friction the one defined first.
+/// Law between two edges whose own laws may be given or not (invalid): the one that is given; if both are, the one with
+/// less friction, and for equal friction the one defined first.
 [[nodiscard]] JointId law_between(const Model& model, JointId a, JointId b);
 
 /// Gap below which two blocks count as touching: a thousandth of the root area of the smaller one [m].
@@ -30,7 +30,7 @@ inline constexpr double kTouchingGap = 1e-3;
 /// Pairs of blocks that touch, ordered by a and b.
 [[nodiscard]] std::vector<Touch> touching_blocks(const Model& model);
 
-/// The block nearest to some blocks, other than they, and how far it is.
+/// The nearest block outside a given set of blocks, and its distance from the set.
 struct Neighbour {
   BlockId block;     // invalid: there is no other block
   double gap = 0.0;  // [m]

@@ -32,7 +32,7 @@ std::vector<double> crossings(const Lattice* lattice, std::span<const CutLine> c
   return out;
 }
 
-/// The element that holds a point of the block.
+/// The element that contains a point of the block.
 std::int32_t element_at(const CoverMesh& mesh, const LatticePieces* pieces, const Vec2& inside) {
   if (pieces == nullptr) return 0;
   const auto [first, last] = pieces->elements(pieces->lattice.triangle_at(inside));
@@ -43,14 +43,14 @@ std::int32_t element_at(const CoverMesh& mesh, const LatticePieces* pieces, cons
   return mesh.locate(inside);
 }
 
-constexpr double kBeside = 1e-3;  // how far beside a stretch of an edge its element is looked for, of its length
+constexpr double kBeside = 1e-3;  // distance beside a stretch at which its element is searched, of its length
 
 }  // namespace
 
 void make_boundary(const Polygon& outline, const LatticePieces* pieces, std::span<const CutLine> cracks,
                    CoverMesh& mesh) {
   Boundary& out = mesh.boundary;
-  // The last segment ends where the next begins, or, at the mouth of a crack, at a node of its own side.
+  // The last segment ends at the first node of the next, or, at the mouth of a crack, at a node of its own side.
   const auto end_segment = [&](const Vec2& at, const Row& next) {
     const Row own = mesh.row(out.segments.back().cell, at);
     if (!same_place(own, next)) out.nodes.push_back(own);
@@ -93,7 +93,7 @@ void make_crack_faces(const Polygon& outline, const LatticePieces& pieces, std::
     face.push_back(static_cast<std::int32_t>(out.nodes.size()));
     out.nodes.push_back(row);
   };
-  // What a crack may cross: the others and, where it leaves the block or runs through a hole, the outline.
+  // Lines that a crack may cross: other cracks and, if it leaves the block or runs through a hole, the outline.
   std::vector<CutLine> lines(cracks.begin(), cracks.end());
   for (std::size_t r = 0; r < outline.rings(); ++r)
     for (std::size_t i = 0; i < outline.ring(r).size(); ++i)
@@ -102,19 +102,19 @@ void make_crack_faces(const Polygon& outline, const LatticePieces& pieces, std::
     const Vec2 &a = cracks[c].from, &b = cracks[c].to;
     const Vec2 to_left = quarter_turn() * (b - a).normalized();
     const std::vector<double> t = crossings(&pieces.lattice, lines, a, b);
-    bool open = false;  // the stretch before was cut
+    bool open = false;  // the previous stretch was cut
     for (std::size_t k = 0; k + 1 < t.size(); ++k) {
       const Vec2 start = a + t[k] * (b - a), end = a + t[k + 1] * (b - a), middle = 0.5 * (start + end);
       const Vec2 beside = kBeside * (end - start).norm() * to_left;
       const std::int32_t left = element_at(mesh, &pieces, middle + beside),
                          right = element_at(mesh, &pieces, middle - beside);
-      // Where the crack ends within a triangle, or along an edge that the pieces share, its sides are one.
+      // If the crack ends within a triangle, or along an edge that the pieces share, its sides are not separate.
       const bool cut = contains(outline, middle) && !same_place(mesh.row(left, middle), mesh.row(right, middle));
       if (cut) {
         const auto goes_on = [&](const std::vector<std::int32_t>& face, std::int32_t element) {
           return same_place(out.nodes[static_cast<std::size_t>(face.back())], mesh.row(element, start));
         };
-        // Another crack that ends on this one parts its side, and the faces begin anew.
+        // Another crack that ends on this one divides its side, and new faces begin.
         if (!open || !goes_on(out.cracks.back().left, left) || !goes_on(out.cracks.back().right, right)) {
           out.cracks.push_back({static_cast<std::int32_t>(c), {}, {}});
           add_node(mesh.row(left, start), out.cracks.back().left);

@@ -10,7 +10,7 @@
 namespace scree::nmm {
 namespace {
 
-/// The affine map that gives the pieces together the centroid 0 and the second moment of the block.
+/// The affine map after which the pieces together have the centroid 0 and the second moment of the block.
 struct Correction {
   Vec2 from;
   Mat2 A;
@@ -176,7 +176,7 @@ double ConsistentMass::damp(double factor, double rate, std::span<const double> 
       a[i] -= rate * rest[i];
     }
   };
-  for (std::size_t c = 0; c < star_.size(); ++c) split(c, star_[c]);  // tied covers too: affine fields are theirs
+  for (std::size_t c = 0; c < star_.size(); ++c) split(c, star_[c]);  // tied covers too: they follow affine fields
   apply(rest, f);
   double power = 0.0;
   for (std::size_t i = 2 * first; i < 2 * (first + star_.size()); ++i) {

@@ -11,7 +11,7 @@
 
 namespace scree::nmm {
 
-/// What a mass needs of an element: the moments of its material and the weights there.
+/// Data of an element for a mass: the moments of its material and the weights there.
 struct MassElement {
   std::array<std::int32_t, 3> cover{};   // counted from the block's first
   std::array<double, 3> weight{};        // of the three covers at the centroid of the material
@@ -21,9 +21,9 @@ struct MassElement {
 
 /// M = C^T M_covers C with the exact scalar mass of each piece of material,
 ///   int rho w_i w_j = m_e w_i(c_e) w_j(c_e) + (grad w_i)^T S_e grad w_j,
-/// the same for x and y. Its affine part is the block's: mass, momenta and rotational inertia are exact. Where the
-/// outline was fitted to a deformed body, its moments differ a little from those that travel with the body; then the
-/// material points at which the weights are taken are moved by the affine map that makes the sums right.
+/// the same for x and y. Its affine part is the block's: mass, momenta and rotational inertia are exact. If the outline
+/// was fitted to a deformed body, its moments differ slightly from those stored with the body; then the material points
+/// at which the weights are evaluated are moved by the affine map that restores the stored moments.
 /// @source docs/theory/kinematics-and-nmm.md, "Masses"; [Qu2013] 3.3.1
 class ConsistentMass {
  public:
@@ -40,7 +40,7 @@ class ConsistentMass {
   void make(const FoldedElements& folded, std::span<const MassElement> elements, std::span<const Vec2> star,
             double density, const Mat2* second, std::int32_t first);
 
-  /// a = M^-1 f on the free covers (forces on tied ones go to their roots), followed by the ties. The first call
+  /// a = M^-1 f on the free covers (forces on tied ones are added to their roots), followed by the ties. The first call
   /// factorises. f and a may be the same.
   void solve(std::span<const double> f, std::span<double> a) const;
   /// p = M v on the free covers, zero on tied ones.
@@ -54,7 +54,7 @@ class ConsistentMass {
   void add_weight(const Vec2& g, std::span<double> f) const;
   /// Exact scalar mass of an element over its three covers, before ties [kg].
   [[nodiscard]] const Mat3& element(std::size_t e) const { return element_[e]; }
-  /// Row sums, a cover; 0 for tied ones [kg].
+  /// Row sums per cover; 0 for tied ones [kg].
   [[nodiscard]] std::span<const double> row_sums() const { return row_sum_; }
 
  private:
@@ -64,11 +64,11 @@ class ConsistentMass {
   std::int32_t first_ = 0;
   std::vector<Mat3> element_;
   CoverChart chart_;
-  std::vector<std::int32_t> cover_of_;                            // a free cover
+  std::vector<std::int32_t> cover_of_;                            // per free cover
   Eigen::SparseMatrix<double, Eigen::RowMajor, std::int32_t> M_;  // over free covers, both triangles
   std::vector<double> row_sum_;                                   // per cover
-  std::vector<Eigen::Vector3d> basis_;                            // M [1, X] of a free cover
-  std::vector<Vec2> star_;                                        // reference position of a cover [m]
+  std::vector<Eigen::Vector3d> basis_;                            // M [1, X] per free cover
+  std::vector<Vec2> star_;                                        // reference position per cover [m]
   Mat3 inverse_ = Mat3::Zero();                                   // (P^T M P)^-1, P = [1, X]
   mutable std::unique_ptr<Factor> factor_;
 };

@@ -14,7 +14,7 @@ struct Share {
   double w;
 };
 
-/// The ties of all blocks of a pool. Tied covers follow three roots; forces on them go to the roots.
+/// The ties of all blocks of a pool. Tied covers follow three roots; forces on them are moved to the roots.
 class CoverChart {
  public:
   /// Appends the covers of a mesh.   @param first  its first cover in the pool
@@ -23,17 +23,17 @@ class CoverChart {
   void finish();
 
   [[nodiscard]] bool tied(std::int32_t cover) const { return tie_of_[static_cast<std::size_t>(cover)] >= 0; }
-  /// The free covers that a cover stands for: itself, or its three roots.
+  /// The free covers that represent a cover: itself, or its three roots.
   [[nodiscard]] std::span<const Share> shares(std::int32_t cover) const {
     const auto c = static_cast<std::size_t>(cover);
     return std::span(share_).subspan(static_cast<std::size_t>(share_start_[c]),
                                      static_cast<std::size_t>(share_start_[c + 1] - share_start_[c]));
   }
-  /// Weights on free covers that a row stands for, each cover once.
+  /// Weights on free covers equivalent to a row, each cover once.
   void fold(const Row& row, std::vector<Share>& folded) const;
   /// Covers that others follow, in their order.
   [[nodiscard]] std::span<const std::int32_t> roots() const { return root_; }
-  /// Adds to a root (a place in roots()) what its tied covers hold, each by its weight times `scale`.
+  /// Adds to a root (a place in roots()) the values of its tied covers, each times its weight and `scale`.
   void gather(std::size_t root, std::span<const double> f, double scale, std::span<double> a) const {
     const auto cover = static_cast<std::size_t>(root_[root]);
     Vec2 sum(0.0, 0.0);
@@ -42,9 +42,9 @@ class CoverChart {
     a[2 * cover] += scale * sum.x();
     a[2 * cover + 1] += scale * sum.y();
   }
-  /// Moves what tied covers hold to their roots.
+  /// Moves the values of tied covers to their roots.
   void fold_forces(std::span<double> f) const;
-  /// Tied covers take the sum of their roots.
+  /// Sets tied covers to the weighted sums of their roots.
   void follow(std::span<double> v) const {
     for (const Tie& t : ties_) follow(t, v);
   }
@@ -54,14 +54,14 @@ class CoverChart {
     v[2 * static_cast<std::size_t>(t.cover)] = sum.x();
     v[2 * static_cast<std::size_t>(t.cover) + 1] = sum.y();
   }
-  /// By cover.
+  /// All ties, ordered by cover.
   [[nodiscard]] std::span<const Tie> ties() const { return ties_; }
 
  private:
   std::vector<Tie> ties_;  // covers counted in the pool
   std::vector<std::int32_t> tie_of_, share_start_{0};
   std::vector<Share> share_;
-  std::vector<std::int32_t> root_, root_start_;  // covers that others follow, and who follows them
+  std::vector<std::int32_t> root_, root_start_;  // covers that others follow, and their first followers
   std::vector<Share> follower_;
 };
 

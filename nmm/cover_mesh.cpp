@@ -152,7 +152,7 @@ CoverMesh make_cover_mesh(const Polygon& outline, double cover_size, const Vec2&
   const Lattice lattice(cover_size, -cover_size * offset);
   CoverMesh mesh;
   const LatticePieces pieces = cut_lattice(outline, cracks, lattice, mesh);
-  if (mesh.elements() == 0) return make_onefold(outline);  // nothing beside the covers
+  if (mesh.elements() == 0) return make_onefold(outline);  // no element in the lattice
   std::vector<char> is_explicit;
   if (explicit_at)
     for (std::size_t e = 0; e < mesh.elements(); ++e)

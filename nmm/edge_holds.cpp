@@ -10,8 +10,8 @@
 namespace scree::nmm {
 namespace {
 
-/// gamma = kGamma (lambda + 2 mu)/h. Coercive where gamma > L/A of an element whose covers are free: 4.6/h for a chord
-/// of h over half a triangle; what tied covers extrapolate asks for more.
+/// gamma = kGamma (lambda + 2 mu)/h. Coercive if gamma > L/A of an element whose covers are free: 4.6/h for a chord
+/// of h over half a triangle; the extrapolation of tied covers requires more.
 constexpr double kGamma = 20.0;
 
 /// Displacement from the anchors at the ends.
@@ -75,7 +75,7 @@ Mat6 hold_stiffness(const EdgeHold& h, const StiffElement& e, const std::array<V
     }
   if (!h.consistent) return K;
   const Tangent A = tangent_of(e, gradient_of(e, x));
-  // Columns: traction P N that the unit move of a cover makes; rows: the mean of D w.
+  // t: traction P N of the unit move of a cover, per column; w: the mean of D w.
   Eigen::Matrix<double, 2, 6> t, w = Eigen::Matrix<double, 2, 6>::Zero();
   for (int k = 0; k < 3; ++k)
     for (int d = 0; d < 2; ++d) {

@@ -11,11 +11,11 @@
 namespace scree::nmm {
 namespace {
 
-constexpr std::int32_t kRun = 32;               // cells or single elements a run
+constexpr std::int32_t kRun = 32;               // cells or single elements per run
 constexpr std::int32_t kChunkElements = 128;    // of a chunk
-constexpr std::int64_t kSerialElements = 4000;  // fewer are not worth waking threads
+constexpr std::int64_t kSerialElements = 4000;  // fewer run serially: waking threads costs more
 
-/// A P, A W and det F of many elements from A C and the edges' gradients; one place each in arrays.
+/// A P, A W and det F of many elements from A C and the edges' gradients; one entry per element in each array.
 struct Lanes {
   alignas(64) double F00[kRun], F01[kRun], F10[kRun], F11[kRun];
   alignas(64) double P00[kRun], P01[kRun], P10[kRun], P11[kRun];
@@ -23,7 +23,7 @@ struct Lanes {
 };
 
 /// R = polar(F), e = R^T F - I, s = C:e + s0, P = R (s + w W), W = 1/2 e:C:e + s0:e (see elastic_response()).
-/// lambda, two_mu and s0 are times the element's area.
+/// lambda, two_mu and s0 are multiplied by the element's area.
 struct Corotational {
   template <bool Initial>
   static inline void evaluate(double lambda, double two_mu, double s00, double s11, double s01, double F00, double F01,
@@ -91,7 +91,7 @@ double strip(const ElementLaw& law, double area, const Gradients& up, const Grad
              const double* qb, const double* qt, double* fb, double* ft) {
   const double lambda = area * law.law.lambda, two_mu = 2.0 * area * law.law.mu;
   alignas(64) double bx[kRun + 1], by[kRun + 1], tx[kRun + 1], ty[kRun + 1];
-  // Forces on covers 1 and 2 of the two triangles of cell i stand at i + 1; the ends stay zero.
+  // Forces on covers 1 and 2 of the two triangles of cell i are at i + 1; the ends stay zero.
   alignas(64) double u1x[kRun + 2], u1y[kRun + 2], u2x[kRun + 2], u2y[kRun + 2];
   alignas(64) double v1x[kRun + 2], v1y[kRun + 2], v2x[kRun + 2], v2y[kRun + 2];
   alignas(64) double energy[kRun], det[kRun];
@@ -220,7 +220,7 @@ void ElementForces::colour_chunks(std::int32_t covers) {
     chunk.end = r;
     chunks.push_back(chunk);
   }
-  // The first colour that no chunk at one of its covers has; a cover meets few chunks.
+  // The first colour that no other chunk with one of the same covers has; a cover belongs to few chunks.
   std::vector<std::uint32_t> used(static_cast<std::size_t>(covers), 0);
   std::vector<int> colour(chunks.size());
   int colours = 0;
@@ -324,7 +324,7 @@ double ElementForces::add_force(std::span<const double> q, std::span<double> f) 
       }
     }
   };
-  if (static_cast<std::int64_t>(cover_.size()) < kSerialElements) {  // a parallel region costs something even so
+  if (static_cast<std::int64_t>(cover_.size()) < kSerialElements) {  // a parallel region has a cost even then
     by_colour();
   } else {
 #pragma omp parallel

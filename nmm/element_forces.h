@@ -1,4 +1,4 @@
-// The loop over manifold elements that explicit runs live in: internal forces and elastic energy.
+// The loop over manifold elements that dominates explicit runs: internal forces and elastic energy.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace scree::nmm {
 
-/// What the elements of one block share.
+/// Properties common to the elements of one block.
 struct ElementLaw {
   Elasticity law;
   Kinematics kinematics = Kinematics::corotational;
 };
 
 /// All elements of a pool in contiguous arrays. Work is cut into chunks of neighbouring elements; chunks of one colour
-/// share no cover and run side by side, colours follow one another, so every sum has a fixed order: the same bits for
-/// any number of threads. Within a chunk, runs of whole lattice cells whose covers follow one another need no index at
-/// all, and vectorise.
+/// share no cover and run in parallel, colours run one after another, so every sum has a fixed order: the same bits for
+/// any number of threads. Within a chunk, runs of whole lattice cells with consecutive covers need no index at all, and
+/// vectorise.
 class ElementForces {
  public:
   /// Appends a block's elements.   @param first  its first cover   @param scale  of the elements' areas
-  /// @param initial  co-rotated initial stress (xx, yy, xy) an element; empty: none [Pa]
+  /// @param initial  co-rotated initial stress (xx, yy, xy) per element; empty: none [Pa]
   void add(const CoverMesh& mesh, std::int32_t first, double scale, const ElementLaw& law,
            std::vector<std::array<double, 3>> initial);
   /// Cuts the work into chunks; called once, after the last block.
@@ -63,11 +63,11 @@ class ElementForces {
   double cells(const Run& run, const double* q, double* f) const;
   double singles(const Run& run, const double* q, double* f) const;
 
-  // A place an element.
+  // One entry per element.
   std::vector<std::array<std::int32_t, 3>> cover_;
   std::vector<std::uint32_t> shape_, law_;
   std::vector<double> area_;
-  std::vector<std::array<double, 3>> initial_;  // empty where no block has any
+  std::vector<std::array<double, 3>> initial_;  // empty if no block has any
   std::vector<char> whole_;                     // the whole triangle, with the full area of its block's lattice
   std::vector<Gradients> shapes_;
   std::vector<ElementLaw> laws_;
@@ -75,7 +75,7 @@ class ElementForces {
   std::vector<Run> runs_;
   std::vector<Chunk> chunks_;               // by colour
   std::vector<std::int32_t> colour_start_;  // into chunks_
-  mutable std::vector<double> partial_;     // energies, a chunk
+  mutable std::vector<double> partial_;     // energies, per chunk
 };
 
 }  // namespace scree::nmm

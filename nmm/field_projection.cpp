@@ -28,7 +28,7 @@ const std::array<std::int32_t, 3>& covers(const CoverMesh& mesh, std::int32_t e)
   return mesh.cover[static_cast<std::size_t>(e)];
 }
 
-/// Unknown places of a mesh: free covers, those at an interface constraint once.
+/// Unknown places of a mesh: free covers; the covers of an interface constraint count once.
 class Places {
  public:
   explicit Places(const CoverMesh& mesh) : share_(mesh.star.size()) {
@@ -60,7 +60,7 @@ class Places {
     }
   }
   [[nodiscard]] std::int32_t count() const { return count_; }
-  /// The unknowns that a cover stands for.
+  /// The unknowns that represent a cover.
   [[nodiscard]] std::span<const Share> of(std::int32_t cover) const { return share_[static_cast<std::size_t>(cover)]; }
 
  private:
@@ -68,7 +68,7 @@ class Places {
   std::vector<std::vector<Share>> share_;
 };
 
-/// A field of a mesh about its affine part, value(X) = mean + slope (X - centre) + what is left on the covers.
+/// A field of a mesh about its affine part, value(X) = mean + slope (X - centre) + the rest on the covers.
 struct SplitField {
   Vec2 mean = Vec2::Zero();
   Mat2 slope = Mat2::Zero();
@@ -92,11 +92,11 @@ class Projection {
   }
 
   [[nodiscard]] SplitField split(std::span<const double> field) const;
-  /// Nearest in the mass.
+  /// Unknowns of the projection in the mass.
   [[nodiscard]] Eigen::MatrixX2d in_mass(const SplitField& field) const;
-  /// Nearest in the elastic energy of displacements that are small but for the rotation R.
+  /// Unknowns of the projection in the elastic energy of displacements that are small apart from the rotation R.
   [[nodiscard]] Eigen::MatrixX2d in_energy(const SplitField& field, const Elasticity& law, const Mat2& R) const;
-  /// Covers of `to` from the affine part and the unknowns.
+  /// Writes the covers of `to` from the affine part and the unknowns.
   void write(const SplitField& field, const Eigen::MatrixX2d& rest, std::span<double> out) const;
 
  private:
@@ -108,7 +108,7 @@ class Projection {
     return m.area * weights_at(a, e, m.centroid) * weights_at(b, f, m.centroid).transpose() +
            slopes(a, e).transpose() * m.second * slopes(b, f);
   }
-  /// int w' field, an unknown a row.
+  /// int w' field, one row per unknown.
   [[nodiscard]] Eigen::MatrixX2d moments_of(const SplitField& field) const;
 
   const CoverMesh &from_, &to_;
@@ -195,7 +195,7 @@ Eigen::MatrixX2d Projection::in_energy(const SplitField& field, const Elasticity
   Eigen::VectorXd rhs(2 * n);
   for (std::int32_t k = 0; k < n; ++k) rhs.segment<2>(2 * k) = soft.row(k).transpose();
 
-  // sym(R^T F) in (xx, yy, 2 xy), and the stiffness that goes with it.
+  // Stiffness for sym(R^T F) in (xx, yy, 2 xy).
   const Eigen::Matrix3d D =
       (Eigen::Matrix3d() << law.p_modulus(), law.lambda, 0.0, law.lambda, law.p_modulus(), 0.0, 0.0, 0.0, law.mu)
           .finished();

@@ -11,7 +11,7 @@ void FoldedElements::make(const CoverMesh& mesh) {
   chart_.finish();
   free_of_.assign(mesh.star.size(), -1);
   cover_of_.clear();
-  std::vector<char> used(mesh.star.size(), 0);  // the other half's covers of a divided block are not
+  std::vector<char> used(mesh.star.size(), 0);  // not those of the other half of a divided block
   for (const auto& cover : mesh.cover)
     for (const std::int32_t c : cover)
       for (const Share& s : chart_.shares(c)) used[static_cast<std::size_t>(s.cover)] = 1;

@@ -1,4 +1,4 @@
-// One manifold block in implicit steps: two unknowns a free cover.
+// One manifold block in implicit steps: two unknowns per free cover.
 #pragma once
 
 #include "model/parallel.h"
@@ -12,11 +12,11 @@ namespace scree::nmm {
 /// @source docs/theory/kinematics-and-nmm.md, "Elastic law"; docs/theory/kinematics-and-nmm.md, "Masses"
 class ImplicitBody {
  public:
-  /// @param folded  the block's elements; kept
+  /// @param folded  the block's elements; stored
   /// @param masses  scalar mass of each element over its covers
   /// @param lumped  true: row sums of the folded matrices, on the diagonal
   /// @param first   first cover of the block in the pool's arrays
-  /// @param held    elements with a matrix of their own more each: those of edge holds, without mass
+  /// @param held    element of each edge hold; every hold adds a matrix of its own, without mass
   void make(FoldedElements folded, std::vector<Mat3> masses, bool lumped, std::int32_t first,
             std::vector<std::size_t> held = {});
 
@@ -27,13 +27,13 @@ class ImplicitBody {
   void element_masses(std::span<double> mass) const;
   /// Stiffness of the elements [N/m] and internal force on the unknowns [N] at the positions q of the pool.
   /// @param covers     of each element, counted in the pool
-  /// @param stiffness  lower triangles in the order of element_dofs(); empty: only the force is wanted
+  /// @param stiffness  lower triangles in the order of element_dofs(); empty: only the force is computed
   /// @param of(e)      StiffElement of the block's element e
   /// @return elastic energy, the elements in their order [J]
   template <class ElementAt>
   double linearise(std::span<const std::array<std::int32_t, 3>> covers, std::span<const double> q, Stiffness kind,
                    std::span<double> stiffness, std::span<double> force, ElementAt&& of) const;
-  /// Adds what hold k does after linearise(), which leaves its numbers at zero.   @param stiffness  empty: not wanted
+  /// Adds hold k after linearise(), which sets the values of holds to zero.   @param stiffness  empty: not computed
   void add_hold(std::size_t k, const Mat6& matrix, const Eigen::Matrix<double, 6, 1>& force_of_hold,
                 std::span<double> stiffness, std::span<double> force) const;
   /// Velocities of the free covers, from those of the pool.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSliver = 1e-9;  // least area of a face of a crack, a fraction of the triangle's
 constexpr double kReach = 1e-8;   // by which cracks are lengthened, a fraction of a mesh edge
 
-/// Cells (i of a row) that a segment comes near, both triangles of each: within a thousandth of the mesh size.
+/// Calls see for the cells near a segment, both triangles of each: within a thousandth of the mesh size.
 template <class See>
 void cells_near(const Lattice& lattice, const Vec2& a, const Vec2& b, See&& see) {
   const double margin = 1e-3;  // in oblique coordinates
@@ -34,7 +34,7 @@ void cells_near(const Lattice& lattice, const Vec2& a, const Vec2& b, See&& see)
   }
 }
 
-/// Pieces of an outline that none has been found of yet: the cells they may lie in.
+/// Empty pieces of an outline: only the range of cells in which they may lie.
 LatticePieces room_for(const Polygon& outline, const Lattice& lattice) {
   LatticePieces out{lattice, {}, 0, 0, {}, {}, {}};
   const Box box = bounds(outline);
@@ -52,12 +52,12 @@ LatticePieces room_for(const Polygon& outline, const Lattice& lattice) {
   return out;
 }
 
-/// The faces that lines cut a part of a triangle into; the part itself where they cut nothing off.
+/// The faces into which lines cut a part of a triangle; the part itself if they do not cut it.
 /// @param full  area of the triangle [m2]   @param crack_length  grows by the length of the cuts [m]
 std::vector<Polygon> faces_of(const Polygon& part, std::span<const CutLine> lines, double full, double& crack_length) {
   std::vector<Polygon> faces;
   if (!lines.empty()) faces = cut_by_lines(part, lines);
-  // A crack along a mesh line to within round-off cuts no sliver off: it runs between the triangles.
+  // A crack along a mesh line, up to round-off, must not cut off a sliver: it runs between the triangles.
   std::erase_if(faces, [&](const Polygon& f) { return moments(f).area < kSliver * full; });
   if (faces.size() > 1) {
     double cut = -perimeter(part);
@@ -76,7 +76,7 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
   LatticePieces out = room_for(outline, lattice);
   const std::size_t cells = out.cracked.size() / 2;
 
-  // Cells near a line, by cell; the cracks that come near each.
+  // Per cell, whether a line is near it; the cracks near each cell.
   std::vector<char> near(cells, 0);
   std::vector<std::pair<std::size_t, std::int32_t>> crack_at;
   const auto cell = [&](std::int32_t i, std::int32_t j) { return out.index({j, i, 0}) / 2; };
@@ -131,12 +131,12 @@ LatticePieces cut_lattice(const Polygon& outline, std::span<const CutLine> crack
   std::size_t next_crack = 0;
   std::vector<CutLine> lines;
   for (std::int32_t j = out.low.j; j < out.low.j + out.rows; ++j) {
-    bool known = false, solid = false;  // of the run of cells that no line comes near
+    bool known = false, solid = false;  // of the run of cells that are not near any line
     for (std::int32_t i = out.low.i; i < out.low.i + out.columns; ++i) {
       const std::size_t c = cell(i, j);
       lines.clear();
       for (; next_crack < crack_at.size() && crack_at[next_crack].first == c; ++next_crack) {
-        // A little longer: an end typed as a point of another line or of the outline lies off it by round-off.
+        // Slightly lengthened: an end typed as a point of another line or of the outline lies beside it by round-off.
         const CutLine& line = cracks[static_cast<std::size_t>(crack_at[next_crack].second)];
         const Vec2 more = kReach * lattice.size() * (line.to - line.from).normalized();
         lines.push_back({line.from - more, line.to + more});

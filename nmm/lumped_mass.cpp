@@ -60,7 +60,7 @@ std::vector<double> row_sums(const CoverMesh& mesh, double density) {
 bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceShape& shape, MassKind kind) {
   const std::size_t covers = mesh.star.size(), begin = static_cast<std::size_t>(first);
   const double density = shape.mass / mesh.drawn_area();
-  std::vector<char> present(static_cast<std::size_t>(mesh.components), 0);  // parts with elements here
+  std::vector<char> present(static_cast<std::size_t>(mesh.components), 0);  // parts with elements in this mesh
   for (const auto& cover : mesh.cover)
     present[static_cast<std::size_t>(mesh.component[static_cast<std::size_t>(cover[0])])] = 1;
   const auto absent = [&](std::size_t cover) { return present[static_cast<std::size_t>(mesh.component[cover])] == 0; };
@@ -87,7 +87,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
   for (std::int32_t p = 0; p < mesh.components; ++p) {
     Part part;
     part.begin = part.end = static_cast<std::int32_t>(chunks_.size());
-    if (present[static_cast<std::size_t>(p)] == 0) {  // its covers stay as they are
+    if (present[static_cast<std::size_t>(p)] == 0) {  // its covers are not changed
       parts_.push_back(part);
       continue;
     }
@@ -107,7 +107,7 @@ bool LumpedMass::add(const CoverMesh& mesh, std::int32_t first, const ReferenceS
       const Eigen::Vector3d P = affine_basis(X_[begin + k]);
       if (mesh.component[k] == p) hat += lumped[k] * P * P.transpose();
     }
-    part.hat_inverse = hat.inverse();  // damp() needs the affine part whatever the mass
+    part.hat_inverse = hat.inverse();  // damp() needs the affine part for every kind of mass
     if (kind == MassKind::affine_exact) {
       Eigen::Matrix3d affine = Eigen::Matrix3d::Zero();
       affine(0, 0) = exact[static_cast<std::size_t>(p)].mass;
@@ -193,7 +193,7 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
     }
     partial_[c] << x, y, Xx, Xy, Yx, Yy;
   };
-  if (covers < kSerialBelow) {  // a parallel region costs something even with one thread
+  if (covers < kSerialBelow) {  // a parallel region has a cost even with one thread
     for (std::int64_t n = 0; n < count; ++n) of_chunk(n);
   } else {
 #pragma omp parallel for schedule(static)
@@ -213,7 +213,7 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
   const auto count = static_cast<std::int64_t>(chunks_.size());
   const double *force = f.data(), *inverse = inverse_.data(), *X = X_.data()->data();
   double* to = a.data();
-  // Each thread does all that there is to do at its covers: what another core has written is slow to get.
+  // Each thread does all the work on its covers: data written by another core are slow to read.
   const auto all = [&] {
 #pragma omp for schedule(static)
     for (std::int64_t n = 0; n < count; ++n) {

@@ -8,7 +8,7 @@
 namespace scree::nmm {
 namespace {
 
-constexpr double kLost = 1e-3;  // part of an element's area that intersections may leave out before it is looked after
+constexpr double kLost = 1e-3;  // fraction of an element's area that intersections may leave out uncorrected
 
 /// The part of a convex polygon inside a counter-clockwise triangle.
 Ring clipped(Ring polygon, const std::array<Vec2, 3>& triangle) {
@@ -28,7 +28,7 @@ Ring clipped(Ring polygon, const std::array<Vec2, 3>& triangle) {
   return polygon;
 }
 
-/// What elements e of `from` and f of `to` have in common, piece by piece.
+/// Calls see(piece) for the common pieces of elements e of `from` and f of `to`.
 template <class See>
 void each_common(const CoverMesh& from, std::size_t e, const CoverMesh& to, std::size_t f, See&& see) {
   if (from.piece[e] < 0 && to.piece[f] < 0) {

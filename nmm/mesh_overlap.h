@@ -13,9 +13,9 @@ struct Overlap {
   Moments common;                 // of the material that both have
 };
 
-/// All overlaps of two meshes of the same outline, by elements of `to`. Together they are the material of each: what
-/// an intersection leaves out of an element of `to` (slivers, ends of cracks that one mesh trims) counts where the
-/// element has the rest of it, or in the nearest element of `from`.
+/// All overlaps of two meshes of the same outline, by elements of `to`. Together they make up the material of each:
+/// what intersections leave out of an element of `to` (slivers, ends of cracks that one mesh trims) is added to the
+/// other overlaps of that element, or assigned to the nearest element of `from`.
 [[nodiscard]] std::vector<Overlap> overlaps(const CoverMesh& from, const CoverMesh& to);
 
 }  // namespace scree::nmm

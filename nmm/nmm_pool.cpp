@@ -12,9 +12,9 @@
 namespace scree::nmm {
 namespace {
 
-/// Least certified step, as a fraction of the uncut mesh's 0.866 h/c_p, for which a block keeps its mesh: narrower
-/// blocks than 1.5 covers can have less, and then do better on a onefold cover (docs/theory/kinematics-and-nmm.md,
-/// "Ties").
+/// Least certified step, as a fraction of the uncut mesh's 0.866 h/c_p, for which a block keeps its mesh: blocks
+/// narrower than 1.5 covers can have a smaller one, and a onefold cover is then better
+/// (docs/theory/kinematics-and-nmm.md, "Ties").
 constexpr double kLeastStep = 0.25;
 
 bool keeps_its_step(const CoverMesh& mesh, const ReferenceShape& shape, const Formulation& form,
@@ -95,7 +95,7 @@ void NmmPool::divide(Body& body) {
   find_whole_inverse(body);
   const Division::Acts acts = body.form.division.acts;
   if (acts != Division::Acts::both) mesh = half_of(*body.whole, acts == Division::Acts::explicit_half);
-  // A consistent mass is the implicit half's alone; explicit steps take a lumped one.
+  // Only the implicit half has a consistent mass; explicit steps use a lumped one.
   body.lumped = std::make_unique<CoverMesh>(body.form.mass == MassKind::consistent ? half_of(mesh, true) : mesh);
 }
 
@@ -133,10 +133,11 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   if (form.mass != MassKind::affine_exact && !mesh.onefold) make_implicit(*body, first);
   chart_.add(mesh, first);
   body->first_element = static_cast<std::int32_t>(elements_.size());
-  // The rock keeps its area, mass over density, also where an outline fitted to a deformed body holds a little less.
+  // The rock keeps its area, mass over density, also if an outline fitted to a deformed body encloses slightly less.
   body->scale = record.shape.area / mesh.drawn_area();
   std::vector<std::array<double, 3>> initial;
-  // Constant in an element, its value at the centroid: the mean of a linear stress, so that its force is exact.
+  // The stress is constant in an element, with its value at the centroid: the mean of a linear stress, so that its
+  // force is exact.
   if (const InSituStress in_situ(model, record); !in_situ.none())
     for (std::size_t e = 0; e < mesh.elements(); ++e) {
       const Mat2 s = in_situ.at(mesh.centroid(e));
@@ -193,7 +194,7 @@ void NmmPool::make_implicit(Body& body, std::int32_t first) {
   }
   FoldedElements folded;
   folded.make(mesh);
-  // The moments that travel with a body are those of the whole block: a half has those of its elements.
+  // The moments stored with a body are those of the whole block; a half uses those of its elements.
   body.consistent.make(folded, elements, mesh.star, body.shape.mass / mesh.drawn_area(),
                        division.divides() ? nullptr : &body.shape.second, first);
   std::vector<Mat3> masses;

@@ -85,7 +85,7 @@ class NmmPool final : public Pool, public FieldCarrier {
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
   /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
-  /// @param nodes  xx, yy, xy a cover [Pa]
+  /// @param nodes  xx, yy, xy per cover [Pa]
   /// @source [Zienkiewicz1992] (superconvergent patch recovery); deviation: areas as weights
   void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
 
@@ -95,22 +95,23 @@ class NmmPool final : public Pool, public FieldCarrier {
   [[nodiscard]] const CoverChart& chart() const { return chart_; }
   [[nodiscard]] const ElementForces& elements() const { return elements_; }
   [[nodiscard]] const FrequencyBound& bound(int body) const { return of(body).frequency; }
-  /// Null where the block has a mesh.
+  /// Null if the block has a mesh.
   [[nodiscard]] const OnefoldCover* onefold(int body) const { return of(body).onefold ? &*of(body).onefold : nullptr; }
 
  private:
   struct Body {
     CoverMesh mesh;  // elements that act; boundary rows and cells, and interface constraints, count within the pool
-    // Of a divided block: all elements, and those that mass_ carries.
+    // Of a divided block: the mesh of all elements, and the mesh whose mass is in mass_.
     std::unique_ptr<CoverMesh> whole, lumped;
-    // And what both halves oppose to a force, whichever acts: contacts on the other one are damped by it too.
+    // Of a divided block: inverse masses of both halves, whichever is active: contacts on the other half are damped
+    // by them too.
     CoverChart whole_chart;             // covers counted from the body's first
     std::vector<double> whole_inverse;  // row sums of the mass, inverted; 0 for tied covers [1/kg]
     ReferenceShape shape;
     Formulation form;
-    ConsistentMass consistent;  // and what implicit steps need, where the form is not affine-exact
+    ConsistentMass consistent;  // this and `implicit` are made if the form is not affine-exact
     ImplicitBody implicit;
-    std::optional<OnefoldCover> onefold;  // with the block's exact mass, whatever the form says
+    std::optional<OnefoldCover> onefold;  // with the block's exact mass for every form
     Elasticity law;
     double scale = 1.0;  // of the elements' areas
     std::vector<EdgeHold> holds;
@@ -120,21 +121,21 @@ class NmmPool final : public Pool, public FieldCarrier {
   };
   /// The triangle of onefold covers of the whole model, in the reference frame of a shape.
   [[nodiscard]] std::array<Vec2, 3> model_triangle(const Model& model, const AffineMotion& to_origin);
-  /// True where mass_ carries some of the body, and where a consistent mass does.
+  /// True if mass_ carries some of the body, and if a consistent mass does.
   [[nodiscard]] static bool lumps(const Formulation& form);
   [[nodiscard]] static bool has_consistent(const Formulation& form);
   [[nodiscard]] static CoverMesh make_mesh(const Model& model, const BodyRecord& record, const AffineMotion& to_origin);
-  /// Keeps the elements of the half that acts.
+  /// Keeps only the elements of the active half.
   static void divide(Body& body);
   static void find_whole_inverse(Body& body);
-  /// The mass operator that the block's form asks for.
+  /// Applies the mass operator that the block's form requires.
   void apply_mass(int body, std::span<const double> v, std::span<double> p) const;
   void add_weight(int body, const Vec2& g, std::span<double> f) const;
   [[nodiscard]] double kinetic_of(int body, std::span<const double> v) const;
   [[nodiscard]] StiffElement element_of(const Body& body, std::size_t e) const;
   [[nodiscard]] std::array<Vec2, 3> covers_of(const Body& body, std::size_t e, std::span<const double> q) const;
   static void make_implicit(Body& body, std::int32_t first);
-  /// An element for messages, where the model first had it.
+  /// Initial position of an element in the model, for messages.
   [[nodiscard]] std::string place_of(int body, std::size_t element) const;
   [[nodiscard]] const Body& of(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
 
@@ -145,7 +146,7 @@ class NmmPool final : public Pool, public FieldCarrier {
   ElementForces elements_;
   std::vector<double> ones_;
   std::vector<char> idle_;                             // per cover
-  std::optional<std::array<Vec2, 3>> model_triangle_;  // where the model was first
+  std::optional<std::array<Vec2, 3>> model_triangle_;  // at the model's initial position
   Vec2 model_origin_{0.0, 0.0};
 };
 

@@ -1,4 +1,4 @@
-// The explicit operator of manifold blocks: forces, masses, damping, and what bounds the step.
+// The explicit operator of manifold blocks: forces, masses, damping and step bound.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ double NmmPool::linearise(int body, std::span<const double> q, Stiffness kind, s
     const std::array<Vec2, 3> x = covers_of(of(body), h.element, q);
     const HoldResponse r = hold_response(h, element, x);
     energy += r.energy;
-    // Damping by the material's stiffness leaves supports out.
+    // Damping by the material's stiffness does not include supports.
     const bool wanted = !stiffness.empty() && kind != Stiffness::material;
     of(body).implicit.add_hold(k, wanted ? hold_stiffness(h, element, x) : Mat6::Zero(), r.force,
                                wanted ? stiffness : std::span<double>(), force);

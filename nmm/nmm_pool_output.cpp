@@ -1,4 +1,4 @@
-// What results show of manifold blocks: cells, stresses in them and recovered from them.
+// Output of manifold blocks: cells, their stresses, and stresses recovered from these.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -21,10 +21,10 @@ Mat2 cauchy_stress(const ElementForces& elements, std::size_t e, std::span<const
 
 void NmmPool::topology(MeshPart& mesh) const {
   mesh.offsets.assign(1, 0);
-  std::vector<std::int32_t> point_of;  // per cover: the mesh point at its star, where whole triangles show it
+  std::vector<std::int32_t> point_of;  // per cover: the mesh point at its star, if whole triangles have it
   for (int b = 0; b < bodies(); ++b) {
     const Body& body = of(b);
-    // The affine map from the reference shape to where the model first had the block.
+    // The affine map from the reference shape to the block's initial position in the model.
     const AffineMotion origin = affine_fit(body.shape.outline, body.shape.origin);
     const Box box = bounds(body.shape.outline);
     const double grid = 1e-8 * (box.hi - box.lo).maxCoeff();
@@ -55,8 +55,8 @@ void NmmPool::topology(MeshPart& mesh) const {
       }
       for (const Ring& ring : drawing_cells(body.mesh.material(e))) {
         for (const Vec2& X : ring) {
-          // A corner at a star is that of whole triangles; others are shared with pieces of the same covers, which
-          // move them alike, and not across cracks.
+          // A corner at a star is shared with whole triangles; other corners are shared between pieces of the same
+          // covers, in which they move alike, and not across cracks.
           const auto w = body.mesh.weights(e, X);
           const auto most = std::max_element(w.begin(), w.end());
           if (*most > 1.0 - 1e-9) {
@@ -119,7 +119,7 @@ void NmmPool::recovered_stress(std::span<const double> q, std::span<double> node
     }
     for (std::size_t c = 0; c < mesh.star.size(); ++c) {
       const Fit& f = fit[c];
-      Eigen::RowVector3d value = f.rhs.row(0) / f.A(0, 0);  // the mean, where too few elements give no plane
+      Eigen::RowVector3d value = f.rhs.row(0) / f.A(0, 0);  // the mean, if too few elements define no plane
       const Eigen::LDLT<Eigen::Matrix3d> solver(f.A);
       if (solver.info() == Eigen::Success && solver.vectorD().minCoeff() > 1e-3 * f.A(0, 0))
         value = solver.solve(f.rhs).row(0);

@@ -1,4 +1,4 @@
-// What manifold blocks take over and give back at a transfer: placement, fields, totals, release.
+// Transfer of manifold blocks: placement, fields, totals, release.
 #include <Eigen/Dense>
 #include <cmath>
 
@@ -36,7 +36,7 @@ void NmmPool::project(int body, const FieldCarrier& from, int other, std::span<c
                last = static_cast<std::size_t>(pool.first_node(b + 1));
     return all.subspan(2 * first, 2 * (last - first));
   };
-  // Of a divided block the whole, whose interface constraints are still counted from its first cover.
+  // For a divided block the whole mesh, whose interface constraints are still counted from its first cover.
   const auto mesh = [](const Body& b) -> const CoverMesh& { return b.whole ? *b.whole : b.mesh; };
   project_motion({&mesh(was.of(other)), part(q_from, was, other), part(v_from, was, other)}, mesh(of(body)),
                  of(body).law, of(body).form.kinematics, part(q, *this, body), part(v, *this, body));
@@ -71,7 +71,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const std::int32_t begin = first_node(body), end = first_node(body + 1);
   const auto local = [&](std::int32_t k) { return static_cast<std::size_t>(k - begin); };
 
-  // Affine part in the operator really used: c, S, v_c, B, and the fit of x to X.
+  // Affine part in the operator actually used: c, S, v_c, B, and the fit of x to X.
   std::vector<double> weight(q.size(), 0.0), p(q.size(), 0.0), r(q.size(), 0.0), Mr(q.size(), 0.0);
   add_weight(body, {1.0, 1.0}, weight);
   apply_mass(body, v, p);
@@ -97,7 +97,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
   const Mat2 G = B * S.inverse();
 
   // The stress that keeps the affine part of the internal force, and the stretch that carries it.
-  const Mat2 R = polar_rotation(fit * b.shape.second.inverse());  // of the best F, whatever the shape of the block
+  const Mat2 R = polar_rotation(fit * b.shape.second.inverse());  // of the best F, for any shape of the block
   const auto first = static_cast<std::size_t>(b.first_element);
   const std::size_t last = first + b.mesh.elements();
   Mat2 virial = Mat2::Zero(), initial = Mat2::Zero();
@@ -127,7 +127,7 @@ Release NmmPool::release(int body, std::span<const double> q, std::span<const do
         F_inverse * (x - c);
   }
 
-  // What is left over: velocities M-orthogonal to affine fields, stresses about their mean.
+  // The rest: velocities M-orthogonal to affine fields, stresses about their mean.
   std::vector<double> w(q.size(), 0.0);
   for (std::int32_t k = begin; k < end; ++k) {
     const Vec2 rest = node(v, k) - vc - G * node(r, k), turned = R.transpose() * rest;

@@ -8,10 +8,10 @@ namespace scree::nmm {
 
 /// The stars q_k of a onefold cover and (c, F) of its block are the same six numbers,
 ///   q_k = c + F X_k,   c = sum_k w_k(0) q_k,   F = sum_k q_k (grad w_k)^T,
-/// X_k the stars' reference positions about the centre of mass. On a triangle as wide as the model the weights of a
-/// block of width d hardly differ, and matrices in the stars have a condition that grows as (model/d)^2; so
-/// accelerations and implicit steps are solved in centroidal form, where the triangle has no say. Nothing is lost: the
-/// map is exact.
+/// X_k the stars' reference positions about the centre of mass. On a triangle as wide as the model the weights vary
+/// little over a block of width d, and the condition number of matrices in the stars grows as (model/d)^2. Therefore
+/// accelerations and implicit steps are solved in centroidal form, which does not depend on the triangle. Nothing is
+/// lost: the map is exact.
 /// @source [Qu2013] 7.3.1, which solves in the stars; docs/theory/kinematics-and-nmm.md, "Onefold covers"
 class OnefoldCover {
  public:
@@ -42,7 +42,7 @@ class OnefoldCover {
   void rates(std::span<const double> v, std::span<double> rate) const;
   void retract(std::span<const double> d, std::span<const double> rate, std::span<double> q, std::span<double> v) const;
 
-  // --- the same in the stars, for studies of what that form would cost: x, y of each star ---
+  // --- matrices in the stars, for studies of the cost of that form: x, y of each star ---
   /// B of dq = B d.
   [[nodiscard]] Mat6 star_map() const;
   /// int rho w_i w_j on x and y [kg].

@@ -32,7 +32,7 @@ struct Stretch {
   double from, to;
 };
 
-/// The part of a -> b along p -> p + d, if it lies on it.
+/// Appends the part of a -> b along p -> p + d, if a -> b lies on that edge.
 void add_stretch(const Vec2& p, const Vec2& d, const Vec2& a, const Vec2& b, std::vector<Stretch>& out) {
   const double length2 = d.squaredNorm();
   const Vec2 u = a - p, w = b - p;
@@ -51,7 +51,7 @@ std::vector<Stretch> along(const CoverMesh& mesh, std::size_t element, const Vec
   return out;
 }
 
-/// True where two pieces share a length of the edge that is not on a crack.
+/// True if two pieces share a length of the edge that is not on a crack.
 bool share_length(const std::vector<Stretch>& a, const std::vector<Stretch>& b, const std::vector<Stretch>& cracks) {
   for (const Stretch& s : a)
     for (const Stretch& t : b) {
@@ -66,7 +66,8 @@ bool share_length(const std::vector<Stretch>& a, const std::vector<Stretch>& b, 
   return false;
 }
 
-/// Halves of the components, and pairs of covers, one of either half, that would be one cover of the undivided block.
+/// Finds the halves of the components, and the pairs of covers, one of each half, that would be one cover of the
+/// undivided block.
 void find_interface_constraints(UnionFind& undivided, std::span<const char> is_explicit, CoverMesh& mesh) {
   mesh.explicit_part.assign(static_cast<std::size_t>(mesh.components), 0);
   struct Corner {
@@ -91,7 +92,7 @@ void find_interface_constraints(UnionFind& undivided, std::span<const char> is_e
     };
     const auto e = first(true), i = first(false);
     if (e == end || i == end) continue;
-    // As many interface constraints as hold them all together.
+    // Just enough interface constraints to connect all of these covers.
     for (auto c = begin; c != end; ++c)
       if (!c->is_explicit)
         mesh.interface_constraints.push_back({e->cover, c->cover});
@@ -100,8 +101,8 @@ void find_interface_constraints(UnionFind& undivided, std::span<const char> is_e
   }
 }
 
-/// Shows join(a, b, node) every pair of elements that share a part of an inner edge which no crack covers, with both
-/// of its lattice nodes.
+/// Calls join(a, b, node) for every pair of elements that share a part of an inner edge which no crack covers, with
+/// each of the edge's two lattice nodes.
 template <class Join>
 void for_joined(const LatticePieces& pieces, std::span<const CutLine> cracks, const CoverMesh& mesh, Join&& join) {
   std::vector<Stretch> on_crack;
@@ -153,7 +154,7 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
     if (!is_explicit.empty()) undivided.join(slot(a), slot(b));
   });
 
-  // Numbers by lattice row, then along it; several covers of one star by their first element.
+  // Covers are numbered by lattice row, then along it; several covers of one star by their first element.
   struct Cover {
     LatticeNode node;
     std::int32_t root;
@@ -193,7 +194,7 @@ void number_covers(const LatticePieces& pieces, std::span<const CutLine> cracks,
   }
   if (is_explicit.empty()) return;
   find_interface_constraints(undivided, is_explicit, mesh);
-  // Covers of the undivided block would be numbered in the same order.
+  // The covers of the undivided block are numbered in the same order.
   std::vector<Cover> one;
   for (std::size_t e = 0; e < count; ++e) {
     const auto nodes = Lattice::corners(pieces.triangle[e]);

@@ -31,7 +31,7 @@ void terms_of(const CoverMesh& mesh, const CoverChart& chart, std::int32_t first
 FrequencyBound frequency_bound_of(const CoverMesh& mesh, const CoverChart& chart, std::int32_t first,
                                   std::span<const double> lumped, double scale, const Elasticity& law) {
   std::vector<double> diagonal(mesh.star.size(), 0.0);
-  std::vector<std::int8_t> plain(mesh.star.size(), 0);  // whole elements of untied covers; others count as many
+  std::vector<std::int8_t> plain(mesh.star.size(), 0);  // whole elements of untied covers; 100 with any other
   std::vector<Term> terms;
   const auto local = [&](std::int32_t cover) { return static_cast<std::size_t>(cover - first); };
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
@@ -47,7 +47,7 @@ FrequencyBound frequency_bound_of(const CoverMesh& mesh, const CoverChart& chart
   C << c11, c12, 0.0, c12, c11, 0.0, 0.0, 0.0, law.mu;
   const Eigen::Matrix3d root = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).operatorSqrt();
   FrequencyBound bound;
-  std::array<bool, 2> seen{false, false};  // elements inside the regular mesh are all alike
+  std::array<bool, 2> seen{false, false};  // elements inside the regular mesh are equal: one per shape
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     const auto& cover = mesh.cover[e];
     const bool regular = mesh.piece[e] < 0 && std::all_of(cover.begin(), cover.end(), [&](std::int32_t c) {

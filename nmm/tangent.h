@@ -8,7 +8,7 @@
 
 namespace scree::nmm {
 
-/// What a stiffness needs of an element, however the pool keeps it.
+/// Data of an element for its stiffness, independent of their storage in the pool.
 struct StiffElement {
   Eigen::Matrix<double, 2, 3> gradient;  // of the three weights [1/m]
   double area = 0.0;                     // [m2]

@@ -29,7 +29,7 @@ struct Stars {
   }
 };
 
-/// Gives the parts of the block that no root element carries a onefold cover each, in place of their own covers.
+/// Gives each part of the block without a root element a onefold cover in place of its covers.
 void make_parts_onefold(const std::vector<char>& rooted, CoverMesh& mesh) {
   std::vector<std::vector<Vec2>> points(rooted.size());
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
@@ -38,7 +38,7 @@ void make_parts_onefold(const std::vector<char>& rooted, CoverMesh& mesh) {
     const Polygon material = mesh.material(e);
     points[part].insert(points[part].end(), material.outer.begin(), material.outer.end());
   }
-  // The covers of other parts keep their order; those of onefold parts come last.
+  // The covers of other parts keep their order; those of onefold parts are last.
   std::vector<std::int32_t> number(mesh.star.size(), -1);
   std::vector<Vec2> star;
   std::vector<std::int32_t> component, first(rooted.size(), -1), shape(rooted.size(), -1);
@@ -65,7 +65,7 @@ void make_parts_onefold(const std::vector<char>& rooted, CoverMesh& mesh) {
       for (std::int32_t& c : covers) c = number[static_cast<std::size_t>(c)];
       continue;
     }
-    if (mesh.piece[e] < 0) {  // its triangle is no longer its own
+    if (mesh.piece[e] < 0) {  // its triangle is now that of the onefold cover
       mesh.piece[e] = static_cast<std::int32_t>(mesh.pieces.size());
       mesh.pieces.push_back(mesh.material(e));
     }
@@ -139,7 +139,7 @@ void tie_covers(CoverMesh& mesh) {
     mesh.ties.push_back({mark, mesh.cover[r], mesh.weights(r, mesh.star[c])});
   }
   if (std::find(rooted.begin(), rooted.end(), 0) == rooted.end()) return;
-  // Their covers are numbered last, so that ties only shift.
+  // The covers of onefold parts are numbered last, so that the numbers in ties only shift.
   std::vector<std::int32_t> shift(mesh.star.size());
   std::int32_t kept = 0;
   for (std::size_t c = 0; c < mesh.star.size(); ++c)
@@ -152,7 +152,7 @@ void tie_covers(CoverMesh& mesh) {
 }
 
 void loosen_ties(CoverMesh& mesh) {
-  constexpr double kLeast = 1e-2;  // of its own mass that a root keeps
+  constexpr double kLeast = 1e-2;  // of its own mass that a root must keep
   std::vector<double> own(mesh.star.size(), 0.0), all;
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     const std::array<double, 3> w = mesh.weights(e, mesh.centroid(e));

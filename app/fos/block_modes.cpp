@@ -11,9 +11,9 @@
 namespace scree::app {
 namespace {
 
-constexpr double kMoves = 0.1;                   // of the farthest way
-constexpr double kTopples = 0.6, kSlides = 0.2;  // way by turning, of that of the centroid
-constexpr double kSlips = 0.05;                  // slip at contacts, of the way
+constexpr double kMoves = 0.1;                   // of the largest displacement
+constexpr double kTopples = 0.6, kSlides = 0.2;  // displacement by rotation over that of the centroid
+constexpr double kSlips = 0.05;                  // slip at contacts over the displacement
 constexpr double kFreeFall = 0.75;               // of g
 
 /// Points of each block, each once.
@@ -51,7 +51,7 @@ double rotation(const std::vector<double>& before, const std::vector<double>& af
   return std::atan2(cross, dot);
 }
 
-/// Slip and opening of every pair of blocks and block that touches.
+/// Slip and opening of every pair of blocks, and the blocks that touch.
 struct Joints {
   std::map<std::pair<std::int32_t, std::int32_t>, double> slip, gap;
   std::map<std::int32_t, bool> closed;

@@ -1,4 +1,4 @@
-// The folder of `scree fos`: its file names, and what it was begun for.
+// The folder of `scree fos`: its file names, and the record of its question.
 #pragma once
 
 #include <filesystem>
@@ -8,25 +8,25 @@
 
 namespace scree::app {
 
-/// What is asked: fos.json. Two folders with the same of these have the same answer.
+/// The question of a search: fos.json. Two folders with equal records have the same answer.
 struct FosRecord {
   std::string case_file;                     // absolute; for people, not compared
   std::string case_sha256;                   // of its text
-  std::map<std::string, std::string> files;  // that the case names, with their SHA-256; paths are not compared
-  std::vector<std::string> set, load;        // --set, with those that the options of the command come to; --load
+  std::map<std::string, std::string> files;  // named in the case, with their SHA-256; paths are not compared
+  std::vector<std::string> set, load;        // --set, including other options expressed as --set; --load
   std::string what = "all";                  // strengths that are divided: all, friction or cohesion
   double tolerance = 0.01, least = 0.1, most = 10.0;
   [[nodiscard]] std::string text() const;
 };
 
 /// Names inside the folder.
-///   fos.json     what is asked           rest, rest-0.1   runs to rest        F-1.25, ...   runs at a factor
+///   fos.json     the question            rest, rest-0.1   runs to rest        F-1.25, ...   runs at a factor
 ///   k-0.05, ...  runs with k_h           logs/            what they printed   fos.csv, result.json   the answer
 ///   fos.svg      displacement over F     stable.png, failed.png               the two ends of the bracket
 class FosFolder {
  public:
-  /// Makes the folder and fos.json, or goes on with the same record.
-  /// @throws FileError where the folder holds something else, or another question, whose difference it names
+  /// Makes the folder and fos.json, or continues a search with the same record.
+  /// @throws FileError where the folder holds something else, or another question; the message names the difference
   [[nodiscard]] static FosFolder open(const std::filesystem::path& path, const FosRecord& record);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

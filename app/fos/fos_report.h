@@ -10,7 +10,7 @@
 
 namespace scree::app {
 
-/// What was asked, for people.
+/// The question, for people.
 struct FosTitle {
   std::string title, case_file;
   std::string strength = "peak";   // or as-is
@@ -23,7 +23,7 @@ struct FosTitle {
 
 [[nodiscard]] std::string fos_text(const FosTitle& title, const FosAnswer& answer);
 [[nodiscard]] std::string fos_json(const FosTitle& title, const FosAnswer& answer);
-/// A row a run: factor, verdict, displacement, acceleration, time, mode.
+/// One row per run: factor, verdict, displacement, acceleration, time, mode.
 [[nodiscard]] std::string fos_csv(const FosAnswer& answer);
 /// Draws displacement over F, and the runs at both ends of the bracket.   @throws FileError
 void draw_fos(const FosFolder& folder, const FosTitle& title, const FosAnswer& answer);

@@ -62,8 +62,8 @@ class Search {
                      done ? "" : ": " + outcome.reason));
     return done;
   }
-  /// True where implicit steps to rest ended without balance, and without a block that went the limit: joints whose
-  /// cohesion comes and goes with their contacts have no balance that a static step could find.
+  /// True where implicit steps to rest ended without balance, although no block moved as far as the limit: joints whose
+  /// cohesion appears and vanishes with their contacts have no balance that a static step could find.
   [[nodiscard]] bool unsettled(double start) const {
     return implicit_rest_ &&
            failure_to_rest(folder_->run(rest_run(start).name), limit_, gravity_).displacement < limit_;
@@ -131,14 +131,15 @@ class Search {
     return reader.times().empty() ? std::vector<io::RockUse>{} : io::rock_use(reader, reader.times().size() - 1);
   }
 
-  /// Which way what fails moves along x: +1 or -1.
+  /// Direction along x in which the failing blocks move: +1 or -1.
   [[nodiscard]] double direction() const {
     double sum = 0.0;
     for (const BlockMotion& m : answer_.at_least->motions) sum += m.area * m.displacement.x();
     return sum < 0.0 ? -1.0 : 1.0;
   }
 
-  /// Finds the horizontal acceleration that holds what strength does not.   @return false where it was stopped
+  /// Finds the horizontal acceleration that holds a slope which its strength does not hold.
+  /// @return false where it was stopped
   [[nodiscard]] bool tilt() {
     const double against = -direction();
     double fails = 0.0, stands = std::numeric_limits<double>::infinity();
@@ -160,7 +161,7 @@ class Search {
     for (double k = kFirstTilt; std::isinf(stands) && k <= kLastTilt; k *= 4.0)
       if (!try_all({k, 2.0 * k})) return false;
     if (std::isinf(stands)) return true;
-    if (fails > stands) fails = 0.0;  // too much of it throws the slope over the other way
+    if (fails > stands) fails = 0.0;  // too large an acceleration makes the slope fail in the other direction
     while (stands - fails > kTiltWidth)
       if (const double w = (stands - fails) / 3.0; !try_all({fails + w, stands - w})) return false;
     answer_.k_h = against * stands;

@@ -8,9 +8,9 @@
 namespace scree::app {
 namespace {
 
-constexpr int kGuesses = 3;                    // rounds that trust in a guess, before thirds of the bracket
+constexpr int kGuesses = 3;                    // rounds that use a guess, before thirds of the bracket
 constexpr double kAside = 0.4;                 // of the tolerance, on either side of a guess
-constexpr double kFirst = 1.4, kSecond = 2.2;  // of the largest stable factor, while none has failed
+constexpr double kFirst = 1.4, kSecond = 2.2;  // times the largest stable factor, while no run has failed
 constexpr double kGrid = 1e-6;                 // factors are round: they name folders
 
 double rounded(double factor) { return std::round(factor / kGrid) * kGrid; }
@@ -103,7 +103,7 @@ std::vector<double> FosSearch::next() const {
     return out;
   }
   if (std::isinf(high)) {
-    if (low < 1.0 && range_.most >= 1.0 && !trials_.contains(1.0)) {  // it did not come to rest as it is
+    if (low < 1.0 && range_.most >= 1.0 && !trials_.contains(1.0)) {  // the slope did not come to rest at factor 1
       add(std::sqrt(low));
       add(1.0);
       return out;

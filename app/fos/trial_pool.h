@@ -10,11 +10,11 @@
 
 namespace scree::app {
 
-/// A run that is wanted.
+/// A requested run.
 struct WantedRun {
   std::string name;              // of its folder
-  std::vector<std::string> set;  // --set, all of them
-  std::string start_from;        // name of the run that it goes on from; empty: it begins
+  std::vector<std::string> set;  // all --set options
+  std::string start_from;        // name of the run that it continues; empty: from the start
 };
 
 struct TrialPoolHooks {
@@ -22,9 +22,9 @@ struct TrialPoolHooks {
   std::function<bool()> stop;  // true: end the runs, start no more
 };
 
-/// Makes those that have not ended: a run that was killed goes on from its checkpoint.
-/// @param jobs  at a time   @param threads  of a run
-/// @return false where it was stopped   @throws FileError, with every run that it started ended
+/// Makes the runs that have not ended; a run that was killed continues from its checkpoint.
+/// @param jobs  at a time   @param threads  per run
+/// @return false where it was stopped   @throws FileError, after every run that it started has ended
 [[nodiscard]] bool make_trials(const FosFolder& folder, const FosRecord& record, const std::vector<WantedRun>& runs,
                                std::size_t jobs, int threads, const TrialPoolHooks& hooks);
 

@@ -12,13 +12,13 @@
 namespace scree::app {
 namespace {
 
-constexpr double kAccelerates = 1.5;  // gain in speed times t over the way it adds; 2 for constant acceleration
-constexpr double kGains = 0.02;       // of its first speed, that what accelerates gains at least
+constexpr double kAccelerates = 1.5;  // gain in speed times t over the displacement added; 2 for constant acceleration
+constexpr double kGains = 0.02;       // least gain in speed of an accelerating block, over its first speed
 constexpr const char* kDetached =
-    "no path of closed contacts";  // of a block that has come off: coupling/stages/driver.h
+    "no path of closed contacts";  // reason of a block that has detached: coupling/stages/driver.h
 constexpr double kOfMargin = 0.3;  // acceleration of a failure, over (1 - F_s) g
 
-/// First and last frame of a stage; none where the run has none of it.
+/// First and last frame of a stage; empty if the run has no frame of it.
 std::optional<std::pair<std::size_t, std::size_t>> frames_of(const std::vector<io::StoredNote>& notes,
                                                              const std::string& stage) {
   std::optional<std::pair<std::size_t, std::size_t>> out;
@@ -52,8 +52,8 @@ void decide(const Decision& d, bool balanced, double seconds, TrialResult& out) 
     return;
   }
   out.fastest = fastest->name;
-  // Implicit static steps leave no speed. Explicit ones leave that of a slide that never slowed down: what counts is
-  // the gain over it. A steady creep gains nothing.
+  // Implicit static steps leave no speed. Explicit steps leave the speed of a slide that never slowed down, so that
+  // only the gain in speed counts. A steady creep gains no speed.
   const double way = fastest->displacement.norm(), first = fastest->first_speed, gain = fastest->speed - first;
   out.acceleration = std::max(0.0, gain) / seconds;
   const double gone = farthest(out.motions);

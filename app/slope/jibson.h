@@ -7,7 +7,7 @@
 
 namespace scree::app {
 
-/// What a regression takes. What is not there leaves out the equations that need it.
+/// Input of the regressions. Equations whose input is missing are left out.
 struct Shaking {
   double yield = 0.0;               // critical acceleration a_c [g]
   std::optional<double> pga;        // peak acceleration [g]

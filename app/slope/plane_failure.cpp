@@ -21,7 +21,7 @@ double PlaneSlide::yield(double k_v) const {
   const double driving = weight * (1.0 - k_v) * s + thrust * c;
   const double k = (resisting - driving) / (weight * (c + s * t));
   const double normal = weight * ((1.0 - k_v) * c - k * s) - uplift - thrust * s;
-  return normal >= 0.0 ? k : (cohesion * length - driving) / (weight * c);  // it lifts off before: cohesion alone
+  return normal >= 0.0 ? k : (cohesion * length - driving) / (weight * c);  // it lifts off first: cohesion alone
 }
 
 double PlaneSlide::critical() const { return (factor() - 1.0) * std::sin(dip); }

@@ -3,7 +3,7 @@
 
 namespace scree::app {
 
-/// A block of unit thickness that may slide down a plane. Forces a metre of thickness.
+/// A block of unit thickness that may slide down a plane. Forces per metre of thickness.
 struct PlaneSlide {
   double dip = 0.0;       // of the plane [rad], 0 < dip < pi/2
   double weight = 0.0;    // [N/m]
@@ -42,11 +42,11 @@ struct PlaneSlope {
   double water = 0.0;                     // depth of water in the crack z_w [m]
   double water_weight = 9810.0;           // gamma_w [N/m3]
 
-  /// The block that slides. Water in the crack runs out at the toe: its pressure falls straight from gamma_w z_w at the
-  /// foot of the crack to zero there.
+  /// The block that slides. Water in the crack runs out at the toe: its pressure falls linearly from gamma_w z_w at the
+  /// foot of the crack to zero at the toe.
   ///   W = gamma H^2/2 [(1 - (z/H)^2) cot a - cot f],  L = (H - z)/sin a,  U = gamma_w z_w L/2,  V = gamma_w z_w^2/2
-  /// @throws std::invalid_argument where it is no such slope: angles, a crack deeper than the plane under the crest,
-  ///         water above the crack
+  /// @throws std::invalid_argument where the slope is not of this kind: angles, a crack deeper than the plane under the
+  ///         crest, water above the crack
   /// @source [HoekBray1981] eqs. 7.3 to 7.8 (crack in the top)
   [[nodiscard]] PlaneSlide slide() const;
 };

@@ -9,10 +9,10 @@ namespace scree::app {
 namespace {
 
 struct Motion {
-  double u = 0.0, v = 0.0;  // over the ground [m], [m/s]
+  double u = 0.0, v = 0.0;  // relative to the ground [m], [m/s]
 };
 
-/// One exact step of length h of an oscillator under -a, a straight from a0 to a1.
+/// One exact step of length h of an oscillator under -a, a linear from a0 to a1.
 class Step {
  public:
   Step(double w, double z, double h) : w_(w), z_(z), h_(h) {

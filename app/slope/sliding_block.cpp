@@ -7,7 +7,7 @@
 namespace scree::app {
 namespace {
 
-/// Excess of the ground's acceleration along one step: from x0, growing by `slope` a second, for h seconds.
+/// Excess of the ground's acceleration along one step: from x0, growing by `slope` per second, for h seconds.
 struct Piece {
   double x0, slope, h;
   [[nodiscard]] double excess(double t) const { return x0 + slope * t; }
@@ -23,7 +23,7 @@ double begin_of_slide(const Piece& p) {
   return p.slope > 0.0 ? std::min(p.h, -p.x0 / p.slope) : p.h;
 }
 
-/// First time above 0 at which the velocity v + x0 t + slope t^2/2 comes back to zero; h: not within the piece.
+/// First time above 0 at which the velocity v + x0 t + slope t^2/2 returns to zero; h: not within the piece.
 double end_of_slide(const Piece& p, double v) {
   const double a = 0.5 * p.slope, b = p.x0, discriminant = b * b - 4.0 * a * v;
   if (discriminant < 0.0) return p.h;
@@ -64,7 +64,7 @@ BlockSlide slide_of(const Samples& record, double yield, double factor) {
         }
       }
       p = p.after(t);
-      if (slides && v == 0.0) p.x0 = std::max(0.0, p.x0);  // where it begins the excess is zero, not its round-off
+      if (slides && v == 0.0) p.x0 = std::max(0.0, p.x0);  // at the start of a slide the excess is exactly zero
     }
   };
   const std::vector<double>&time = record.time, &a = record.acceleration;
@@ -72,7 +72,7 @@ BlockSlide slide_of(const Samples& record, double yield, double factor) {
     const double h = time[i + 1] - time[i];
     pass({factor * (a[i] - yield), factor * (a[i + 1] - a[i]) / h, h});
   }
-  if (slides) {  // the ground moves on evenly
+  if (slides) {  // the ground then moves at constant velocity
     out.displacement += 0.5 * v * v / (factor * yield);
   }
   return out;

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kFirstPeriod = 0.01, kLastPeriod = 10.0;  // of spectra [s]
-constexpr std::size_t kPeriods = 121;                      // 40 a decade
+constexpr std::size_t kPeriods = 121;                      // 40 per decade
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 double median_step(const std::vector<double>& time) {

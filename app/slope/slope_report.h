@@ -13,15 +13,15 @@
 
 namespace scree::app {
 
-/// What `scree slope` is asked for. Angles in radians, SI units but for what says otherwise.
+/// Input of `scree slope`. Angles in radians, SI units unless stated otherwise.
 struct SlopeQuestion {
   std::optional<PlaneSlide> slide;  // the slope
   double k_h = 0.0, k_v = 0.0;      // pseudo-static coefficients
-  std::optional<double> yield;      // critical acceleration, if it does not come from the slope [g]
+  std::optional<double> yield;      // critical acceleration, if it is not computed from the slope [g]
   std::vector<std::filesystem::path> records;
-  std::string unit;                 // of records that do not say theirs; empty: none given
+  std::string unit;                 // of records that do not state theirs; empty: none given
   double scale = 1.0;               // factor on the accelerations
-  std::optional<double> pga;        // peak that they are scaled to; without records that of the regressions [g]
+  std::optional<double> pga;        // peak that records are scaled to; without records, peak for the regressions [g]
   std::optional<double> magnitude;  // for the regressions
   std::optional<double> arias;      // for the regressions, without records [m/s]
   double damping = 0.05;            // of the spectra
@@ -48,7 +48,7 @@ struct RecordNumbers {
 
 struct SlopeNumbers {
   std::optional<double> fos, fos_shaken, yield_k_h, critical, amplification;  // of the slope; [-], [-], [g], [g], [-]
-  std::optional<double> yield;                                                // that Newmark's block takes [g]
+  std::optional<double> yield;                                                // used for Newmark's block [g]
   std::vector<RecordNumbers> records;
   std::vector<RegressionResult> regressions;  // without records
 };
@@ -57,13 +57,13 @@ struct SlopeNumbers {
 ///         of their range
 [[nodiscard]] SlopeNumbers slope_numbers(const SlopeQuestion& question);
 
-/// Accelerations in m/s2, by the unit that the file says or else the one given.
-/// @throws CaseError where neither says it, or they differ
+/// Accelerations in m/s2, by the unit that the file states or else the one given.
+/// @throws CaseError where neither gives a unit, or they differ
 [[nodiscard]] Samples record_in_si(const std::filesystem::path& file, const std::string& unit);
 
 [[nodiscard]] std::string slope_text(const SlopeQuestion& question, const SlopeNumbers& numbers);
 [[nodiscard]] std::string slope_json(const SlopeQuestion& question, const SlopeNumbers& numbers);
-/// Periods and spectral values of all records, a row a period and record.
+/// Periods and spectral values of all records, one row per period and record.
 [[nodiscard]] std::string spectrum_csv(const SlopeNumbers& numbers);
 
 }  // namespace scree::app

@@ -75,7 +75,7 @@ double MassChain::exact(const ChainSetting& s, int i, double t) {
     const double w = 2.0 * std::sqrt(s.stiffness / s.mass) * std::sin(0.5 * angle);
     const double phi_end = std::sin(s.n * angle), phi = std::sin((i + 1.0) * angle);
     const double W = s.frequency, z = s.damping * w * std::sqrt(s.mass / s.stiffness);
-    // Steady answer a sin - b cos and what makes the mode begin at rest.
+    // Steady response a sin - b cos, and the free vibration that makes the mode start at rest.
     const double off = w * w - W * W, size2 = off * off + 4.0 * z * z * w * w * W * W;
     const double a = off / size2, b = 2.0 * z * w * W / size2, wd = w * std::sqrt(1.0 - z * z);
     const double response = a * std::sin(W * t) - b * std::cos(W * t) +

@@ -24,7 +24,7 @@ class MassChain {
  public:
   MassChain(const ChainSetting& setting, double h);
 
-  /// Central difference, kick - drift - kick, as in coupling/integrate/central_difference; dashpots take the velocity
+  /// Central difference, kick - drift - kick, as in coupling/integrate/central_difference; dashpots use the velocity
   /// between two instants, so that they need no solution.
   void step_explicit();
   /// Newmark (1/2, 1): (2 M/h^2 + 2 C/h + K) d = F - K u + C v + 2 M v/h, v' = 2 d/h - v. The matrix is assembled and
@@ -48,7 +48,7 @@ class MassChain {
   double h_;
   double steps_ = 0.0;
   std::vector<double> u_, v_, f_, d_;
-  coupling::SymmetricPattern no_fixed_part_;  // every number comes with a spring, as in contact
+  coupling::SymmetricPattern no_fixed_part_;  // every entry comes from a spring, as in contact
   coupling::Cholesky matrix_;
   coupling::DofRows rows_;
   std::vector<double> scale_;

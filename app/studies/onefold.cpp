@@ -120,7 +120,7 @@ StudyResult onefold(Tier) {
     const Eigen::MatrixXd contact = of.centroidal.contact(),
                           off = mapped.transpose() * of.stars.springs.asDiagonal() * mapped - contact;
     contact_error = std::max(contact_error, off.norm() / contact.norm());
-    // The same step solved in either form: where the corners go.
+    // The same step solved in either form: displacements of the corners.
     const Eigen::VectorXd u_stars = f.reach_stars * solve_symmetric(A, f.weight_stars),
                           u = f.reach * solve_symmetric(B, f.weight);
     const double apart = (u_stars - u).lpNorm<Eigen::Infinity>() / u.lpNorm<Eigen::Infinity>();

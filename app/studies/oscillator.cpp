@@ -15,12 +15,12 @@ namespace {
 constexpr double kOscillatorStep = 1e-3;  // h [s]: a whole number of ticks
 constexpr double kMass = 1000.0;          // [kg]
 constexpr double kSpeed = 1.0;            // at the start [m/s]
-constexpr double kRoom = 1e30;  // displacement allowed a step [m]: growth beyond the stable step is to be seen
+constexpr double kRoom = 1e30;  // displacement allowed per step [m]: growth beyond the stable step is measured
 
 Model model_of(double Omega) {
   Model model;
   model.gravity = Vec2(0.0, 0.0);
-  // So soft that its own frequencies do not count beside that of the spring.
+  // So soft that its own frequencies are negligible beside that of the spring.
   model.materials.push_back({"rock", kMass, 1e-3, 0.0});
   model.joints.emplace_back();
   model.default_joint = JointId{0};
@@ -83,7 +83,7 @@ std::vector<Vec2> oscillator_steps(coupling::Integrator integrator, double Omega
 MeasuredStep measured_step(const std::vector<Vec2>& z) {
   Mat2 before = Mat2::Zero(), across = Mat2::Zero();
   for (std::size_t i = 0; i + 1 < z.size(); ++i) {
-    const double weight = 1.0 / z[i].squaredNorm();  // every step counts alike, however far it has decayed or grown
+    const double weight = 1.0 / z[i].squaredNorm();  // equal weight for all steps, however far z has decayed or grown
     before += weight * z[i] * z[i].transpose();
     across += weight * z[i + 1] * z[i].transpose();
   }

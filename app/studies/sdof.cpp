@@ -21,7 +21,7 @@ const NewmarkTheory kImplicit{0.5, 1.0}, kTrapezoidal{0.25, 0.5}, kExplicit{0.0,
 constexpr int kSteps = 200;  // measured at every Omega
 constexpr int kSamples = 400;
 
-/// Omega of the least spectral radius, by thirds: nothing here knows the bifurcation's formula.
+/// Omega of the least spectral radius, by thirds: the formula of the bifurcation is not used.
 double optimum(const NewmarkTheory& scheme, double low, double high) {
   const auto radius = [&](double Omega) { return spectral_radius(scheme.amplification(Omega)); };
   while (high - low > 1e-9) {

@@ -23,13 +23,13 @@ namespace {
 using coupling::Integrator;
 
 constexpr double kGravity = 9.81;                           // [m/s2]
-constexpr double kRamp = 0.5;                               // gravity comes on within [s]
+constexpr double kRamp = 0.5;                               // gravity is applied within [s]
 constexpr double kPulse = 3.0, kBegin = 1.0, kWidth = 0.2;  // horizontal half sine down the slope [m/s2], [s]
 constexpr double kEnd = 2.6;                                // [s]
 constexpr double kElastic = 0.005;                          // runs further from rigid are compared with elastic blocks
 constexpr double kSteeper = 2.0;                            // friction than the slope, under a pulse [deg]
 constexpr double kThickness = 3.0;                          // of the plane [m]
-constexpr double kDensity = 2600.0, kPoisson = 0.2, kBetween = 15.0;  // blocks hold on each other better by [deg]
+constexpr double kDensity = 2600.0, kPoisson = 0.2, kBetween = 15.0;  // friction angle between blocks, more [deg]
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 enum class Drive { steady, pulse };
@@ -51,7 +51,7 @@ struct Setting {
   double dt = 0.0;       // [s]; 0: automatic
   double safety = 0.8;   // of explicit steps
   double covers = 4.0;   // across the lower side of the shape
-  double stiffer = 1.0;  // contacts, than auto
+  double stiffer = 1.0;  // contact stiffness over auto
   double young = 5e10;   // [Pa]
   bool bare = false;     // without damping of any kind
 
@@ -101,7 +101,7 @@ Vec2 drive(const Setting& s, double t) {
   return {g * std::sin(a) + p * std::cos(a), g * std::cos(a) - p * std::sin(a)};
 }
 
-/// Way of a rigid block from `from` on [m], by steps of 1e-5 s with starts and stops at their ends.
+/// Displacement of a rigid block from `from` on [m], by steps of 1e-5 s with starts and stops at their ends.
 double rigid_way(const Setting& s, double from) {
   constexpr double h = 1e-5;
   const double mu = friction(s);
@@ -118,7 +118,7 @@ double rigid_way(const Setting& s, double from) {
 
 double p_modulus(const Setting& s) { return Elasticity::from(s.young, kPoisson, Plane::strain).p_modulus(); }
 
-/// Of contacts that are stiffer than auto, per area [Pa/m].
+/// Stiffness of contacts that are stiffer than auto, per area [Pa/m].
 double contact_stiffness(const Setting& s) {
   const Vec2 size = s.shape->size();
   return s.stiffer * p_modulus(s) / size.minCoeff();
@@ -187,18 +187,19 @@ struct Ways final : coupling::Sink {
 };
 
 struct Outcome {
-  double error = 0.0;    // of the block that is worst, over the rigid way
-  double mean = 0.0;     // of the blocks together, over the rigid way
-  double elastic = 0.0;  // of the blocks together, over the way of elastic ones, where asked for
+  double error = 0.0;    // of the worst block, over the rigid displacement
+  double mean = 0.0;     // of the blocks together, over the rigid displacement
+  double elastic = 0.0;  // of the blocks together, over the displacement of elastic ones, if requested
   double closure = 0.0;  // of the ledger
 
-  /// A slide that swings is measured by elastic blocks that swing.
+  /// A slide that oscillates is compared with elastic blocks that oscillate.
   [[nodiscard]] double least() const {
     return std::isnan(elastic) ? std::abs(error) : std::min(std::abs(error), std::abs(elastic));
   }
 };
 
-/// Way of elastic blocks over that of rigid ones, mean of all. Blocks of DDA are affine, with contacts on corners.
+/// Displacement of elastic blocks over that of rigid ones, mean of all. Blocks of DDA are affine, with contacts on
+/// corners.
 /// @param from, rigid  as in slide()
 double elastic_mean(const Setting& s, double from, double rigid) {
   ElasticBlocks e;
@@ -252,7 +253,7 @@ Outcome slide(const Setting& s) {
   static const coupling::Methods kMethods = coupling::standard_methods();
   coupling::Driver run(model, plan, kMethods);
   Ways ways;
-  // Of a steady slide from when all of gravity acts, so that the swing as it comes on does not count.
+  // A steady slide is measured from when all of gravity acts: the oscillation while gravity is applied does not count.
   ways.from = s.drive == Drive::pulse ? kBegin : kRamp + 0.1;
   run.add_sink(ways);
   Outcome out;
@@ -307,8 +308,8 @@ std::vector<Setting> every_scheme(Setting s) {
   return out;
 }
 
-/// Deals schemes as from a shuffled pack, which is shuffled anew when it is used up: each scheme is dealt as often as
-/// any other, and next to no scheme misses a slope, a shape or a drive.
+/// Deals schemes like cards from a shuffled pack, which is shuffled anew when it is used up: each scheme is dealt as
+/// often as any other, and almost every scheme meets every slope, shape and drive.
 class Pack {
  public:
   [[nodiscard]] std::size_t deal(std::size_t schemes) {
@@ -328,8 +329,8 @@ class Pack {
   std::size_t size_ = 0;
 };
 
-/// Blocks, slope, drive and contacts of the long table; in the whole of it each meets two of its schemes, else one of
-/// every four meets one. All schemes of all of them would be 4,600 runs and take a day.
+/// Settings (blocks, slope, drive and contacts) of the long table: if it is whole, each setting is run with two of its
+/// schemes, else one setting of every four with one. All schemes of all settings would be 4,600 runs and take a day.
 std::vector<Setting> long_table(const std::vector<Shape>& all, bool whole) {
   std::vector<Setting> out;
   std::map<std::size_t, Pack> packs;  // by the number of schemes
@@ -340,7 +341,7 @@ std::vector<Setting> long_table(const std::vector<Shape>& all, bool whole) {
     for (const bool first : {true, false}) {
       const Setting& dealt = schemes[packs[schemes.size()].deal(schemes.size())];
       if (!some || (!first && !whole)) continue;
-      // While it slides the force of a block leans by the angle of friction.
+      // While a block slides, the force on its base is inclined by the angle of friction.
       if (stands(*s.shape, s.stack, s.drive == Drive::pulse ? s.slope_deg + kSteeper : s.slope_deg))
         out.push_back(dealt);
     }
@@ -398,7 +399,7 @@ std::string shown(const Outcome& o) {
   return fmt::format("{}, all {:+.3f} %, of elastic blocks {:+.3f} %", rigid, 100.0 * o.mean, 100.0 * o.elastic);
 }
 
-/// The runs of `settings`, as many at a time as there are threads, each on one.
+/// The runs of `settings`, as many at a time as there are threads, each on one thread.
 std::vector<Outcome> slide_all(const std::vector<Setting>& settings, bool tell) {
   std::vector<Outcome> out(settings.size());
   std::atomic<std::size_t> next = 0;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDt = 1e-4;                                   // the step of [Qu2013] [s]
 constexpr double kFrequency = std::numbers::pi / 100.0 / kDt;  // sin(pi N/100) at step N of that length [rad/s]
 constexpr double kDamping = 0.1;                               // of the damped half of table 2.2
-constexpr double kTime = 1.0;                                  // compared for so long, as figure 2.11 does [s]
+constexpr double kTime = 1.0;                                  // duration of the comparison, as in figure 2.11 [s]
 
 ChainSetting setting_of(int n, double damping) {
   ChainSetting s;
@@ -71,7 +71,7 @@ double seconds_of(int steps, Step&& step) {
 
 /// Time of an explicit over that of an implicit step: windows of 500 steps in turns, the least of each.
 double cost_ratio(int n, int rounds, double damping = 0.0) {
-  constexpr int kWindow = 500, kExplicitWindows = 20;  // the clock must see the explicit ones, too
+  constexpr int kWindow = 500, kExplicitWindows = 20;  // the clock must resolve the explicit ones, too
   MassChain left(setting_of(n, damping), kDt), right(setting_of(n, damping), kDt);
   double explicit_time = std::numeric_limits<double>::infinity(), implicit_time = explicit_time;
   for (int round = 0; round < rounds; ++round) {

@@ -17,14 +17,13 @@ struct StudyResult {
 };
 
 using Study = StudyResult (*)(Tier tier);
-/// All studies by name. A new one is a file of this folder and an entry.
+/// All studies by name. A new study needs a file in this folder and an entry.
 [[nodiscard]] const std::map<std::string, Study>& studies();
 
-/// One oscillator: theory of Newmark's schemes and what Scree's steps really do ([Qu2013] 2.5.1).
+/// One oscillator: theory of Newmark's schemes against the measured steps of Scree ([Qu2013] 2.5.1).
 [[nodiscard]] StudyResult sdof(Tier tier);
 /// Blocks on onefold covers: conditions of an implicit step in the stars of a model-wide triangle and in centroidal
-/// form, and that both are the same step
-/// (docs/theory/kinematics-and-nmm.md, "Onefold covers").
+/// form, and that both are the same step (docs/theory/kinematics-and-nmm.md, "Onefold covers").
 [[nodiscard]] StudyResult onefold(Tier tier);
 /// Blocks that slide on steep planes, by every scheme, against a rigid block.
 [[nodiscard]] StudyResult sliding(Tier tier);

@@ -3,7 +3,7 @@
 
 namespace scree::app {
 
-/// Each has the rows of those before it.
+/// Each tier includes the rows of the tiers before it.
 enum class Tier { quick, full, exhaustive };
 
 }  // namespace scree::app

@@ -14,10 +14,10 @@ namespace scree::app {
 
 struct CheckedCase {
   std::string title, sha256;                 // of the text of the case file
-  std::map<std::string, std::string> files;  // that the case names in any run: path and SHA-256
+  std::map<std::string, std::string> files;  // named by the case in any run: path and SHA-256
 };
 
-/// Reads the case as each of some runs has it.
+/// Reads the case with the parameters of each of these runs.
 /// @param set   key=value of all runs, applied before the parameters
 /// @param runs  numbers of the runs, from 1
 /// @throws CaseError for the first run that is no valid case: at the value in the table or in --param where that is

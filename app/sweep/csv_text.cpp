@@ -5,7 +5,7 @@
 namespace scree::app {
 namespace {
 
-/// Goes through a text once, counting lines and columns.
+/// Reads a text once, counting lines and columns.
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& name) : rest_(text), name_(&name) {
@@ -14,7 +14,7 @@ class Scanner {
   }
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
-  /// Passes over a line that holds nothing or a comment.
+  /// Skips a line that is empty or a comment.
   bool skip_line() {
     const std::string_view line = rest_.substr(0, rest_.find('\n'));
     if (const std::size_t first = line.find_first_not_of(" \t\r");

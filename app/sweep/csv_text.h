@@ -13,8 +13,8 @@ struct CsvField {
   int line = 0, column = 0;
 };
 
-/// Records of a text. Lines that are empty or begin with '#' are passed over, and a byte order mark before the first.
-/// @param name  of the file, for errors   @throws CaseError where quotation marks do not come in pairs
+/// Records of a text. Lines that are empty or begin with '#' are skipped, and so is a byte order mark before the first.
+/// @param name  of the file, for errors   @throws CaseError where quotation marks are not in pairs
 /// @source [RFC4180] section 2
 [[nodiscard]] std::vector<std::vector<CsvField>> csv_records(std::string_view text, const std::string& name);
 

@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kGlance{10}, kWait{200};  // between looks at the processes; at a busy folder
+constexpr std::chrono::milliseconds kGlance{10}, kWait{200};  // between polls of the processes; of a busy folder
 constexpr int kFilesExit = 5;                   // exit code of `scree resume` where no checkpoint can be used
-constexpr int kBadCase = 3, kNotConverged = 4;  // of runs that would end so each time
+constexpr int kBadCase = 3, kNotConverged = 4;  // of runs that would end the same way each time
 
 class Pool {
  public:
@@ -68,7 +68,7 @@ class Pool {
         if (waited_for_.insert(run).second && hooks_->note)
           hooks_->note(fmt::format("run {} is being computed by another program; waiting for it", run));
         queue_.push_back(run);
-      } else if (const RunOutcome now = outcome(run); now.ended()) {  // by that program
+      } else if (const RunOutcome now = outcome(run); now.ended()) {  // ended by that program
         count(now);
         tell(run, now, 0.0);
       } else {

@@ -1,4 +1,4 @@
-// The parameters of a sweep from a table: a column a key, a row a run.
+// The parameters of a sweep from a table: one column per key, one row per run.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace scree::app {
 
-/// Reads comma-separated values, the first row of which has the keys. A field is a TOML value, or a text without
+/// Reads comma-separated values, whose first row contains the keys. A field is a TOML value, or a text without
 /// quotation marks of its own (dda; 5 ms).
 /// @param name  of the file, for errors
 /// @throws CaseError with file, line and column: no keys, no runs, rows of another length, empty fields, a key twice

@@ -1,4 +1,4 @@
-// What the runs of a sweep differ in: keys of the case, and the value that each run gives them.
+// The parameters of a sweep: keys of the case, and the value of each key in each run.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace scree::app {
 
-/// Where a key or a value stands: an option of the command line ("--param", whose lines are the options) or a file.
+/// Place of a key or a value: an option of the command line ("--param", whose lines are the options) or a file.
 struct Origin {
   std::string file;
   int line = 0, column = 0;  // from 1

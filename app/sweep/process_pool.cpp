@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kSelf = "/proc/self/exe";  // still the program where its file has been replaced
 
-/// What the child has in place of this program's streams.
+/// The standard streams of the child, in place of this program's.
 class Streams {
  public:
   explicit Streams(const std::filesystem::path& log) {

@@ -10,26 +10,26 @@
 
 namespace scree::app {
 
-/// The program itself, several times. The processes belong to the group of this one: what ends the group ends them.
+/// Several processes of this program. They belong to the process group of this one: a signal to the group ends them.
 class ProcessPool {
  public:
   struct Ended {
     std::size_t run = 0;
-    int exit_code = 0;  // 128 + signal where a signal ended it, as a shell counts
+    int exit_code = 0;  // 128 + signal where a signal ended it, as in a shell
   };
 
   ProcessPool() = default;
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
-  /// Ends what still runs and waits for it.
+  /// Ends the processes that still run and waits for them.
   ~ProcessPool();
 
   /// Starts the program with these arguments (its own name is added).
-  /// @param log  takes what it prints, in place of what the file had   @throws FileError where it cannot be started
+  /// @param log  file for its output, replacing earlier contents   @throws FileError where it cannot be started
   void start(std::size_t run, const std::vector<std::string>& arguments, const std::filesystem::path& log);
-  /// One that has ended since; waits for none.
+  /// A process that has ended, if there is one; does not wait.
   [[nodiscard]] std::optional<Ended> poll();
-  /// Asks all to end (SIGTERM).
+  /// Sends SIGTERM to all processes.
   void terminate() const;
   [[nodiscard]] std::size_t running() const { return processes_.size(); }
 

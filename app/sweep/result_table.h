@@ -1,4 +1,4 @@
-// The table of a sweep: a row a run, with parameters, outcome and results. The same runs give the same bytes.
+// The table of a sweep: one row per run, with parameters, outcome and results. The same runs give the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,7 @@ struct ResultTable {
   std::vector<ParameterColumn> parameters;
   std::vector<RunOutcome> outcomes;
   std::vector<std::string> state_hashes, farthest_blocks;
-  std::vector<ResultColumn> results;  // in the order of RunResults, what only later runs have last
+  std::vector<ResultColumn> results;  // in the order of RunResults; results that only later runs have come last
 
   [[nodiscard]] std::size_t runs() const { return outcomes.size(); }
 };

@@ -1,4 +1,4 @@
-// How far a run of a sweep is, told by its folder.
+// Progress of a run of a sweep, read from its folder.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@ namespace scree::app {
 struct RunOutcome {
   enum class State {
     absent,   // never begun, or cleared
-    started,  // killed or stopped on its way, or ended without a summary
-    done,     // to its end
-    failed    // its summary says why
+    started,  // killed or stopped before its end, or ended without a summary
+    done,     // ran to its end
+    failed    // its summary states why
   };
   State state = State::absent;
   std::string status = "absent";  // of summary.json; absent, started or failed where there is none
   std::string reason;             // of a run that did not end well
 
-  /// Whether to run it again changes nothing.
+  /// Whether running it again would change nothing.
   [[nodiscard]] bool ended() const { return state == State::done || state == State::failed; }
 };
 
@@ -31,7 +31,7 @@ struct RunOutcome {
 /// The first error that a run printed, without "error: "; empty: none.
 [[nodiscard]] std::string first_error(const std::filesystem::path& log);
 
-/// Whether a run can go on from a checkpoint.
+/// Whether a run can continue from a checkpoint.
 [[nodiscard]] bool has_checkpoint(const std::filesystem::path& folder);
 
 /// Whether a program is computing in a run folder now.

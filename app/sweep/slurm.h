@@ -14,9 +14,10 @@ struct Submission {
   bool stopped = false;
 };
 
-/// Hands a script to sbatch.
-/// @param wait  until the whole array has ended      @param stop  asked meanwhile; true: waits no more, the job goes on
-/// @param submitted  told the number of the job as soon as it is known
+/// Submits a script by sbatch.
+/// @param wait  until the whole array has ended
+/// @param stop  called while waiting; true: stop waiting, the job continues
+/// @param submitted  called with the number of the job as soon as it is known
 /// @throws FileError where sbatch cannot be started
 [[nodiscard]] Submission submit(const std::filesystem::path& script, bool wait, const std::function<bool()>& stop,
                                 const std::function<void(const std::string&)>& submitted);

@@ -1,4 +1,4 @@
-// The folder of a sweep: its file names, and what it was begun for.
+// The folder of a sweep: its file names, and the record of its question.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace scree::app {
 
-/// What a sweep computes: sweep.json. Two sweeps with the same of these have the same table.
+/// What a sweep computes: sweep.json. Two sweeps with equal records have the same table.
 struct SweepRecord {
   std::string case_file;                     // absolute; for people, not compared
   std::string case_sha256;                   // of its text
-  std::map<std::string, std::string> files;  // that the case names, with their SHA-256; paths are not compared
+  std::map<std::string, std::string> files;  // named in the case, with their SHA-256; paths are not compared
   std::vector<std::string> set, load;        // --set, --load
   std::optional<double> until;               // [s]
   Parameters parameters;
@@ -33,10 +33,10 @@ struct SweepRecord {
 ///   costs.csv    time and memory of the runs
 class SweepFolder {
  public:
-  /// Makes the folder and sweep.json, or goes on with a sweep of the same record.
-  /// @throws FileError where the folder holds something else, or another sweep, whose difference it names
+  /// Makes the folder and sweep.json, or continues a sweep of the same record.
+  /// @throws FileError where the folder holds something else, or another sweep; the message names the difference
   [[nodiscard]] static SweepFolder open(const std::filesystem::path& path, const SweepRecord& record);
-  /// The same of a folder that must be there. Of the files that the case names the record may lack some: it may come
+  /// As open(), for a folder that must exist. The record may lack some of the files that the case names: it may stem
   /// from the reading of one run.
   [[nodiscard]] static SweepFolder reopen(const std::filesystem::path& path, const SweepRecord& record);
 

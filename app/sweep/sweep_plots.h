@@ -15,9 +15,9 @@ struct NamedPlot {
   io::LinePlot plot;
 };
 
-/// One plot for each result that differs between runs that are done. One parameter that varies, in numbers: a point a
-/// run. Two: the one with more values along the axis, a curve for each value of the other, at most twelve. Otherwise
-/// none.
+/// One plot for each result that differs between runs that are done. If one parameter varies, in numbers: one point
+/// per run. If two vary: the one with more values along the axis, one curve per value of the other, at most twelve.
+/// Otherwise no plots.
 [[nodiscard]] std::vector<NamedPlot> sweep_plots(const ResultTable& table);
 
 /// Draws them as <folder>/<result>.svg, in place of earlier ones.   @return their number   @throws FileError

@@ -44,7 +44,7 @@ std::string lacked_by(const Quantity& q, const Expected& expected) {
   return {};
 }
 
-/// Runs the variants, those with repeats in turns: what else the machine does then falls on all of them alike.
+/// Runs the variants, those with repeats in turns, so that other load on the machine affects all of them alike.
 RunRecords run_variants(const std::map<std::string, io::Case>& cases, const Expected& expected) {
   RunRecords runs;
   int rounds = 0;

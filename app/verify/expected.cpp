@@ -23,7 +23,7 @@ const std::vector<std::string> kQuantityKeys{"name",      "reason",    "measure"
                                              "variants",  "sizes",     "exact",    "at_least", "at_most",
                                              "reference", "tolerance", "absolute", "tier"};
 
-/// A table of the file whose keys are taken one by one; what is taken has a kind.
+/// A table of the file whose keys are read one by one, each with the kind of its value.
 class Reader {
  public:
   Reader(const std::string& file, const io::Value& table, std::string what)

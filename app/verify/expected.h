@@ -1,11 +1,11 @@
-// What a case must show: expected.toml.
+// The results required of a case: expected.toml.
 //
 //   title = "..."                 needed where there is no case.toml
 //   study = "sdof"                numbers computed by a function (app/studies) in place of runs of case.toml
-//   minutes = 30                  about what the full tier takes; of several cases at a time long ones come first
-//   cores = 2                     that its timings need to themselves: it does not run beside other cases
+//   minutes = 30                  approximate time of the full tier; of several cases at a time long ones come first
+//   cores = 2                     that its timings need exclusively: it does not run beside other cases
 //
-//   [[variant]]                   a run; without any there is one, "case", of case.toml as it stands
+//   [[variant]]                   a run; without any there is one, "case", of case.toml as it is
 //   name = "fine"
 //   case = "case.toml"            default
 //   set = ["stage.0.dt=1e-6"]     as --set
@@ -14,7 +14,7 @@
 //   needs = "SCREE_RECORDS"       environment variable without which its quantities are skipped
 //
 //   [[quantity]]                  a row of the table
-//   name, reason                  what a person calls it; why this bound
+//   name, reason                  its name for people; why this bound
 //   measure                       one of measures.h, with its own keys
 //   variant = "fine"              default: the first
 //   over = "coarse"               the value is divided by that of another variant
@@ -47,20 +47,20 @@ struct Variant {
 
 struct Quantity {
   std::string name, reason, measure;
-  std::vector<std::string> variants;           // what it is measured on; several where it is an order
-  std::string over;                            // divisor's variant; empty: none
+  std::vector<std::string> variants;           // runs that it is measured on; several for an order
+  std::string over;                            // variant of the divisor; empty: none
   std::vector<double> sizes;                   // of an order, as many as variants
   double exact = 0.0;                          // of an order
   std::map<std::string, std::string> texts;    // keys of the measure
   std::map<std::string, double> numbers;       // keys of the measure
   double low = 0.0, high = 0.0;                // bounds; infinite where open
   std::optional<double> reference, tolerance;  // tolerance in the quantity's unit
-  Tier tier = Tier::quick;                     // its own, or that of a variant if that is later
+  Tier tier = Tier::quick;                     // its own tier, or that of a variant if that is later
 
   [[nodiscard]] bool is_order() const { return !sizes.empty(); }
   [[nodiscard]] const std::string& text(const std::string& key) const { return texts.at(key); }
   [[nodiscard]] std::optional<double> number(const std::string& key) const;
-  /// Every variant that it takes a run of.
+  /// Every variant of which it needs a run.
   [[nodiscard]] std::vector<std::string> runs() const;
   /// The bounds as people write them.
   [[nodiscard]] std::string wanted() const;
@@ -76,7 +76,7 @@ struct Quantity {
 struct Expected {
   std::string title, study;
   double minutes = 0.0;  // of the full tier
-  int cores = 1;         // that it needs to itself
+  int cores = 1;         // that it needs exclusively
   std::vector<Variant> variants;
   std::vector<Quantity> quantities;
 

@@ -178,8 +178,8 @@ Passing passing(const Quantity& q, const RunRecord& run, const std::string& moni
   return sum;
 }
 
-/// Root of the part of the energy that arrives at an interface which crosses it, comes back, or stays there. A wave
-/// that goes along the axis has v = -stress/z, one against it v = stress/z.
+/// Square root of the part of the energy arriving at an interface that is transmitted, reflected, or stays there. A
+/// wave along the axis has v = -stress/z, a wave against it v = stress/z.
 double crossing(const Quantity& q, const RunRecord& run) {
   const Passing near = passing(q, run, q.text("of")), far = passing(q, run, q.text("behind"));
   if (!(near.along > 0.0)) throw q.error("of", "no wave arrives there in the window", "a monitor before the interface");
@@ -189,7 +189,7 @@ double crossing(const Quantity& q, const RunRecord& run) {
 }
 
 double transfer_energy_error(const RunRecord& run) {
-  // Of a whole hand-over: a block that hardly carries any energy has nothing but round-off of its positions to show.
+  // Summed over a whole hand-over: the error of a block with hardly any energy is only round-off of its positions.
   std::map<double, std::pair<double, double>> handed;  // time: errors and energies summed [J]
   for (const coupling::TransferRow& row : run.transfers) {
     const double energy = row.before.kinetic + row.before.elastic;
@@ -362,14 +362,14 @@ const std::vector<MeasureInfo>& measures() {
 
 double measure(const Quantity& q, const RunRecords& runs, std::vector<io::LinePlot>& plots) {
   if (q.is_order()) {
-    std::vector<io::LinePlot> own;  // of each variant: one picture of the convergence says it
+    std::vector<io::LinePlot> own;  // of each variant; one picture of the convergence replaces them
     const double order = observed_order(q, runs, own);
     plots.push_back(std::move(own.back()));
     return order;
   }
   const double value = on_variant(q, q.variants.front(), runs, plots);
   if (q.over.empty()) return value;
-  Quantity divisor = q;  // what was sent in, not its difference to itself
+  Quantity divisor = q;  // the incoming quantity, not its difference from itself
   if (const auto minus = divisor.texts.find("minus"); minus != divisor.texts.end()) minus->second.clear();
   return value / on_variant(divisor, q.over, runs, plots);
 }

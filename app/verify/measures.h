@@ -16,7 +16,7 @@ struct MeasureKey {
   enum class Kind { text, number } kind;
   const char* name;
   bool needed;
-  const char* standard;  // of a text that is not needed
+  const char* standard;  // default of a text that is not needed
 };
 struct MeasureInfo {
   const char* name;

@@ -15,7 +15,7 @@ struct ReferenceTable {
   std::vector<std::string> names;            // of rows; empty where the first column holds numbers
   std::vector<std::vector<double>> columns;  // as many as headings; of names: empty
 
-  /// @throws io::CaseError naming the headings there are
+  /// @throws io::CaseError that lists the existing headings
   [[nodiscard]] const std::vector<double>& column(std::string_view heading) const;
 };
 
@@ -23,7 +23,7 @@ struct ReferenceTable {
 /// @throws io::CaseError with the place: unreadable, no rows, a row with other fields than headings, not a number
 [[nodiscard]] ReferenceTable read_reference(const std::filesystem::path& file);
 
-/// Value of the straight lines through (x, y) at a place; the ends go on as they are.   @pre x increasing, not empty
+/// Piecewise linear interpolation through (x, y) at a place; constant beyond the ends.   @pre x increasing, not empty
 [[nodiscard]] double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at);
 
 }  // namespace scree::app

@@ -9,17 +9,18 @@
 
 namespace scree::app {
 
-/// A line a row, under a line a case.
+/// One line per row, below one line per case.
 [[nodiscard]] std::string terminal_text(const CaseReport& report);
 
 /// Tables of all cases. @param pictures  with links to CASE-N.svg beside the file
 [[nodiscard]] std::string markdown_report(const std::vector<CaseReport>& reports, bool pictures);
 [[nodiscard]] std::string html_report(const std::vector<CaseReport>& reports, bool pictures);
 
-/// A line a row: case, quantity, wanted, found, verdict (RFC 4180). Found is empty where there is no number.
+/// One line per row: case, quantity, wanted, found, verdict (RFC 4180). Found is empty where there is no number.
 [[nodiscard]] std::string csv_report(const std::vector<CaseReport>& reports);
 
-/// Writes one table, as the name's ending says: .md, .html, .csv or .json (report_json.h).   @throws io::FileError
+/// Writes one table in the format given by the name's ending: .md, .html, .csv or .json (report_json.h).
+/// @throws io::FileError
 void write_table(const std::vector<CaseReport>& reports, const std::filesystem::path& file);
 /// Writes cases.md, cases.html and the plots as CASE-N.svg into a folder, which is made.   @throws io::FileError
 void write_report(const std::vector<CaseReport>& reports, const std::filesystem::path& folder);

@@ -9,11 +9,11 @@
 
 namespace scree::app {
 
-/// A list of objects, one a case, with the fields of CaseReport by their names; numbers to the last bit, those that are
-/// not finite as null.
+/// A list of objects, one per case, with the fields of CaseReport by their names; numbers to the last bit, those that
+/// are not finite as null.
 [[nodiscard]] std::string json_report(const std::vector<CaseReport>& reports);
 
-/// What json_report() made; null is not a number.   @throws io::FileError where it is something else
+/// Reads the output of json_report(); null is not a number.   @throws io::FileError where it is something else
 [[nodiscard]] std::vector<CaseReport> read_json_report(const std::filesystem::path& file);
 
 }  // namespace scree::app

@@ -16,7 +16,7 @@ class Recorder final : public coupling::Sink {
     for (const Monitor& m : model.monitors) record.monitors.push_back({m.name, {}, {}, {}, {}});
   }
   void history(const coupling::HistoryView& view) override {
-    // The end of a stage and the start of the next are one instant: the later look counts.
+    // The end of a stage and the start of the next are one instant: the later sample counts.
     const bool again = !record_->time.empty() && record_->time.back() == view.time;
     if (!again) record_->time.push_back(view.time);
     for (std::size_t i = 0; i < record_->monitors.size(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr Tick kLate = std::numeric_limits<Tick>::max();
-constexpr double kLongest = 9e6;  // [s]; later than that is later than any run
+constexpr double kLongest = 9e6;  // [s]; later times are later than any run
 
 /// Ticks of any time, also one that no run reaches. 0 for those before the start.
 Tick bounded_ticks(double time) {

@@ -1,4 +1,4 @@
-// When motions and functions begin that are counted from a stage, whose own beginning only the run knows.
+// Start times of motions and functions that are counted from a stage, whose own beginning only the run determines.
 #pragma once
 
 #include <span>
@@ -10,24 +10,24 @@
 
 namespace scree::coupling {
 
-/// What the times of each motion and function of the model are counted from, in one stage [s]; infinite: it has not
-/// begun, and does not in this stage. Empty: all from t = 0.
+/// Origin of the times of each motion and function of the model, in one stage [s]; infinite: it has not begun, and does
+/// not begin in this stage. Empty: all from t = 0.
 struct Clocks {
   std::vector<double> motion, function;
   std::int32_t stage = 0;  // its number in the plan
 };
 
 /// The clocks of the last stage that has begun. A function that begins where this stage ends, or later, belongs to
-/// another stage: the step that arrives there has none of it.
-/// @param stage_begin  State::stage_begin   @param stage_end  of the last of them, at the latest
+/// another stage: the step that ends there does not include it.
+/// @param stage_begin  State::stage_begin   @param stage_end  latest end of the last of these stages
 [[nodiscard]] Clocks clocks_of(const Model& model, std::span<const Tick> stage_begin, Tick stage_end);
 
-/// A motion or a function that the stages of a run do not meet, or not to its end.
+/// A motion or a function that begins in no stage of a run, or lasts beyond its end.
 struct TimeFault {
   enum class Kind { missed, outlasts } kind = Kind::missed;
-  bool motion = false;            // or a function
+  bool motion = false;            // false: a function
   std::size_t index = 0;          // into the model's motions or functions
-  double begin = 0.0, end = 0.0;  // of it [s]
+  double begin = 0.0, end = 0.0;  // of the motion or function [s]
   double run_end = 0.0;           // [s]
   /// The same fault of the same motion or function.
   [[nodiscard]] bool same(const TimeFault& other) const {
@@ -35,7 +35,7 @@ struct TimeFault {
   }
 };
 
-/// @param stage_begin  of the stages so far; empty: as planned   @param stage_end  of the last of them, at the latest
+/// @param stage_begin  of the stages so far; empty: as planned   @param stage_end  latest end of the last of them
 [[nodiscard]] std::vector<TimeFault> time_faults(const Model& model, const Plan& plan,
                                                  std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
 
@@ -43,7 +43,7 @@ struct TimeFault {
 [[nodiscard]] std::vector<StageId> stages_met(const Model& model, const Plan& plan,
                                               std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
 
-/// Which of them act in a stage: not over when it begins, nor yet to come when it ends. Order and arguments as above.
+/// 1 for those that act in a stage: not over when it begins, and begun before it ends. Order and arguments as above.
 [[nodiscard]] std::vector<char> acts_in(const Model& model, const Plan& plan, std::size_t stage,
                                         std::span<const Tick> stage_begin = {}, Tick stage_end = 0);
 

@@ -7,7 +7,7 @@ namespace scree::coupling {
 
 namespace {
 
-/// Writes the divided strengths of a law into another; copies no list, as steps may not.
+/// Writes the divided strengths of a law into another; copies no list, which is not allowed in steps.
 void divide_into(const JointLaw& law, double factor, StrengthPlan::Part part, JointLaw& out) {
   const double f = part == StrengthPlan::Part::cohesion ? 1.0 : factor,
                c = part == StrengthPlan::Part::friction ? 1.0 : factor;

@@ -14,16 +14,16 @@
 
 namespace scree::coupling {
 
-/// A method as a case file sees it.
+/// A method as a case file refers to it.
 struct Method {
   std::string name;     // stage[].method
   std::string meaning;  // of the table method.<name>, where there are keys; a full sentence
   std::vector<NumberKey> keys;
 
   using Constants = std::span<const double>;  // in the order of keys
-  /// Bodies of the method, to be added to.   @pre constants are within their bounds and have no fault
+  /// Makes an empty pool for bodies of the method.   @pre constants are within their bounds and have no fault
   std::function<std::unique_ptr<Pool>(Constants)> make;
-  /// What is wrong with constants that are each within their bounds; empty: nothing. May be left out.
+  /// Describes a fault of constants that are each within their bounds; empty: none. May be left out.
   std::function<std::string(Constants)> fault;
 };
 
@@ -42,7 +42,7 @@ using MethodConstants = std::map<std::string, std::vector<double>>;
 using Methods = std::map<std::string, std::function<std::unique_ptr<Pool>()>>;
 /// "nmm" and "dda".
 [[nodiscard]] Methods standard_methods();
-/// All that are registered but for those that have keys and no constants.
+/// All registered methods except those that have keys but no constants.
 [[nodiscard]] Methods methods_with(const MethodConstants& constants);
 
 }  // namespace scree::coupling

@@ -14,8 +14,8 @@ namespace scree::coupling {
 [[nodiscard]] constexpr VertexIndex start_of(SegmentIndex s) { return VertexIndex{s.value}; }
 
 /// Outlines of all bodies, with rows in the state's nodes. Faces of cracks follow a block's rings: crack c is ring
-/// (rings + c), each stretch of it that is cut four edges, the left face from its first to its last end, what joins it
-/// to the right one, that backwards, and back to the left.
+/// (rings + c). Each cut stretch of it has four edges: the left face from its first to its last end, the edge to the
+/// right face, the right face backwards, and the edge back to the left face.
 struct Outlines {
   struct Segment {
     OutlineNode a, b;
@@ -30,12 +30,12 @@ struct Outlines {
     VertexIndex end_vertex;                         // the vertex after its last segment
     bool convex_start = false, convex_end = false;  // interior angle at its ends below pi
     JointId joint;                                  // its own law; may be invalid
-    Vec2 along{0.0, 0.0};                           // its direction where the model has it
-    EdgeIndex opposite;                             // of a face of a crack: the other one, which alone it may touch
+    Vec2 along{0.0, 0.0};                           // its direction in the model
+    EdgeIndex opposite;                             // of a face of a crack: the other face, the only edge it may touch
     bool touches = true;                            // false: joins the faces of a crack at their ends; or not there
 
     [[nodiscard]] VertexIndex first_vertex() const { return start_of(first_segment); }
-    /// Vertex k of it, of 0 to `segments`.
+    /// Vertex k of the edge, 0 to `segments`.
     [[nodiscard]] VertexIndex vertex(std::int32_t k) const { return k == segments ? end_vertex : first_vertex() + k; }
   };
   /// Start of a segment: a corner of the outline (part 0), or a node where a mesh divides an edge.
@@ -48,7 +48,7 @@ struct Outlines {
   };
   IndexedVector<OutlineNode, Row> nodes;
   IndexedVector<OutlineNode, BodyIndex> node_body;
-  // Those of bodies that do not rest.
+  // Ranges of bodies that do not rest.
   std::vector<IndexRange<OutlineNode>> moving_nodes;
   std::vector<IndexRange<SegmentIndex>> moving_segments;
   std::vector<IndexRange<EdgeIndex>> moving_edges;
@@ -57,7 +57,7 @@ struct Outlines {
   IndexedVector<VertexIndex, Vertex> vertices;  // by block, ring, edge, part
 };
 
-/// Of the outline nodes at some time: positions [m], velocities [m/s].
+/// Positions [m] and velocities [m/s] of the outline nodes at some time.
 using OutlinePositions = IndexedSpan<OutlineNode, const Vec2>;
 using OutlineVelocities = IndexedSpan<OutlineNode, const Vec2>;
 

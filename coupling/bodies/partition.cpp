@@ -11,7 +11,7 @@ namespace scree::coupling {
 namespace {
 
 /// Where a block lies: 1 in the region, kDivided across its border, -1 outside. Slivers of less than a millionth of the
-/// block are on neither side of it.
+/// block do not count.
 char side_of_region(const Clipper& block, double area, const Ring& region) {
   double inside = 0.0;
   for (const Polygon& piece : block.intersection(region)) inside += moments(piece).area;
@@ -50,7 +50,7 @@ std::vector<char> settled_sides(const Model& model, const Partition& partition, 
         side[i] = of;
   for (const BlockId b : partition.explicit_blocks) side[b.index()] = 1;
   for (const BlockId b : partition.implicit_blocks) side[b.index()] = 0;
-  // What is held or driven takes no steps: it is on neither side, and a border through it divides nothing.
+  // Held and driven blocks take no steps: they are on neither side, and a border through one divides nothing.
   for (std::size_t i = 0; i < side.size(); ++i)
     if (model.support_of(BlockId{static_cast<std::int32_t>(i)}) != nullptr) side[i] = 0;
   for (const BlockId b : construction.absent) side[b.index()] = 0;
@@ -86,7 +86,7 @@ bool change_sides(const Setup& setup, const State& state, const Partition& parti
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Body& b = setup.bodies()[i];
     if (fixed[i] >= 0 || b.driven) continue;
-    // Either measure makes a block explicit; both must have calmed down before it is implicit again.
+    // Either measure makes a block explicit; both must have fallen below their bands before it is implicit again.
     char wanted = 0;
     if (partition.speed.used()) wanted = next(sides[i], fastest[i], partition.speed);
     if (wanted == 0 && partition.strain_rate.used())

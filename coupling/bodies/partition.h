@@ -12,21 +12,21 @@ namespace scree::coupling {
 class Setup;
 struct Ghosts;
 
-/// Sides that lists, a region or areas settle, as State::explicit_side; -1 for none of them. Blocks that are not there
-/// take no steps, as those that are held.
+/// Sides fixed by lists, a region or areas, as State::explicit_side; -1 where none of them applies. Absent blocks take
+/// no steps, like held ones.
 [[nodiscard]] std::vector<char> settled_sides(const Model& model, const Partition& partition,
                                               const Construction& construction = {});
 
-/// Sides where a stage begins, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
+/// Sides at the start of a stage, as State::explicit_side: 1 for explicit. Blocks that only rules of motion could move
 /// start implicit.
 [[nodiscard]] std::vector<char> first_sides(const Model& model, const Partition& partition,
                                             const Construction& construction = {});
 
-/// What a setup of the whole model has to know of a stage: bodies whose internal force is met at long steps.
+/// Bodies of a stage whose internal force is evaluated at long steps only, for a setup of the whole model.
 /// @param sides  State::explicit_side; empty: as the stage begins
 [[nodiscard]] Ghosts slow_bodies(const Model& model, const Stage& stage, std::span<const char> sides = {});
 
-/// Sides by the motion at an instant.   @pre partition.changes()
+/// Changes the sides by the motion at an instant.   @pre partition.changes()
 /// @param fixed  settled_sides(): those stay
 /// @param sides  present ones, changed in place   @return true if any changed
 bool change_sides(const Setup& setup, const State& state, const Partition& partition, std::span<const char> fixed,

@@ -27,22 +27,22 @@ namespace {
 
 bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empty() && flags[i] != 0; }
 
-/// What decides the pool of a body: its method, whether its forces are nobody's (it is held, so that it keeps its
-/// shape) or another integrator's, whether it is slow.
+/// Decides the pool of a body: its method, whether its forces are not evaluated (it is held, so that it keeps its
+/// shape) or belong to another integrator, whether it is slow.
 using PoolKey = std::tuple<std::string, bool, bool>;
 PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
   const bool held = record.absent || model.support_of(record.block) != nullptr;
   return {record.method, held || flagged(ghosts.ghost, i), flagged(ghosts.slow, i)};
 }
 
-/// Appends [begin, end) to ranges, to the last one where it goes on from it.
+/// Appends [begin, end) to ranges, extending the last one if it ends there.
 template <class Index>
 void extend(std::vector<IndexRange<Index>>& ranges, Index begin, Index end) {
   if (ranges.empty() || ranges.back().end_index() != begin) ranges.push_back({begin, begin});
   ranges.back() = {ranges.back().first(), end};
 }
 
-/// Body i but for its places in pools and arrays.
+/// Body i without its places in pools and arrays.
 Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
   Body b;
   b.block = record.block;
@@ -181,7 +181,7 @@ void Setup::add_outline(BodyIndex index) {
       ring_vertex = start_of(at);
     }
     if (new_edge) {
-      // Corners come in the order of edges: edge i leaves vertex i. Convex by less than a hair counts as straight.
+      // Corners come in the order of edges: edge i leaves vertex i. Convex by less than 1e-6 counts as straight.
       const bool convex = boundary.corners[corner++].angle < std::numbers::pi - 1e-6;
       if (!new_ring) {
         out.edges.back().end_vertex = start_of(at);

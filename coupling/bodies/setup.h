@@ -15,31 +15,32 @@
 
 namespace scree::coupling {
 
-/// One body, where it lives.
+/// One body and its places in pools and arrays.
 struct Body {
   BlockId block;
   std::int32_t pool = 0, index = 0;        // pool, and body within it
   std::int32_t first_node = 0, nodes = 0;  // in the state's arrays
   bool driven = false;                     // held or moved as a whole, or a ghost; has no unknowns
-  bool absent = false;                     // not there; driven too, at rest where the model has it, and untouched
+  bool absent = false;                     // not in the stage; driven too, at rest at its place in the model, untouched
   bool ghost = false;                      // another integrator moves it (see Ghosts)
-  bool resting = false;                    // driven, and stays where the model has it
+  bool resting = false;                    // driven, and stays at its place in the model
   bool divided = false;                    // another integrator moves one half of it
-  bool slow = false;                       // its internal force is met at long steps only (see Ghosts)
+  bool slow = false;                       // its internal force is evaluated at long steps only (see Ghosts)
   bool touched = true;                     // contact forces on it matter to some integrator of this setup
   MotionId motion;                         // of a driven body; invalid: at rest
   Vec2 centre{0.0, 0.0};                   // centroid in the model [m]
 };
 
-/// Bodies that the owner of a setup sees and does not move: those of the other side of a partitioned stage. They are
-/// driven, but along paths that their integrator knows, and live in pools of their own. Of a divided body the half that
-/// does not act here is a ghost, in the pool of the other half; its contacts are all the explicit side's.
+/// Ghost bodies, which the owner of a setup includes and does not move: those of the other side of a partitioned stage.
+/// They are driven, but along paths that their integrator determines, and have pools of their own. The half of a
+/// divided body that does not act here is a ghost, in the pool of the other half; its contacts all belong to the
+/// explicit side.
 struct Ghosts {
   std::vector<char> ghost;  // per body: 1 for a ghost; empty: none
-  bool touch = true;        // false: nobody touches them, and driven bodies are the other side's as well
-  bool shared = false;      // all contacts are the explicit side's, those between two ghosts too
-  // Per body: 1 where a Subcycled integrator meets its internal force at long steps only; pools of their own. Empty:
-  // none.
+  bool touch = true;        // false: no contacts with them, and driven bodies belong to the other side as well
+  bool shared = false;      // all contacts belong to the explicit side, those between two ghosts too
+  // Per body: 1 where a Subcycled integrator evaluates its internal force at long steps only; pools of their own.
+  // Empty: none.
   std::vector<char> slow;
 };
 
@@ -51,21 +52,21 @@ class Setup {
         Clocks clocks = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
-  /// The joint laws with the strengths that they have now.
+  /// The joint laws with their present strengths.
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
-  /// Between two steps only: whoever asks for a strength sees the new one from then on.
+  /// Between two steps only: all later uses of a strength have the new one.
   void divide_strength(const StrengthPlan& plan, double factor) { laws_.divide(plan, factor); }
   [[nodiscard]] std::size_t pools() const { return pools_.size(); }
   [[nodiscard]] const Pool& pool(std::size_t p) const { return *pools_[p]; }
-  /// Pools of free bodies, whose forces and energies are this setup's. Driven bodies, ghosts among them, live in pools
-  /// of their own: they keep their shape, or another integrator knows their forces, and steps pass over them.
+  /// Pools of free bodies, whose forces and energies are this setup's. Driven bodies, ghosts among them, have pools of
+  /// their own: they keep their shape, or another integrator evaluates their forces, and steps skip them.
   [[nodiscard]] const std::vector<std::size_t>& own_pools() const { return own_pools_; }
-  /// The same in two: those whose internal force is met at every step, and those of slow bodies.
+  /// The same in two groups: those whose internal force is evaluated at every step, and those of slow bodies.
   [[nodiscard]] const std::vector<std::size_t>& fast_pools() const { return fast_pools_; }
   [[nodiscard]] const std::vector<std::size_t>& slow_pools() const { return slow_pools_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const Body& body(BodyIndex i) const { return bodies_[i.index()]; }
-  /// The body that a block is.
+  /// The body of a block.
   [[nodiscard]] const Body& body(BlockId block) const { return bodies_[block.index()]; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
   [[nodiscard]] std::int32_t nodes() const { return pool_first_.back(); }
@@ -78,7 +79,7 @@ class Setup {
     const auto first = static_cast<std::size_t>(pool_first_[p]), last = static_cast<std::size_t>(pool_first_[p + 1]);
     return all.subspan(2 * first, 2 * (last - first));
   }
-  /// False for two bodies whom contact forces do not move, and for ghosts whom nobody touches.
+  /// False for two bodies that contact forces do not move, and for ghosts without contacts.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
     return !x.absent && !y.absent && (x.touched || y.touched) &&
@@ -95,19 +96,19 @@ class Setup {
       if (row.w[k] != 0.0 && kind(row.node[k]) == NodeKind::ghost) return true;
     return false;
   }
-  /// True if a force on rows of one body is this setup's to apply, and not the other side's: of a divided body it is
-  /// the explicit side's as soon as one node is.
+  /// True if this setup, not the other side, applies a force on rows of one body: on a divided body the explicit side
+  /// applies it as soon as one node is explicit.
   [[nodiscard]] bool applies(std::span<const Row> rows) const;
-  /// One flag a body of a pool: 1 if it is free.
+  /// One flag per body of a pool: 1 if it is free.
   [[nodiscard]] std::span<const char> counted(std::size_t p) const { return counted_[p]; }
 
   /// Moves the anchors of a body that holds its edges, see BodyTransfer::shift_edges().
   void shift_edges(const Body& b, std::span<const double> shift) {
     pools_[static_cast<std::size_t>(b.pool)]->shift_edges(b.index, shift);
   }
-  /// Puts driven bodies where they are at a time, with their velocity; ghosts stay.
+  /// Sets positions and velocities of driven bodies at a time; ghosts stay.
   void prescribe(double time, std::span<double> q, std::span<double> v) const;
-  /// The same without those that rest: they are there already.
+  /// The same without bodies at rest, which are in place already.
   void prescribe_motions(double time, std::span<double> q, std::span<double> v) const;
   /// Index of an outline edge; not valid if there is none (a crack that the stage does not cut).
   [[nodiscard]] EdgeIndex edge_of(std::int32_t block, std::int32_t ring, std::int32_t edge) const;
@@ -122,16 +123,16 @@ class Setup {
     return model_->factor(f, f.valid() && !clocks_.function.empty() ? time - clocks_.function[f.index()] : time);
   }
   [[nodiscard]] const Clocks& clocks() const { return clocks_; }
-  /// The model's waters as they stand in the stage.
+  /// The model's waters in the stage.
   [[nodiscard]] const std::vector<JointWater>& waters() const { return waters_; }
-  /// The one in joints of a law; nullptr: they are dry.
+  /// The water in joints of a law; nullptr: they are dry.
   [[nodiscard]] const JointWater* water_in(JointId joint) const;
 
  private:
   [[nodiscard]] double motion_time(MotionId m, double time) const {
     return clocks_.motion.empty() ? time : time - clocks_.motion[m.index()];
   }
-  /// Reserves room for all outlines, which would take up to twice as much if they grew one by one.
+  /// Reserves room for all outlines, which would take up to twice the memory if they grew one by one.
   void reserve_outlines();
   void add_outline(BodyIndex index);
   void add_cracks(BodyIndex index, const Boundary& boundary, OutlineNode first_node);

@@ -12,7 +12,7 @@ constexpr int kIterations = 200, kHalvings = 60;
 constexpr double kBalanced = 1e-13;   // of the largest force
 constexpr double kLeastSlope = 1e-6;  // of the elastic one, so that Newton's matrix stays regular where all slips
 
-/// Of a crossing of a bolt, or a turn of a liner.
+/// Stiffness of a crossing of a bolt, or of a turn of a liner.
 double cross_stiffness(const Bolt& bolt, std::size_t c) {
   return bolt.liner() ? bolt.turn_stiffness(c) : bolt.shear_stiffness;
 }
@@ -84,7 +84,7 @@ double BoltResponse::go(double part, const BoltMemory& before, std::span<const d
 }
 
 double BoltResponse::search(const BoltMemory& before, std::span<const double> lengths) {
-  // The slope along the step grows with the way, since the function that is to be least is convex.
+  // The slope along the step increases with the distance, since the function to be minimised is convex.
   double low = 0.0, high = 1.0, worst = 0.0;
   for (int halving = 0; halving < kHalvings; ++halving) {
     const double part = halving == 0 ? 1.0 : 0.5 * (low + high);
@@ -274,7 +274,7 @@ void BoltResponse::install(std::span<const double> lengths, std::span<const doub
   begin.installed = 1;
   // The jack holds the force of the first segment; then its length is locked where it has that force.
   if (bolt_->pretension > 0.0) pulled_ = bolt_->pretension;
-  if (!solve(begin, lengths, shears, memory)) {  // the bond cannot take it: no pretension
+  if (!solve(begin, lengths, shears, memory)) {  // the bond cannot bear it: no pretension
     memory = begin;
     pulled_ = -1.0;
   }

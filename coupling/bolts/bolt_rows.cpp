@@ -8,7 +8,7 @@
 namespace scree::coupling {
 namespace {
 
-/// True if the forces of a bolt are this setup's to apply.
+/// True if this setup applies the forces of a bolt.
 bool applies(const Setup& setup, const BoltRows& rows) {
   bool own = false, ghost = false;
   for (std::size_t k = 0; k < rows.row.size(); ++k) {
@@ -35,7 +35,7 @@ BoltRows bolt_rows(const Setup& setup, const State& state, std::size_t bolt) {
   const auto add = [&](BlockId block, const Vec2& at) {
     const auto index = block.index();
     const Body& b = setup.bodies()[index];
-    // Material point: from where the model first had it to the present reference shape.
+    // Material point: from its first place in the model to the present reference shape.
     const ReferenceShape& shape = state.bodies[index].shape;
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
     out.row.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * at)));

@@ -1,4 +1,4 @@
-// Bolts and liners in the bodies of a stage: where their nodes are, how long their segments, what they push.
+// Bolts and liners in the bodies of a stage: positions of their nodes, lengths of their segments, forces on the rock.
 #pragma once
 
 #include <array>
@@ -28,30 +28,31 @@ struct BoltRows {
   [[nodiscard]] std::size_t leaves(std::size_t crossing) const { return nodes + 2 * crossing; }
 };
 
-/// Of one bolt of the model.
+/// Rows of one bolt of the model.
 [[nodiscard]] BoltRows bolt_rows(const Setup& setup, const State& state, std::size_t bolt);
-/// Of all bolts that are installed and that this setup is to apply: of a partitioned stage, the explicit side's where
-/// one of its bodies is explicit, else the implicit side's.
+/// Rows of all installed bolts that this setup applies: in a partitioned stage those with an explicit body belong to
+/// the explicit side, the others to the implicit side.
 [[nodiscard]] std::vector<BoltRows> acting_bolts(const Setup& setup, const State& state);
 
-/// The generalised displacements of a bolt at a configuration, and how they depend on it. With x the positions of the
-/// rows, of a segment between nodes a and b, and of a crossing with D the way from where it leaves to where it enters:
+/// The generalised displacements of a bolt at a configuration, and their differentials. With x the positions of the
+/// rows, for a segment between nodes a and b, and for a crossing with D the vector from where it leaves to where it
+/// enters:
 ///   l = |x_b - x_a|,                                    dl = t.(dx_b - dx_a)
 ///   shear = n.D, n across the bar's direction inside the blocks, A = x_b - x_a - sum of D,
 ///                                                       d(shear) = n.dD - (D.A/|A|^2) n.dA
-/// A liner has no crossings. Their place, and that of shears, is taken by its turns, the angles from one segment to the
-/// next, between -pi and pi:
+/// A liner has no crossings. Its turns take their place, and that of shears: the angles from one segment to the next,
+/// between -pi and pi:
 ///   turn = angle(x_c - x_b) - angle(x_b - x_a),         d(turn) = n_2.(dx_c - dx_b)/l_2 - n_1.(dx_b - dx_a)/l_1
-/// All are the same for whoever turns or moves with the blocks, so that forces from them keep all momenta.
+/// All are invariant under rigid motions of all blocks together, so that forces from them keep all momenta.
 class BoltShape {
  public:
   void measure(const BoltRows& rows, std::span<const double> q);
   [[nodiscard]] std::span<const double> lengths() const { return length_; }
-  /// Of a bolt [m], or the turns of a liner [rad].
+  /// Shears of a bolt [m], or turns of a liner [rad].
   [[nodiscard]] std::span<const double> shears() const { return shear_; }
   /// Directions of the segments.
   [[nodiscard]] const Vec2& direction(std::size_t segment) const { return along_[segment]; }
-  /// Calls see(row, c) for every row of d(shear) = sum c.dx(row); a row may come twice.
+  /// Calls see(row, c) for every row of d(shear) = sum c.dx(row); a row may occur twice.
   template <class See>
   void shear_form(const BoltRows& rows, std::size_t crossing, See&& see) const {
     if (rows.liner) return turn_form(rows.turn[crossing], std::forward<See>(see));
@@ -67,7 +68,7 @@ class BoltShape {
       see(rows.leaves(c) + 1, -w);
     }
   }
-  /// Forces on the rows: what the bar does to the rock.
+  /// Forces of the bar on the rock, per row.
   void push(const BoltRows& rows, const BoltMemory& memory, std::span<Vec2> force) const;
 
  private:
@@ -83,18 +84,18 @@ class BoltShape {
   std::vector<Vec2> along_, across_;
 };
 
-/// f += forces of all bolts at the present instant, as they are remembered.
+/// f += forces of all bolts at the present instant, from their memory.
 void add_bolt_forces(const Setup& setup, const State& state, std::span<double> f);
 
-/// Installs the bolts that begin with the present stage, or were to begin with one before it, where they are now: they
-/// have their pretension, and no other force. Books their energy and the work that the jack has done for it.
+/// Installs the bolts that are due in the present stage, or were due in one before it, at their present place: they
+/// have their pretension, and no other force. Books their energy and the work of the jack.
 void install_bolts(const Setup& setup, State& state);
 
-/// Lets go of what broke in the last explicit step: for a stage that begins. Books the energy.
+/// Releases the forces of what broke in the last explicit step: at the start of a stage. Books the energy.
 void settle_broken_bolts(const Setup& setup, State& state);
 
-/// Bodies have been made anew: shifts the lengths without force, so that bolts pull as before.
-/// @param before   acting_bolts() of the bodies that were   @param q_before  their positions
+/// Where bodies have been made anew: shifts the lengths without force, so that the forces of bolts stay.
+/// @param before   acting_bolts() of the earlier bodies   @param q_before  their positions
 void keep_bolt_forces(const std::vector<BoltRows>& before, std::span<const double> q_before, const Setup& to,
                       State& state);
 

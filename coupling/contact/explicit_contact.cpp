@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kFewPoints = 1024, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
 
-/// What the law has to know of a point; at rest until a step says how it moved.
+/// Input of the law for a point; at rest until a step sets its motion.
 PointMotion motion_of(const ContactPoint& p) {
   PointMotion motion;
   motion.foot = p.at.xi;
@@ -68,7 +68,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   for (std::size_t i = 0; i < before_.memory.size() && !goes_on; ++i) before_.memory[i].impact = 0.0;
   finder_.find(state.q, before_, at_start, *list_);
   (void)finder_.adopt_kinds(*list_);  // the energy returned below has it
-  // Forces of the springs as they are now: a mesh, a share or a scheme may have changed since they were last known.
+  // Forces of the present springs: a mesh, a share or a scheme may have changed since they were last computed.
   for (std::size_t i = 0; i < list_->points.size() && !goes_on; ++i) {
     ContactMemory& m = list_->memory[i];
     const auto joint = static_cast<std::size_t>(m.joint);
@@ -76,7 +76,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   }
   if (!checks_friction_) FrictionCheck::forget(*list_);
   indexed_ = false;
-  // What was remembered and is not found is in the list before: the next step takes it out.
+  // Remembered points that were not found are in before_: the next step removes them.
   clear_ = list_->points.empty() && before_.points.empty() ? finder_.clearance() : 0.0;
 }
 
@@ -89,7 +89,7 @@ void ExplicitContact::check(std::span<const double> q, Audit& audit) const {
     const ContactMemory& m = list_->memory[i];
     const double allowed = 1e-9 * (std::abs(m.fn) + std::abs(m.ft)) + (m.kn + m.kt) * last_places;
     if (m.status != ContactStatus::open) {
-      // The step took its friction from the slip that there was.
+      // The step took the point's friction from the slip at its start.
       ContactMemory then = m;
       if (p.from >= 0) {
         const Weakened& was = weakened_[static_cast<std::size_t>(p.from)];
@@ -130,9 +130,9 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
       for (const OutlineNode n : IndexRange(std::clamp(r.first(), begin, end), std::clamp(r.end_index(), begin, end)))
         of_node(n);
   };
-  // The outline nodes are divided into parts, one a thread. Each part adds the forces of all points on its nodes in the
-  // order of the points, so that sums do not depend on the number of parts. Bodies that rest take no force: they may
-  // have many nodes, over which no step passes.
+  // The outline nodes are divided into parts, one per thread. Each part adds the forces of all points on its nodes in
+  // the order of the points, so that sums do not depend on the number of parts. Bodies at rest take no force: they may
+  // have many nodes, which steps do not visit.
   const auto collect = [&](std::int64_t part) {
     const OutlineNode begin = begin_of(part), end = begin_of(part + 1);
     for_moving(begin, end, [&](OutlineNode n) { forces_[n].setZero(); });
@@ -252,11 +252,11 @@ void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& ar
   const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
   if (fa != 0.0 || fb != 0.0) {
     const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
-    // Dilation takes the spring with it: the bodies moved by more than the spring did.
+    // Dilation moves gap0: the bodies moved by more than the spring did.
     ledger.book(Column::contact_geometry,
                 a.work.normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
-    // Closed at both ends: trapezoid and energy cancel but for the change of the share. Closing: -k d g_n/2, opening:
-    // +k d g_{n+1}/2.
+    // Closed at both ends: trapezoid and energy cancel except for the change of the share. Closing: -k d g_n/2,
+    // opening: +k d g_{n+1}/2.
     if (bond_broke) {
       ledger.book(Column::contact_transition, trapezoid);
       ledger.book(Column::bonds_broken, a.normal_energy);
@@ -312,8 +312,8 @@ ExplicitContact::Rates ExplicitContact::respond(double h, std::size_t i, Contact
   PointMotion motion = motion_of(p);
   Rates rates;
   motion.per_time = 1.0 / h;
-  // A dashpot that begins to push where the contact closes could hold it open: then there is no place of the ghost
-  // that its own force leads to. It acts from the next step on.
+  // A dashpot that begins to push where the contact closes could hold it open: then no position of the ghost body is
+  // consistent with the dashpot's force. It acts from the next step on.
   if (m.status != ContactStatus::open || !on_ghost(p)) {
     motion.cn = p.cn;
     motion.ct = p.ct;
@@ -324,7 +324,7 @@ ExplicitContact::Rates ExplicitContact::respond(double h, std::size_t i, Contact
     motion.shear = rates.stretch;
   }
   const double gap0 = m.gap0;
-  // Stages to rest have no velocities of their own.
+  // Stages to rest have no physical velocities.
   if (m.status == ContactStatus::open && m.gap < 0.0 && !p.suppressed && !p.beyond && checks_friction_)
     finder_.begin_impact(p, -row_rate(p, gap_row(p.at), v_), m);
   explicit_law(law, setup_->laws().tan_friction(static_cast<std::size_t>(m.joint)), motion, m);
@@ -370,7 +370,7 @@ void ExplicitContact::follow_slides(double h, double time) {
 }
 
 void ExplicitContact::adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger) {
-  // A new kind moves the anchor, at which the friction force takes hold of the edge while it kicks for the other half.
+  // A new kind moves the anchor, the point of the edge where the friction force acts in the other half of the kick.
   anchor_.clear();
   double change = 0.0;
   for (const std::int32_t i : points) {
@@ -440,7 +440,8 @@ void ExplicitContact::arrive_anew(double h, State& state) {
     if (p.from >= 0) kept_[static_cast<std::size_t>(p.from)] = 1;
   for (std::size_t i = 0; i < before_.points.size(); ++i)
     if (kept_[i] == 0) book_ended(i, ledger);
-  // Those that closed points have taken over: booked as dropped, and where the others changed.
+  // Energy of springs that closed points have taken over: subtracted where it was booked as dropped, and where the
+  // points that took it changed.
   ledger.book(Column::springs_dropped, -finder_.merged());
   ledger.book(Column::contact_geometry, -finder_.merged());
   adopt_kinds(h, kinds_, ledger);
@@ -494,7 +495,7 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   const std::size_t size = list_->points.size();
   for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
   const std::span<const std::int32_t> first = finder_.moves_first();
-  // All else goes point by point, while it is at hand: the list does not fit a core's cache.
+  // All else is done point by point, while the point is in the cache: the whole list does not fit.
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
     auto waiting = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
     for (std::size_t i = begin; i < end; ++i) {

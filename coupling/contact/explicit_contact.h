@@ -1,4 +1,4 @@
-// Contact in explicit steps: forces from the state at an instant, friction by return mapping, books between instants.
+// Contact in explicit steps: forces at an instant, friction by return mapping, ledger increments between instants.
 #pragma once
 
 #include <span>
@@ -11,24 +11,24 @@
 
 namespace scree::coupling {
 
-/// Brings the contact points of a state from instant to instant. Two halves a step: leave() with the velocity after the first kick,
-/// arrive() with the positions reached and the velocity that brought them there.
+/// Advances the contact points of a state from instant to instant, in two halves per step: leave() with the velocity
+/// after the first kick, arrive() with the new positions and the velocity that led to them.
 class ExplicitContact {
  public:
-  /// @param check_friction  points that slide are followed (FrictionCheck)
+  /// @param check_friction  true: sliding points are checked (FrictionCheck)
   ExplicitContact(const Setup& setup, double detection, bool check_friction = true);
 
   /// Finds the points of a state and the forces of their springs.
-  /// @param goes_on  the state is one that explicit steps of the same stage left: the memory has the forces, with
+  /// @param goes_on  true: explicit steps of the same stage led to the state, and the memory has the forces, with
   /// damping
   void enter(State& state, bool at_start, bool goes_on);
-  /// In place of enter(): goes on with the points of a state that an instance of the same stage has left.
+  /// In place of enter(): continues with the points that an instance of the same stage has left in the state.
   void resume(State& state) {
     list_ = &state.contacts;
     list_->find_briefs();
     indexed_ = false;
   }
-  /// The points of an instant, and back to them.
+  /// Copies the points of an instant; go_back() returns to them.
   void mark(ContactList& out) const { out = *list_; }
   void go_back(const ContactList& points) {
     *list_ = points;
@@ -37,29 +37,29 @@ class ExplicitContact {
   }
   /// f += forces of the memory.
   void add(std::span<double> f) const;
-  /// First half of a step's books, v the velocity of the step at the instant left.
+  /// First half of a step's ledger increments, v the velocity of the step at its start.
   void leave(std::span<const double> v);
-  /// Points at the new positions, return mapping, second half of the books.
-  /// @param farthest  no node of the state has moved farther since the instant left [m]
+  /// Points at the new positions, return mapping, second half of the ledger increments.
+  /// @param farthest  upper bound of the displacement of any node of the state in the step [m]
   void arrive(double h, double farthest, std::span<const double> q, std::span<const double> v, State& state);
-  /// f += forces that contacts with ghosts will have at other positions, as arrive() would find them.
-  /// @param q,v  as arrive() has them
+  /// f += forces that contacts with ghost bodies would have at other positions, as arrive() would compute them.
+  /// @param q,v  as for arrive()
   void foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
   /// Checks the points of the present instant.
   void check(std::span<const double> q, Audit& audit) const;
-  /// Before an arrive(): whether it may have to be undone. Then the points of the instant left are kept.
+  /// Called before arrive(): true where it may have to be undone. The points at the start of the step are then kept.
   void keep_way_back(bool keep) {
     can_undo_ = keep;
     if (keep) left_list_ = *list_;
   }
-  /// Goes back to the instant left, after keep_way_back(true) and arrive().
+  /// Returns to the start of the step, after keep_way_back(true) and arrive().
   void undo();
 
-  /// State::contacts of the state that was last brought here.
+  /// State::contacts of the state given last.
   [[nodiscard]] const ContactList& list() const { return *list_; }
-  /// From now on every step lists its points anew, which changes no bit: the reference that steps in place are held to.
+  /// From now on every step lists its points anew, which changes no bit: the reference for steps in place.
   void list_always_anew() { always_anew_ = true; }
-  /// Steps that left the list in place.
+  /// Number of steps that updated the list in place.
   [[nodiscard]] std::int64_t steps_in_place() const { return steps_in_place_; }
 
  private:
@@ -72,7 +72,7 @@ class ExplicitContact {
     std::int32_t point;
     double way;
   };
-  /// A point at the instant left, what the books of a step ask of it.
+  /// State of a point at the start of the step, as its ledger increments require it.
   struct Left {
     Half work;
     double gap = 0.0, stretch = 0.0, fn = 0.0, fd = 0.0, ft = 0.0, fdt = 0.0, kn = 0.0, kt = 0.0;
@@ -86,7 +86,7 @@ class ExplicitContact {
     double gap = 0.0, stretch = 0.0, anchor = 0.0;
     bool known = false;
   };
-  /// @param v  of the outline nodes   @param rates  at these velocities, if they are known
+  /// @param v  velocities of the outline nodes   @param rates  at these velocities, if they are known
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, OutlineVelocities v,
                                const Rates& rates) const;
   void leave_point(double h, std::size_t i);
@@ -94,45 +94,46 @@ class ExplicitContact {
   /// Velocities of the outline nodes.
   void set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const;
   void add(const ContactList& list, std::span<double> f) const;
-  /// True if another integrator moves one of its bodies, or a half of it.
+  /// True if another integrator moves one of the point's bodies, or a half of it.
   [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
-  /// In an impact a spring that passes to another edge or tip there holds what the work of its force in the step leaves
-  /// of its energy, whatever the gap at which it passes:
+  /// In an impact a spring that passes to another edge or tip has there the energy that remains after the work of its
+  /// force in the step, independent of the gap at which it passes:
   ///   k g^2/2 = E - h/2 f_n g'_n - h/2 f g',  f = -k g
-  /// The direction of the force jumps within the step: the gap alone would be off by an error of first order.
+  /// The direction of the force jumps within the step: an energy from the gap alone would have a first-order error.
   void transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const;
-  /// Forces of the law where the points of a list are; trial_ and opened_ are of it afterwards. v_ is theirs.
+  /// Forces of the law for the points of a list at the velocities v_; sets trial_ and opened_ for this list.
   void respond(double h, ContactList& list);
-  /// The same of one point.   @return its rates, known where the law depends on them
+  /// The same for one point.   @return its rates, known where the law depends on them
   Rates respond(double h, std::size_t i, ContactList& list);
-  /// After respond(), of a point and where it was: its slip in the step, with its sign, for the check of friction [m].
+  /// After respond(): signed slip of a point in the step, for the check of friction [m].
+  /// @param was  the point at the start of the step
   [[nodiscard]] double way(std::size_t i, const Left& was) const;
-  /// After respond(): the check of friction sees the points.
+  /// After respond(): applies the check of friction to the points.
   void follow_slides(double h, double time);
   void book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const;
   void book_new(std::size_t i, const Half& arriving, Ledger& ledger) const;
   void book_ended(std::size_t before, Ledger& ledger) const;
-  /// Gives closed points the springs of their kind.   @param points  those that may have another kind
+  /// Gives closed points the springs of their kind.   @param points  those that may have changed their kind
   void adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger);
   /// arrive() where points came or went, or one passed to another place.
   void arrive_anew(double h, State& state);
   /// arrive() where all points are still there: nothing is listed anew, nothing copied.
   void arrive_in_place(double h, State& state);
-  /// Of a range of points: increments of the ledger, points that slide, points that may take springs of another kind.
+  /// Results for a range of points: ledger increments, points that slide, points that may take springs of another kind.
   struct Chunk {
     Ledger ledger;
     std::vector<Slide> slides;
     std::vector<std::int32_t> kinds;
   };
-  /// Calls of_range(begin, end, chunk) for ranges of the points of the list, on threads; then adds the increments of the
-  /// chunks to the ledger in their order, and lists slides_ and kinds_.
+  /// Calls of_range(begin, end, chunk) for ranges of the points of the list, on threads; then adds the increments of
+  /// the chunks to the ledger in their order, and lists slides_ and kinds_.
   template <class OfRange>
   void for_points(Ledger& ledger, OfRange&& of_range);
-  /// Of arrive_in_place(): what concerns one point alone.   @param first  of a point of moves_first(), else null
+  /// Part of arrive_in_place() for one point alone.   @param first  of a point of moves_first(), else null
   void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk);
-  /// Of arrive_in_place(): points that come and go, and those that others may depend on.
+  /// Part of arrive_in_place(): points that appear or end, and those that others may depend on.
   void make_way(double h);
-  /// Of arrive_in_place(): the check of friction sees the points that slide, their friction changes.
+  /// Part of arrive_in_place(): the check of friction for the points that slide, and the laws of friction.
   void follow_some(double h, State& state);
 
   const Setup* setup_;
@@ -142,34 +143,34 @@ class ExplicitContact {
   bool checks_friction_;
   ContactList* list_ = nullptr;  // of the state
   ContactList before_, ahead_, left_list_;
-  bool indexed_ = false;   // the finder knows the list
-  bool in_place_ = false;  // the last step was: before_ is of no instant
+  bool indexed_ = false;   // the finder has indexed the list
+  bool in_place_ = false;  // the last step was: before_ belongs to no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
-  bool can_undo_ = false;  // left_list_ is of the instant left
-  double clear_ = 0.0;     // while nothing is near: how far nodes may still move before something can be [m]
-  IndexedVector<OutlineNode, Vec2> v_left_, v_;  // of the step at the instant left, and where it arrives [m/s]
-  std::vector<Left> left_;                       // a point of the instant left
+  bool can_undo_ = false;  // left_list_ has the points at the start of the step
+  double clear_ = 0.0;     // while there are no points: how far nodes may still move before there can be one [m]
+  IndexedVector<OutlineNode, Vec2> v_left_, v_;  // of the step, at its start and at its end [m/s]
+  std::vector<Left> left_;                       // per point at the start of the step
   std::vector<Left> left_first_;                 // of those that others may depend on
-  struct Weakened {                              // what its friction was taken from
+  struct Weakened {                              // data from which the step took a point's friction
     double slip, friction_change;
   };
-  std::vector<Weakened> weakened_;  // a point of the instant left
-  std::vector<char> kept_;          // 1: the point of before_ goes on in the list
-  std::vector<double> trial_;       // stretch before return mapping, a point of the list at hand
+  std::vector<Weakened> weakened_;  // per point at the start of the step
+  std::vector<char> kept_;          // 1: the point of before_ continues in the list
+  std::vector<double> trial_;       // stretch before return mapping, per point of the present list
   struct Anchor {                   // of a point, before it takes the stiffness of a new kind
     std::int32_t point;
     double before;
   };
   std::vector<Anchor> anchor_;
-  std::vector<std::int32_t> kinds_;  // points that may take it
+  std::vector<std::int32_t> kinds_;  // points that may take springs of another kind
   std::vector<Slide> slides_;        // points that the check of friction follows
-  std::vector<double> energy_;       // of a point's springs [J]
+  std::vector<double> energy_;       // of the springs, per point [J]
   std::vector<Chunk> chunks_;
-  mutable IndexedVector<OutlineNode, Vec2> forces_;  // on those that move, scratch of add() [N]
+  mutable IndexedVector<OutlineNode, Vec2> forces_;  // on nodes that move, scratch of add() [N]
   IndexedVector<OutlineNode, char> rests_;           // per outline node: 1 where its body rests
-  IndexedVector<OutlineNode, char> ghost_;  // likewise: 1 where another integrator moves its body, or a half of it
-  std::vector<double> opened_;              // by dilation in the step, a point of the list at hand [m]
+  IndexedVector<OutlineNode, char> ghost_;  // the same: 1 where another integrator moves its body, or a half of it
+  std::vector<double> opened_;              // by dilation in the step, per point of the present list [m]
 };
 
 }  // namespace scree::coupling

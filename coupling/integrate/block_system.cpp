@@ -13,9 +13,9 @@ void add_products(const double* u, const double* v, const double* w, const doubl
     for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += u[r] * v[c] + w[r] * z[c];
 }
 
-constexpr std::int64_t kFewBodies = 3000;  // not worth waking threads for
+constexpr std::int64_t kFewBodies = 3000;  // below it loops over bodies run on one thread
 
-/// True if a row names whole bodies, and two at most.
+/// True if a row has all unknowns of its bodies, at most two.
 bool couples_pair(const DofRow& row) {
   const std::size_t n = row.dof.size();
   if (n % kBlockSide != 0 || n > 2 * kBlockSide) return false;
@@ -39,7 +39,7 @@ bool BlockSystem::begin(const DofRows& rows, std::size_t springs) {
     found_[u] = {row.dof.empty() ? -1 : row.dof[0] / kBlockSide,
                  row.dof.size() <= kBlockSide ? -1 : row.dof[kBlockSide] / kBlockSide};
   }
-  k_.clear();  // numbers of the matrix are of no use: rows are those of another step
+  k_.clear();  // the values of the matrix are outdated: its rows are those of another step
   tangent_.clear();
   changed_.clear();
   if (found_ == bodies_ && matrix_.rows() > 0) return true;

@@ -19,49 +19,49 @@ struct PointTangent {
   [[nodiscard]] bool zero() const { return nn == 0.0 && nt == 0.0 && tn == 0.0 && tt == 0.0; }
 };
 
-/// Points that are not worth waking threads for, in loops that take some nanoseconds each.
+/// Below this number of points a loop that takes some nanoseconds per point runs on one thread.
 inline constexpr std::int64_t kFewPoints = 30000;
 
 /// Assembles (A + springs + contact points, with friction and dilation) as a matrix of blocks, row of bodies by row of
-/// bodies: only those rows are summed again whose points have changed. The matrix is for corrections; residuals are
-/// summed from the rows of the points themselves, whose elongations lose nothing when bodies move together.
+/// bodies: only rows whose points have changed are summed again. The matrix is for corrections; residuals are
+/// summed from the rows of the points themselves, whose elongations lose no digits when bodies move together.
 /// @source docs/theory/linear-solvers.md, "Block matrix"
 class BlockSystem {
  public:
   /// @param system  must outlive it
   explicit BlockSystem(const ImplicitSystem& system) : system_(&system) {}
 
-  /// Begins a step with the rows of its springs and then of gap and stretch of its points, which must outlive the step.
-  /// @pre system.affine()   @return false: a row couples more than two bodies, and the system is none of pairs
+  /// Begins a step. `rows` has the rows of its springs, then gap and stretch of its points; it must outlive the step.
+  /// @pre system.affine()   @return false: a row couples more than two bodies, so blocks of pairs are not enough
   [[nodiscard]] bool begin(const DofRows& rows, std::size_t springs);
   /// Sums the matrix.
-  /// @param A       on the pattern of the system   @param fresh  it has changed since the last call
-  /// @param k       of the springs, the same during a step [N/m]   @param points  of the points
+  /// @param A       on the pattern of the system   @param fresh  A has changed since the last call
+  /// @param k       of the springs, constant during a step [N/m]   @param points  tangents of the points
   void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const PointTangent> points);
   /// Changes one point; its bodies' rows are summed again by the next assemble() or refresh().
   void set(std::size_t point, const PointTangent& tangent);
   /// Sums the row of a body if a point of it has changed.
   void refresh(std::int32_t body);
   [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
-  /// y = (A + springs + points) x from the rows themselves, with the numbers last assembled: elongations first, then
+  /// y = (A + springs + points) x from the rows themselves, with the values last assembled: elongations first, then
   /// the forces of every body in the order of its rows.
   void multiply(std::span<const double> x, std::span<double> y);
 
   /// The two bodies of a point; -1: held, or driven.
   [[nodiscard]] const BlockMatrix::Pair& bodies_of(std::size_t point) const { return bodies_[springs_ + point]; }
-  /// Where a row of the rows above acts on a body.
+  /// A spring or a point at one of its bodies.
   struct Incidence {
-    std::int32_t unit = 0;   // a spring, or after all of them a point
-    std::int32_t own = 0;    // 0 or 6: where the numbers of the body begin in the row
-    std::int32_t other = 0;  // where those of the other body do; -1: there is none
-    std::int32_t place = 0;  // of the block that couples both
+    std::int32_t unit = 0;   // index of a spring, or after all springs of a point
+    std::int32_t own = 0;    // 0 or 6: offset of the body's coefficients in the row
+    std::int32_t other = 0;  // offset of the other body's coefficients; -1: no other body
+    std::int32_t place = 0;  // index of the block that couples both
   };
-  /// All of a body, in the order of the rows.
+  /// All incidences of a body, in the order of the rows.
   [[nodiscard]] std::span<const Incidence> incidences(std::int32_t body) const {
     const auto b = static_cast<std::size_t>(body), first = static_cast<std::size_t>(first_[b]);
     return std::span(incidence_).subspan(first, static_cast<std::size_t>(first_[b + 1]) - first);
   }
-  /// Adds -A x of a body's own forces.   @param x  of all bodies   @param sum  6 numbers
+  /// sum += -A x, forces of the body's own block of A.   @param x  of all bodies   @param sum  6 numbers
   void subtract_own(std::int32_t body, std::span<const double> x, double* sum) const;
   /// Adds a force along a row to one of its bodies.   @param own  Incidence::own
   void add_force(std::size_t row, std::int32_t own, double force, double* sum) const {
@@ -85,8 +85,8 @@ class BlockSystem {
   std::vector<std::int32_t> first_;                // per body: its incidences
   std::vector<Incidence> incidence_;
   std::span<const double> A_;
-  std::vector<double> k_;              // that the matrix is the sum of
-  std::vector<PointTangent> tangent_;  // likewise
+  std::vector<double> k_;              // stiffnesses in the present matrix
+  std::vector<PointTangent> tangent_;  // tangents in the present matrix
   std::vector<double> force_;          // of every row in multiply()
   std::vector<char> changed_;          // per body
 };

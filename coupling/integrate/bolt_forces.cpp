@@ -46,7 +46,7 @@ double BoltForces::half_work(double h, std::span<const double> v) const {
 
 void BoltForces::find_broken(One& one) {
   if (!one.response.rupture(one.now)) return;
-  BoltMemory& left = one.trial;  // what is left of it at the same lengths
+  BoltMemory& left = one.trial;  // the bolt after rupture, at the same lengths
   (void)one.response.solve(one.now, one.shape.lengths(), one.shape.shears(), left);
   one.now.breaking = one.now.energy - left.energy - (left.dissipated - one.now.dissipated);
 }
@@ -70,7 +70,7 @@ void BoltForces::arrive(double h, std::span<const double> v, Ledger& ledger) {
 
 namespace {
 
-/// Springs of a liner: its segments, and of every turn k (c.dx)^2, rows times the length of c.
+/// Springs of a liner: its segments, and for every turn k (c.dx)^2, with rows scaled by the length of c.
 void add_liner_springs(const Bolt& liner, const BoltRows& rows, std::span<const double> q,
                        std::vector<BoltSpring>& out) {
   BoltShape shape;
@@ -118,7 +118,7 @@ std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
       s.k = k;
       out.push_back(std::move(s));
     };
-    // Bond: the bar stays, rock moves against it; the plate moves against a bar that stays.
+    // Bond: the bar is fixed, rock moves relative to it; the plate moves relative to a fixed bar.
     double of_bond = 0.0, of_bar = 0.0;
     for (std::size_t i = 0; i < rows.nodes; ++i) {
       const double length = bolt.nodes[i].length;
@@ -134,7 +134,7 @@ std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state) {
       add({i}, bolt.nodes[i].length > 0.0 ? bolt.bond_stiffness * bolt.nodes[i].length
                                           : bolt.segment_stiffness(i == 0 ? 0 : i - 1));
     for (std::size_t s = 0; s < rows.segments; ++s) {
-      // Across the bar its tension stiffens: N/l, the strain at yield of EA/l.
+      // The tension adds a stiffness across the bar: N/l, EA/l times the strain at yield.
       constexpr double kMostStrain = 0.01;
       const double strain = std::min(kMostStrain, bolt.yield / bolt.stiffness), k = bolt.segment_stiffness(s);
       add({s, s + 1}, by_bond ? strain * k : k);

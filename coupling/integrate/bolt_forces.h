@@ -9,15 +9,15 @@
 
 namespace scree::coupling {
 
-/// The forces at an instant follow from the positions there and from what the bolts remember of the instant before.
-/// What breaks at an instant lets go at the next. Forces on driven bodies are added too.
+/// The forces at an instant follow from the positions there and from the memory of the bolts at the instant before.
+/// What breaks at an instant bears no force from the next on. Forces on driven bodies are added too.
 class BoltForces final : public ForceTerm {
  public:
   BoltForces(const Setup& setup, std::vector<BoltRows> rows);
 
-  /// Takes over what the bolts of a state remember, at its time.
+  /// Takes over the memory of the bolts in a state, at its time.
   void take(const State& state);
-  /// Puts it back, once a step is done.
+  /// Writes the memory back into the state after a step.
   void keep(State& state) const;
 
   void add(const Instant& at, std::span<double> f) override;
@@ -33,7 +33,7 @@ class BoltForces final : public ForceTerm {
     std::vector<Vec2> force;  // on the rows
   };
   [[nodiscard]] double half_work(double h, std::span<const double> v) const;
-  /// Where something breaks: the energy that goes with it at the present lengths.
+  /// If something breaks, finds the energy that is lost with it at the present lengths.
   static void find_broken(One& one);
 
   std::vector<One> bolts_;
@@ -43,14 +43,15 @@ class BoltForces final : public ForceTerm {
   double work_ = 0.0;
 };
 
-/// Stiffness of a bolt as the step bound sees it: a spring between rows, or of one row to something that stays.
+/// Stiffness of a bolt in the step bound: a spring between rows, or between one row and a fixed point.
 struct BoltSpring {
   std::vector<Row> rows;
   std::vector<BodyIndex> body;
   double k = 0.0;  // [N/m]
 };
 /// For every bolt that this setup applies, the less stiff of two bounds of its elastic stiffness: the bond's springs
-/// with the bar at rest, or the bar's segments without slip; its shear springs, and its tension across the segments.
+/// with the bar at rest, or the bar's segments without slip. Then its shear springs, and its tension across the
+/// segments.
 [[nodiscard]] std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state);
 
 }  // namespace scree::coupling

@@ -13,8 +13,8 @@
 namespace scree::coupling {
 namespace {
 
-/// out = v + h/2 a, moved = q + h out over a chunk. Takes the forces f away: sum = out.f, f = 0.
-/// @param most  |out| component by component; passes over what is not a number
+/// out = v + h/2 a, moved = q + h out over a chunk. sum = out.f, then f = 0.
+/// @param most  largest |component of out|; skips what is not a number
 void kick_and_drift(const Chunk& c, double h, const double* q, const double* v, const double* a, double* f, double* out,
                     double* moved, double& sum, double& most) {
   double work = 0.0, largest = 0.0;
@@ -212,7 +212,7 @@ void CentralDifference::add_terms(const State& state) {
 void CentralDifference::resume(State& state, const IntegratorMemory& memory) {
   add_terms(state);
   contact_.resume(state);
-  sum_up(lagging(state));  // for the terms: they act on free bodies alone
+  sum_up(lagging(state));  // for the forces of the terms, which act on free bodies alone
   stress_ = memory.stress;
   total_ = memory.total;
   stiffness_.force = memory.stiffness;
@@ -292,8 +292,8 @@ double CentralDifference::kick_off(const State& state, double h) {
   sliding_left_ = all.sliding;
   stiffness_.left = all.stiffness;
   local_.left = all.local;
-  // The largest component bounds the longest way within sqrt(2). What is not a number passes, and is found when the
-  // step is made.
+  // sqrt(2) times the largest component bounds the largest displacement. What is not a number is skipped here, and
+  // detected later in the step.
   return h * std::sqrt(2.0) * all.largest;
 }
 
@@ -436,8 +436,8 @@ void CentralDifference::damp(double h, State& state) {
 
 StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
   const double h = seconds(ticks_of_step), end = seconds(state.time + ticks_of_step);
-  // Kick by half a step and drift; driven bodies go where they are told. The state has not changed yet: a step that
-  // would go too far is refused here.
+  // Kick by half a step and drift; driven bodies follow their motions. The state has not changed yet: a step that
+  // would move too far is refused here.
   double farthest = kick_off(state, h);
   move_driven(state, h, end, farthest);
   if (!chunks_.ghosts().empty()) move_ghosts(state, state.time + ticks_of_step, farthest);
@@ -522,7 +522,7 @@ void CentralDifference::relax(State& state) {
     state.relaxing = kinetic;
     return;
   }
-  // Damping ends with the motion, and with it the acceleration changes at this instant.
+  // Damping ends with the motion, so that the acceleration changes at this instant.
   const bool damped = damps_all() || damps_rest() || lags() || !state.sliding.empty();
   const double shadow = damped ? acceleration_energy(state) : 0.0;
   state.ledger.book(Column::rest_damping, kinetic);
@@ -571,7 +571,7 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
 
 bool CentralDifference::step_still_stable() const {
   const ContactList& list = contact_.list();
-  // A contact that ended only leaves slack; one that is new or has grown stiffer is not covered.
+  // A contact that has ended leaves the bound safe; one that is new or has grown stiffer is not covered.
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     while (at < bound_.size() && bound_[at].key < list.points[i].key) ++at;

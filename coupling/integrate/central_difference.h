@@ -19,7 +19,7 @@ namespace scree::coupling {
 
 ///   v_{n+1/2} = v_n + h/2 M^-1 F(x_n),  x_{n+1} = x_n + h v_{n+1/2},  v_{n+1} = v_{n+1/2} + h/2 M^-1 F(x_{n+1})
 /// The stored velocity is the synchronised one, so the step may change; the ledger books (h'^2 - h^2)/8 a.M.a.
-/// Stress and weights are summed in the integrator's own loops, the rest comes through ForceTerms and the contacts;
+/// Stress and weights are summed in the integrator's own loops; all other forces are ForceTerms and contacts, and
 /// each books its own work. Mass-proportional damping at the rate a acts on w = v minus its affine part, or on all of
 /// v: w_n = w*/(1 + a h/2), force -a M w_n, which is [(1 - a h/2) w_{n-1/2} + h M^-1 F]/(1 + a h/2) of [Qu2013]
 /// 4.3.3 on synchronised velocities. Everything else that damps (stiffness, viscous edges, contacts) lags half a
@@ -43,29 +43,30 @@ class CentralDifference final : public TimeIntegrator {
   void contact_forces(const State&, std::span<double> f) const override { contact_.add(f); }
   [[nodiscard]] bool step_still_stable() const override;
 
-  /// From now to `time` ghosts go along straight lines from where they are.   @param end  x, y per node at that time
+  /// From now to `time` ghosts move along straight lines from their present positions.
+  /// @param end  x, y per node at that time
   void lead_ghosts(const State& state, std::span<const double> end, Tick time);
-  /// Forces f of contacts on nodes of ghosts at the end of a step in which they go along straight lines; nothing
-  /// changes.
-  /// @param end  x, y per node there   @param f  x, y per node, zero at first
+  /// Finds the contact forces f on nodes of ghosts at the end of a step in which ghosts move along straight lines;
+  /// the step is not taken.
+  /// @param end  x, y per node at the end   @param f  x, y per node, zero at first
   void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
-  /// Slow bodies (Ghosts::slow): their internal force counts this many times where the next step arrives; 0: it is not
-  /// met there, and its energy stays as it was.
+  /// Sets the weight of the internal force of slow bodies (Ghosts::slow) at the end of the next step; 0: the force is
+  /// not evaluated there, and its energy stays as it was.
   void weigh_next(double weight) { slow_.next = weight; }
-  /// It counts so many times at the present instant, where it has been met. The acceleration jumps.
+  /// Sets the weight of that force at the present instant, where it has been evaluated. The acceleration jumps.
   void weigh(State& state, double weight);
-  /// Nodes that hold() has forces for; before enter() or resume().
+  /// Sets the nodes that the forces of hold() act on; called before enter() or resume().
   void hold_nodes(std::vector<std::int32_t> nodes);
-  /// From now on these forces act on them, x, y per node [N]. The acceleration jumps, and with it the shadow.
+  /// From now on these forces act on those nodes, x, y per node [N]. The acceleration and the shadow energy jump.
   void hold(State& state, std::span<const double> force);
   [[nodiscard]] std::span<const double> held() const { return held_ ? held_->force() : std::span<const double>(); }
-  /// Forces at the present instant; those of contacts alone on nodes of ghosts [N].
+  /// Forces at the present instant; on nodes of ghosts those of contacts alone [N].
   [[nodiscard]] std::span<const double> forces() const { return total_; }
   [[nodiscard]] const ContactList& contacts() const { return contact_.list(); }
   /// See ExplicitContact.
   void list_contacts_always_anew() { contact_.list_always_anew(); }
   [[nodiscard]] std::int64_t contact_steps_in_place() const { return contact_.steps_in_place(); }
-  /// What steps change beside the state.
+  /// What steps change in the integrator.
   struct Mark {
     ContactList contacts;
     std::vector<double> stress, total, stiffness, local, held;
@@ -73,14 +74,14 @@ class CentralDifference final : public TimeIntegrator {
   };
   void mark(Mark& out) const;
   void check(const State& state, Audit& audit) const { contact_.check(state.q, audit); }
-  /// Goes back to an earlier instant of the stage, whose state its owner has brought back but for the contacts.
+  /// Returns to an earlier instant of the stage. The caller has restored the state before, except its contacts.
   void go_back(State& state, const Mark& mark);
 
   /// Adds a force beside the model's own (stress, weights, loads, supports, viscous edges).
   void add_term(std::unique_ptr<ForceTerm> term);
 
  private:
-  /// Forces that damp and lag, a number each of a node; empty while the plan has none of the kind.
+  /// Damping forces that lag half a step, x, y per node; empty if the plan has no damping of the kind.
   struct Lagged {
     std::vector<double> force;
     double left = 0.0;  // first half of a step's work
@@ -89,34 +90,34 @@ class CentralDifference final : public TimeIntegrator {
   [[nodiscard]] bool damps_rest() const { return !damping_.rigid && damping_.mass > 0.0; }
   [[nodiscard]] bool lags() const { return lags_; }
 
-  /// v_{n+1/2}, x_{n+1} of the free nodes and the work over the first half, for which their stress is used up; returns
-  /// a bound of the farthest way of a node (in its own unit: the axes of an affine body are numbers).
+  /// Finds v_{n+1/2}, x_{n+1} of the free nodes and the work over the first half, and sets their stress to zero;
+  /// returns a bound of the largest node displacement (in its own unit: axes of an affine body are dimensionless).
   [[nodiscard]] double kick_off(const State& state, double h);
-  /// How far the points of the outlines would go: too_far, or ok.
+  /// Finds how far the points of the outlines would move: too_far, or ok.
   [[nodiscard]] StepReport refuse(double h) const;
-  /// False if the forces of contacts, or what they act on, may be no numbers: the step has to be undone then.
+  /// False if contact forces, or the bodies that they act on, may not be finite: the step has to be undone if so.
   [[nodiscard]] bool forces_stay_finite() const;
   StepReport lost(const State& state, std::span<const double> forces, double t) const;
   void move_driven(const State& state, double h, double end, double& farthest);
   void move_ghosts(const State& state, Tick arrival, double& farthest);
-  void turn(const State& state, double h);  // what was moved, where nodes turn
+  void turn(const State& state, double h);  // corrects moved positions where nodes rotate
   void leave_instant(const State& state, double h);
   [[nodiscard]] double add_stress(std::span<const double> q);
-  /// q_new_, zero.
+  /// q_new_, set to zero.
   [[nodiscard]] std::span<double> scratch();
-  /// The forces in q_new_ come on top of those at the present instant.
+  /// Adds the forces in q_new_ to those at the present instant.
   void jump(State& state);
   void add_terms(const State& state);
-  void restore_stress(const State& state);  // as it is at the state, whatever a step in the making has left
+  void restore_stress(const State& state);  // at the positions of the state, after an unfinished step
   void sum_up(const Instant& at);
   void book_step(double h, double stress_energy, double driven_before, Ledger& ledger);
-  /// Lends what is as large as the model, and takes it back.
+  /// Swaps the arrays that are as large as the model with those of `memory`.
   void exchange(IntegratorMemory& memory);
   void accelerate(std::span<const double> q, std::span<double> a) const;
   [[nodiscard]] bool arrive(double h);
   [[nodiscard]] double damp_rest(double factor, State& state);
-  /// Velocities and accelerations of the instant at hand less what the damping of sliding blocks takes, and its forces.
-  /// @param half  half of the step that led here [s]; 0: none did
+  /// Reduces the new velocities and accelerations by the damping of sliding blocks, and finds its forces.
+  /// @param half  half of the step that ends now [s]; 0: there is none
   void damp_sliding(std::span<const double> q, double half, State& state);
   void damp(double h, State& state);
   void relax(State& state);
@@ -131,7 +132,7 @@ class CentralDifference final : public TimeIntegrator {
   StepControl control_;
   ExplicitDamping damping_;
   bool rest_, lags_;
-  double outline_weights_ = 1.0;  // sum |w| of a row: how much farther than the nodes an outline may go
+  double outline_weights_ = 1.0;  // sum |w| of a row: ratio of outline to node displacement, at most
   ExplicitContact contact_;
   NodeChunks chunks_;
   SlidingDamping sliding_;
@@ -142,34 +143,34 @@ class CentralDifference final : public TimeIntegrator {
   std::vector<BodyLoad> weights_;
   std::vector<double> factor_;  // per weight: its factor at the present instant
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  HeldForce* held_ = nullptr;      // among them
-  BoltForces* bolts_ = nullptr;    // likewise
+  HeldForce* held_ = nullptr;      // one of terms_
+  BoltForces* bolts_ = nullptr;    // one of terms_
   struct Slow {                    // internal force of slow bodies
-    double now = 1.0, next = 1.0;  // how often it counts at the present and the next instant
-    double energy = 0.0;           // where it was last met [J]
+    double now = 1.0, next = 1.0;  // weights at the present and the next instant
+    double energy = 0.0;           // at its last evaluation [J]
   };
   Slow slow_;
-  // Forces at the present instant; total_ has all but the mass-proportional damping, and contacts alone on driven
-  // nodes.
+  // Forces at the present instant; total_ contains all but the mass-proportional damping; on driven nodes, contacts
+  // alone.
   std::vector<double> stress_, total_;
   Lagged stiffness_, local_;
-  std::vector<double> q_new_, v_half_, v_new_, a_new_;  // a step in the making: the state changes when it is done
+  std::vector<double> q_new_, v_half_, v_new_, a_new_;  // the unfinished step: the state changes at its end
   bool resting_placed_ = false;                         // bodies that rest are in both q_new_ and v_half_
   double stress_left_ = 0.0, stress_right_ = 0.0, mass_left_ = 0.0, sliding_left_ = 0.0;
   double stack_friction_ = 0.0;       // power of friction from stacks_ [W]
   std::vector<double> weight_power_;  // per weight: force at a factor of 1 times velocity
-  std::vector<double> partial_;       // a chunk and a sum
+  std::vector<double> partial_;       // per chunk and sum
   struct Left {                       // sums over a chunk at v_{n+1/2}: work of forces at x_n, and |v|
     double stress = 0.0, mass = 0.0, stiffness = 0.0, local = 0.0, sliding = 0.0, largest = 0.0;
   };
   std::vector<Left> left_;  // per chunk
-  struct Lead {             // the way of the ghosts
+  struct Lead {             // straight paths of the ghosts
     Tick begin = 0, end = 0;
     std::vector<double> from, to;
   };
   Lead lead_;
-  std::optional<StepBound> step_bound_;         // once the step is asked for
-  std::vector<IntegratorMemory::Bound> bound_;  // contacts as stable_step() saw them, with the margin it took
+  std::optional<StepBound> step_bound_;         // made by the first stable_step()
+  std::vector<IntegratorMemory::Bound> bound_;  // contact stiffnesses at the last stable_step(), with its margin
 };
 
 }  // namespace scree::coupling

@@ -1,5 +1,5 @@
-// What another integrator asks of the explicit one: ghosts on given paths, held and weighed forces, contacts foreseen,
-// a way back.
+// Functions of the explicit integrator that other integrators use: ghosts on given paths, held and weighted forces,
+// predicted contacts, return to an earlier instant.
 #include <algorithm>
 #include <cmath>
 
@@ -65,7 +65,7 @@ void CentralDifference::move_ghosts(const State& state, Tick arrival, double& fa
   double most = 0.0;
   for (const Chunk& c : chunks_.ghosts())
     for (std::size_t i = c.begin; i < c.end; ++i) {
-      // At the end to the last bit: the ghost's own integrator goes on from there.
+      // Exact to the last bit at the end: the ghost's own integrator continues from there.
       q_new_[i] = arrival == lead_.end ? lead_.to[i] : lead_.from[i] + s * (lead_.to[i] - lead_.from[i]);
       v_half_[i] = (q_new_[i] - state.q[i]) / h;
       most = std::max(most, std::abs(v_half_[i]));
@@ -108,7 +108,7 @@ void CentralDifference::go_back(State& state, const Mark& mark) {
   contact_.go_back(mark.contacts);
   if (held_ != nullptr) held_->take(mark.held, scratch());
   if (bolts_ != nullptr) bolts_->take(state);
-  for (const auto& term : terms_) term->add(lagging(state), total_);  // they know their force at an instant
+  for (const auto& term : terms_) term->add(lagging(state), total_);  // restores the forces that terms store
   stress_ = mark.stress;
   total_ = mark.total;
   stiffness_.force = mark.stiffness;

@@ -65,7 +65,7 @@ void CentralDifference::damp_sliding(std::span<const double> q, double half, Sta
     const Eigen::Matrix3d G =
         (Eigen::Matrix3d() << sum.mass, 0.0, sum.lx, 0.0, sum.mass, sum.ly, sum.lx, sum.ly, sum.inertia).finished();
     const Eigen::Vector3d rigid = G.inverse() * Eigen::Vector3d(sum.px, sum.py, sum.spin);
-    // v_d <- v_d/(1 + a h/2), the force -a M v_d, and what it takes from the acceleration.
+    // v_d <- v_d/(1 + a h/2), the force -a M v_d, and its part of the acceleration.
     const double factor = 1.0 / (1.0 + rate * half);
     double *v = v_new_.data(), *a = a_new_.data(), *f = state.sliding.data();
     const auto damp = [&](std::size_t k, double t_momentum, double slide) {

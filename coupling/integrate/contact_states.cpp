@@ -148,7 +148,7 @@ void ContactStates::evaluate_point(std::size_t i, std::span<const double> d) {
 }
 
 bool ContactStates::held_beside(std::size_t i) const {
-  // Points are sorted by their corner.
+  // Points are sorted by their vertex.
   const auto holds = [&](std::size_t j) {
     constexpr double kSameWay = 0.99;
     return trial_[j].status != ContactStatus::open && list_->points[j].at.n.dot(list_->points[i].at.n) > kSameWay;
@@ -162,12 +162,12 @@ bool ContactStates::held_beside(std::size_t i) const {
 }
 
 bool ContactStates::may_close(std::size_t i) const {
-  // The foot must be on the edge where the step ends; of two edges at a convex corner the one that is nearer takes
-  // over.
+  // The foot must be on the edge at the end of the step; of two edges at a convex corner the nearer one gets the
+  // contact.
   const ContactPoint& p = list_->points[i];
   const double foot = p.at.xi * p.at.length + trial_[i].moved;
   if (foot < p.s_low || foot > p.s_high) return false;
-  constexpr double kOver = 1e-12;  // at the start of the step the corner is not over this edge yet
+  constexpr double kOver = 1e-12;  // beyond it the vertex is not over this edge at the start of the step
   if ((p.at.xi < -kOver || p.at.xi > 1.0 + kOver) && held_beside(i)) return false;
   for (const std::int32_t other : p.partner) {
     if (other < 0 || list_->points[static_cast<std::size_t>(other)].suppressed) continue;
@@ -201,8 +201,8 @@ ContactStates::ProposedState ContactStates::proposed_of_open(std::size_t i) cons
   const ContactMemory& m = list_->memory[i];
   ProposedState w{t.status, t.direction, t.opens, t.slack};
   if (t.gap >= 0.0 || !may_close(i)) return w;
-  // By what its springs would carry if the bodies did not mind: a point that sticks while the joint slides may be
-  // lifted by its own tangential spring, and never settle.
+  // State and violation follow from the spring forces at the present positions of the bodies: a point that sticks while
+  // the joint slides may be lifted by its own tangential spring, and its state would never settle.
   w.violation = -m.kn * t.gap;
   const double ft = -m.kt * (stretch_before(i) + t.moved);
   w.status = std::abs(ft) > strength_[i].friction_limit(w.violation) ? ContactStatus::slip : ContactStatus::stick;
@@ -219,14 +219,14 @@ ContactStates::ProposedState ContactStates::proposed_state(std::size_t i) const 
   if (t.status == ContactStatus::open) return proposed_of_open(i);
   const double bears = t.status == ContactStatus::stick ? s.tension : 0.0;
   if (t.gap > 0.0 && (bears > 0.0 || t.slack || t.fn < 0.0 || t.k == m.kn)) {
-    // A bond that sticks bears the pull, unless that or the shear under it is too much: then nothing holds it closed.
+    // A sticking bond bears the pull, unless the pull or the shear with it is too large: then nothing keeps it closed.
     const double pull = m.kn * t.gap;
     w.violation = bears > 0.0 ? std::max(pull - bears, std::abs(t.ft) - s.friction_limit(-pull)) : pull;
     if (w.violation > tolerance(i)) {
       w.status = ContactStatus::open;
       return w;
     }
-    w.violation = 0.0;  // it hardly opens, and may slip, or its dashpot pull, as it is
+    w.violation = 0.0;  // its opening is negligible; slip, or the pull of its dashpot, is still checked
     if (bears > 0.0) {
       (void)proposes_slack(i, w);
       return w;
@@ -234,7 +234,7 @@ ContactStates::ProposedState ContactStates::proposed_state(std::size_t i) const 
   }
   if (proposes_slack(i, w)) {
     if (w.violation > tolerance(i)) return w;
-    w.slack = t.slack;  // the dashpot hardly pulls: the friction must be right all the same
+    w.slack = t.slack;  // the dashpot's pull is negligible; friction is still checked
     w.violation = 0.0;
   }
   if (t.status == ContactStatus::stick) {
@@ -294,7 +294,7 @@ int ContactStates::change(bool only_worst) {
   changed_.clear();
   for (const auto& [i, w] : proposed_) {
     if (only_worst) {
-      // One of two that are as bad is enough.
+      // Of two equal violations one is enough.
       const auto is_worst = [&, &proposed = w](BodyIndex b) {
         return setup_->body(b).driven || proposed.violation >= worst_[b];
       };
@@ -374,7 +374,7 @@ void ContactStates::check(std::span<const double> d, double unbalanced, Audit& a
                 [&] { return fmt::format("{}: {:.6g} N is not the force of its spring", name(), t.fn); });
     audit.check(t.slack ? std::max(0.0, pressed(t, gap - m.gap) - t.fn) : 0.0, allowed,
                 [&] { return fmt::format("{}: slack, and its spring presses more", name()); });
-    // A gap is settled to what its spring makes of it; with the dashpot the same gap is more force.
+    // A gap is accurate to the force of its spring; with the dashpot the same gap error is a larger force.
     audit_law(*setup_, m, bearing_force(i), t.ft, allowed * t.k / m.kn, audit);
     const double slip = stretch_before(i) + t.moved - t.stretch;
     audit.check(t.ft * slip > 0.0 && t.status == ContactStatus::slip ? m.kt * slip : 0.0, allowed,

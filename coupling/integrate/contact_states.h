@@ -22,8 +22,8 @@ struct LinearContactForce {
 };
 
 /// The active set of the open-close iteration: each contact point of a step has a state, in which its forces are
-/// linear in the unknowns d of the step; unknowns that were found with given states tell which of them are violated,
-/// and what the points change to.
+/// linear in the unknowns d of the step. The unknowns found with given states determine which states are violated,
+/// and which states those points change to.
 /// @source docs/theory/time-integration.md, "Open-close iteration"; [Qu2013] 3.2.2, 4.5
 class ContactStates {
  public:
@@ -32,7 +32,7 @@ class ContactStates {
     ContactStatus status = ContactStatus::open;
     double direction = 0.0;
     bool opens = false, slack = false;
-    double violation = 0.0;  // of the state that it has, as a force [N]
+    double violation = 0.0;  // of the present state, as a force [N]
   };
 
   explicit ContactStates(const Setup& setup);
@@ -59,11 +59,11 @@ class ContactStates {
   [[nodiscard]] LinearContactForce linear_force(std::size_t i) const;
   /// Stretch of its spring at the start of the step [m].
   [[nodiscard]] double stretch_before(std::size_t i) const;
-  /// What the friction force of a slipping point loses as its gap opens [N/m].
+  /// Decrease of the friction force of a slipping point per opening of its gap [N/m].
   [[nodiscard]] double friction_per_gap(std::size_t i) const;
   /// Friction force of a slipping point without a normal force: cohesion, along its direction [N].
   [[nodiscard]] double cohesion(std::size_t i) const { return trial_[i].direction * strength_[i].friction_limit(0.0); }
-  /// It slips, and its normal force follows its slip.
+  /// True if a point slips and its normal force depends on its slip.
   [[nodiscard]] bool dilates(std::size_t i) const {
     return trial_[i].status == ContactStatus::slip && law_of(i).dilation > 0.0 && !trial_[i].slack;
   }
@@ -79,40 +79,40 @@ class ContactStates {
   void evaluate_point(std::size_t i, std::span<const double> d);
 
   /// Changes the states that the last evaluation violates.
-  /// @param only_worst  of all points of a body the one that violates its state most   @return points changed
+  /// @param only_worst  only the point of each body that violates its state most   @return number of points
   [[nodiscard]] int change(bool only_worst);
-  /// The same of some points.   @param only_worst  of all of them   @return false: none violates its state
+  /// change() for some points.   @param only_worst  one of all of them   @return false: none violates its state
   [[nodiscard]] bool change_among(std::span<const std::size_t> points, bool only_worst);
   /// Closes the open points that the last evaluation violates: the first guess of a step.   @return their number
   [[nodiscard]] int close();
   /// Points of the last change().
   [[nodiscard]] const std::vector<std::size_t>& changed() const { return changed_; }
 
-  /// Of the states of all points, or of some, so that a pass is known which had them before.
+  /// Hash of the states of all points, or of some: detects states that an earlier pass had.
   [[nodiscard]] std::size_t hash();
   [[nodiscard]] std::size_t hash(std::span<const std::size_t> points);
 
-  /// A point that is closed or closes by the last evaluation; null: there is none.
+  /// A point that is closed, or closes according to the last evaluation; null: there is none.
   [[nodiscard]] const ContactKey* closing() const;
   /// Checks unknowns found against states and laws.
-  /// @param unbalanced  force that round-off leaves on a body: contacts are known to no better [N]
+  /// @param unbalanced  force that round-off leaves on a body: contact forces are not more accurate [N]
   void check(std::span<const double> d, double unbalanced, Audit& audit) const;
 
  private:
   [[nodiscard]] const JointLaw& law_of(std::size_t i) const;
-  /// Slip left at the start of the step until dilation ends [m]; infinite: it does not.
+  /// Slip left at the start of the step until dilation ends [m]; infinite: it does not end.
   [[nodiscard]] double slip_left(std::size_t i) const;
   /// Normal force of a closed point that is not slack, at a change of its gap from the start of the step [N].
   [[nodiscard]] static double pressed(const ContactTrial& t, double change) { return -t.k * (t.at + change); }
   /// Normal force that strength is taken from: bonds fail by the spring's force, not by the dashpot's [N].
   [[nodiscard]] double bearing_force(std::size_t i) const;
   [[nodiscard]] bool may_close(std::size_t i) const;
-  /// True if the corner of a point is held by an edge beside it that faces the same way: once its foot has left that
-  /// edge, the contact passes over with its force.
+  /// True if the vertex of a point has a closed contact with another edge of nearly the same normal: once its foot has
+  /// left that edge, the contact moves to this one with its force.
   [[nodiscard]] bool held_beside(std::size_t i) const;
-  /// A force by which a point may violate its state: what the numbers of a step leave, not what it is about [N].
+  /// Force by which a point may violate its state: numerical error of a step, no physical violation [N].
   [[nodiscard]] double tolerance(std::size_t i) const;
-  /// A point whose dashpot pulls too much goes slack, and back.   @return true if it should change
+  /// A point whose dashpot pulls too much becomes slack; a slack one may return.   @return true if it should change
   [[nodiscard]] bool proposes_slack(std::size_t i, ProposedState& w) const;
   [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
   [[nodiscard]] ProposedState proposed_of_open(std::size_t i) const;
@@ -127,14 +127,14 @@ class ContactStates {
   const DofRows* rows_ = nullptr;
   std::size_t first_ = 0;
   const ContactList* list_ = nullptr;
-  std::vector<double> mass_;  // of a body, as the model has it [kg]
+  std::vector<double> mass_;  // per body, from its polygon in the model [kg]
   std::vector<ContactTrial> trial_;
   std::vector<Strength> strength_;                               // of the points
   std::vector<double> weight_;                                   // of the lighter free body at a point [N]
   double largest_force_ = 0.0;                                   // of the points' normal forces in a pass [N]
-  double gap_round_off_ = 0.0;                                   // to which positions define a gap [m]
+  double gap_round_off_ = 0.0;                                   // of a gap, from that of positions [m]
   std::vector<std::pair<std::size_t, ProposedState>> proposed_;  // of points that change in a pass
-  IndexedVector<BodyIndex, double> worst_;                       // violation of a body's points [N]
+  IndexedVector<BodyIndex, double> worst_;                       // per body: largest violation of its points [N]
   std::vector<std::size_t> changed_;
   std::string letters_;
 };

@@ -21,15 +21,15 @@ class DeformationDamping {
   /// @param rates   per body [1/s]
   /// @param factor  of C in the matrix of the step [1/s]
   void find(std::span<const double> q, std::span<const double> rates, double factor);
-  /// No body is damped.
+  /// Ends the damping of all bodies.
   void clear() {
     bodies_.clear();
     terms_.clear();
   }
   [[nodiscard]] bool acts() const { return !bodies_.empty(); }
-  /// A += factor C on the pattern; terms() has the rest.
+  /// A += factor C on the pattern; terms() returns the rest.
   void add_matrix(std::span<double> A) const;
-  /// What add_matrix() cannot put on the pattern; valid until the next find().
+  /// The part that does not fit the pattern; valid until the next find().
   [[nodiscard]] std::span<const LowRank> terms() const { return terms_; }
   /// out += factor C rate.
   void add_force(double factor, std::span<const double> rate, std::span<double> out) const;
@@ -38,7 +38,7 @@ class DeformationDamping {
   struct Damped {
     std::size_t first = 0, count = 0;                   // unknowns
     double rate = 0.0;                                  // [1/s]
-    bool full = false;                                  // its pattern
+    bool full = false;                                  // its pattern is full
     std::size_t momenta = 0;                            // into momenta_: M R, three columns
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // (R^T M R)^-1
   };

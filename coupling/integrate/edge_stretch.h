@@ -1,4 +1,4 @@
-// The part of an outline that a stretch of an edge covers, as the bodies of a stage carry it.
+// The part of an outline that a stretch of an edge covers, on the discretised bodies of a stage.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace scree::coupling {
 
-/// A piece of one boundary segment a -> b, from a fraction of it to another.
+/// Part of one boundary segment a -> b, between two fractions of it.
 struct EdgeStretch {
   BodyIndex body;
   Row a, b;  // in the state's nodes
   double from = 0.0, to = 1.0;
-  double length = 0.0;            // as the model first had it [m]
+  double length = 0.0;            // in the initial geometry of the model [m]
   double begin = 0.0, end = 1.0;  // as fractions of the edge
 
   /// Position, or velocity, at a fraction of the segment.

@@ -1,5 +1,5 @@
-// A force in explicit steps, with its place in the ledger. Beside contacts, the stress inside the bodies and weights,
-// which the integrator sums in its own loops, there is no other way to apply one.
+// A force in explicit steps, with its place in the ledger. All forces are applied through it, except contacts, the
+// stress inside the bodies and weights, which the integrator sums in its own loops.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,19 @@ namespace scree::coupling {
 /// What a force may depend on.
 struct Instant {
   std::span<const double> q;
-  std::span<const double> v;  // of the half step that led here: what explicit damping lags on
+  std::span<const double> v;  // at the half step before the instant: explicit damping uses it, lagged
   double t = 0.0;             // [s]
 };
 
 /// A force on some nodes of free bodies. A step calls leave(), add() at its end, arrive(); its work is the trapezoid
-/// u.(f_n + f_{n+1})/2, one half a call.
+/// u.(f_n + f_{n+1})/2, one half per call.
 class ForceTerm {
  public:
   ForceTerm() = default;
   ForceTerm(const ForceTerm&) = delete;
   ForceTerm& operator=(const ForceTerm&) = delete;
   virtual ~ForceTerm() = default;
-  /// f += force at an instant. Called again at the same instant it gives the same.
+  /// f += force at an instant. A repeated call at the same instant adds the same force.
   virtual void add(const Instant& at, std::span<double> f) = 0;
   /// Takes the first half, h/2 v.f with the force last added.   @param v  velocity of the step that begins
   virtual void leave(double h, std::span<const double> v) = 0;
@@ -45,7 +45,7 @@ class PointSupports final : public ForceTerm {
   [[nodiscard]] double half_work(double h, std::span<const double> v) const;
 
   std::vector<PointSpring> springs_;
-  std::vector<Vec2> force_;  // a spring
+  std::vector<Vec2> force_;  // per spring
   double energy_ = 0.0, work_ = 0.0;
 };
 

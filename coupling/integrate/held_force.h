@@ -1,4 +1,4 @@
-// Forces that stay as they are from one instant to another, and then jump.
+// Forces that are constant between two instants, and then jump.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace scree::coupling {
 
-/// Forces on nodes, x, y per node [N], that an outside holds constant: their work over any time is force times way.
+/// Forces on nodes, x, y per node [N], that the caller holds constant: their work over any time is force times
+/// displacement.
 class HeldForce final : public ForceTerm {
  public:
   explicit HeldForce(std::vector<std::int32_t> nodes) : nodes_(std::move(nodes)), force_(2 * nodes_.size(), 0.0) {}
 
   [[nodiscard]] std::span<const double> force() const { return force_; }
-  /// @param change  gets what the new forces are more than the old ones, x, y per node of the state; zero elsewhere
+  /// @param change  receives new less old forces, x, y per node of the state; zero elsewhere
   void take(std::span<const double> force, std::span<double> change) {
     for (std::size_t k = 0; k < force_.size(); ++k) {
       change[at(k)] += force[k] - force_[k];

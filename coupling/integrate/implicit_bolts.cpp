@@ -105,7 +105,7 @@ bool ImplicitBolts::linearise(StepSprings& springs) {
     if (one.response.tangent_changed(one.slopes, one.after)) {
       Eigen::MatrixXd tangent;
       one.response.tangent(one.after, tangent);
-      if (rows.liner) {  // no slip joins its segments
+      if (rows.liner) {  // no slip couples its segments
         one.values = tangent.diagonal();
       } else {
         Modes parts = symmetric_modes(tangent);

@@ -11,9 +11,9 @@
 namespace scree::coupling {
 
 /// Lengths of segments and shears of crossings are linear in the unknowns of a step, about its start; forces follow
-/// from them by the bolt's law at the end of the step, and Newton's method from the tangent of that law. A segment's
-/// tension also holds the rock across it, by a spring N/l. Tangents are springs of the step whose forces add() takes
-/// out again: the true ones stand in their place.
+/// from them by the bolt's law at the end of the step, and Newton's method uses the tangent of that law. A segment's
+/// tension N also resists motion across it, as a spring N/l. Tangents enter the step as springs; add() subtracts the
+/// forces of these springs and adds the true ones.
 /// @source docs/theory/bolts.md, "Implicit steps"
 class ImplicitBolts {
  public:
@@ -21,20 +21,20 @@ class ImplicitBolts {
 
   void enter(const State& state);
   [[nodiscard]] bool any() const { return !bolts_.empty(); }
-  /// Rows at the start of a step, and their springs after those that are there.
+  /// Finds the rows at the start of a step, and appends their springs to `springs`.
   void begin(const State& state, std::span<const Vec2> driven_move, StepSprings& springs);
-  /// Forces at the unknowns d.   @return false: they are not finite
+  /// Finds the forces at the unknowns d.   @return false: they are not finite
   bool evaluate(std::span<const double> d);
-  /// Tangents there, into the springs.   @return true if they have changed
+  /// Writes the tangents at these unknowns into the springs.   @return true if they have changed
   bool linearise(StepSprings& springs);
   /// out += forces of the bolts where they were evaluated last, less those of their springs in `springs` at d.
   /// @return the largest force on an unknown [N]
   double add(std::span<const double> d, const StepSprings& springs, std::span<double> out) const;
 
-  /// Books an accepted step as the equations know it, and takes the energies that they know.
+  /// Books an accepted step by the linear lengths that the equations use.
   /// @return elastic energy of all bolts, and dissipation in the step, by linear lengths [J]
   double book(std::span<const double> d, const StepSprings& springs, Ledger& ledger);
-  /// Measures the bolts on the new positions, breaks what breaks, puts them into the state and books.
+  /// Measures the bolts at the new positions, applies rupture, writes them into the state and books.
   /// @param linear  what book() returned
   void accept(State& state, double linear);
 
@@ -46,8 +46,8 @@ class ImplicitBolts {
     BoltResponse response;
     BoltMemory before, after;
     std::vector<double> lengths, shears;  // at the unknowns
-    std::vector<double> slopes;           // of the tangent that follows
-    Eigen::VectorXd values;               // its eigenvalues [N/m], and eigenvectors
+    std::vector<double> slopes;           // that the tangent below belongs to
+    Eigen::VectorXd values;               // of the tangent: eigenvalues [N/m], and eigenvectors
     Eigen::MatrixXd vectors;
     std::size_t first_row = 0;     // into rows_: segments, then crossings
     std::size_t first_spring = 0;  // of the step: combinations of segments, crossings, then across each segment
@@ -59,7 +59,7 @@ class ImplicitBolts {
   const Setup* setup_;
   const ImplicitSystem* system_;
   std::vector<One> bolts_;
-  std::vector<ChartRow> charts_;  // of the rows of the bolt at hand
+  std::vector<ChartRow> charts_;  // of the rows of the present bolt
   DofRows rows_, scratch_;
 };
 

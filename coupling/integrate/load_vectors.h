@@ -14,7 +14,7 @@ struct LoadVector {
   FunctionId function;    // invalid: constant
 };
 
-/// Point loads, tractions and body accelerations of the model, one vector a time function; gravity is not among them.
+/// Point loads, tractions and body accelerations of the model, one vector per time function; gravity is not among them.
 /// Loads on driven bodies are left out.
 [[nodiscard]] std::vector<LoadVector> load_vectors(const Setup& setup, const State& state);
 

@@ -8,7 +8,7 @@
 namespace scree::coupling {
 namespace {
 
-/// Nodal forces of a uniform acceleration of some free bodies; empty: of all.
+/// Nodal forces of a uniform acceleration of the free bodies of some blocks; empty: of all.
 std::vector<double> forces_of(const Setup& setup, const Vec2& acceleration, const std::vector<BlockId>& blocks) {
   std::vector<double> force(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
@@ -31,7 +31,7 @@ void add_water(const Setup& setup, const State& state, const JointWater& water, 
     const Vec2 n = outward_normal(polygon, span.edge);
     for (const EdgeStretch& s : edge_stretches(setup, state, span)) {
       const Vec2 from = first + s.begin * (last - first), to = first + s.end * (last - first), way = to - from;
-      // Each end of the piece carries what is nearer to it; within the segment a force at s is shared out straight.
+      // Each end of the piece carries the pressure nearer to it; a force at s is shared linearly by the segment's ends.
       const double at_from = water_force(water, from, way), at_to = water_force(water, to, -way);
       const Vec2 a = -((1.0 - s.from) * at_from + (1.0 - s.to) * at_to) * n, b = -(s.from * at_from + s.to * at_to) * n;
       if (a != Vec2::Zero()) out.push_back({s.a, a, PointForce::kWater});
@@ -68,7 +68,7 @@ std::vector<PointForce> point_forces(const Setup& setup, const State& state) {
   for (const PointLoad& p : model.point_loads) {
     const Body& b = setup.bodies()[p.block.index()];
     if (!b.driven) {
-      // Material point: from where the model first had it to the present reference shape.
+      // Material point, mapped from the initial model to the present reference shape.
       const ReferenceShape& shape = state.bodies[p.block.index()].shape;
       const AffineMotion map = affine_fit(shape.origin, shape.outline);
       const Row row = setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * p.point));

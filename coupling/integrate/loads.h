@@ -22,10 +22,10 @@ struct PointForce {
   static constexpr std::int32_t kWater = -1;
   Row row;                     // in the state's nodes
   Vec2 force{0.0, 0.0};        // at a factor of 1 [N]
-  std::int32_t load = kWater;  // into the model's loads: point loads, then tractions; or the water before a slope
+  std::int32_t load = kWater;  // into the model's loads: point loads, then tractions; or the water in front of a slope
 };
 /// Point loads, and tractions as the consistent forces of their stretches: on straight segments, along which the
-/// weights of a row are linear, those of the stretch's middle. None on driven bodies.
+/// weights of a row are linear, the resultant at the middle of the stretch. None on driven bodies.
 [[nodiscard]] std::vector<PointForce> point_forces(const Setup& setup, const State& state);
 /// Time function of a load.   @param load  as in PointForce
 [[nodiscard]] FunctionId load_function(const Model& model, std::int32_t load);
@@ -48,7 +48,7 @@ class PointLoads final : public ForceTerm {
 
   const Setup* setup_;
   std::vector<PointForce> forces_;
-  std::vector<double> factor_;  // a load
+  std::vector<double> factor_;  // per load
   double work_ = 0.0;
 };
 

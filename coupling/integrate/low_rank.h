@@ -6,7 +6,7 @@
 
 namespace scree::coupling {
 
-/// -Z W Z^T on unknowns in a row, Z of three columns of `count` numbers.
+/// -Z W Z^T on successive unknowns, Z of three columns of `count` numbers.
 struct LowRank {
   std::size_t first = 0, count = 0;
   const double* Z = nullptr;

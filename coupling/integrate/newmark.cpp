@@ -80,13 +80,13 @@ double Newmark::enter(State& state) {
   for (ContactMemory& m : before_.memory) m.impact = 0.0;  // springs follow the joint from step to step
   finder_.find(state.q, before_, state.step == 0, *list_);
   list_->shrink_to_fit();
-  before_ = {};                      // steps hardly need it, and it is large
-  (void)finder_.adopt_kinds(*list_);  // the energy returned below has it
+  before_ = {};                       // rarely needed in steps, and large
+  (void)finder_.adopt_kinds(*list_);  // the energy returned below includes its change
   if (!checks_friction()) FrictionCheck::forget(*list_);
   state.last_step = 0;
   if (trapezoidal()) {
     if (state.a.empty()) {
-      // M a = f - C v at the start: the residual of a step that has not moved yet.
+      // M a = f - C v at the start: the residual of a step at zero displacement.
       state.a.assign(state.q.size(), 0.0);
       prepare(state, 1.0);
       find_step_springs(state, 1.0);
@@ -95,7 +95,7 @@ double Newmark::enter(State& state) {
       for (std::size_t i = 0; i < rhs_.size(); ++i)
         rhs_[i] =
             gravity_[i] + load_before_[i] + force_before_[i] + damped_before_.mass[i] + damped_before_.stiffness[i];
-      // Of a dashpot k at = -c v, see StepSprings.
+      // For a dashpot k at = -c v, see StepSprings.
       for (std::size_t k = 0; k < springs_.size(); ++k)
         springs_.rows[k].add_force((k < 2 * supports_.size() ? -1.0 : 1.0) * springs_.k[k] * springs_.at[k], rhs_);
       Cholesky mass;
@@ -111,7 +111,7 @@ double Newmark::enter(State& state) {
 
 void Newmark::leave(State& state) {
   update_ledger(state);
-  state.last_step = 0;  // no shadow of ours
+  state.last_step = 0;  // this scheme has no shadow energy
   state.factored = {};
   state.a.clear();
   state.contacts.forget_points();
@@ -172,7 +172,7 @@ void Newmark::prepare(const State& state, double h) {
     for (std::size_t i = 0; i < load_.size(); ++i) load_[i] += release_load_[i];
   }
   energy_before_ = system_.linearise(q, Stiffness::exact, true, K_, force_before_);
-  // Inertia of what is known: M (2 v/h), or M (4 v/h + a).
+  // Inertia of the known terms: M (2 v/h), or M (4 v/h + a).
   if (trapezoidal()) system_.accelerations(q, state.a, acceleration_);
   for (std::size_t i = 0; i < rhs_.size(); ++i)
     rhs_[i] = trapezoidal() ? 4.0 / h * system_.rate()[i] + acceleration_[i] : 2.0 / h * system_.rate()[i];
@@ -214,7 +214,7 @@ void Newmark::damping_forces(const State& state, std::span<const double> rate, D
 }
 
 void Newmark::add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out) {
-  // Mass damping that spares affine motion: C has a M v, and this gives a M v_affine back, a M v - a M w.
+  // Mass damping that excludes affine motion: C includes a M v, and this adds a M v_affine = a M v - a M w.
   if (options_.damping == 0.0 || options_.damp_rigid_motion) return;
   system_.pattern().multiply_add(options_.damping, system_.mass(), rate, out);
   const std::vector<double> still(rate.size(), 0.0);
@@ -254,7 +254,7 @@ void Newmark::find_step_springs(const State& state, double h) {
   }
   // A dashpot's force -c v', v' = 2 u/h - v.
   for (const Dashpot& p : dashpots_) {
-    // The trapezoid takes a force twice, at the end of one step and the start of the next: its axes stay.
+    // The trapezoidal rule uses a force twice, at the end of one step and the start of the next: its axes are fixed.
     const std::span<const double> at = trapezoidal() ? std::span<const double>(reference_) : state.q;
     const Vec2 t = (position(p.stretch.b, at) - position(p.stretch.a, at)).normalized(), n(t.y(), -t.x());
     for (const double s : {p.stretch.from, p.stretch.to}) {
@@ -299,12 +299,12 @@ double Newmark::residual(const State& state, double h, double& largest) {
   }
   if (interface_.acts()) {
     largest = std::max(largest, interface_.largest());
-    largest_interface_force_ = largest;  // guides have forces that may be larger by far
+    largest_interface_force_ = largest;  // without the forces of springs, which may be larger by far
   }
   largest = std::max(largest, contacts_.add_forces(d_, out_));
   largest = std::max(largest, bolts_.add(d_, springs_, out_));
   if (interface_.acts()) {
-    const auto predicted = interface_.predicted();  // less the springs', which are in
+    const auto predicted = interface_.predicted();  // less the forces of the springs, which out_ includes
     for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += predicted[i];
   }
   return largest_of(out_);
@@ -408,7 +408,7 @@ void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
   bolts_.begin(state, driven_move_, springs_);
   contacts_.begin(*list_, state.q, driven_move_, springs_, velocity_is_physical() ? 1.0 / h : 0.0, damper_.terms());
-  // Newton's method begins where the step does; what is linear, where it would be without new forces.
+  // Newton's method starts from no displacement; a linear system from the displacement at constant velocity.
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
   if (interface_.acts()) begin_interface_iteration(state, h);
@@ -435,7 +435,7 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
       return false;
     report.status = StepReport::Status::ok;
     report.cause.clear();
-    loop.kind = Stiffness::definite;  // the same force, met more slowly
+    loop.kind = Stiffness::definite;  // the same force, with slower convergence
     q_new_ = state.q;
     v_new_ = state.v;
     system_.retract(loop.moved, rate_, false, q_new_, v_new_);
@@ -472,7 +472,7 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
   const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
              stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
              kicked = interface_.acts() &&
-                      loop.left <= rounded.bodies;  // what is left is not lost: InterfaceIteration::kick()
+                      loop.left <= rounded.bodies;  // InterfaceIteration::kick() applies the impulse of the residual
   loop.apart = 0.0;
   for (;; met = true) {
     if (interface_.acts()) loop.apart = interface_.residual(out_);
@@ -491,7 +491,7 @@ void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
     contacts_.change_springs();
     loop.fresh = true;
   }
-  // A kept stiffness that is too far from this iterate's is made anew.
+  // A kept stiffness that is too far from this iterate's is computed anew.
   if (system_.nonlinear() && loop.left > 0.05 * loop.last && !loop.at_round_off) {
     (void)system_.linearise(q_new_, loop.kind, false, K_, force_);
     linear_system(h);
@@ -530,7 +530,7 @@ StepReport Newmark::lost(const StepReport& report, const LostPlace& place, const
 }
 
 bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) {
-  // Every body retracted, then a look at how far its outline went.
+  // Every body is retracted, then the displacement of its outline is found.
   const double h = seconds(ticks_of_step);
   q_new_ = state.q;
   v_new_ = state.v;
@@ -553,7 +553,7 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
     const LostPlace place = lost_place(*setup_, q_new_);
     if (!place.body.valid()) return true;
     report = lost(report, place, state, h);
-    report.status = StepReport::Status::no_balance;  // a shorter step may find the other balance
+    report.status = StepReport::Status::no_balance;  // a shorter step may converge to the other balance
     return false;
   }
   report.status = std::isfinite(farthest) ? StepReport::Status::too_far : StepReport::Status::non_finite;

@@ -27,11 +27,11 @@ struct ImplicitOptions {
   NewmarkScheme scheme = NewmarkScheme::damped;
   double dynamics = 1.0;           // fraction of the velocity handed to the next step; 0: a static solution
   double damping = 0.0;            // mass-proportional [1/s]
-  bool damp_rigid_motion = false;  // it acts on all of the velocity, not only on the part beside the affine one
+  bool damp_rigid_motion = false;  // it acts on the whole velocity, not only on its non-affine part
   double stiffness_damping = 0.0;  // [s]
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
   double together =
-      1e-9;  // of the largest force: largest difference of the interface force from the one in the balance
+      1e-9;  // tolerance of the interface iteration: largest residual force, as a fraction of the largest force
   OpenClose::Factor factor = OpenClose::Factor::chosen;
 };
 
@@ -40,11 +40,11 @@ struct ImplicitOptions {
 ///   beta = 1/4, gamma = 1/2:  4 M (d - h v)/h^2 - M a + C v' = f(x + d),  a' = 4 (d - h v)/h^2 - a
 ///   C = damping M + stiffness_damping K_material + dashpots + damping of the deformation of sliding blocks.
 /// Closed contacts have dashpots, and sliding blocks that damping, where velocity is physical: dynamics = 1.
-/// The internal force of co-rotational bodies is met by Newton's method about the iterate, open-close iteration inside,
-/// to 1e-11 of the largest force or to round-off; one stiffness and its factor serve while every iteration takes the
-/// residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted through its
-/// chart; what linear forms and exact geometry differ by is booked in columns of its own. The impulse of StackDamping
-/// over the step then acts on the velocities.
+/// The internal force of co-rotational bodies is balanced by Newton's method about the iterate, open-close iteration
+/// inside, to 1e-11 of the largest force or to round-off; one stiffness and its factor are kept while every iteration
+/// reduces the residual to a twentieth. Contact geometry is that of the step's start. Then every body is retracted
+/// through its chart; the difference of linear forms and exact geometry is booked in its own columns. The impulse of
+/// StackDamping over the step then acts on the velocities.
 /// @source docs/theory/time-integration.md, "Newmark steps"; [Newmark1959]; [Qu2013] 3.3.2, 3.2.2, 4.5; [Shi1988]
 class Newmark final : public TimeIntegrator {
  public:
@@ -63,13 +63,13 @@ class Newmark final : public TimeIntegrator {
 
   /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
   void set_interface(InterfaceForce* force) { interface_.set(force); }
-  /// State::contacts of the state that it has entered.
+  /// State::contacts of the entered state.
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// See ExplicitContact.
   void list_contacts_always_anew() { always_anew_ = true; }
   [[nodiscard]] std::int64_t contact_steps_in_place() const { return steps_in_place_; }
-  /// Contacts of another integrator with bodies of this one; blocks slide on them as well. Null: none. The outlines and
-  /// the list must outlive the steps.
+  /// Contacts of another integrator with bodies of this one; sliding on them counts as well. Null: none. The outlines
+  /// and the list must outlive the steps.
   void also_touch(const Outlines* outlines, const ContactList* list) {
     outlines_elsewhere_ = outlines;
     list_elsewhere_ = list;
@@ -94,62 +94,62 @@ class Newmark final : public TimeIntegrator {
   };
   void prepare_damping(const State& state);
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);
-  /// Dashpots of contacts act, and the damping of blocks that slide.
+  /// True if dashpots of contacts and the damping of sliding blocks act.
   [[nodiscard]] bool velocity_is_physical() const { return !trapezoidal() && options_.dynamics == 1.0; }
   void find_sliding(const State& state, double h);
   void find_step_springs(const State& state, double h);
   void begin_interface_iteration(const State& state, double h);
   void move_to_iterate(const State& state);
   [[nodiscard]] InterfaceIteration::Iterate iterate(const State& state) const { return {state.q, d_, q_new_}; }
-  /// As InterfaceIteration::evaluate().   @return false: the report has the reason
+  /// As InterfaceIteration::evaluate().   @return false: the report contains the reason
   [[nodiscard]] bool evaluate_interface_force(const State& state, StepReport& report);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
-    std::vector<double> affine, moved;  // damping forces that spare affine motion [N]; d_ of nonlinear unknowns
+    std::vector<double> affine, moved;  // damping forces that exclude affine motion [N]; d_ of nonlinear unknowns
     Stiffness kind = Stiffness::exact;  // of the linear system
     bool iterative = false;             // one solution is not enough
     bool fresh = true;                  // the linear system is new
-    bool at_round_off = false;          // what is left is round-off of the system's forces
+    bool at_round_off = false;          // the residual is round-off of the system's forces
     double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
-    double last = std::numeric_limits<double>::infinity();  // residual of the one before [N]
+    double last = std::numeric_limits<double>::infinity();  // residual of the previous iterate [N]
     double apart = 0.0;                                     // InterfaceIteration::residual() [N]
   };
   void begin_balance(const State& state, double h, NewtonLoop& loop);
-  /// Solves for the next iterate and finds its residual.   @return false: the report says why it cannot
+  /// Solves for the next iterate and finds its residual.   @return false: the report contains the reason
   [[nodiscard]] bool solve_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report);
   enum class Settled { no, yes, failed };
-  /// True where the iterate balances, and the other side of a partitioned step agrees.
+  /// Tests whether the iterate balances, and whether the interface force of a partitioned step has converged.
   [[nodiscard]] Settled settle(const State& state, NewtonLoop& loop, StepReport& report);
   void prepare_iterate(const State& state, double h, NewtonLoop& loop);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   void linear_system(double h);
-  /// Of Newton's system, at the present iterate.   @param moved  d_ of nonlinear unknowns   @param affine  damping
-  /// forces
+  /// Right-hand side of Newton's system at the present iterate.
+  /// @param moved  d_ of nonlinear unknowns   @param affine  damping forces
   void find_right_side(std::span<const double> moved, std::span<const double> affine);
-  /// Damping that spares affine motion is known only from its iterates.
+  /// True if mass damping excludes affine motion: its force then depends on the iterate.
   [[nodiscard]] bool spares_affine() const { return options_.damping > 0.0 && !options_.damp_rigid_motion; }
-  /// An iterate that is not finite: whose it is.
+  /// Report of an iterate that is not finite, with the body.
   [[nodiscard]] StepReport not_finite(const StepReport& report, const State& state, double h) const;
   void tell_no_balance(double left, StepReport& report) const;
   [[nodiscard]] double residual(const State& state, double h, double& largest);
   struct RoundOff {
     double system = 0.0;  // of the linear system's forces, inertia included [N]
-    double bodies = 0.0;  // of forces inside the bodies, which come from positions [N]
+    double bodies = 0.0;  // of forces inside the bodies, which depend on positions [N]
   };
   [[nodiscard]] RoundOff round_off(const State& state) const;
-  /// What balance() left as far as it is round_off(): the largest force, and the work of all of them along d.
+  /// Residual of balance(), as far as it is round_off(): its largest force, and the work of all its forces along d.
   struct LeftOver {
     double force = 0.0;  // [N]
     double work = 0.0;   // StepReport::left_work [J]
   };
   [[nodiscard]] LeftOver left_over(const State& state) const;
   [[nodiscard]] bool reach(const State& state, Tick ticks_of_step, StepReport& report);
-  /// The report of a step that ends in a state without a meaning.
+  /// The report of a step that ends in a meaningless state.
   [[nodiscard]] static StepReport lost(const StepReport& report, const LostPlace& place, const State& state, double h);
 
-  // newmark_books.cpp: what an accepted step leaves in state and ledger
-  struct Energies {  // as the equations of the step know them, before geometry is updated
+  // newmark_books.cpp: state and ledger after an accepted step
+  struct Energies {  // as in the equations of the step, before geometry is updated
     double springs = 0.0, elastic = 0.0, supports = 0.0, kinetic = 0.0, bolts = 0.0;
   };
   void accept(State& state, Tick ticks_of_step);
@@ -157,7 +157,7 @@ class Newmark final : public TimeIntegrator {
   void book_damping(Ledger& ledger) const;
   void book_contacts(Ledger& ledger, Energies& after) const;
   [[nodiscard]] std::vector<double> remember_contacts(const State& state);
-  /// Brings the contact points to new positions: in place where it can be, which leaves the same bits.
+  /// Moves the contact points to new positions: in place where possible, with bitwise the same result.
   void move_points(std::span<const double> q);
   void book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger);
   void book_update(State& state, const Energies& after);
@@ -176,7 +176,7 @@ class Newmark final : public TimeIntegrator {
   struct Springs {
     double kn, kt;
   };
-  std::vector<Springs> stiffness_before_;  // of the points where the step began [N/m]
+  std::vector<Springs> stiffness_before_;  // of the points at the start of the step [N/m]
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;
@@ -192,7 +192,7 @@ class Newmark final : public TimeIntegrator {
   ImplicitBolts bolts_;
   std::vector<LoadVector> loads_;
   SupportRelease release_;
-  std::vector<double> release_load_;      // of it, part of load_
+  std::vector<double> release_load_;      // of release_, part of load_
   std::vector<double> weight_;            // gravity on the nodes
   std::vector<Vec2> driven_move_;         // per body
   std::vector<double> reference_;         // the nodes of bodies in their reference shape
@@ -200,7 +200,7 @@ class Newmark final : public TimeIntegrator {
   std::vector<double> gravity_, load_, load_before_, inertia_, force_before_, force_, force_after_, acceleration_, d_,
       rate_, rhs_, out_;
   Damping damped_before_, damped_after_;
-  // A number of the pattern.
+  // One value per entry of the pattern.
   std::vector<double> K_, C_, A_;
   double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear
   std::vector<double> q_new_, v_new_, node_scratch_, node_scratch2_, node_scratch3_;

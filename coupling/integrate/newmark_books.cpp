@@ -1,4 +1,4 @@
-// What an accepted implicit step leaves in the state and the ledger.
+// State and ledger after an accepted implicit step.
 #include <algorithm>
 #include <cmath>
 
@@ -77,10 +77,10 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
     const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
     ledger.book(Column::prescribed_motion, -known);
     if (m.water != 0.0) ledger.book(Column::water, m.water * contacts_.normal(i).change(d_));
-    // Normal: -(f dg + dU), split by what happened; dg of the spring, which dilation takes along.
+    // Normal: -(f dg + dU), split by cause; dg is that of the spring, without the opening by dilation.
     if (t.opened != 0.0) ledger.book(Column::dilation, -t.fn * t.opened);
     const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
-    // Its energy counted, at the start of the step.
+    // True if its energy was counted at the start of the step.
     const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_->points[i].suppressed && !list_->points[i].beyond;
     const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
     if (const double damping = t.fn - spring_force(t, m); damping != 0.0)
@@ -107,7 +107,8 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
 }
 
 std::vector<double> Newmark::remember_contacts(const State& state) {
-  // A stick keeps its anchor in the material, a slip has its spring at the limit on the new geometry.
+  // A sticking point keeps its anchor in the material; that of a slipping one has the stretch at the friction limit, on
+  // the new geometry.
   const Outlines& o = setup_->outlines();
   std::vector<double> linear(contacts_.trials().size(), 0.0);
   friction_check_.begin(*list_, seconds(state.time));
@@ -132,7 +133,7 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
                            position(o.nodes[p.node[2]], state.q));
       m.anchor = g.xi - t.stretch / g.length;
     }
-    if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // it hops
+    if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // the block hops while it slides
     m.status = t.status;
     m.fn = t.fn;
     m.fdt = 0.0;
@@ -157,7 +158,7 @@ void Newmark::move_points(std::span<const double> q) {
   for (const std::int32_t i : first)
     if (!finder_.made(static_cast<std::size_t>(i))) finder_.move(static_cast<std::size_t>(i), *list_);
   finder_.settle(*list_);
-  constexpr std::int64_t kFewMoved = 1024;  // not worth waking threads
+  constexpr std::int64_t kFewMoved = 1024;  // fewer points are moved on one thread
   parallel_for_chunks(
       std::ssize(list_->points),
       [&](std::int64_t begin, std::int64_t end) {
@@ -199,7 +200,7 @@ void Newmark::book_contact_update(const State& state, std::vector<double> linear
 void Newmark::book_update(State& state, const Energies& after) {
   Ledger& ledger = state.ledger;
   double elastic = 0.0, kinetic = 0.0, supports = 0.0;
-  q_new_.assign(state.q.size(), 0.0);  // scratch for forces that only their energy is wanted of
+  q_new_.assign(state.q.size(), 0.0);  // scratch: of these forces only the energy is used
   for (const std::size_t p : setup_->own_pools())
     elastic += setup_->pool(p).internal_force(setup_->part(std::span<const double>(state.q), p),
                                               setup_->part(std::span<double>(q_new_), p));
@@ -237,7 +238,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   }
 
   if (interface_.acts()) interface_.book(iterate(state), h, rate_, state.ledger);
-  if (interface_.acts() && !trapezoidal())  // what the next step begins with
+  if (interface_.acts() && !trapezoidal())  // start value of the next step
     for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (v_new_[i] - state.v[i]) / h;
 
   state.q.swap(q_new_);

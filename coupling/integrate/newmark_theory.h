@@ -1,4 +1,4 @@
-// What Newmark's schemes do to one free oscillator, step by step: the measure of every time scheme in Scree.
+// Newmark's schemes on one free oscillator, step by step: the reference for every time scheme in Scree.
 #pragma once
 
 #include "model/geometry.h"

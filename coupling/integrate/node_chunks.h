@@ -1,4 +1,4 @@
-// Loops over the numbers of free and of driven nodes, in fixed chunks: sums have the same bits for any number of
+// Loops over the values of free and of driven nodes, in fixed chunks: sums have the same bits for any number of
 // threads.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace scree::coupling {
 
-/// A range of the state's arrays (two numbers a node).
+/// A range of the state's arrays (two values per node).
 struct Chunk {
   std::size_t begin = 0, end = 0;
   [[nodiscard]] std::size_t size() const { return end - begin; }
@@ -20,7 +20,7 @@ class NodeChunks {
  public:
   explicit NodeChunks(const Setup& setup);
 
-  /// see(chunk, index) for every chunk of free nodes; iterations must not share anything they write.
+  /// Calls see(chunk, index) for every chunk of free nodes; iterations must not share anything they write.
   template <class See>
   void for_free(See&& see) const {
     const auto count = static_cast<std::int64_t>(free_.size());
@@ -40,7 +40,7 @@ class NodeChunks {
     return sum;
   }
   [[nodiscard]] std::size_t count() const { return free_.size(); }
-  /// Nodes of bodies that follow a motion, of those that rest, and of ghosts, which are driven by others.
+  /// Nodes of bodies with a prescribed motion, of bodies at rest, and of ghosts, which another integrator moves.
   [[nodiscard]] const std::vector<Chunk>& driven() const { return driven_; }
   [[nodiscard]] const std::vector<Chunk>& resting() const { return resting_; }
   [[nodiscard]] const std::vector<Chunk>& ghosts() const { return ghosts_; }

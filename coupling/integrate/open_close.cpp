@@ -14,8 +14,8 @@
 namespace scree::coupling {
 namespace {
 
-/// Iterations with a kept factor that cost what a new one does: seen 14, 11 and 13 at 600, 6,000 and 60,000 unknowns of
-/// blocks. The work counts of CHOLMOD say 4 to 44: dense blocks get quicker and solutions slower as both grow.
+/// Iterations with a kept factor that cost as much as a new one: measured 14, 11 and 13 at 600, 6,000 and 60,000
+/// unknowns of blocks. The work counts of CHOLMOD give 4 to 44: dense blocks get faster and solutions slower with size.
 constexpr int kCorrectionsPerFactor = 12;
 
 }  // namespace
@@ -44,7 +44,7 @@ void OpenClose::enter(const KeptFactor& kept) {
   matrix.pattern.column_start = kept.column_start;
   matrix.pattern.row = kept.row;
   matrix.value = kept.value;
-  (void)cholesky_.factorise(matrix);  // not definite: neither was it for the run that wrote it, which goes on without
+  (void)cholesky_.factorise(matrix);  // if not definite, nor was it in the run that wrote it, which continues without
 }
 
 void OpenClose::accept(KeptFactor& kept) {
@@ -58,7 +58,7 @@ void OpenClose::accept(KeptFactor& kept) {
       kept.value.clear();
       if (cholesky_.factored()) cholesky_.set_pattern(system_->pattern());
       made_ = false;
-      kept.patience = patience_;  // a kept factor that failed in this step may have made it longer
+      kept.patience = patience_;  // a kept factor that failed in this step may have made the wait longer
       return;
     }
   }
@@ -73,7 +73,7 @@ void OpenClose::accept(KeptFactor& kept) {
   }
   if (patience_.wait > 0) --patience_.wait;
   if (keep_) {
-    // What the factor costs beyond what it did when it was new has paid for another one, sooner or later.
+    // A new factor is made once the additional iterations with the old one have cost as much as a factor.
     patience_.next_wait = 0;
     const int taken = kCorrectionsPerFactor - corrections_left_;
     if (patience_.least < 0 || taken < patience_.least) patience_.least = taken;
@@ -121,7 +121,7 @@ void OpenClose::apply_states() {
   }
   for (std::size_t i = 0; i < states_.size(); ++i)
     if (states_[i].slack) states_.normal(i).add_force(states_.slack_force(i), rhs_);
-  // Coulomb's force c + tan phi f_n on what slips: with the gap, of which f_n is a multiple, and without.
+  // Coulomb's force c + tan phi f_n of slipping points: a part that varies with the gap, as f_n does, and a constant.
   slipping_.clear();
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Trial& t = states_[i];
@@ -138,7 +138,7 @@ void OpenClose::apply_states() {
     const double force =
                      -(s.dilation.per_gap * gap +
                        s.dilation.per_stretch * (states_.stretch_before(i) + tangential.known) + s.dilation.constant),
-                 spring = -t.k * gap;  // that it would be without, which rhs has
+                 spring = -t.k * gap;  // without dilation, which rhs_ includes
     normal.add_force(force - spring, rhs_);
     tangential.add_force(states_.cohesion(i) + s.friction_per_gap / t.k * force, rhs_);
   }
@@ -190,8 +190,8 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   bool only_worst = false;
   constexpr int kPatience = 3;
   int switched = 0, stalled = 0;
-  // A body's points switch one at a time after a cycle, which takes more, cheaper-to-trust passes. Many points take
-  // more passes than few: those count that do not halve the number that switches.
+  // After a cycle the points of a body switch one at a time, which takes more passes but is more reliable. Many points
+  // take more passes than few: only passes that do not halve the number of switches count.
   int left = control_.max_passes, fewest = std::numeric_limits<int>::max();
   exact_ = false;
   if (predict_) {

@@ -16,58 +16,58 @@
 namespace scree::coupling {
 
 /// Solves (A + springs + closed contacts) d = rhs and switches contact states until none is violated. Friction of
-/// sliding points follows their normal force, which makes the system unsymmetric: conjugate residuals, preconditioned
-/// by the factor of the symmetric part. So does the normal force of points that dilate, which follows their slip. Water
-/// in joints is a load along the gaps, that of the step's start. Gaps and stretches are linear in d, about the start of
-/// the step. A factor is kept from step to step as that preconditioner while it is less work than a new one:
-/// State::factored tells what it is of. Where it is not, the factor of the step's matrix follows the states that switch
-/// by rank updates.
+/// slipping points depends on their normal force, and the normal force of dilating points on their slip: the system is
+/// unsymmetric, and solved by conjugate residuals, preconditioned by the factor of the symmetric part. Water in joints
+/// is a load along the gaps, with its value at the start of the step. Gaps and stretches are linear in d, about the
+/// start of the step. A factor is kept from step to step as that preconditioner while it is less work than a new one;
+/// State::factored contains its matrix. Otherwise the factor of the step's matrix is adapted to switched states by
+/// rank updates.
 /// @source docs/theory/time-integration.md, "Open-close iteration"; [Qu2013] 3.2.2, 4.5
 class OpenClose {
  public:
   using Trial = ContactTrial;
   struct Pass {        // of the last step, all Newton iterations
-    int switched = 0;  // points that changed state before it
+    int switched = 0;  // points that changed state before the pass
     int updates = 0;   // rank-1 changes of the factor
     bool factorised = false;
     double factor_seconds = 0.0, seconds = 0.0;  // processor time for the factor, and in all
   };
 
-  /// How the factor follows the states.
+  /// How the factor is adapted to the states.
   enum class Factor {
-    anew,     // one a pass, for comparison
-    updated,  // one a step, rank updates while they are less work
-    kept,     // the same, and from step to step
-    chosen    // where all free bodies are affine an incomplete one of blocks, or a kept one where that is less work
+    anew,     // a new one per pass, for comparison
+    updated,  // a new one per step, then rank updates while they are less work
+    kept,     // as updated, and kept from step to step
+    chosen    // if all free bodies are affine, an incomplete one of blocks, or a kept one if that is less work
   };
   /// @param allowed  false: a contact that closes makes the step fail (schemes without contacts)
   OpenClose(const Setup& setup, const StepControl& control, const ImplicitSystem& system, bool allowed, Factor factor);
 
-  /// Whom solve() asks, once a pass, whether to give up; null: nobody.
+  /// Controller that solve() polls once per pass for a request to give up; null: none.
   void set_control(Control* control) { control_of_run_ = control; }
-  /// Takes over the factor that a state tells of.
+  /// Makes the factor of the matrix that a state contains.
   void enter(const KeptFactor& kept);
   /// Begins a step with the points of a list and other springs, which must outlive it.
   /// @param dashpot  1/h where closed contacts are damped, 0 where they are not [1/s]
-  /// @param damping  of blocks, beside the pattern; must outlive the step
+  /// @param damping  terms of sliding blocks outside the pattern; must outlive the step
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
              const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
-  /// Takes over the springs' rows again, on the same unknowns: their numbers have changed.
+  /// Takes over the springs' rows again, on the same unknowns: their coefficients have changed.
   void change_springs() {
     for (std::size_t i = 0; i < springs_->size(); ++i) rows_.take_row(i, springs_->rows[i]);
   }
-  /// @param A    numbers on the system's pattern   @param fresh  they have changed since the last call
+  /// @param A    values on the system's pattern   @param fresh  they have changed since the last call
   /// @param d    a first guess; the unknowns found
-  /// @return false: the report says why
+  /// @return false: the report contains the reason
   [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                            StepReport& report);
   /// Checks unknowns found against states, laws and balance; before accept().
-  /// @param unbalanced  force that round-off leaves on a body: contacts are known to no better [N]
+  /// @param unbalanced  force that round-off leaves on a body: contact forces are not more accurate [N]
   void check(std::span<const double> d, double unbalanced, Audit& audit) const;
-  /// Called once the step is taken: what the next one begins with.
+  /// Called after an accepted step: writes what the next one begins with into `kept`.
   void accept(KeptFactor& kept);
-  /// out += forces of springs and contacts, of the water in them too, at the unknowns last found; also the largest of
-  /// them.
+  /// out += forces of springs, contacts and the water in joints, at the unknowns last found. Returns the largest
+  /// force [N].
   double add_forces(std::span<const double> d, std::span<double> out) const;
 
   [[nodiscard]] const std::vector<Trial>& trials() const { return states_.trials(); }
@@ -77,7 +77,7 @@ class OpenClose {
   [[nodiscard]] DofRow tangential(std::size_t i) const { return states_.tangential(i); }
   [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Cholesky& cholesky() const { return cholesky_; }
-  /// The last step was solved by blocks.
+  /// True if the last step was solved by blocks.
   [[nodiscard]] bool by_blocks() const { return blocks_.acts; }
 
  private:
@@ -86,53 +86,53 @@ class OpenClose {
   void add_rows(const ContactPoint& p, const ContactMemory& m, std::span<const double> q,
                 std::span<const Vec2> driven_move);
   [[nodiscard]] const ChartRow& chart(OutlineNode node, std::span<const double> q);
-  /// The same of affine bodies, on threads.   @return false: a chart is none of six unknowns in succession
+  /// add_rows() for affine bodies, on threads.   @return false: a chart does not have six successive unknowns
   [[nodiscard]] bool add_affine_rows(std::span<const double> q, std::span<const Vec2> driven_move);
   [[nodiscard]] bool find_affine_charts(std::span<const double> q);
   void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
-  /// Stiffnesses and right-hand side of the states of the points.
+  /// Finds stiffnesses and right-hand side for the states of the points.
   void apply_states();
-  /// Brings the factor to them, or leaves a kept one.
+  /// Adapts the factor to these states, or leaves a kept one as it is.
   [[nodiscard]] bool factorise(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_anew(StepReport& report);
   [[nodiscard]] bool update(StepReport& report);
   /// y = (A + springs + closed contacts, with friction of those that slip) x.
   void multiply(std::span<const double> x, std::span<double> y) const;
-  /// The largest force that a solution is made of [N].
+  /// The largest force in the equations at a solution [N].
   [[nodiscard]] double force_scale(std::span<const double> d) const;
-  /// What round-off leaves of the forces inside the bodies and of the springs between them [N].
+  /// Round-off of the forces inside the bodies and of the springs between them [N].
   [[nodiscard]] double round_off(std::span<const double> d) const;
-  /// The factor is not that of the whole matrix: points slip, or blocks are damped beside the pattern.
+  /// True if the factor is not that of the whole matrix: points slip, or damping has terms outside the pattern.
   [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }
-  /// Conjugate residuals with the factor as it is.   @return iterations; -1: not enough
+  /// Conjugate residuals with the factor as it is.   @return iterations; -1: not converged
   int iterate(double enough, int most, std::span<double> d);
-  /// The same to what a pass is to be solved to.
+  /// iterate() to the accuracy that the pass requires.
   int improve(int most, std::span<double> d, StepReport& report);
-  /// The unknowns that go with the states; makes a factor where the one at hand takes too long.
+  /// Finds the unknowns for the states; makes a new factor if the present one takes too many iterations.
   [[nodiscard]] bool solve_states(std::span<double> d, StepReport& report);
-  // open_close_blocks.cpp: the same by blocks
-  /// Finds whether the step is to be solved by blocks, and can be.
+  // open_close_blocks.cpp: the solution by blocks
+  /// Decides whether the step is solved by blocks.
   void begin_blocks();
-  /// Brings the matrix to the states, and makes a factor where there is none of use.   @return false: a pivot failed
+  /// Assembles the matrix for the states, and makes a factor if there is no useful one.   @return false: a pivot failed
   [[nodiscard]] bool take_blocks(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_blocks(StepReport& report);
-  /// @return false: the iteration stalls; d is as it was
+  /// @return false: the iteration stalls; d is unchanged
   [[nodiscard]] bool solve_blocks(std::span<double> d, StepReport& report);
-  /// The rest of the step has a complete factor.
+  /// Changes to a complete factor for the rest of the step.
   void leave_blocks(StepReport& report);
   // open_close_clusters.cpp: states settled around the points that have switched
-  /// The bodies of the points that have switched, and one ring of closed contacts around them, fall into clusters. In
-  /// each that is not too large states settle while the bodies outside stay where they are: what a pass of all bodies
-  /// would carry on by one body at a time.
-  /// @pre blocks act   @param d  the unknowns that the states were found with; changed inside
+  /// The bodies of the points that have switched, and one ring of closed contacts around them, form clusters. In each
+  /// cluster that is not too large, states are settled with the bodies outside fixed: passes of all bodies would
+  /// propagate these changes by one body per pass.
+  /// @pre blocks act   @param d  the unknowns that the states were found with; changed in clusters
   void settle_clusters(std::span<double> d, StepReport& report);
   void find_cluster_bodies();
   void settle_cluster(std::span<double> d, StepReport& report);
   void begin_cluster();
-  /// What the forces on the bodies of the cluster leave at d.   @return the largest of them [N]
+  /// Finds the residual forces on the bodies of the cluster at d.   @return the largest force in their sums [N]
   double find_cluster_residual(std::span<const double> d);
   [[nodiscard]] bool solve_cluster(std::span<double> d);
-  /// Which solver the next step begins with, from what this one has counted.
+  /// Chooses the solver that the next step begins with, from the work counted in this one.
   void choose_solver();
   [[nodiscard]] bool refuse(StepReport& report) const;
 
@@ -147,18 +147,18 @@ class OpenClose {
   std::span<const LowRank> damping_;
   DofRows rows_;  // springs, then gap and stretch of every point
   ContactStates states_;
-  std::vector<double> k_, at_;  // of the rows, as the states are: stiffness, elongation at the start of the step
+  std::vector<double> k_, at_;  // of the rows, in the present states: stiffness, elongation at the start of the step
   std::vector<ChartRow> charts_;
-  /// A ChartRow of six unknowns in succession: the other has room for three times as many.
+  /// A ChartRow of six successive unknowns; ChartRow itself has room for three times as many.
   struct AffineChart {
     std::int32_t first = -1;  // unknown
     std::array<double, 6> tx{}, ty{};
     [[nodiscard]] double along(const Vec2& c, std::size_t k) const { return c.x() * tx[k] + c.y() * ty[k]; }
   };
   std::vector<AffineChart> affine_charts_;
-  std::vector<OutlineNode> charted_;                        // nodes that have one of these
+  std::vector<OutlineNode> charted_;                        // nodes with an affine chart
   std::vector<std::int32_t> row_size_;                      // scratch: unknowns of each row
-  IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: not yet this step
+  IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: none yet in this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_;
   std::vector<std::size_t> active_;  // rows whose stiffness is not zero
@@ -170,18 +170,18 @@ class OpenClose {
     DilatingForce dilation;
   };
   std::vector<Slipping> slipping_;
-  std::vector<std::size_t> seen_;  // hashes of the states that the passes have had
+  std::vector<std::size_t> seen_;  // hashes of the states of earlier passes
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
-  bool predict_ = false;  // this step has not begun yet
+  bool predict_ = false;  // the first solve() of the step has not begun yet
   bool current_ = false;  // the factor is that of the step's matrix, with updates
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
-  bool rough_ = false;            // the solution at hand is not so good
+  bool rough_ = false;            // the present solution is less accurate
   bool friction_settled_ = true;  // in the last pass
   bool keep_ = false;             // this step may use the kept factor
-  int corrections_left_ = 0;      // iterations that this step may still take with it
+  int corrections_left_ = 0;      // iterations that this step may still take with that factor
   bool made_ = false;             // a factor was made since the last accept()
   KeptFactor::Patience patience_;
   KeptFactor::Choice choice_;
@@ -189,7 +189,7 @@ class OpenClose {
   struct Counts {
     int switches = 0, corrections = 0, factorisations = 0;
   };
-  Counts counts_;  // of the step at hand
+  Counts counts_;  // of the present step
   BodyClusters clusters_;
   Cholesky cholesky_;
 };

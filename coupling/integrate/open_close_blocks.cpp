@@ -1,4 +1,4 @@
-// The systems of the open-close iteration by blocks: of affine bodies, with an incomplete factor.
+// The systems of the open-close iteration solved by blocks: affine bodies, incomplete factor.
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +10,13 @@ namespace {
 // Work is counted in products of a block and a vector. The factors are estimates from walls of 915 and 10,050 blocks;
 // what matters is the order of magnitude.
 
-/// Solutions with a complete factor that cost what a new one does.
+/// Solutions with a complete factor that cost as much as a new factor.
 constexpr double kSolutionsPerFactor = 12.0;
-/// Solutions of a step that keeps a factor of the step before.
+/// Number of solutions in a step that keeps the factor of the previous step.
 constexpr double kQuietSolutions = 4.0;
 
-/// One iteration: the product and the incomplete factor go through all blocks once each, the latter in half the
-/// memory; orthogonalisation goes through the unknowns some ten times.
+/// One iteration: the product and the incomplete factor read all blocks once each, the latter in half the memory;
+/// orthogonalisation reads the unknowns some ten times.
 double iteration_work(double blocks, double bodies) { return 1.6 * blocks + 4.0 * bodies; }
 /// An incomplete factor: some 4 products of two blocks for each below the diagonal, and an inverse per body.
 double incomplete_work(double blocks, double bodies) { return 4.0 * blocks + 10.0 * bodies; }
@@ -41,7 +41,7 @@ bool OpenClose::take_blocks(bool fresh, StepReport& report) {
   for (std::size_t i = 0; i < states_.size(); ++i) b.tangents[i] = states_.tangent(i);
   b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), b.tangents);
   b.stale = true;
-  // A factor of other states serves until the iterations that it takes more than a new one did are worth one.
+  // A factor of other states is used until its additional iterations cost as much as a new one.
   if (b.factor.made() && !b.worn) return true;
   return factorise_blocks(report);
 }
@@ -56,7 +56,7 @@ bool OpenClose::factorise_blocks(StepReport& report) {
 }
 
 bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
-  constexpr int kMost = 120;  // walls of up to 10,050 blocks take 40 a step of 1 ms; what needs more has stalled
+  constexpr int kMost = 120;  // walls of up to 10,050 blocks take 40 per step of 1 ms; more means a stall
   BlockSolver& b = blocks_;
   b.first_guess.assign(d.begin(), d.end());
   const double iteration = iteration_work(static_cast<double>(b.system.matrix().blocks()), b.system.matrix().rows());
@@ -72,7 +72,7 @@ bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
     std::copy(b.first_guess.begin(), b.first_guess.end(), d.begin());
     return false;
   }
-  constexpr int kWorn = 4;  // iterations that are worth a factor
+  constexpr int kWorn = 4;  // iterations that cost as much as a factor
   if (b.fresh_iterations < 0) b.fresh_iterations = taken;
   b.worn = taken > b.fresh_iterations + kWorn;
   return true;
@@ -98,11 +98,11 @@ void OpenClose::choose_solver() {
     if (--c.hold == 0) c.direct = 0;
     return;
   }
-  // What the solver at hand takes more than the other would: once it adds up to a factor, the other has its turn; the
-  // more often that has been in vain, the later.
+  // Additional work of the present solver over the other: once it adds up to a factor, the other one is used; the more
+  // often such a change has been reversed, the later.
   constexpr std::int32_t kMostReturns = 6;
   if (c.direct == 0) {
-    if (!blocks_.acts) return;  // nor can the next step be solved by blocks, as it seems
+    if (!blocks_.acts) return;  // the next step can probably not be solved by blocks either
     const double quiet = kQuietSolutions * solution;
     c.block_work = blocks_.work;
     c.excess = std::max(0.0, c.excess + blocks_.work - quiet - (counts_.switches > 0 ? factor : 0.0));
@@ -111,7 +111,7 @@ void OpenClose::choose_solver() {
   } else {
     const double work = solution * counts_.corrections + factor * counts_.factorisations;
     c.excess = std::max(0.0, c.excess + work - c.block_work);
-    if (c.excess <= 2.0 * factor) return;  // that of the first step is one
+    if (c.excess <= 2.0 * factor) return;  // one of the two is the factor of the first step
     c.direct = 0;
     c.returns = std::min(c.returns + 1, kMostReturns);
   }

@@ -1,4 +1,5 @@
-// Contact states settled in clusters of bodies around the points that have switched, between the passes of all.
+// Contact states settled in clusters of bodies around the points that have switched, between the passes of all
+// bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +41,7 @@ void OpenClose::settle_clusters(std::span<double> d, StepReport& report) {
   c.place.resize(bodies);
   for (const std::int32_t seed : c.bodies) {
     if (c.inside[static_cast<std::size_t>(seed)] != 1) continue;
-    // All that are connected with the seed inside; 2: found.
+    // Finds all bodies inside that are connected with the seed; 2: found.
     c.cluster.assign(1, seed);
     c.inside[static_cast<std::size_t>(seed)] = 2;
     for (std::size_t k = 0; k < c.cluster.size(); ++k) {
@@ -125,7 +126,7 @@ double OpenClose::find_cluster_residual(std::span<const double> d) {
 }
 
 bool OpenClose::solve_cluster(std::span<double> d) {
-  constexpr double kRough = 1e-7;  // of the largest force; the pass of all that follows is solved to what it needs
+  constexpr double kRough = 1e-7;  // of the largest force; the next pass of all bodies is solved accurately enough
   constexpr int kMost = 40;
   BodyClusters& c = clusters_;
   const double largest = find_cluster_residual(d);
@@ -133,7 +134,7 @@ bool OpenClose::solve_cluster(std::span<double> d) {
   for (std::size_t k = 0; k < c.cluster.size(); ++k) {
     const std::int32_t body = c.cluster[k], row = static_cast<std::int32_t>(k);
     blocks_.system.refresh(body);
-    // Columns of both are in the same order: those outside are passed over.
+    // Columns of both matrices are in the same order: those of bodies outside are skipped.
     std::int32_t from = all.row_begin(body);
     for (std::int32_t at = c.matrix.row_begin(row); at < c.matrix.row_begin(row + 1); ++at, ++from) {
       const std::int32_t column = c.cluster[static_cast<std::size_t>(c.matrix.column(at))];

@@ -7,7 +7,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewRows = 4096;  // points and nodes that are not worth waking threads for
+constexpr std::int64_t kFewRows = 4096;  // fewer points or nodes are handled on one thread
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void OpenClose::fill_affine_rows(std::size_t point, std::span<const Vec2> driven
         known += along[i].dot(driven_move[o.node_body[p.node[i]].index()]);
         continue;
       }
-      // Unknowns come in order: those of the other body first, or last.
+      // Unknowns are in ascending order: those of the other body are first, or last.
       const std::size_t place = both && chart[i]->first > std::min(chart[0]->first, chart[1]->first) ? 1 : 0;
       const std::size_t first = kUnknowns * place;
       for (std::size_t k = 0; k < kUnknowns; ++k) {

@@ -1,4 +1,4 @@
-// The linear systems of the open-close iteration: of given contact states, with the friction of those that slide.
+// The linear systems of the open-close iteration: for given contact states, with the friction of slipping points.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,7 +53,7 @@ double OpenClose::round_off(std::span<const double> d) const {
       size[row] += std::abs(A_[at] * d[column]);
       if (row != column) size[column] += std::abs(A_[at] * d[row]);
     }
-  // Of a stiff spring what is left of large displacements that cancel in its elongation: interface constraints of small
+  // For a stiff spring, round-off of large displacements that cancel in its elongation: interface constraints of small
   // halves.
   for (const std::size_t r : active_) {
     const DofRow row = rows_[r];
@@ -80,10 +80,10 @@ int OpenClose::iterate(double enough, int most, std::span<double> d) {
 }
 
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
-  constexpr double kExact = 1e-13;  // of the largest force: about what a factorisation leaves
+  constexpr double kExact = 1e-13;  // of the largest force: about the residual with a complete factor
   constexpr double kRough = 1e-7;   // while states still switch
   constexpr int kAtOnce = ConjugateResiduals::kDepth;
-  // Friction takes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
+  // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
   const double part_of = rough_ ? kRough : kExact;
   double enough = part_of * force_scale(d);
@@ -98,7 +98,7 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
       if (blocks_.acts) report.block_iterations += taken;
       return more >= 0 ? taken : -1;
     }
-    // Static steps of stiff meshes: forces inside are far larger than those on the blocks, and so is what they leave.
+    // Static steps of stiff meshes: forces inside blocks are far larger than those on them, and so is their round-off.
     enough = std::max(part_of * force_scale(d), round_off(d));
     looked = true;
   }

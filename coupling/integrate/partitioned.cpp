@@ -108,7 +108,7 @@ void Partitioned::find_interface_constraints(const IntegratorMemory* memory) {
 }
 
 void Partitioned::find_constraint_mass() {
-  // Acceleration of each node by a unit force on each other, inverted.
+  // Inverse of the matrix of accelerations of each node by a unit force on each.
   const auto n = static_cast<Eigen::Index>(interface_constraints_.size());
   const Setup& setup = explicit_side_.setup;
   Eigen::MatrixXd compliance(n, n);
@@ -122,7 +122,7 @@ void Partitioned::find_constraint_mass() {
     force[at] = 0.0;
     for (Eigen::Index i = 0; i < n; ++i) compliance(i, j) = a[explicit_at_[static_cast<std::size_t>(i)]];
   }
-  // Covers that follow the same others have no mass of their own against each other: a little keeps it definite.
+  // Covers that follow the same others have no relative mass of their own: a larger diagonal keeps it definite.
   compliance = 0.5 * (compliance + compliance.transpose()).eval();
   compliance.diagonal() *= 1.0 + 1e-6;
   const Eigen::MatrixXd mass = solve_positive(compliance, Eigen::MatrixXd::Identity(n, n)),
@@ -276,12 +276,12 @@ void Partitioned::join(State& state) {
 }
 
 void Partitioned::find_springs() {
-  // Springs of closed contacts with an implicit body. They stretch with the way u, so that their mean sees half of it;
-  // their dashpots have the rate u/H all along.
+  // Springs of closed contacts with an implicit body. They stretch linearly to the displacement u, so that the
+  // mean over the step has half of it; their dashpots have the constant rate u/H.
   springs_.clear();
   stiffness_ = 0.0;
   const double H = seconds(step_);
-  double turns_back = 0.0;  // bounds the part of a change of the way that comes back as another one
+  double turns_back = 0.0;  // times H^2/2 it bounds the ratio of successive changes of u in the iteration
   const Setup& setup = explicit_side_.setup;
   const Outlines& o = setup.outlines();
   const ContactList& list = explicit_->contacts();
@@ -306,7 +306,7 @@ void Partitioned::find_springs() {
     add(gap_row(p.at), m.kn, p.cn);
     if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt, p.ct);
   }
-  // Short steps: bodies hardly follow, and iterations without the springs end as soon.
+  // Short steps: bodies hardly respond, and iterations without the springs converge as fast.
   constexpr double kHardly = 1e-3;
   if (interface_constraints_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
@@ -322,7 +322,7 @@ void Partitioned::add_to_ghosts(double weight, std::span<const double> f) {
 }
 
 bool Partitioned::foresee(std::span<const double> end, std::span<double> force) {
-  // In one substep explicit bodies go where they go whatever the ghosts do; before the last of many they do not.
+  // In a single substep the positions of explicit bodies do not depend on the ghosts; with several substeps they do.
   if (substeps_ > 1 || !interface_constraints_.empty()) return false;
   if (gone_) rewind();
   copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
@@ -359,7 +359,7 @@ StepReport Partitioned::mean(std::span<const double> end, std::span<const double
     add_to_ghosts(weight, explicit_->forces());
     StepReport report = explicit_->step(s, ticks);
     if (report.status != StepReport::Status::ok) {
-      gone_ = substeps_ > 1 || !interface_constraints_.empty();  // a step that fails leaves things as they were
+      gone_ = substeps_ > 1 || !interface_constraints_.empty();  // a failed step leaves its state unchanged
       return report;
     }
     add_to_ghosts(weight, explicit_->forces());
@@ -392,7 +392,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   present_.assign(i.q.size(), 0.0);
   copy(implicit_runs_, &Run::of_explicit, explicit_->forces(), &Run::of_implicit, present_);
   find_springs();
-  // By their mass alone nodes go H^2/2 on per unit of acceleration; what waves have reached by then is slower.
+  // By their own mass nodes move by H^2/2 per unit of acceleration; the part that waves have reached by then is slower.
   const double scale = std::sqrt(2.0 * substeps_) / H;
   for (std::size_t k = 0; k < constraint_mass_.size(); ++k) constraint_factor_[k] = scale * constraint_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
@@ -403,7 +403,7 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
     return report;
   }
   if (audit_ != nullptr) explicit_->check(e, *audit_);
-  // Ghosts stand where their own side has them, with its velocity.
+  // Ghosts take position and velocity from their own side.
   copy(implicit_runs_, &Run::of_implicit, i.q, &Run::of_explicit, e.q);
   copy(implicit_runs_, &Run::of_implicit, i.v, &Run::of_explicit, e.v);
   join(state);

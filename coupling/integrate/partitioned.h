@@ -12,15 +12,16 @@ namespace scree::coupling {
 
 /// Moves some bodies by central difference in m steps of h, the others by Newmark's method in one of H = m h, with all
 /// contacts between them:
-///   1. Substep j of the explicit side sees the implicit bodies at x_n + (j/m) u, contact evaluated at every substep.
-///   2. The implicit side sees the mean force (1/m)[f_0/2 + f_1 + ... + f_m/2] of those contacts, at its whole step.
+///   1. In substep j of the explicit side the implicit bodies are at x_n + (j/m) u; contact is evaluated in each.
+///   2. On the implicit side the mean force (1/m)[f_0/2 + f_1 + ... + f_m/2] of those contacts acts over the step H.
 ///   3. u is found so that both hold: the substeps are repeated within Newton's method (InterfaceForce, FixedPoint).
 /// Impulses on both sides are equal and opposite, and so is the work, whatever u: momentum is exact and the ledger has
 /// no term of its own. Stable under the explicit bound with the implicit bodies fixed, whatever H and their mass.
-/// Contacts among implicit bodies are those of Newmark's open-close iteration, or all are met at the substeps.
+/// Contacts among implicit bodies are those of Newmark's open-close iteration, or all are evaluated at the substeps.
 /// The two halves of a divided block are one continuum: nodes at one place (Pool::interface_constraints) are held
-/// together by forces that are constant through H, equal and opposite, and such that both go the same way from one end
-/// of H to the other. They do no work and nothing drifts. All contacts of a divided block are the explicit side's.
+/// together by forces that are constant through H, equal and opposite, and such that both have the same displacement
+/// over H. They do no work and the nodes do not drift apart. All contacts of a divided block belong to the explicit
+/// side.
 /// @source docs/theory/explicit-implicit-coupling.md, "Partitioned steps";
 ///         docs/theory/explicit-implicit-coupling.md, "Divided blocks"; [Qu2013] 6.3, ch. 7, 7.2.2
 class Partitioned final : public TimeIntegrator, private InterfaceForce {
@@ -30,10 +31,10 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
     ImplicitOptions implicit;
     double safety = 0.8;           // fraction of the certified bound that automatic substeps take
     std::int32_t substeps = 0;     // 0: automatic
-    bool shared_contacts = false;  // contacts between implicit bodies are the explicit side's too
+    bool shared_contacts = false;  // contacts between implicit bodies belong to the explicit side too
   };
   /// @param whole  the setup whose states are moved; its bodies are discretised once more for each side
-  /// @param state  what enter() or resume() will be called with
+  /// @param state  the one that enter() or resume() will be called with
   Partitioned(const Setup& whole, const Methods& methods, const State& state, const StepControl& control,
               double detection, const Choice& choice);
 
@@ -44,19 +45,19 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override;
   void update_ledger(State& state) override;
-  /// Of the substeps.
+  /// Step bound of the substeps.
   double stable_step(const State& state, std::string* binding) override;
   void contact_forces(const State& state, std::span<double> f) const override;
   void set_control(Control* control) override { implicit_->set_control(control); }
   [[nodiscard]] bool step_still_stable() const override { return explicit_->step_still_stable(); }
 
   [[nodiscard]] const Newmark& implicit_side() const { return *implicit_; }
-  /// Substeps of the last step, and how often they were gone through.
+  /// Number of substeps of the last step, and how often they were computed.
   [[nodiscard]] std::int32_t substeps() const { return substeps_; }
   [[nodiscard]] int repeats() const { return repeats_; }
 
  private:
-  /// A side: bodies of its own, the others as ghosts, with numbers in its own order.
+  /// One side: its own bodies, and the others as ghosts, with nodes in its own order.
   struct Side {
     Side(const Setup& whole, const Methods& methods, const State& state, bool is_explicit, bool shared);
     Setup setup;
@@ -64,21 +65,21 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   };
   [[nodiscard]] static Ghosts ghosts(const Setup& whole, const State& state, bool is_explicit, bool shared);
   [[nodiscard]] static std::vector<BodyRecord> records(const State& state, bool is_explicit);
-  /// Numbers that follow one another in all three orders: of the whole, the explicit and the implicit side.
+  /// Node values that are contiguous in all three orders: of the whole, the explicit and the implicit side.
   struct Run {
     std::size_t whole, of_explicit, of_implicit, count;
   };
   void find_runs();
-  /// Nodes of divided blocks that belong together.   @param memory  of a run that goes on; null: the stage begins
+  /// Finds the pairs of nodes in divided blocks.   @param memory  of a resumed run; null: the stage begins
   void find_interface_constraints(const IntegratorMemory* memory);
   void find_constraint_mass();
   static void copy(std::span<const Run> runs, std::size_t Run::*from, std::span<const double> all, std::size_t Run::*to,
                    std::span<double> out);
-  /// Of the whole to a side.
+  /// Copies values of the whole to a side.
   void take(std::span<const double> all, std::size_t Run::*to, std::vector<double>& out) const;
   void split(const State& state);
   void open_ledgers();
-  /// Brings what the sides have into the state.
+  /// Copies the results of both sides into the state.
   void join(State& state);
   void find_springs();
   void rewind();
@@ -103,21 +104,21 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   std::unique_ptr<CentralDifference> explicit_;
   std::unique_ptr<Newmark> implicit_;
   std::vector<Run> all_, explicit_runs_, implicit_runs_;    // of all nodes, and of those that a side moves
-  std::vector<InterfaceConstraint> interface_constraints_;  // as the implicit side sees them
-  // Cholesky's factor of the mass that the explicit half has at them, and the same as stiffness of a step.
+  std::vector<InterfaceConstraint> interface_constraints_;  // with rows of the implicit side
+  // Cholesky's factor of the explicit half's mass at the interface constraints, and its multiple in a step.
   std::vector<double> constraint_mass_, constraint_factor_;
-  std::vector<std::size_t> explicit_at_, implicit_at_;  // an interface constraint: first number of its nodes
+  std::vector<std::size_t> explicit_at_, implicit_at_;  // per interface constraint: first value of its nodes
   std::vector<double> apart_, held_,
-      held_back_;  // x, y per interface constraint; held_back_: what the explicit side feels
-  std::vector<std::size_t> explicit_bolts_, implicit_bolts_;  // whose side applies them
-  Ledger base_;                                               // of the run until the first step
+      held_back_;  // x, y per interface constraint; held_back_: on the explicit side
+  std::vector<std::size_t> explicit_bolts_, implicit_bolts_;  // that each side applies
+  Ledger base_;                                               // of the run before the first step
   bool has_base_ = false;
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
-  double stiffness_ = 0.0;                         // of all contacts with ghosts, half of it [N/m]
+  double stiffness_ = 0.0;                         // half of that of all contacts with ghosts [N/m]
   IndexedVector<OutlineNode, double> compliance_;  // of outline nodes of ghosts [1/kg]
-  std::vector<double> present_;                    // numbers of the implicit side
-  std::vector<double> end_, sum_, ahead_;          // numbers of the explicit side
+  std::vector<double> present_;                    // forces on ghosts, in the order of the implicit side
+  std::vector<double> end_, sum_, ahead_;          // in the order of the explicit side
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;

@@ -19,7 +19,7 @@ double bedding_of(const Model& model, const EdgeSupport& s) {
          std::sqrt(moments(model.blocks[s.span.block.index()].polygon).area);
 }
 
-/// Directions that are held, as axes of springs, and 1 along those.
+/// Axes of the springs, and 1 along those that are held.
 void axes_of(const Mat2& held, Mat2& axes, Vec2& along) {
   axes = Mat2::Identity();
   along = {1.0, 1.0};
@@ -30,19 +30,19 @@ void axes_of(const Mat2& held, Mat2& axes, Vec2& along) {
   along = {1.0, 0.0};
 }
 
-/// A point of a span where the model first had it.
+/// Position of a point of a span in the initial model.
 Vec2 place_of(const Model& model, const EdgeSpan& span, double s) {
   const auto [from, to] = ends_of(model.blocks[span.block.index()].polygon, span.edge);
   return from + (span.s0 + s * (span.s1 - span.s0)) * (to - from);
 }
 
-/// Row of a material point: from where the model first had it to the present reference shape.
+/// Row of a material point, mapped from the initial model to the present reference shape.
 Row row_of(const Setup& setup, const Body& b, const ReferenceShape& shape, const Vec2& at) {
   const AffineMotion map = affine_fit(shape.origin, shape.outline);
   return setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * at));
 }
 
-/// How far a hand-over has moved the anchor of a point of a support.   @param number  among those of the block
+/// Shift of the anchor of a point of a support by a transfer.   @param number  index among those of the block
 Vec2 shift_at(const BodyRecord& record, std::size_t number, double s) {
   if (record.edge_shift.size() < 4 * number + 4) return {0.0, 0.0};
   const double* x = &record.edge_shift[4 * number];
@@ -81,7 +81,7 @@ std::vector<PointSpring> point_springs(const Setup& setup, const State& state) {
     const PointSupport& support = model.point_supports[i];
     const auto index = support.block.index();
     const Body& b = setup.bodies()[index];
-    if (b.driven) continue;  // held whole already
+    if (b.driven) continue;  // held as a whole
     const Elasticity law = model.elasticity_of(support.block);
     const double k = support.stiffness ? *support.stiffness : 10.0 * law.p_modulus();
     PointSpring s;
@@ -106,7 +106,7 @@ void keep_elongations(const std::vector<PointSpring>& before, std::span<const do
     if (changed[is.body.index()] == 0) continue;
     const auto was = std::find_if(before.begin(), before.end(),
                                   [&](const PointSpring& spring) { return spring.support == is.support; });
-    if (was == before.end()) continue;  // its block has just come
+    if (was == before.end()) continue;  // its block is new
     state.anchors.resize(2 * to.model().point_supports.size(), 0.0);
     const Vec2 shift = position(is.row, state.q) - is.anchor - position(was->row, q_before) + was->anchor;
     const auto at = 2 * static_cast<std::size_t>(is.support);

@@ -17,7 +17,7 @@ double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticit
   K(0, 3) = K(3, 0) = shape.area * law.lambda;
   K(1, 1) = K(2, 2) = K(1, 2) = K(2, 1) = shape.area * law.mu;
   M.topLeftCorner<2, 2>() = M.bottomRightCorner<2, 2>() = shape.second;
-  // The rotation is the one motion without energy.
+  // The rotation is the only motion without energy.
   return std::sqrt(generalized_eigenvalues(K, M)(1));
 }
 
@@ -74,7 +74,7 @@ double SlidingDamping::sliding_part(const Strength& now, const ContactMemory& m)
   const double friction = now.coefficient * m.fn, limit = now.cohesion + friction;
   const bool back = m.slide.slip * static_cast<double>(m.slide.last.slip) < 0.0;
   if (back && std::abs(m.slide.slip) * m.kt > limit) return 0.0;
-  return limit > 0.0 ? friction / limit : 1.0;  // without any strength: as with a little friction
+  return limit > 0.0 ? friction / limit : 1.0;  // without any strength: limit of small friction
 }
 
 bool SlidingDamping::find() {

@@ -18,12 +18,13 @@ namespace scree::coupling {
 ///   mu^3 the mean of cubes over the sliding contacts, weighted as s is,
 /// on v_d = v - R (R^T M R)^-1 R^T M v, with R the three rigid motions of the block and w_1 the lowest frequency of its
 /// affine deformation, so that neither slide nor spin is slowed. The damping is mass-proportional and taken at the new
-/// velocity: the stable explicit step stays as it is. A contact slides once it has gone one way for a natural period of
-/// the block by more than its elastic stretch (FrictionCheck), until it turns round, so that waves which make a joint
-/// slip to and fro pass. The damping that stops the flutter grows with the square of friction: meshes of a 10 x 5 m
-/// block need xi above 0.6, 0.75, 1.15 and 1.7 on slopes of 35, 40, 45 and 50 degrees. What slips against cohesion has
-/// no such stiffness, and counts by the part that friction has in its strength. It is numerical regularisation, not
-/// attenuation of rock. Blocks that are held, driven, on point supports or on viscous edges are exempt.
+/// velocity: the stable explicit step stays as it is. A contact slides once it has slipped in one direction for a
+/// natural period of the block by more than its elastic stretch (FrictionCheck), until the direction reverses: waves
+/// that make a joint slip back and forth are not damped. The damping that stops the flutter grows with the square of
+/// friction: meshes of a 10 x 5 m block need xi above 0.6, 0.75, 1.15 and 1.7 on slopes of 35, 40, 45 and 50 degrees. A
+/// contact that slips against cohesion has no such stiffness, and counts by the share of friction in its strength. The
+/// damping is numerical regularisation, not attenuation of rock. Blocks that are held, driven, on point supports or on
+/// viscous edges are exempt.
 class SlidingDamping {
  public:
   /// @param fraction  xi, of critical; 0: none
@@ -33,7 +34,7 @@ class SlidingDamping {
   [[nodiscard]] bool used() const { return used_; }
   /// Whether a body can ever be damped.
   [[nodiscard]] bool damps(std::size_t body) const { return most_[body] > 0.0; }
-  /// Rates of a set of contacts: begin(), count() once a list, find().
+  /// Rates of a set of contacts: begin(), count() once per list, find().
   void begin();
   /// @param outlines  that the list refers to, of a setup with the same bodies
   void count(const Outlines& outlines, const ContactList& list);
@@ -45,7 +46,7 @@ class SlidingDamping {
   [[nodiscard]] double moderate_rate(std::size_t body) const { return std::min(rate_[body], most_[body]); }
 
  private:
-  /// Part of a sliding point's strength that is friction; 0 once it has turned round.
+  /// Part of a sliding point's strength that is friction; 0 once its slip has reversed.
   [[nodiscard]] static double sliding_part(const Strength& now, const ContactMemory& m);
 
   bool used_ = false;
@@ -60,7 +61,7 @@ class SlidingDamping {
 /// u = c + D X:  K from A/2 e:C:e with e = sym D,  M from m |c|^2 + tr(D S D^T).   @return w [rad/s]
 [[nodiscard]] double lowest_deformation_frequency(const ReferenceShape& shape, const Elasticity& law);
 
-/// The point c of a body's rotation below: the mean of its nodes, weighted by t.
+/// The centre c of a body's rotation in rigid_turn(): the mean of its nodes, weighted by t.
 [[nodiscard]] Vec2 centre_of_turn(const Setup& setup, const Body& body, std::span<const double> q);
 
 /// The rotation W (q_k - t_k c) of a body about c, W the quarter turn.

@@ -15,7 +15,7 @@ std::size_t body_of(const Outlines& o, const ContactPoint& p, std::size_t end) {
 
 bool closed(const ContactMemory& m) { return m.status != ContactStatus::open && m.fn > 0.0; }
 
-/// What a force w at x does to a rigid motion about a centre.
+/// Components of a force w at x along the rigid motions about a centre.
 Eigen::Vector3d row(const Vec2& w, const Vec2& x, const Vec2& centre) {
   const Vec2 d = x - centre;
   return {w.x(), w.y(), w.y() * d.x() - w.x() * d.y()};

@@ -11,16 +11,16 @@
 namespace scree::coupling {
 
 /// A stack of blocks bounces on its own elasticity, mostly by the rigid motions of its blocks, which SlidingDamping
-/// spares. The dashpots at contacts are those of their corners: in a mesh they are small against a block, so the bounce
-/// lasts, and with the normal force the friction comes and goes. A stack that should rest then creeps down by some
-/// millimetres a period. So where the check of friction has found a window of a slide that lost friction
+/// excludes. The dashpots at contacts are those of their corners: in a mesh they are small for a block, so the bounce
+/// persists, and friction oscillates with the normal force. A stack that should rest then creeps down by some
+/// millimetres per period. So where the check of friction has found a window of a slide that lost friction
 /// (SlideMemory::lost), every closed contact k of the two blocks with other blocks has a dashpot until the slide ends,
 ///   c_k = 2 a m N_k/min(sum N of i, sum N of j),   1/m = 1/m_i + 1/m_j,
 /// for the normal velocity at the contact of the rigid motions of its bodies i and j alone; a is the larger of their
 /// rates of SlidingDamping, without what steep friction adds to them. A dashpot pulls by no more than N_k, and its
-/// force counts in the normal force that friction sees: where the contact slips it acts along n + t T/N. Equal and
-/// opposite, at one point: both momenta stay. It acts on the masses of blocks, not of corners, and is taken at the
-/// velocity after it: the stable explicit step stays as it is. Exempt are bodies that SlidingDamping exempts, divided
+/// force is part of the normal force in the friction law: where the contact slips it acts along n + t T/N. Equal and
+/// opposite, at one point: both momenta are kept. It acts on the masses of blocks, not of corners, and is taken at the
+/// new velocity: the stable explicit step stays as it is. Exempt are bodies that SlidingDamping exempts, divided
 /// ones, and joints that dilate.
 /// @source docs/theory/contact-law.md, "Blocks that slide"
 class StackDamping {
@@ -30,7 +30,7 @@ class StackDamping {
 
   /// Finds the bodies that are damped, by the rates that `sliding` has found.   @return true if there is any
   bool find(const SlidingDamping& sliding, const Outlines& outlines, const ContactList& list);
-  /// Finds the forces at velocities v less what they take from them within a time.
+  /// Finds the forces at the velocities that v becomes once these forces have acted for `time`.
   /// @pre find() with the same list
   /// @param q,v  of all nodes of the setup   @param time  [s]
   void act(const Outlines& outlines, const ContactList& list, std::span<const double> q, std::span<const double> v,

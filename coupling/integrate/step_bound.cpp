@@ -56,8 +56,8 @@ std::span<const std::int32_t> StepBound::groups_of(OutlineNode a, OutlineNode b)
 }
 
 void StepBound::touch_row(BodyIndex body, const Row& row) {
-  // What another integrator moves (a ghost, or the other half of a divided body) is on a given path, and does not
-  // count.
+  // A row that another integrator moves (a ghost, or the other half of a divided body) is on a given path, and does
+  // not count.
   const Body& b = setup_->body(body);
   if (b.driven || setup_->on_ghost(row)) return;
   setup_->pool_of(b).bound_groups(b.index, setup_->local(b, row), found_);

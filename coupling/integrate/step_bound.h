@@ -15,7 +15,7 @@ namespace scree::coupling {
 /// Damping of explicit steps.
 struct ExplicitDamping {
   double mass = 0.0;       // proportional to mass [1/s]
-  bool rigid = false;      // that acts on all of the velocity, not only on the part beside the affine one
+  bool rigid = false;      // mass damping acts on the whole velocity, not only on its non-affine part
   double stiffness = 0.0;  // Rayleigh damping proportional to stiffness [s]
   double local = 0.0;      // fraction of the unbalanced force, 0 <= alpha < 1
   double sliding = 0.0;    // of the deformation of sliding blocks, a fraction of critical
@@ -44,7 +44,7 @@ class StepBound {
   /// @param setup  must outlive it
   explicit StepBound(const Setup& setup);
 
-  /// @param binding  receives the block that binds the step and the shares of what does it, if given
+  /// @param binding  receives the block that binds the step and the shares of the causes, if given
   /// @return the bound [s]; infinite if nothing is stiff
   [[nodiscard]] double certified_step(const StepParts& parts, std::string* binding);
 
@@ -63,9 +63,9 @@ class StepBound {
   [[nodiscard]] std::span<const std::int32_t> groups_of(OutlineNode a, OutlineNode b);
   /// Appends the groups of any row to touched_.
   void touch_row(BodyIndex body, const Row& row);
-  /// Adds a spring or dashpot to the sums of groups, each of which is there once.
+  /// Adds a spring or dashpot to the sums of groups; no group is given twice.
   void add(Kind kind, BodyIndex other, double size, std::span<const std::int32_t> groups);
-  /// The same for the groups in touched_, which it empties.
+  /// add() for the groups in touched_, which is emptied.
   void add_touched(Kind kind, double size);
   void collect(const StepParts& in);
   void collect_contacts(const StepParts& in);
@@ -75,7 +75,7 @@ class StepBound {
 
   const Setup* setup_;
   IndexedVector<OutlineNode, double> node_compliance_;   // [1/kg]
-  IndexedVector<OutlineNode, std::int32_t> node_first_;  // its first in node_groups_, and the end
+  IndexedVector<OutlineNode, std::int32_t> node_first_;  // its first group in node_groups_, and the end
   std::vector<std::int32_t> node_groups_;                // groups, by the first node of each
   std::vector<double> stiff_, viscous_;                  // sums, by the first node of a group
   std::vector<std::int32_t> touched_;
@@ -85,9 +85,9 @@ class StepBound {
   std::vector<std::int32_t> found_;   // scratch
 };
 
-/// Longest step between two meetings of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:
+/// Longest step between two evaluations of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:
 ///   H w <= 1/2
-/// An estimate: faster motion of the same bodies can be in resonance with the kicks at H, the less so the smaller H w.
+/// An estimate: faster motion of the same bodies can be in resonance with the kicks at H, more weakly for smaller H w.
 /// @param binding  receives the block and its element, if given   @return [s]; infinite if no slow body is free
 /// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 [[nodiscard]] double slow_step(const Setup& setup, std::string* binding);

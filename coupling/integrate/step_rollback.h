@@ -1,4 +1,4 @@
-// Back to the beginning of a step that is made of several explicit ones.
+// Return to the start of a step that consists of several explicit ones.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace scree::coupling {
 
-/// What explicit steps change in a state and its integrator, kept where the first of them begins.
+/// What explicit steps change in a state and its integrator, stored at the start of the first.
 class StepRollback {
  public:
   void keep(const CentralDifference& integrator, const State& state) {

@@ -47,7 +47,7 @@ StepReport Subcycled::step(State& state, Tick ticks_of_step) {
   substeps_ = 0;
   std::int64_t parts_left = 0;
   for (Tick left = ticks_of_step; left > 0;) {
-    // Contacts that close within H may ask for shorter substeps from there on.
+    // Contacts that close within H may require shorter substeps from then on.
     if (bound_ == 0.0 || !fine_.step_still_stable()) {
       (void)stable_step(state, nullptr);
       parts_left = 0;

@@ -1,4 +1,4 @@
-// Explicit steps for all bodies, the internal force of some met once in several of them.
+// Explicit steps for all bodies, the internal force of some evaluated once in several of them.
 #pragma once
 
 #include "coupling/integrate/central_difference.h"
@@ -10,12 +10,12 @@ namespace scree::coupling {
 /// the internal force of fast bodies act at every instant, the internal force S of slow ones (Ghosts::slow) at the two
 /// ends of H alone, as kicks of H/2 each:
 ///   M a_j = F(x_j) + w_j S(x_j),   w_j = H/h at the ends of H, 0 between
-/// It is the central difference with another force, so that its identities of work hold as they stand, and all kicks
-/// are in equal and opposite pairs. Order 2 in H; reversible at constant h and H. Where h changes at an instant, and so
-/// w_j, what the acceleration jumps by is booked as a change of the step.
-/// h is the certified step of the plain scheme: with H w <= 1/2 (slow_step()) the own stiffness of slow bodies takes
-/// next to nothing of it. That keeps off the strong resonances of the kicks with the faster motion of contacts; weak
-/// ones remain, in which a step grows by some hundredths (subcycled_test.cpp has the map): watch_energy() tells.
+/// It is the central difference with another force, so that its identities of work hold unchanged, and all kicks are
+/// in equal and opposite pairs. Order 2 in H; reversible at constant h and H. Where h, and so w_j, changes at an
+/// instant, the jump of the acceleration is booked as a change of the step.
+/// h is the certified step of the plain scheme: with H w <= 1/2 (slow_step()) the stiffness of slow bodies hardly
+/// reduces it. That avoids the strong resonances of the kicks with the faster motion of contacts; weak ones remain, in
+/// which the motion grows by some hundredths per step (map in subcycled_test.cpp): watch_energy() reports them.
 /// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 class Subcycled final : public TimeIntegrator {
  public:
@@ -34,7 +34,7 @@ class Subcycled final : public TimeIntegrator {
   StepReport step(State& state, Tick ticks_of_step) override;
   void leave(State& state) override { fine_.leave(state); }
   void update_ledger(State& state) override { fine_.update_ledger(state); }
-  /// Of the substeps.
+  /// Step bound of the substeps.
   double stable_step(const State& state, std::string* binding) override;
   void contact_forces(const State& state, std::span<double> f) const override { fine_.contact_forces(state, f); }
   [[nodiscard]] bool step_still_stable() const override { return fine_.step_still_stable(); }
@@ -43,7 +43,7 @@ class Subcycled final : public TimeIntegrator {
   [[nodiscard]] std::int32_t substeps() const { return substeps_; }
 
  private:
-  /// Substeps that what is left of a step is made in.
+  /// Number of substeps for the rest of a step.
   [[nodiscard]] std::int64_t parts(Tick left) const;
 
   Choice choice_;

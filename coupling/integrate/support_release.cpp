@@ -6,7 +6,7 @@
 namespace scree::coupling {
 namespace {
 
-/// Shows the rows of a spot on an outline, and their weights, to see(row, weight).
+/// Calls see(row, weight) for the two rows at a point of an outline.
 template <class See>
 void rows_at(const Setup& setup, const Body& b, const SupportForce& force, See&& see) {
   const Boundary& boundary = setup.pool_of(b).boundary(b.index);

@@ -1,4 +1,4 @@
-// Forces that stand in for rock or supports that have gone, as the bodies of a stage carry them.
+// Forces that replace removed rock or supports, on the bodies of a stage.
 #pragma once
 
 #include <span>
@@ -12,19 +12,19 @@ namespace scree::coupling {
 class SupportRelease {
  public:
   SupportRelease() = default;
-  /// Of those that this setup applies.
+  /// From the forces that this setup applies.
   SupportRelease(const Setup& setup, const State& state);
-  /// False: there are none.
+  /// False if there are none.
   [[nodiscard]] bool acts() const { return !last_.empty(); }
   /// f += the forces at a time [s].
   void add(double time, std::span<double> f) const;
 
  private:
   double begin_ = 0.0, end_ = 0.0;      // of the release [s]
-  std::vector<double> falling_, last_;  // x, y per node: what goes, and what stays after it [N]
+  std::vector<double> falling_, last_;  // x, y per node: part that falls to zero, and part that remains [N]
 };
 
-/// In explicit steps.
+/// The release in explicit steps.
 class SupportReleaseTerm final : public ForceTerm {
  public:
   explicit SupportReleaseTerm(SupportRelease release) : release_(std::move(release)) {}

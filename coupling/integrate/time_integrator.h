@@ -17,29 +17,29 @@ class Control;
 /// Results of the last step that cannot be recomputed from the state to the last bit, since forces were summed and
 /// contacts found before driven bodies were put exactly in place. A checkpoint holds them beside the state.
 struct IntegratorMemory {
-  /// What a step bound allowed for.
+  /// Contact stiffness that a step bound allowed for.
   struct Bound {
     ContactKey key;
     double stiffness = 0.0;  // [N/m]
   };
-  std::vector<ContactPoint> points;                     // partitioned: of a side, State::contacts has memories alone
+  std::vector<ContactPoint> points;                     // partitioned: of a side, State::contacts has only memories
   std::vector<double> stress, total, stiffness, local;  // forces on the nodes, explicit: CentralDifference [N]
-  std::vector<double> held;                             // and those that it holds
+  std::vector<double> held;                             // explicit: held forces [N]
   std::vector<Bound> bound;                             // explicit: of the last stable_step()
-  double slow_weight = 1.0, slow_energy = 0.0;          // explicit: how often slow internal forces count, energy [J]
-  // Partitioned: of the explicit and the implicit side, their ledgers, and that of the run before.
+  double slow_weight = 1.0, slow_energy = 0.0;          // explicit: weight of slow internal forces, energy [J]
+  // Partitioned: of the explicit and the implicit side; their ledgers, and that of the run before the first step.
   std::vector<IntegratorMemory> sides;
   std::vector<Ledger> ledgers;
-  double step_bound = 0.0;  // that the substeps keep to [s]
+  double step_bound = 0.0;  // of the substeps [s]
   std::vector<double>
-      apart;  // nodes of interface constraints when the stage began: the implicit one less the explicit one [m]
+      apart;  // nodes of interface constraints at the start of the stage: implicit less explicit position [m]
 
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see) const;
 };
 
-/// Advances a state by whole steps. On any status but ok the state keeps every bit.
+/// Advances a state by whole steps. On any status but ok the state is unchanged to the last bit.
 class TimeIntegrator {
  public:
   TimeIntegrator() = default;
@@ -49,15 +49,15 @@ class TimeIntegrator {
   /// Takes over a state: fills what the scheme needs (contacts, accelerations).
   /// @return energy of the contact springs as found on the present outlines [J]
   virtual double enter(State& state) = 0;
-  /// Goes on within a stage where another integrator of its kind stopped after a step. In place of enter().
+  /// Continues a stage after the last step of another integrator of its kind. Called instead of enter().
   virtual void resume(State& state, const IntegratorMemory& memory) = 0;
-  /// What resume() needs, lent rather than copied: it is as large as the model. Nothing else is asked of the
-  /// integrator before take_back().
+  /// What resume() needs, lent rather than copied: it is as large as the model. No other member is called
+  /// before take_back().
   [[nodiscard]] virtual IntegratorMemory lend() = 0;
-  /// @param memory  as lend() gave it; empty afterwards
+  /// @param memory  as returned by lend(); empty afterwards
   virtual void take_back(IntegratorMemory& memory) = 0;
   virtual StepReport step(State& state, Tick ticks_of_step) = 0;
-  /// Leaves a state synchronised: energies of this scheme alone are closed and booked.
+  /// Leaves a state synchronised: energies that only this scheme has are closed and booked.
   virtual void leave(State& state) = 0;
   /// Brings the ledger's energy columns up to date (some are costly, and needed only where the state is sampled).
   virtual void update_ledger(State& state) = 0;
@@ -65,7 +65,7 @@ class TimeIntegrator {
   virtual double stable_step(const State& state, std::string* binding) = 0;
   /// f += forces of the contacts on the nodes at the present instant (for the balance of forces).
   virtual void contact_forces(const State& state, std::span<double> f) const = 0;
-  /// From now on every step that is taken is checked; null: not any more. The audit must outlive the steps.
+  /// From now on every accepted step is checked; null: no longer. The audit must outlive the steps.
   void watch(Audit* audit) { audit_ = audit; }
   /// Controller that long steps poll for a request to stop; null: none. It must outlive the steps.
   virtual void set_control(Control* control) { (void)control; }

@@ -19,12 +19,12 @@ std::vector<Dashpot> dashpots(const Setup& setup, const State& state) {
 
 namespace {
 
-/// Along the segment of a dashpot.
+/// Unit vector along the segment of a dashpot.
 Vec2 tangent(const Dashpot& d, std::span<const double> q) {
   return (position(d.stretch.b, q) - position(d.stretch.a, q)).normalized();
 }
 
-/// What a dashpot makes of a velocity.
+/// Coefficients of a dashpot times a velocity.
 Vec2 resistance(const Dashpot& d, const Vec2& t, const Vec2& v) {
   const Vec2 along = t.dot(v) * t;
   return d.shear * along + d.normal * (v - along);

@@ -180,13 +180,13 @@ void InterfaceIteration::kick(double h, std::span<double> rate) {
 }
 
 void InterfaceIteration::book(const Iterate& at, double h, std::span<const double> rate, Ledger& ledger) const {
-  // The bodies were pulled along straight lines; the step's equations have the work in their unknowns.
+  // The force acted along straight lines of the nodes; the step's equations have its work in their unknowns.
   double along = 0.0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) along += nodes_[i] * (at.end[i] - at.start[i]);
   ledger.book(Column::update_contact, dot(mean_, at.d) - along);
   for (std::size_t i = 0; i < rows_.size(); ++i)
     ledger.book(Column::interface_constraints, held_[i] * rows_[i].change(at.d));
-  // The kick gives J.v less half its own, v the velocity after it; the mismatch did no work on the way.
+  // The impulse J does the work J.v - J.dv/2, v the velocity after it, dv its change; the mismatch did no work before.
   ledger.book(Column::waveform, h * (dot(mismatch_, rate) - 0.5 * dot(mismatch_, kick_)) - dot(mismatch_, at.d));
 }
 

@@ -31,7 +31,7 @@ class InterfaceIteration {
   struct Iterate {
     std::span<const double> start;  // x, y per node at the start of the step [m]
     std::span<const double> d;      // change of the unknowns
-    std::span<const double> end;    // x, y per node where they lead [m]
+    std::span<const double> end;    // x, y per node at this change [m]
   };
 
   /// Appends the springs that stand for the tangent of the force and of the interface constraints.
@@ -53,7 +53,7 @@ class InterfaceIteration {
   /// @return a status other than ok where the other side cannot follow the path
   [[nodiscard]] StepReport evaluate(const Iterate& at);
   /// Largest component of corrected less predicted force [N].
-  /// @param left  residual of the balance, per unknown [N]: joins what kick() gives an impulse of
+  /// @param left  residual of the balance, per unknown [N]: joins the residual whose impulse kick() applies
   [[nodiscard]] double residual(std::span<const double> left);
   /// The next prediction.
   void next();
@@ -62,7 +62,7 @@ class InterfaceIteration {
   /// Largest of the force and the constraint forces [N].
   [[nodiscard]] double largest() const;
 
-  /// Applies the impulse of what the iteration left: rate += M^-1 h (residual).
+  /// Applies the impulse of the remaining residual: rate += M^-1 h (residual).
   void kick(double h, std::span<double> rate);
   /// Books the work of the force in an accepted step.   @param rate  of the unknowns at its end
   void book(const Iterate& at, double h, std::span<const double> rate, Ledger& ledger) const;

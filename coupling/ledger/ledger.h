@@ -3,8 +3,8 @@
 // E what the system holds, W what was done on it, D what it dissipated, R what the schemes and changes of definition
 // add of their own. No column is computed as a remainder of others.
 // A closed ledger is necessary and not sufficient: a wrong force is booked as well as a right one, and a blow-up
-// inflates the sum of increments that the closure is measured by. So the ledger also tells what was given to the
-// system, and by how much it holds more than that (gain()).
+// inflates the sum of increments that the closure is divided by. Therefore the ledger also reports the energy given to
+// the system, and how much more than that it holds (gain()).
 #pragma once
 
 #include <algorithm>
@@ -78,62 +78,63 @@ struct ColumnInfo {
 };
 [[nodiscard]] const ColumnInfo& info(Column column);
 
-inline constexpr double kCloses = 1e-9;       // of the energy moved: what a ledger closes to
-inline constexpr double kSchemeShare = 0.01;  // of the energy passed: what a watched column may have without a warning
+inline constexpr double kCloses = 1e-9;       // of the energy moved: largest closure of a closed ledger
+inline constexpr double kSchemeShare = 0.01;  // of the energy passed: threshold of the warning about a watched column
 
 /// Value type; part of the State.
 class Ledger {
  public:
   /// Sets the energy columns of the starting state; the others begin at zero.
   void open(std::span<const double> energies);
-  /// Replaces an energy column by its value now; its change counts as energy moved. Not that of kinetic energy and
-  /// shadow: explicit steps know them only where someone looks, and what they gain or lose other columns lose or gain.
+  /// Replaces an energy column by its present value; its change counts as energy moved, except that of kinetic energy
+  /// and shadow: explicit steps compute them for outputs, streams and monitors only, and their changes are those of
+  /// other columns with the opposite sign.
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
   void book(Column column, double increment);
   /// Adds the columns and the energy moved of another ledger, in which increments alone were booked.
   void add(const Ledger& booked);
 
-  /// Of a system in two parts: the energies are those of the parts (the reservoir's is the base's), what was done to
-  /// them since they were opened comes on top of the base.
+  /// Ledger of a system in two parts: the energies are those of the parts (the reservoir is that of the base), and the
+  /// increments since they were opened are added to those of the base.
   [[nodiscard]] static Ledger joined(const Ledger& base, const Ledger& a, const Ledger& b);
 
   [[nodiscard]] double operator[](Column column) const { return value_[static_cast<std::size_t>(column)]; }
   [[nodiscard]] double energy() const;                   // sum of the energy columns [J]
   [[nodiscard]] double closure() const;                  // E - E_0 - W + D - R [J]
   [[nodiscard]] double moved() const { return moved_; }  // running sum of |increments| [J]
-  [[nodiscard]] double largest() const;                  // |column|, of all [J]
-  /// |closure| / moved, 0 where it is of next to nothing; not a number where one of them is none.
+  [[nodiscard]] double largest() const;                  // largest |column| [J]
+  /// |closure| / moved, 0 where next_to_nothing(); not a number if one of them is none.
   [[nodiscard]] double relative_closure() const { return closure_of(moved_); }
-  /// What numbers of the run end at (round_off.h) [J].
+  /// Energy in the last places of the run's numbers (round_off.h) [J].
   void set_last_places(double energy) { last_places_ = energy; }
   [[nodiscard]] double last_places() const { return last_places_; }
-  /// True where an energy is so little that the ledger is open by more than kCloses of it, though by no more than the
-  /// last places of the numbers: as a part of it that says nothing.
+  /// True where an energy is so small that the closure is above kCloses of it, though not above the last places of the
+  /// numbers: the relative closure has no meaning then.
   [[nodiscard]] bool next_to_nothing(double energy) const;
-  /// The first number in it that is not finite: a column, "moved" or "closure"; empty: all are.
+  /// The first number in the ledger that is not finite: a column, "moved" or "closure"; empty: all are.
   [[nodiscard]] std::string_view not_finite() const;
 
-  /// Notes the present instant in passed(). Called once a step, so that it does not depend on who looks when.
+  /// Records the present instant in passed(). Called once per step, so that it is independent of outputs and monitors.
   void pass() { passed_ = std::max(passed_, passed_now()); }
-  /// Takes over what another ledger of the same run has noted.
+  /// Takes over the record of another ledger of the same run.
   void pass(const Ledger& earlier) { passed_ = std::max(passed_, earlier.passed_); }
   /// Energy held: E without the shadow term, which belongs to the scheme [J].
   [[nodiscard]] double held() const;
   /// Energy given to the system: E_0 + W + the column `transfer` - the column `excavated`, each with its sign [J].
   [[nodiscard]] double given() const;
-  /// Energy passed: the largest so far of E_0 + sum |W_c| + what energy columns below zero (initial stress) have
+  /// Energy passed: the largest so far of E_0 + sum |W_c| + the energy that columns below zero (initial stress) have
   /// released, and of the energy held now [J].
   [[nodiscard]] double passed() const;
-  /// The same without the energy held now: what can have come in so far, whatever the scheme makes of it [J].
+  /// The same without the energy held now: the energy that can have entered so far, independent of the scheme [J].
   [[nodiscard]] double passed_given() const { return std::max(passed_, passed_now()); }
-  /// |closure| / passed, 0 where it is of next to nothing.
+  /// |closure| / passed, 0 where next_to_nothing().
   [[nodiscard]] double passed_closure() const { return closure_of(passed()); }
-  /// Energy held beyond what was given [J]. It cannot be positive but for errors of the scheme: what is dissipated
-  /// only takes. The shadow term counts as far as a stable step has one.   @pre the ledger is up to date
+  /// Energy held beyond the energy given [J]. Only errors of the scheme make it positive, since dissipation removes
+  /// energy. The shadow term counts up to the largest one of a stable step.   @pre the ledger is up to date
   ///   gain = held - min(-shadow, kMostShadow |held|) - given
   [[nodiscard]] double gain() const;
-  /// A bound of gain() from below at any step, without the kinetic energy (which is known where someone looks) [J].
+  /// A lower bound of gain() at any step, without the kinetic energy (which is computed only where required) [J].
   ///   (1 - kMostShadow) (held - kinetic) - given
   [[nodiscard]] double least_gain() const;
 
@@ -154,7 +155,7 @@ class Ledger {
 
   std::array<double, kColumns> value_{};
   double initial_ = 0.0, moved_ = 0.0, passed_ = 0.0;
-  double last_places_ = 0.0;  // of the model and the rest of the state: found again by whoever looks
+  double last_places_ = 0.0;  // of the model and the rest of the state: computed again where required
 };
 
 }  // namespace scree::coupling

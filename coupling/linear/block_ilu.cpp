@@ -16,7 +16,7 @@ void round_to(const double* block, FloatBlock& out) {
   }
 }
 
-/// Inverse of a pivot.   @return false: it has none, or one that single precision cannot tell from none
+/// Inverse of a pivot.   @return false: it is singular, or not distinct from a singular one in single precision
 bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
   using Matrix = Eigen::Matrix<double, kBlockSide, kBlockSide>;
   using Scale = Eigen::Matrix<double, kBlockSide, 1>;
@@ -24,7 +24,7 @@ bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
   for (int j = 0; j < kBlockSide; ++j)
     for (int i = 0; i < kBlockSide; ++i) m(i, j) = static_cast<double>(pivot.column[j][i]);
   if (!m.allFinite()) return false;
-  // In units of their own numbers can be compared. None has to be positive: friction makes the diagonal what it likes.
+  // Divided by their units, numbers can be compared. None has to be positive: friction allows any sign of the diagonal.
   const Scale scale = Eigen::Map<const Scale>(unit).cwiseInverse();
   m = scale.asDiagonal() * m * scale.asDiagonal();
   const Eigen::PartialPivLU<Matrix> lu(m);

@@ -9,12 +9,13 @@
 namespace scree::coupling {
 
 /// Block ILU(0) of fixed parts of the rows: A is about (L + D) D^-1 (D + U) where L, D, U have the pattern of A and the
-/// product has the numbers of A on that pattern. Of two bodies that touch, or of a row of them, it is the factor of A
-/// itself. Single precision is enough for what conjugate residuals improve, and halves the numbers to read; rounding is
-/// relative to every number of the factor, so that units do not matter. Pivots are inverted in double precision.
+/// product has the numbers of A on that pattern. For two bodies that touch, or a row of them, it is the factor of A
+/// itself. Single precision is enough for a result that conjugate residuals improve, and halves the memory to read;
+/// rounding is relative to every number of the factor, so that units do not matter. Pivots are inverted in double
+/// precision.
 ///
-/// Large systems are cut into parts that follow from the number of rows alone; what couples them is left out (block
-/// Jacobi). Parts are independent, on any number of threads.
+/// Large systems are cut into parts that depend on the number of rows alone; the coupling between parts is left out
+/// (block Jacobi). Parts are independent, on any number of threads.
 /// @source [Saad2003] 10.3, blocks in place of numbers; 12.4.1 (parts)
 class BlockIlu {
  public:
@@ -45,7 +46,7 @@ class BlockIlu {
   std::vector<FloatBlock> factor_;   // L D^-1 below the diagonal, U above it; on it D
   std::vector<FloatBlock> inverse_;  // D^-1
   std::vector<FloatColumn> y_;       // scratch, per row
-  std::vector<std::int32_t> place_;  // scratch: of the blocks of the row at hand by their columns; -1: none
+  std::vector<std::int32_t> place_;  // scratch: of the blocks of the present row by their columns; -1: none
   std::vector<char> failed_;         // scratch, per part
 };
 

@@ -18,12 +18,12 @@ class BlockMatrix {
   /// Two bodies that are coupled, in either order; the diagonal is always there.
   using Pair = std::array<std::int32_t, 2>;
 
-  /// Makes the pattern of n block rows with the blocks of all pairs, each of which may come repeatedly. Numbers are
+  /// Makes the pattern of n block rows with the blocks of all pairs, each of which may occur repeatedly. Numbers are
   /// zero.   @pre 0 <= pair < n
   void set_pattern(std::int32_t n, std::span<const Pair> pairs);
 
   [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(diagonal_.size()); }
-  /// Blocks that have a place.
+  /// Number of blocks in the pattern.
   [[nodiscard]] std::size_t blocks() const { return column_.size(); }
   /// Blocks of row i are those from row_begin(i) to row_begin(i + 1), in the order of their columns.
   [[nodiscard]] std::int32_t row_begin(std::int32_t i) const { return start_[static_cast<std::size_t>(i)]; }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kDenseBlocks = 8.0;  // how much quicker an operation is in dense blocks than in single columns
 
-/// CHOLMOD's own loops are too short for threads, and ask for a number of them whatever the program has set: no level
-/// of parallelism is allowed while one of these lives.
+/// CHOLMOD's own loops are too short for threads, and request a number of them independent of the program's setting: no
+/// level of parallelism is allowed during the lifetime of an instance.
 class OneThread {
  public:
   OneThread() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
@@ -35,7 +35,7 @@ void single_threaded_blas() {
   if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Setter>(symbol)(1);
 }
 
-/// All of D of a factor L D L'.
+/// True if all of D of a factor L D L' are positive.
 bool positive(const cholmod_factor& factor) {
   const auto* start = static_cast<const std::int32_t*>(factor.p);
   const auto* x = static_cast<const double*>(factor.x);
@@ -71,13 +71,13 @@ struct Cholesky::Impl {
   bool placed = false;                    // fixed_place and clique_place are of the matrix's pattern
   bool definite = false;                  // the factor is that of the matrix
   std::vector<std::int32_t> fixed_place;  // of the fixed part's numbers
-  // The lists of unknowns that the places below are of, and each list once: a clique.
+  // The lists of unknowns to which the places below belong; each different list is a clique.
   std::vector<std::int32_t> placed_start, placed_dof, clique, clique_row, clique_first, clique_place;
   std::int64_t factorisations = 0, analyses = 0;
 
   /// The updated factor, made from the factor when it is first needed.
   cholmod_factor* to_update();
-  /// Of an update that goes through so many numbers of the factor, over that of a factorisation.
+  /// Work of an update that visits so many numbers of the factor, over that of a factorisation.
   [[nodiscard]] double work(double visited) const;
   void find_cliques(const DofRows& rows);
   [[nodiscard]] bool find_places(const DofRows& rows);
@@ -181,7 +181,7 @@ void Cholesky::Impl::assemble(std::span<const double> values, const DofRows& row
 bool Cholesky::Impl::factorise(bool analysed) {
   const OneThread alone;
   SymmetricPattern& pattern = matrix.pattern;
-  if (pattern.n == 0) return definite = true;  // CHOLMOD refuses it: every block is held, or explicit
+  if (pattern.n == 0) return definite = true;  // CHOLMOD rejects an empty matrix: every block is held, or explicit
   cholmod_sparse A{};
   A.nrow = A.ncol = static_cast<std::size_t>(pattern.n);
   A.nzmax = matrix.value.size();
@@ -255,13 +255,13 @@ cholmod_factor* Cholesky::Impl::to_update() {
 }
 
 double Cholesky::Impl::work(double visited) const {
-  // An operation of an update against one of a factorisation: dense blocks are quicker, single columns as slow.
+  // Cost of an operation of an update over one of a factorisation: dense blocks are quicker, single columns as slow.
   const double slower = factor->is_super != 0 ? kDenseBlocks : 1.0;
   return slower * 4.0 * visited / std::max(common.fl, 1.0);
 }
 
 bool Cholesky::update_pays(const DofRows& rows, std::span<const Change> changes) {
-  // Few changes pay even if each goes through all columns, and need not be followed.
+  // Few changes pay even if each visits all columns, and need not be followed.
   const double most = impl_->work(static_cast<double>(changes.size()) * impl_->common.lnz);
   return most <= 1.0 || relative_work(rows, changes) <= 1.0;
 }

@@ -1,4 +1,4 @@
-// Sparse symmetric positive definite systems by CHOLMOD: a fixed part, and springs that come and go.
+// Sparse symmetric positive definite systems by CHOLMOD: a fixed part, and springs that are added and removed.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace scree::coupling {
 
-/// A = values on a fixed pattern + sum of scale h h^T. The symbolic analysis is kept while the h need no number that it
-/// has no place for, so that what it is now may depend on what it was made for: matrix() tells it all.
+/// A = values on a fixed pattern + sum of scale h h^T. The symbolic analysis is kept while it has a place for every
+/// number of the h, so that the present one may depend on earlier systems: matrix() describes it completely.
 /// BLAS runs on one thread: results must not depend on their number.
 class Cholesky {
  public:
@@ -25,11 +25,11 @@ class Cholesky {
   /// Factorises the fixed part's numbers + sum scale_i h_i h_i^T. Rows of zero scale have a place all the same.
   /// @return false where the matrix is not positive definite
   [[nodiscard]] bool factorise(std::span<const double> values, const DofRows& rows, std::span<const double> scale);
-  /// Factorises a matrix that another had, to the same bits.
+  /// Factorises the matrix of another instance, to the same bits.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix);
-  /// What factorise() took.
+  /// The matrix that factorise() used.
   [[nodiscard]] const SymmetricMatrix& matrix() const;
-  /// There is a factor, of whatever matrix.
+  /// True if there is a factor, of any matrix.
   [[nodiscard]] bool factored() const;
 
   /// A change of the system: A += delta h h^T.
@@ -37,14 +37,14 @@ class Cholesky {
     std::size_t row = 0;
     double delta = 0.0;
   };
-  /// Work that update() would take, over that of factorise(), roughly; both counted in operations, not measured.
+  /// Rough work of update() over that of factorise(); both counted in operations, not measured.
   [[nodiscard]] double relative_work(const DofRows& rows, std::span<const Change> changes);
   /// True if that is not above one.
   [[nodiscard]] bool update_pays(const DofRows& rows, std::span<const Change> changes);
   /// Changes the factor itself by rank updates (first) and downdates, until the next factorise() or drop_updates().
   /// @return false: the matrix is not positive definite any more, or the numbers are lost
   [[nodiscard]] bool update(const DofRows& rows, std::span<const Change> changes);
-  /// Goes back to the factor as factorise() made it.
+  /// Returns to the factor as factorise() made it.
   void drop_updates();
   /// x = A^-1 b.
   void solve(std::span<const double> b, std::span<double> x);

@@ -7,7 +7,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::size_t kSums = ConjugateResiduals::kDepth + 2;  // of a chunk
+constexpr std::size_t kSums = ConjugateResiduals::kDepth + 2;  // per chunk
 
 double dot(const double* u, const double* v, std::int64_t begin, std::int64_t end) {
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// Conjugate residuals with a preconditioner, for systems whose factor is that of a neighbour: of other states of the
-// contacts, incomplete, or without the friction that makes them unsymmetric.
+// Conjugate residuals with a preconditioner, for systems with the factor of a similar matrix: of other states of the
+// contacts, incomplete, or without the friction that makes the system unsymmetric.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@
 
 namespace scree::coupling {
 
-/// Generalised conjugate residuals: of all corrections z_j that the preconditioner offers, the sum that leaves the
-/// least residual, as GMRES does. With W the reciprocal units,
+/// Generalised conjugate residuals: of all linear combinations of the corrections z_j, the one with the least
+/// residual, as in GMRES. With W the reciprocal units,
 ///   W A z_j = sum_{k<j} R_kj q_k + q_j,   q_k.q_j = 0,   s_j = r.q_j/q_j.q_j,   r -= s_j q_j,
-/// and x gains sum y_j z_j, R y = s, once the residual that is carried along is small enough. Columns are made
-/// orthogonal all at once (classical Gram-Schmidt, a second time where little of one is left): two passes through
-/// memory for any number of them. Sums run over fixed chunks: the bits are those of any number of threads. Keeps its
-/// scratch between solves.
+/// and sum y_j z_j, R y = s, is added to x once the updated residual is small enough. Columns are made orthogonal all
+/// at once (classical Gram-Schmidt, repeated where little of a column is left): two passes through memory for any
+/// number of them. Sums run over fixed chunks: the bits do not depend on the number of threads. Keeps its scratch
+/// between solves.
 /// @source [Eisenstat1983]; Gram-Schmidt: [Saad2003] 6.3.2
 class ConjugateResiduals {
  public:
-  static constexpr std::size_t kDepth = 40;  // corrections remembered before it begins afresh
+  static constexpr std::size_t kDepth = 40;  // corrections remembered before a restart
 
   /// Improves x until no number of b - A x over its unit is above `enough`.
   /// @param A        A(x, y) sets y = A x
   /// @param inverse  inverse(r, z) sets z to about A^-1 r; corrections are kept in the precision that z has
   /// @param unit     of every number of b: results do not depend on the units that the unknowns are counted in
   /// @param most     iterations
-  /// @return iterations taken; -1: not there by then, x is the best so far
+  /// @return iterations taken; -1: not converged by then, x is the best so far
   template <class Matrix, class Inverse>
   int solve(Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit, double enough,
             int most, std::span<double> x) {
     return solve(A, A, inverse, b, unit, enough, most, x);
   }
   /// The same where products for corrections may round more than those of the solution.
-  /// @param exact  as A, to the last place that is worth having: residuals of x are taken with it
+  /// @param exact  as A, with full accuracy: residuals of x are taken with it
   template <class Exact, class Matrix, class Inverse>
   int solve(Exact&& exact, Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit,
             double enough, int most, std::span<double> x) {
@@ -47,7 +47,7 @@ class ConjugateResiduals {
     for (int taken = 0;; ++taken) {
       if (largest_ <= enough) {
         if (depth == 0) return taken;
-        // The residual carried along may be better than the true one: what round-off has taken is made up for afresh.
+        // The updated residual may be smaller than the true one: the loss by round-off is corrected in a restart.
         add_corrections(depth, x);
         depth = 0;
         exact(x, product_);
@@ -82,7 +82,7 @@ class ConjugateResiduals {
     std::vector<double> z, q;           // q in units
     std::vector<float> single;          // z of an inverse in single precision
     double square = 0.0;                // q.q
-    std::array<double, kDepth> part{};  // R: of the columns before in A z
+    std::array<double, kDepth> part{};  // R: of the earlier columns in A z
     double step = 0.0;                  // s
   };
   void begin(std::span<const double> unit, bool single);
@@ -90,7 +90,7 @@ class ConjugateResiduals {
   void take_residual(std::span<const double> b);
   /// Room for another correction; product_ = the residual that it is to correct [unit of b].
   Correction& next(std::size_t depth);
-  /// Of A z in product_ what is orthogonal to the columns before, and the step along it.   @return false: none helps
+  /// The part of A z in product_ orthogonal to the earlier columns, and the step along it.   @return false: none helps
   [[nodiscard]] bool correct(std::size_t depth);
   /// part[k] += q.q_k/q_k.q_k, q -= that of q_k, for all k < depth.   @return q.q after it
   double orthogonalise(std::size_t depth);

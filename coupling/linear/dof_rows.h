@@ -63,7 +63,7 @@ class DofRows {
     const auto first = static_cast<std::size_t>(start_[i]), n = static_cast<std::size_t>(start_[i + 1]) - first;
     return {std::span(dof_).subspan(first, n), std::span(h_).subspan(first, n), known_[i]};
   }
-  /// Of all rows, one after another, and where each begins.
+  /// Starts, unknowns and coefficients of all rows, one after another.
   [[nodiscard]] const std::vector<std::int32_t>& start() const { return start_; }
   [[nodiscard]] const std::vector<std::int32_t>& dof() const { return dof_; }
   [[nodiscard]] const std::vector<double>& h() const { return h_; }
@@ -81,7 +81,7 @@ class DofRows {
     h_.resize(numbers);
     known_.resize(rows);
   }
-  /// Where the numbers of a row go that extend() has made: unknowns in order, each once.
+  /// Places of the numbers of a row that extend() has made: unknowns in order, each once.
   struct Filled {
     std::span<std::int32_t> dof;
     std::span<double> h;
@@ -99,7 +99,7 @@ class DofRows {
   }
   void add_known(double change) { known_.back() += change; }
   void add(std::int32_t dof, double h) {
-    // In order, from the end: charts name their unknowns in order.
+    // In order, from the end: charts list their unknowns in order.
     auto at = dof_.size();
     const auto first = static_cast<std::size_t>(start_[start_.size() - 2]);
     while (at > first && dof_[at - 1] > dof) --at;
@@ -137,7 +137,7 @@ class DofRows {
     h_.insert(h_.end(), row.h.begin(), row.h.end());
     start_.back() += static_cast<std::int32_t>(row.dof.size());
   }
-  /// Row i has the numbers of another one.   @pre on the same unknowns
+  /// Gives row i the numbers of another row.   @pre on the same unknowns
   void take_row(std::size_t i, const DofRow& row) {
     known_[i] = row.known;
     std::copy(row.h.begin(), row.h.end(), h_.begin() + start_[i]);

@@ -36,7 +36,7 @@ void FixedPoint::next(std::span<const double> answer, std::span<double> x) {
   last_residual_.assign(residual.data(), residual.data() + n);
   iterate = t;
   if (count_ == 0) return;
-  // Directions that hardly differ are left to the rank of the decomposition.
+  // The rank of the decomposition leaves out directions that hardly differ.
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(residuals_.leftCols(count_));
   qr.setThreshold(1e-10);
   const Eigen::VectorXd gamma = qr.solve(residual);

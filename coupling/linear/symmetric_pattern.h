@@ -7,8 +7,8 @@
 
 namespace scree::coupling {
 
-/// Compressed columns, rows in order; where many small matrices are summed, each of their numbers knows its place, so
-/// that assembling is one pass without a search.
+/// Compressed columns, rows in order; where many small matrices are summed, the place of each of their numbers is
+/// known, so that assembling is one pass without a search.
 struct SymmetricPattern {
   std::int32_t n = 0;
   std::vector<std::int32_t> column_start{0}, row;
@@ -25,7 +25,7 @@ struct SymmetricPattern {
                     std::span<double> y) const;
 };
 
-/// A matrix by itself, as it travels in a state.
+/// A matrix with its pattern, as a state contains it.
 struct SymmetricMatrix {
   SymmetricPattern pattern;
   std::vector<double> value;

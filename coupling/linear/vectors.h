@@ -6,14 +6,14 @@
 
 namespace scree::coupling {
 
-/// @pre as many components
+/// @pre a and b have the same number of components
 [[nodiscard]] inline double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
 
-/// Largest |x|; not a number if one of them is none.
+/// Largest |x|; not a number if one of them is not.
 [[nodiscard]] inline double largest_of(std::span<const double> values) {
   double most = 0.0;
   for (const double x : values)

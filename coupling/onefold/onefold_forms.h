@@ -1,5 +1,5 @@
-// What an implicit step of blocks on onefold covers solves, in their stars and in centroidal form: for studies of the
-// two; steps themselves take the centroidal form only.
+// Matrices of an implicit step of blocks on onefold covers, in their stars and in centroidal form: for studies of the
+// two; steps themselves use the centroidal form only.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,13 +8,13 @@
 
 namespace scree::coupling {
 
-/// Matrices over the unknowns of the free blocks, six a block [kg], [N/m].
+/// Matrices over the unknowns of the free blocks, six per block [kg], [N/m].
 struct OnefoldMatrices {
   Eigen::MatrixXd mass, stiffness;
   Eigen::MatrixXd rows;     // of gap and stretch of every contact
   Eigen::VectorXd springs;  // of each row [N/m]
   [[nodiscard]] Eigen::MatrixXd contact() const { return rows.transpose() * springs.asDiagonal() * rows; }
-  /// Of a step h by Newmark (1/2, 1), all contacts closed and sticking.
+  /// Matrix of a step h by Newmark (1/2, 1), all contacts closed and sticking.
   [[nodiscard]] Eigen::MatrixXd of_step(double h) const { return 2.0 / (h * h) * mass + stiffness + contact(); }
 };
 
@@ -29,7 +29,7 @@ struct OnefoldForms {
 };
 
 /// @param q  positions of the state   @param contacts  all points of the list are taken as closed, with the springs
-///           that they remember
+///           of their memory
 /// @pre every free block has a onefold cover
 [[nodiscard]] OnefoldForms onefold_forms(const Setup& setup, std::span<const double> q, const ContactList& contacts);
 

@@ -30,7 +30,7 @@ std::optional<std::string> bending_note(const Model& model, const Stage& stage) 
     thickness = t;
   }
   if (!block.valid()) return std::nullopt;
-  // The law is one of fine covers; beyond twice the stiffness its number means little.
+  // The formula holds for fine covers; beyond twice the stiffness its value is not meaningful.
   return fmt::format(
       "stage '{}': covers of {:.3g} m make block '{}', {:.3g} m thick, bend {}{}; covers of {:.2g} m do so by {:.0f} %",
       stage.name, cover, model.blocks[block.index()].name, thickness,

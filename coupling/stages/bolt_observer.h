@@ -1,4 +1,4 @@
-// Turns what bolts remember into the view that sinks see.
+// Converts the memories of bolts into the view for sinks.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Tells of bolts that break.
+// Reports bolts that break.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace scree::coupling {
 
-/// Where the bolts of a run are broken: what has been told. Made anew from a state, it tells nothing twice.
+/// Broken segments that have been reported. Constructed from a state, it takes those of the state as reported.
 class BoltWatch {
  public:
   BoltWatch() = default;
   explicit BoltWatch(const State& state) { (void)look(nullptr, state); }
-  /// A line for every segment that has broken since the last look.
+  /// A line for every segment that has broken since the last call.
   [[nodiscard]] std::vector<std::string> look(const Model& model, const State& state) { return look(&model, state); }
 
  private:
   [[nodiscard]] std::vector<std::string> look(const Model* model, const State& state);
 
-  std::vector<std::vector<std::int8_t>> broken_;  // a bolt
+  std::vector<std::vector<std::int8_t>> broken_;  // per bolt, per segment
 };
 
 }  // namespace scree::coupling

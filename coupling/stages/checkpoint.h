@@ -1,4 +1,4 @@
-// A run at an instant, whole: the driver goes on from it as if it had never stopped.
+// The complete data of a run at an instant, from which the driver continues as if the run had not stopped.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,26 @@
 
 namespace scree::coupling {
 
-/// What the future of a run depends on, and what its results count from the start. Taken within a stage, between two
-/// steps; at the end of a stage before that end is told.
+/// All data that the further run depends on, and all totals since the start. Taken within a stage, between two steps;
+/// at the end of a stage before this end is reported.
 struct Checkpoint {
   State state;
   IntegratorMemory integrator;
-  // How far the stage is.
+  // Progress of the stage.
   Tick stage_end = 0;
   std::int64_t first_step = 0;      // of the stage
-  std::vector<double> stage_begin;  // x, y per body: where its centre of mass was then [m]
-  RestTrace rest;                   // how a stage to rest comes there
-  bool ended = false;               // before its duration is over: at rest, or by a rule
+  std::vector<double> stage_begin;  // x, y per body: centre of mass at the beginning of the stage [m]
+  RestTrace rest;                   // history of a stage that runs to rest
+  bool ended = false;               // ended before its duration was over: at rest, or by a rule
   std::uint32_t mesh = 0;           // id of the present mesh
-  Tick largest_step = 0;            // that is allowed; 0: to be found
-  // What was counted.
+  Tick largest_step = 0;            // largest allowed step; 0: not determined yet
+  // Totals and records.
   RunStats stats;
   Audit audit;
   std::vector<TransferRow> transfers;
   std::vector<StageTravel> travels;
   std::vector<Warning> warnings;
-  std::vector<std::int64_t> rule_changes;  // per stage: changes by its rules of methods, and of sides (2 a stage)
+  std::vector<std::int64_t> rule_changes;  // 2 per stage: changes by its rules of methods, and of sides
   Told told;
 
   /// As State::visit().
@@ -37,16 +37,17 @@ struct Checkpoint {
   void visit(Visitor&& see) const;
 };
 
-/// Keeps checkpoints. As a Sink it may not change the run, but a checkpoint that cannot be written ends it.
+/// Stores checkpoints. Like a Sink it must not change the run, but a checkpoint that cannot be written ends the run.
 class Keeper {
  public:
   Keeper() = default;
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
   virtual ~Keeper() = default;
-  /// Asked after every step; also kept without asking: where the run begins, ends or stops, and where a stage ends.
+  /// Called after every step. A checkpoint is also kept, without this call, where the run begins, ends or stops, and
+  /// where a stage ends.
   virtual bool due(std::int64_t step) = 0;
-  /// @throws what the keeper throws
+  /// @throws any exception of the keeper; it ends the run
   virtual void keep(const Checkpoint& checkpoint) = 0;
 };
 

@@ -36,7 +36,7 @@ ExplicitDamping explicit_damping(const Stage& stage) {
   return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping, stage.sliding_damping};
 }
 
-/// What results say of the time scheme: blocks are told apart where some of them are implicit.
+/// Time scheme as shown in results: blocks are distinguished only where some of them are implicit.
 Integrator shown_integrator(const Stage& stage) { return stage.subcycled() ? Integrator::explicit_ : stage.integrator; }
 
 double smallest_width(const Model& model) {
@@ -181,7 +181,7 @@ void Driver::sample(bool frame) {
 
 namespace {
 
-/// What `make` makes; a block that cannot be had as the stage wants it is a fault of the plan.
+/// Result of `make`; a block that cannot be created as the stage requires is a fault of the plan.
 template <class Make>
 auto in_plan(const Stage& stage, double time, const Make& make) {
   try {
@@ -314,7 +314,7 @@ void Driver::begin_moving(const Stage& stage, bool new_mesh) {
   if (stage.strength.used()) set_strength(stage, state_.time);
   integrator_ = make_integrator(stage);
   const double springs = state_.ledger[Column::contact_springs];
-  // Contacts measured on the new outlines; their energy may differ where a bent edge became a straight one.
+  // Contacts are measured on the new outlines; their energy may differ where a bent edge became a straight one.
   const double now = integrator_->enter(state_);
   state_.ledger.set(Column::contact_springs, now);
   state_.ledger.book(Column::contact_edges, now - springs);
@@ -369,7 +369,7 @@ void Driver::change_partition(const Stage& stage) {
 std::unique_ptr<TimeIntegrator> Driver::make_integrator(const Stage& stage) {
   step_control_ = stage.control;
   if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
-  // A point may not pass through the detection distance in one step.
+  // A point must not pass through the detection distance in one step.
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   std::unique_ptr<TimeIntegrator> integrator;
   if (stage.integrator == Integrator::explicit_) {
@@ -426,7 +426,7 @@ bool Driver::takes_explicit_steps(const Stage& stage, const Body& b) const {
 
 BlockId Driver::unsupported_at_rest(const Stage& stage) {
   const BlockId loose = unsupported_block(*setup_, state_);
-  // Contacts of explicit steps open for an instant while blocks still swing: without a criterion of rest that is told.
+  // Contacts of explicit steps open for an instant while blocks still vibrate: without rest_force only a warning.
   if (loose.valid() && stage.integrator == Integrator::explicit_ && stage.rest_force == 0.0) {
     event(EventKind::warning,
           fmt::format("t = {:.6g} s, stage '{}': block '{}' touches nothing that leads to a support at its end",
@@ -469,7 +469,7 @@ Tick Driver::latest_end() const {
 RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
   const bool to_balance = stage.rest && stage.rest_force > 0.0;
   balance_ = to_balance ? std::make_unique<ForceBalance>(*setup_, state_) : nullptr;
-  // Who looks takes the first step at or after the time: steps are the stage's alone.
+  // Output is taken at the first step at or after its time: steps are set by the stage alone.
   while (state_.time < std::min(stop, stage_end_) && !ended_) {
     const Tick before = state_.time;
     RunEnd result = advance_step(stage);
@@ -485,7 +485,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
       if (found.status != RunEnd::Status::done) return found;
     }
     keep(over || stopped);
-    if (stopped && !sampled) sample(false);  // whoever goes on from the checkpoint does without
+    if (stopped && !sampled) sample(false);  // a run that continues from the checkpoint omits this sample
   }
   const bool rested = stage.rest && !to_balance && state_.time >= stage_end_;
   if (const BlockId loose = rested ? unsupported_at_rest(stage) : BlockId{}; loose.valid()) {
@@ -536,7 +536,7 @@ RunEnd Driver::run(std::optional<double> until) {
       enter(stage.has_implicit_steps() ? Phase::implicit_steps : Phase::explicit_steps);
       result = run_stage(stage, stop);
       enter(Phase::set_up);
-    } catch (const PlanError& e) {  // a step above the bound may show only when contacts close
+    } catch (const PlanError& e) {  // a step may turn out to be above the bound only when contacts close
       event(EventKind::not_converged, e.what());
       finish({RunEnd::Status::not_converged, e.what()});
       throw;
@@ -553,7 +553,7 @@ void Driver::count_rule(int kind, std::int64_t changes) {
 }
 
 void Driver::tell_idle_rules() {
-  const bool over = ended_ || state_.time >= stage_end_;  // else the run ends before the stage does
+  const bool over = ended_ || state_.time >= stage_end_;  // otherwise the run ends before the stage
   for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
     const Stage& stage = plan_->stages[i];
     if (stage.change.used && rule_changes_[kRuleKinds * i + kMethodRule] == 0)
@@ -581,8 +581,8 @@ void Driver::finish(const RunEnd& result) {
   last.stage_name = stage.name;
   last.integrator = shown_integrator(stage);
   last.end_time = seconds(end_);
-  enter(Phase::output);  // what the last view took counts in the summary
-  integrator_.reset();   // what it holds and what the sinks take to close need not be in memory at once
+  enter(Phase::output);  // the time of the last view counts in the summary
+  integrator_.reset();   // its memory is freed before the sinks need memory to close
   for (Sink* s : sinks_) s->end(result, last);
   enter(Phase::set_up);
 }

@@ -1,4 +1,4 @@
-// Runs the stages of a plan: the only place that knows the whole order of things.
+// Runs the stages of a plan. The complete order of operations is defined here only.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,7 @@
 
 namespace scree::coupling {
 
-/// A plan that cannot be carried out as it stands: an explicit step above the stable one, a method without implicit
-/// form.
+/// A plan that cannot be carried out as given: an explicit step above the stable one, a method without implicit form.
 struct PlanError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -33,14 +32,14 @@ class Driver {
   void add_sink(Sink& sink) { sinks_.push_back(&sink); }
   void set_control(Control& control) { control_ = &control; }
   void set_keeper(Keeper& keeper) { keeper_ = &keeper; }
-  /// run() goes on from here, to the same end as if it had never stopped. Sinks see begin() and the mesh again, then
-  /// what comes after the checkpoint.   @pre it is of the same model, plan and methods
+  /// run() continues from this checkpoint, to the same end as if it had not stopped. Sinks receive begin() and the mesh
+  /// again, then everything after the checkpoint.   @pre it is of the same model, plan and methods
   void continue_from(Checkpoint checkpoint) { from_ = std::move(checkpoint); }
-  /// Keeps a checkpoint now.   @pre called by the control while it is asked: between two steps
+  /// Keeps a checkpoint now.   @pre called by the control while it is polled between two steps
   void keep_checkpoint();
 
-  /// Begins the first stage and finds its step, which is not taken: whether the plan can begin.
-  /// @param sink  sees what is said of the step   @throws PlanError as run() does before its first step
+  /// Checks that the plan can begin: begins the first stage and determines its step length, without a step.
+  /// @param sink  receives the events about the step   @throws PlanError as run() does before its first step
   void begin_only(Sink& sink);
   /// Runs to the end of the plan, or to `until` [s]. Not converging is an outcome; only a PlanError is thrown.
   RunEnd run(std::optional<double> until = std::nullopt);
@@ -48,119 +47,119 @@ class Driver {
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Setup& setup() const { return *setup_; }
   [[nodiscard]] const RunStats& stats() const { return stats_; }
-  /// What an audited run has found so far.
+  /// Results of the audit so far.
   [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] const std::vector<TransferRow>& transfers() const { return transfers_; }
-  /// A stage that has ended: how far its blocks went.
+  /// Largest travel of a block, per stage that has ended.
   [[nodiscard]] const std::vector<StageTravel>& travels() const { return travels_; }
-  /// What was warned of so far.
+  /// Warnings so far.
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   void start();
   void change_stage(std::size_t index);
   void assign_sides(const Stage& stage);
-  /// Bodies as the stage, and the sides of a partitioned one, want them.
+  /// Creates the bodies that the stage, and the sides of a partitioned one, require.
   /// @param why  blocks that change by a rule
   void change_bodies(const Stage& stage, std::span<const MethodChange> why = {});
-  /// Tells of blocks that left and came.   @param energy  of those that left [J]
+  /// Reports blocks that were removed and added.   @param energy  of the removed ones [J]
   void tell_construction(const Stage& stage, const TransferReport& handed, double energy);
-  /// An integrator for them, and who looks on.
+  /// Creates the integrator of the present bodies, the observer and the watches.
   void begin_moving(const Stage& stage, bool new_mesh);
-  /// What looks at the rules of a stage, for the present bodies.
+  /// Creates the evaluators of the rules of a stage, for the present bodies.
   void watch_rules(const Stage& stage);
-  /// Blocks that have become fast or slow change sides.
+  /// Changes the sides of blocks that have become fast or slow.
   void change_partition(const Stage& stage);
-  /// Blocks that have become calm, or are struck, change method.
+  /// Changes the method of blocks that have become calm, or are hit.
   void change_methods(const Stage& stage);
   [[nodiscard]] bool takes_explicit_steps(const Stage& stage, const Body& b) const;
-  /// The setup, integrator and observer of a checkpoint's stage, as they were.
+  /// Restores the setup, integrator and observer of a checkpoint's stage.
   void go_on();
   [[nodiscard]] std::unique_ptr<TimeIntegrator> make_integrator(const Stage& stage);
   void observe();
-  /// Shows sinks the present mesh, once.
+  /// Passes the present mesh to the sinks, once.
   void show_mesh();
   [[nodiscard]] Checkpoint checkpoint_of_driver() const;
-  /// Keeps a checkpoint, if it is due or in any case.
+  /// Keeps a checkpoint, if one is due or `in_any_case`.
   void keep(bool in_any_case);
-  /// @throws PlanError where linear kinematics would take a block's rotation for strain
+  /// @throws PlanError where linear kinematics would treat a block's rotation as strain
   void refuse_turned_blocks(const Stage& stage) const;
   /// @throws PlanError where blocks cannot change method during the stage
   void refuse_switching(const Stage& stage) const;
-  /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or only told.
+  /// At the end of a stage to rest without a criterion: a block that nothing supports; invalid: none, or it was only
+  /// warned about.
   [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
-  /// At the same place: warns of forces that nothing balances.
+  /// At the end of such a stage: warns about unbalanced forces.
   void tell_unbalanced(const Stage& stage);
-  /// What is remembered of the way to rest.   @param ratio  unbalanced force, of the largest force
+  /// Updates the trace to rest.   @param ratio  unbalanced force over the largest force
   void follow_rest(const Stage& stage, std::optional<double> ratio);
   void begin_stage(const Stage& stage);
-  /// A stage begins at the present time.
+  /// Sets the times of a stage that begins now.
   void enter_time(const Stage& stage);
   [[nodiscard]] Clocks clocks() const;
-  /// @throws PlanError for a motion or function that no stage can meet any more; warns of those that outlast the run
+  /// @throws PlanError for a motion or function that no stage can cover any more; warns of those that outlast the run
   void refuse_missed_times();
-  /// @param stop  it stops at the first step at or after this, if the stage is not over before
+  /// @param stop  the run stops after the first step that ends at or after this time, if the stage is not over before
   RunEnd run_stage(const Stage& stage, Tick stop);
-  /// A stage that is to come to rest by a measure: done, not yet, or not in the steps or time it has.
+  /// Checks a stage with rest_force: at rest, not yet, or not within its steps or its duration.
   [[nodiscard]] RunEnd check_rest(const Stage& stage);
-  /// Ends the stage where a rule of its own has come true, and moves the end of the run with it.
+  /// Ends the stage where one of its rules is met, and updates the end of the run.
   void check_end(const Stage& stage);
   /// The latest end of the run, from the present stage on.
   [[nodiscard]] Tick latest_end() const;
-  /// Ends a run with a number that is not finite in its state or its books, whatever brought it there.
+  /// Ends a run with a number that is not finite in its state or its ledger, whatever the cause.
   [[nodiscard]] RunEnd check_finite(const Stage& stage);
-  /// Warns of friction that contacts have lost and of spins that the steps damp; `complete`, the ledger is up to date:
-  /// and of large columns of the scheme.
+  /// Warns about friction that contacts have lost and about spins that the steps damp; if the ledger is up to date
+  /// (`complete`), also about large columns of the scheme.
   void warn_of_losses(const Stage& stage, bool complete);
-  /// Ends a run that holds more energy than it was given (run_watch.h).   @param complete  the ledger is up to date
+  /// Ends a run that holds more energy than was supplied (run_watch.h).   @param complete  the ledger is up to date
   [[nodiscard]] RunEnd check_gain(const Stage& stage, bool complete);
-  /// Ends a partitioned stage that does not get on (pace.h).   @param cause  why its last step failed; empty: it did
-  /// not
+  /// Ends a partitioned stage that is too slow (pace.h).   @param cause  of the failure of its last step; empty: none
   [[nodiscard]] RunEnd check_pace(const Stage& stage, const std::string& cause);
   /// Ends a run whose ledger is open by more than the plan allows.
   [[nodiscard]] RunEnd check_closure(const Stage& stage);
-  /// The longest step in which no point moves too far at its present velocity: an implicit step that is found too long
-  /// afterwards has cost all its passes.
+  /// The longest step in which no point moves too far at its present velocity. An implicit step that proves too long
+  /// only afterwards has cost all its passes.
   [[nodiscard]] Tick step_of_fastest() const;
-  /// @throws PlanError where dt is too long for internal forces that are met once in it
+  /// @throws PlanError where dt is too long for internal forces that are evaluated once per dt
   void check_slow_step(const Stage& stage, bool first);
   /// Ends the run where the last step was wrong (Plan::audit).
   [[nodiscard]] RunEnd check_audit(const Stage& stage);
   void drop_velocities();
   [[nodiscard]] static double wall();  // time of a steady clock [s]
   enum class Phase { set_up, explicit_steps, implicit_steps, output };
-  /// What the processor does from now on is charged to this phase; asked for where phases change, not at every step,
-  /// as the clock of a process takes a call of the system.   @return the phase so far
+  /// Charges processor time from now on to a phase. Called where phases change, not at every step, because reading the
+  /// clock of the process is a system call.   @return the phase so far
   Phase enter(Phase next);
   /// One step, by as many attempts as it takes; and what is looked at after it.
-  /// Finds anew how long steps may be, where that is due or a step has made it doubtful.
+  /// Determines the largest step anew, if this is due or the last step has put it in doubt.
   void bound_step(const Stage& stage, bool due);
-  /// Joints have the strengths that the stage gives them at a time.
+  /// Sets the strengths of the joints to those of the stage at a time.
   void set_strength(const Stage& stage, Tick time);
   /// One attempt of the integrator.   @param cap  of its length   @param h  its length
   [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
-  /// A sentence on an attempt that was refused.
+  /// A sentence about an attempt that failed.
   [[nodiscard]] std::string told_refusal(const StepReport& report, Tick h) const;
   [[nodiscard]] RunEnd advance_step(const Stage& stage);
   void count(const StepReport& report);
   [[nodiscard]] RunEnd after_step(const Stage& stage);
   [[nodiscard]] std::int64_t steps_of_stage() const { return state_.step - first_step_; }
-  /// @param first  of the stage: what binds the step is told
+  /// @param first  first step of the stage: reports what binds the step
   [[nodiscard]] Tick largest_step(const Stage& stage, bool first = false);
   /// Counts changes that rules of the present stage made.
   void count_rule(int kind, std::int64_t changes);
-  /// Tells of rules of stages that have ended which changed nothing.
+  /// Reports rules that changed nothing, of stages that have ended.
   void tell_idle_rules();
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
-  /// Brings the ledger up to date, for whoever looks at its closure.
+  /// Brings the ledger up to date, for a check of its closure or for output.
   void complete_ledger();
   void sample(bool frame);
-  /// Hands the last state to the sinks.
+  /// Passes the last state to the sinks.
   void finish(const RunEnd& result);
 
-  static constexpr std::size_t kRuleKinds = 2;  // of Checkpoint::rule_changes, a stage
+  static constexpr std::size_t kRuleKinds = 2;  // entries of Checkpoint::rule_changes per stage
 
   const Model* model_;
   const Plan* plan_;
@@ -179,14 +178,14 @@ class Driver {
   std::unique_ptr<EndWatch> end_watch_;        // of stages with rules for their end
   std::unique_ptr<MethodRules> method_rules_;  // of stages with rules for methods
   BoltWatch bolt_watch_;
-  bool ended_ = false;                       // the stage is over before its duration: at rest, or by a rule
+  bool ended_ = false;                       // the stage ended before its duration was over: at rest, or by a rule
   std::int64_t first_step_ = 0;              // of the stage
-  std::vector<char> settled_;                // sides of blocks that stay on them in the stage; empty: to be found
-  std::vector<Vec2> stage_begin_;            // centres of mass then
+  std::vector<char> settled_;                // blocks that stay on their side in the stage; empty: not determined yet
+  std::vector<Vec2> stage_begin_;            // centres of mass at the beginning of the stage
   RestTrace rest_trace_;                     // of stages that run to rest
-  double fast_elements_ = 0.0;               // whose internal force is met at every substep
-  std::uint32_t mesh_ = 0, mesh_shown_ = 0;  // ids of the present mesh and of that which sinks have
-  Tick largest_ = 0;                         // step that is allowed; 0: to be found
+  double fast_elements_ = 0.0;               // number of elements whose internal force is evaluated at every substep
+  std::uint32_t mesh_ = 0, mesh_shown_ = 0;  // ids of the present mesh and of the one passed to the sinks
+  Tick largest_ = 0;                         // largest allowed step; 0: not determined yet
   Tick end_ = 0, stage_end_ = 0;
   RunStats stats_, committed_;  // with and without the attempts at the present step
   Phase phase_ = Phase::set_up;
@@ -200,12 +199,12 @@ class Driver {
   double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 
-/// What is said of a block that should come to rest.
+/// Message about a block that should come to rest.
 inline constexpr const char* kUnsupported =
     "has no path of closed contacts to a support, so that nothing balances its weight and loads; likely causes: a gap "
     "under it, a support that is missing, or a stage that should not come to rest";
 
-/// Contact detection distance that a plan leaves open: a twentieth of the smallest block's root area [m].
+/// Contact detection distance if the plan gives none: a twentieth of the smallest block's root area [m].
 [[nodiscard]] double auto_detection(const Model& model);
 
 }  // namespace scree::coupling

@@ -1,4 +1,4 @@
-// What a run goes on from: the driver's checkpoint, written and read back.
+// The driver's checkpoint: taken, and restored to continue a run.
 #include <utility>
 
 #include "coupling/bodies/partition.h"
@@ -24,7 +24,7 @@ void Driver::go_on() {
   travels_ = std::move(c.travels);
   warnings_ = std::move(c.warnings);
   rule_changes_ = std::move(c.rule_changes);
-  rule_changes_.resize(kRuleKinds * plan_->stages.size(), 0);  // of a run with fewer stages
+  rule_changes_.resize(kRuleKinds * plan_->stages.size(), 0);  // the checkpoint may be of a run with fewer stages
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
                                    clocks());
@@ -63,7 +63,7 @@ void Driver::keep(bool in_any_case) {
   const double begin = wall();
   const Phase before = enter(Phase::output);
   Checkpoint c = checkpoint_of_driver();
-  // Lent, and taken back whatever happens: copies are as large as the model.
+  // Lent, and taken back in any case, because a copy would be as large as the model.
   c.integrator = integrator_->lend();
   std::swap(c.state, state_);
   const auto take_back = [&] {
@@ -82,7 +82,7 @@ void Driver::keep(bool in_any_case) {
 }
 
 void Driver::keep_checkpoint() {
-  // Whoever goes on from here makes all attempts at the present step again.
+  // A run that continues from here repeats all attempts at the present step.
   RunStats attempts = std::exchange(stats_, committed_);
   keep(true);
   attempts.wall_output = committed_.wall_output = stats_.wall_output;

@@ -1,4 +1,4 @@
-// What a stage refuses before its first step: rules, turned blocks and times that it cannot meet.
+// Checks before the first step of a stage: rules, rotated blocks and times that it cannot handle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void Driver::refuse_switching(const Stage& stage) const {
 
 void Driver::refuse_turned_blocks(const Stage& stage) const {
   if (stage.kinematics != Kinematics::linear) return;
-  constexpr double kMost = 0.01;  // [rad]; a rotation r reads as a strain r^2/2
+  constexpr double kMost = 0.01;  // [rad]; a rotation r is measured as a strain r^2/2
   for (const Body& b : setup_->bodies()) {
     if (b.driven || setup_->pool_of(b).method() != "nmm") continue;
     const auto p = static_cast<std::size_t>(b.pool);
@@ -41,7 +41,7 @@ void Driver::refuse_missed_times() {
   const std::span<const Tick> begins(state_.stage_begin);
   const auto now = static_cast<std::size_t>(state_.stage);
   const auto stage_name = [&](StageId s) { return plan_->stages[s.index()].name; };
-  // What was so before the stage that has just ended is known.
+  // Faults that existed before the stage that has just ended have been reported.
   std::vector<TimeFault> known;
   std::vector<StageId> met;
   if (now > 0) {

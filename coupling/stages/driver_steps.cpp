@@ -1,4 +1,4 @@
-// The steps of a stage: how long they may be, what becomes of one that fails, what is checked after each.
+// The steps of a stage: their largest length, treatment of a failed step, checks after each step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,23 +17,25 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kOfAllowed = 0.95;          // of the displacement allowed a step: what is planned for
-constexpr std::int64_t kFrictionEvery = 64;  // steps between looks at what contacts have lost
+constexpr double kOfAllowed = 0.95;          // target: fraction of the displacement allowed per step
+constexpr std::int64_t kFrictionEvery = 64;  // steps between checks of friction lost by contacts
 
-constexpr double kRested = 0.01;  // unbalanced force, of the largest: what a stage to rest may end with untold
+constexpr double kRested = 0.01;  // unbalanced over largest force: threshold of the warning at the end of rest stages
 
-// Steps of a stage between two looks at what may let explicit steps grow again, as contacts that have ended; of those
-// with substeps; and between two looks at the closure of the ledger. By count: whatever is written meanwhile.
+// Steps of a stage between two evaluations of the bound of explicit steps, which may grow, for example because contacts
+// have ended; the same for steps with substeps; and between two checks of the closure of the ledger. Counted in steps,
+// and so independent of output.
 constexpr std::int64_t kBoundSteps = 500, kBoundLongSteps = 20, kClosureSteps = 100;
-// Every change of an explicit step pumps the vibration of undamped blocks, up or down (by (h w)^2/4 of it: the column
-// step_change), and where changes are many it grows without bound: 100 blocks that collide for 10 s at a safety of 0.8
-// had 14 to 22 times their energy. So the step does not follow every contact that opens: it grows by this or not.
+// Every change of an explicit step changes the energy of vibration of undamped blocks, up or down (by (h w)^2/4 of it:
+// the column step_change), and with many changes this energy grows without bound: 100 blocks that collided for 10 s at
+// a safety of 0.8 had 14 to 22 times their energy. So the step does not follow every contact that opens: it grows by
+// more than this factor or not at all.
 constexpr double kGrowsBy = 1.5;
 
-/// ", about 2e+09 of them" where there are so many that a user would wonder what takes so long.
+/// ", about 2e+09 of them" where the number explains a long run time.
 std::string told_number(double steps) { return steps < 1e6 ? "" : fmt::format(", about {:.2g} of them", steps); }
 
-/// Length of the first attempt of a step, at most.
+/// Largest length of the first attempt of a step.
 Tick first_cap(const Stage& stage, const StepLimit& limit) {
   return stage.integrator == Integrator::partitioned && limit.length > 0 ? limit.length
                                                                          : std::numeric_limits<Tick>::max();
@@ -46,7 +48,7 @@ StepLimit::Iteration iteration_of(const StepReport& report, const RunStats& stat
   return shorter_is_cheaper(report, stats, elements) ? StepLimit::Iteration::long_ : StepLimit::Iteration::short_;
 }
 
-/// No shorter step mends it.
+/// True where a shorter step fails too.
 bool is_hopeless(const StepReport& report) {
   return report.status == StepReport::Status::non_finite || report.status == StepReport::Status::refused;
 }
@@ -143,7 +145,7 @@ Tick Driver::step_of_fastest() const {
 
 void Driver::bound_step(const Stage& stage, bool due) {
   if (!due && largest_ != 0 && integrator_->step_still_stable()) return;
-  // What the first step tells is told once, though a stop may take back the step itself.
+  // Events about the first step are sent once, although a stop may undo the step itself.
   const Tick found = largest_step(stage, steps_of_stage() == 0 && largest_ == 0);
   if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
 }
@@ -177,9 +179,9 @@ RunEnd Driver::advance_step(const Stage& stage) {
   int cuts = 0;
   bool converged = true;  // in all attempts
   Tick attempt_cap = first_cap(stage, state_.step_limit);
-  // A step that is given up leaves no trace: whoever goes on from here makes all its attempts again.
+  // A step that is given up leaves no trace: a run that continues from here repeats all its attempts.
   committed_ = stats_;
-  std::optional<Event> cut;  // told with the step that came of it
+  std::optional<Event> cut;  // reported with the step that follows from it
   const auto stopped = [&] {
     stats_ = committed_;
     return RunEnd{RunEnd::Status::interrupted, "stopped on request"};
@@ -226,7 +228,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
       tell_cut();
       return slow;
     }
-    converged = converged && report.suggested > 0.0;  // its displacement was too large
+    converged = converged && report.suggested > 0.0;  // > 0: only its displacement was too large
     if (cuts == 1) cut = Event{EventKind::step_cut, seconds(state_.time), text, nullptr, nullptr};
     attempt_cap = shorter(report, step_control_, h);
   }
@@ -413,7 +415,7 @@ RunEnd Driver::check_rest(const Stage& stage) {
         found.ratio, stage.rest_force,
         told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back())));
   if (reason.empty()) {
-    drop_velocities();  // an oscillation may be caught as it passes the balance
+    drop_velocities();  // an oscillation may be passing through equilibrium
     return {};
   }
   reason = fmt::format("t = {:.6g} s, stage '{}', {}", seconds(state_.time), stage.name, reason);

@@ -26,8 +26,8 @@ bool by_blocks(const RuleMemory::Slip& x, const RuleMemory::Slip& y) {
   return std::pair(x.a, x.b) < std::pair(y.a, y.b);
 }
 
-/// What two blocks had slipped when the stage began: points come and go between them, and new ones take the slip of
-/// those beside them.
+/// Slip between two blocks when the stage began. It is stored per pair of blocks, because points between them appear
+/// and disappear, and new ones take over the slip of their neighbours.
 double slip_before(const RuleMemory& memory, const ContactMemory& m) {
   const RuleMemory::Slip s = slip_of(m);
   const auto found = std::lower_bound(memory.slips.begin(), memory.slips.end(), s, by_blocks);
@@ -124,7 +124,7 @@ std::optional<std::string> EndWatch::evaluate(State& state, const TimeIntegrator
   const auto add = [&](std::optional<std::string> one) {
     if (one) why = why ? *why + ", and " + *one : std::move(one);
   };
-  // Each of them in any case: they remember.
+  // Each rule is evaluated in any case, because the rules store data in the state.
   if (rules_->kinetic_below > 0.0) add(slow(state));
   if (rules_->force_below > 0.0) add(balanced(state, integrator));
   if (rules_->slip > 0.0) add(slipped(state));

@@ -1,4 +1,4 @@
-// What ends a stage before its duration is over.
+// Rules that end a stage before its duration is over.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace scree::coupling {
 
-/// Writes down what the rules of a stage start from.
+/// Records the initial values of the rules of a stage in the state.
 void begin_rules(const EndRules& rules, State& state);
 
-/// Looks after every step whether a rule has come true. Constant between two changes of bodies.
+/// Evaluates after every step whether a rule is met. Constant between two changes of bodies.
 /// @source docs/theory/time-integration.md, "Rest and statics"
 class EndWatch {
  public:
   /// @pre rules.used(); rules and setup outlive it
   EndWatch(const EndRules& rules, const Setup& setup, const State& state);
-  /// @param begin  centres of mass where the stage began, a block [m]
-  /// @return the rule and its value, for people; empty: none has come true
+  /// @param begin  centres of mass at the beginning of the stage, per block [m]
+  /// @return the rule and its value, as text; empty: no rule is met
   [[nodiscard]] std::optional<std::string> evaluate(State& state, const TimeIntegrator& integrator,
                                                     std::span<const Vec2> begin);
 
@@ -36,7 +36,7 @@ class EndWatch {
   const EndRules* rules_;
   const Setup* setup_;
   std::unique_ptr<ForceBalance> balance_;
-  std::vector<double> mass_;  // x, y per node: what its position counts for in the centre of mass [kg]
+  std::vector<double> mass_;  // x, y per node: weight of its position in the centre of mass [kg]
 };
 
 }  // namespace scree::coupling

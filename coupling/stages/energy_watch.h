@@ -1,4 +1,4 @@
-// Whether a subcycled stage makes energy of its own.
+// Detects spurious energy generation in a subcycled stage.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace scree::coupling {
 
-inline constexpr double kEnergyMade = 0.05;  // of what there was and was done: what a stage may make untold
+inline constexpr double kEnergyMade = 0.05;  // threshold of the warning: fraction of initial energy plus work
 
-/// Remembers in State::rules what energy there is as a stage begins.   @pre the ledger is up to date
+/// Records the energies at the beginning of a stage in State::rules.   @pre the ledger is up to date
 void begin_energy_watch(State& state);
 
-/// What kicks in resonance would give: once the trapezoid term of elastic energy has grown by more than kEnergyMade of
-/// the energy held as the stage began plus all work done on it since. Once a stage.
-/// @return what to tell
+/// Detects resonance of the impulses of slow forces: the trapezoid term of elastic energy has grown by more than
+/// kEnergyMade of the energy held as the stage began plus all work done since. Reported once per stage.
+/// @return the warning
 /// @source docs/theory/explicit-implicit-coupling.md, "Explicit steps of two sizes"
 [[nodiscard]] std::optional<std::string> watch_energy(State& state);
 

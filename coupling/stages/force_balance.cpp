@@ -85,7 +85,7 @@ BlockId unsupported_block(const Setup& setup, const State& state) {
   for (const PointSupport& s : setup.model().point_supports) held[s.block.index()] = 1;
   for (const EdgeSupport& s : setup.model().edge_supports) held[s.span.block.index()] = 1;
   std::vector<BoltRows> bolts = acting_bolts(setup, state);
-  for (bool grew = true; grew;) {  // a pass a layer of blocks
+  for (bool grew = true; grew;) {  // one pass per layer of blocks
     grew = false;
     for (const BoltRows& rows : bolts)
       for (std::size_t s = 0; s < rows.segments; ++s) {

@@ -1,4 +1,4 @@
-// Is the model at rest: unbalanced forces, and what holds each block.
+// Whether the model is at rest: unbalanced forces, and the support of each block.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace scree::coupling {
 
-/// The largest force on an unknown of a free body that nothing balances, against the largest single force: weight,
-/// loads, stress inside, supports, contacts; at least that of a strain of 1e-9, so that a model which comes to be free
-/// of stress is at rest. Moments count as forces at the root area of their block. Constant during a stage.
+/// The largest unbalanced force on an unknown of a free body, relative to the largest single force: weight, loads,
+/// internal stress, supports, contacts; at least the force of a strain of 1e-9, so that a model which becomes free of
+/// stress is at rest. Moments are divided by the root area of their block. Constant during a stage.
 class ForceBalance {
  public:
   struct Result {
@@ -30,13 +30,13 @@ class ForceBalance {
   std::vector<LoadVector> loads_;
   SupportRelease release_;
   std::vector<PointSpring> supports_;
-  std::vector<double> lever_;  // per node: what its force is divided by, 0 for driven bodies
+  std::vector<double> lever_;  // per node: divisor of its force, 0 for driven bodies
   std::vector<double> term_, total_;
   double largest_ = 0.0, least_ = 0.0;  // [N]
 };
 
-/// First block without a path of closed contacts to a block that is held, or to one with a point support; invalid:
-/// every block has one.
+/// First block without a path of closed contacts to a held block, or to one with a point support; invalid: every block
+/// has such a path.
 [[nodiscard]] BlockId unsupported_block(const Setup& setup, const State& state);
 
 }  // namespace scree::coupling

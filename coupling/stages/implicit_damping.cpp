@@ -13,8 +13,8 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kEnergy = 0.95;  // of the spectrum below the highest driven frequency
-constexpr double kCovers = 10.0;  // of the wave that is told
+constexpr double kEnergy = 0.95;  // fraction of the spectrum below the highest driven frequency
+constexpr double kCovers = 10.0;  // length of the reported wave
 
 /// Discrete Fourier transform in place.   @pre a power of two values
 void transform(std::vector<std::complex<double>>& a) {
@@ -43,7 +43,7 @@ template <class At>
 double bandwidth(double from, double to, std::size_t samples, At&& at) {
   std::size_t n = 64;
   while (n < 4 * samples && n < (std::size_t{1} << 18U)) n *= 2;
-  const double step = 2.0 * (to - from) / static_cast<double>(n);  // the rest is zero: lines lie close enough
+  const double step = 2.0 * (to - from) / static_cast<double>(n);  // zero padding: frequency lines are close enough
   if (!(step > 0.0)) return 0.0;
   std::vector<std::complex<double>> a(n, 0.0);
   for (std::size_t i = 0; i < n / 2; ++i) a[i] = at(from + (static_cast<double>(i) + 0.5) * step);
@@ -96,7 +96,7 @@ double step_that_damps(double frequency, double per_second) {
 double driven_frequency(const Model& model, std::span<const char> acts) {
   double most = 0.0;
   const auto counts = [&](std::size_t i) { return acts.empty() || acts[i] != 0; };
-  MotionId seen{};  // edges of a base have the same one
+  MotionId seen{};  // edges of a base have the same motion
   const auto see_motion = [&](MotionId id) {
     if (!id.valid() || !counts(id.index()) || id == seen) return;
     seen = id;

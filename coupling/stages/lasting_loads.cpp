@@ -6,7 +6,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kCancels = 1e-6;  // of the sum of absolute values
+constexpr double kCancels = 1e-6;  // fraction of the sum of absolute values
 
 double span_length(const Model& model, const EdgeSpan& span) {
   const Ring& ring = model.blocks[span.block.index()].polygon.ring(static_cast<std::size_t>(span.edge.ring));

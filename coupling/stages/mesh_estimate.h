@@ -1,4 +1,4 @@
-// How large the NMM meshes of a stage will be, before they are made.
+// Estimated size of the NMM meshes of a stage, before they are created.
 #pragma once
 
 #include "coupling/plan.h"
@@ -8,16 +8,16 @@ namespace scree::coupling {
 
 struct MeshEstimate {
   double elements = 0.0;
-  double bytes = 0.0;       // at the peak of a run, by what runs with 2e4 to 4e5 elements of a block had
-  BlockId finest;           // the block with the largest part of it; invalid: no block has a mesh
-  double cover_size = 0.0;  // its own [m]
+  double bytes = 0.0;       // at the peak of a run, by measurements with 2e4 to 4e5 elements per block
+  BlockId finest;           // the block whose mesh has most bytes; invalid: no block has a mesh
+  double cover_size = 0.0;  // of that block [m]
 };
 
-/// Elements from areas and outlines: whole triangles inside, and three for every length of an outline as long as a
-/// cover. Bytes of the table of lattice cells beside those of the elements; implicit steps factor a matrix.
+/// Elements from areas and outlines: whole triangles inside, and three per cover size of outline length. Bytes: those
+/// of the elements, which include the factor of the matrix for implicit steps, and of the table of lattice cells.
 [[nodiscard]] MeshEstimate mesh_estimate(const Model& model, const Stage& stage);
 
-/// What there may be at most: beyond it numbers of elements and covers would not be counted any more.
+/// Largest allowed number of elements: beyond it elements and covers could not be counted any more.
 inline constexpr double kMostElements = 1e8;
 
 }  // namespace scree::coupling

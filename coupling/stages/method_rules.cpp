@@ -12,16 +12,16 @@
 namespace scree::coupling {
 namespace {
 
-constexpr Tick kEvaluations = 10;  // in the time that a block has to be calm
+constexpr Tick kEvaluations = 10;  // evaluations within the time `hold` for which a block must be calm
 
-/// The largest principal value, without its sign.
+/// The largest absolute principal value.
 double largest_principal(const Mat2& a) {
   return 0.5 * std::abs(a.trace()) + std::hypot(0.5 * (a(0, 0) - a(1, 1)), 0.5 * (a(0, 1) + a(1, 0)));
 }
 
 double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
-/// Unknowns of a body's steps; explicit: of those in a second, by its own certified bound 2/h = sqrt(theta lambda).
+/// Unknowns of a body per step; explicit: per second, with its own certified bound 2/h = sqrt(theta lambda).
 double cost(const Pool& pool, int body, bool is_explicit) {
   if (!is_explicit) return pool.dofs(body);
   const double unknowns = 2.0 * (pool.first_node(body + 1) - pool.first_node(body));
@@ -132,7 +132,7 @@ std::vector<MethodChange> MethodRules::evaluate(State& state, const TimeIntegrat
     }
     if (since < 0) since = state.time;
     if (state.time - since < hold) continue;
-    since = state.time;  // where it would not be cheaper it is asked again after another hold
+    since = state.time;  // if the change is not cheaper, it is evaluated again after another `hold`
     if (cheaper(b, state, m)) out.push_back({b.block, m});
   }
   for (const MethodChange& c : out) memory.calm_since[c.block.index()] = -1;

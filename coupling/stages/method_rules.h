@@ -9,32 +9,32 @@
 
 namespace scree::coupling {
 
-/// A block that changes its method, and why.
+/// A block that changes its method, and the reason.
 struct MethodChange {
   BlockId block;
   MethodMeasures measures;
 };
 
 /// Applies the SwitchRules of a stage to its blocks. Constant between two changes of bodies.
-///   NMM -> DDA   what an affine block would not have is small, (dT, dU)/(T + |U|) and sqrt(dU/|U|), and nothing would
-///                bring the block back, all for the time `hold`, at looks a tenth of it apart; and the predicted cost
-///                gets lower: unknowns, in explicit steps times those a second that the block's own bound asks for
-///                (contacts left out)
-///   DDA -> NMM   strain rate, stress or the resultant of the contacts is above its bound; looked at before every step
-/// Left out are blocks that are held or divided, third methods, onefold covers, and blocks that are cut along a crack,
+///   NMM -> DDA   the non-affine energies are small, (dT, dU)/(T + |U|) and sqrt(dU/|U|), and no criterion for the way
+///                back is met, all for the time `hold`, evaluated at intervals of a tenth of it; and the predicted cost
+///                decreases: unknowns, for explicit steps times the number of steps per second by the block's own bound
+///                (without contacts)
+///   DDA -> NMM   strain rate, stress or the resultant of the contacts is above its bound; evaluated before every step
+/// Excluded are blocks that are held or divided, other methods, onefold covers, and blocks that are cut along a crack,
 /// which an affine block would close.
 /// @source docs/theory/transfer.md, "Switching rules"
 class MethodRules {
  public:
   /// @pre stage.change.used; all outlive it
   MethodRules(const Stage& stage, const Methods& methods, const Setup& setup, const State& state);
-  /// Blocks that change now, in their order. State::rules keeps since when a block has been calm; called again at the
-  /// same instant it finds none.
+  /// Blocks that change now, in their order. State::rules stores since when a block has been calm. A second call
+  /// at the same instant returns none.
   [[nodiscard]] std::vector<MethodChange> evaluate(State& state, const TimeIntegrator& integrator);
 
  private:
   [[nodiscard]] MethodMeasures measure(const Body& b, const State& state) const;
-  /// True where a block of the DDA is wanted by the NMM.
+  /// True where a block of the DDA must change to the NMM.
   [[nodiscard]] bool strained(const MethodMeasures& m) const;
   [[nodiscard]] bool calm(const MethodMeasures& m) const;
   /// Fills the predicted costs.   @return true if the DDA costs less
@@ -45,7 +45,7 @@ class MethodRules {
   const Methods* methods_;
   const Setup* setup_;
   std::vector<std::size_t> nmm_, dda_;  // bodies that may change, by the method they have
-  std::vector<double> force_;           // of the contacts, x, y per node [N]
+  std::vector<double> force_;           // contact forces, x, y per node [N]
 };
 
 /// One line for events.

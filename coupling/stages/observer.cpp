@@ -181,7 +181,7 @@ void Observer::recover_stress(const State& state) {
 HistoryView Observer::history(const State& state, const RunStats& stats) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
-    if (setup_->body(setup_->model().monitors[i].block).absent) {  // there is no rock to follow
+    if (setup_->body(setup_->model().monitors[i].block).absent) {  // the block is absent
       for (auto* values : {&monitor_position_, &monitor_displacement_, &monitor_velocity_})
         put(Vec2(kNone, kNone), i, *values);
       continue;

@@ -19,13 +19,13 @@ namespace scree::coupling {
 namespace {
 
 constexpr std::size_t kMostNames = 5;
-constexpr double kSlender = 0.5;  // base over height, below which a block that shakes is told to rock
+constexpr double kSlender = 0.5;  // base over height below which a shaken block is expected to rock
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Blocks that hang together by touching.
+/// Groups of blocks that are connected by touching.
 struct Groups {
   std::vector<std::int32_t> of;              // per block
-  std::vector<std::vector<BlockId>> blocks;  // a group
+  std::vector<std::vector<BlockId>> blocks;  // per group
 };
 
 Groups groups_of(std::size_t blocks, const std::vector<Touch>& touches) {
@@ -76,10 +76,10 @@ bool thrown(const Model& model, BlockId block) {
   });
 }
 
-/// Methods whose blocks move in an affine way only: damping that spares affine motion finds nothing in them.
+/// True for methods with affine motion only: damping of the non-affine part has no effect on their blocks.
 bool affine(const BodyRequest& request) { return request.method == "dda" || request.form.onefold; }
 
-/// Time acts in a stage: velocities are those of the motion.
+/// True for a dynamic stage: velocities are physical.
 bool dynamic(const Stage& stage) { return !stage.rest && stage.dynamics == 1.0; }
 
 std::string group_text(const Model& model, const std::vector<BlockId>& blocks, bool held_elsewhere) {
@@ -95,7 +95,7 @@ std::string group_text(const Model& model, const std::vector<BlockId>& blocks, b
                      held_elsewhere ? "; close the gap, or give one of them a support" : "");
 }
 
-/// Of blocks that supports hold along the other axis only.   @param axis  0: x, 1: y
+/// Warning about blocks that supports hold along the other axis only.   @param axis  0: x, 1: y
 std::string half_held_text(const Model& model, const std::vector<BlockId>& blocks, int axis) {
   const bool one = blocks.size() == 1;
   return fmt::format("nothing holds {} {} along {}, where {} acts on {}: supports fix {} only",
@@ -218,7 +218,7 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
   if (stage == plan.stages.end()) return {};
   const Vec2 pull = weight_direction(model);
   if (pull == Vec2::Zero()) return {};
-  std::vector<double> steepest(model.joints.size(), -1.0);  // of a law [rad]
+  std::vector<double> steepest(model.joints.size(), -1.0);  // per joint law [rad]
   for (const Touch& touch : touches) {
     const bool a_held = model.support_of(touch.a) != nullptr, b_held = model.support_of(touch.b) != nullptr;
     if (a_held && b_held) continue;
@@ -229,7 +229,7 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
     }
   }
   std::vector<std::string> out;
-  double rough = -1.0;  // steepest of those with enough friction [rad]
+  double rough = -1.0;  // steepest joint with at least the friction needs.angle [rad]
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const JointLaw& law = model.joints[j];
     if (steepest[j] < needs.angle || law.friction < needs.angle) continue;
@@ -259,7 +259,7 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
   std::vector<std::string> out;
   for (const Stage& stage : plan.stages) {
     const std::vector<BodyRequest> request = body_requests(model, stage);
-    // Joints of an automatic stiffness that a mesh divides.
+    // Blocks of the NMM with joints of automatic stiffness, which a mesh divides.
     const auto divided = [&](BlockId b) {
       const BodyRequest& w = request[b.index()];
       return w.method == "nmm" && !w.form.onefold && std::any_of(touches.begin(), touches.end(), [&](const Touch& t) {
@@ -283,7 +283,7 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
                     "blocks",
                     stage.name, soft.size() == 1 ? "block" : "blocks",
                     named_blocks(model, soft) + (soft.size() == 1 ? " is" : " are")));
-    break;  // later stages say no more
+    break;  // later stages would repeat the warning
   }
   return out;
 }
@@ -353,7 +353,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
   for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
   for (const EdgeSupport& s : model.edge_supports) stands[s.span.block.index()] = 1;
-  /// How far a push into a block is turned from straight up, counter-clockwise [rad].
+  /// Angle of a push into a block from the upward direction, counter-clockwise [rad].
   const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
     return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
   };
@@ -376,7 +376,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
         lift(t.b, t.a, -s.normal);
       }
   }
-  // What does not stand hangs together in groups; what stands may push them from the left, from the right, or both.
+  // Blocks that do not stand form connected groups; standing blocks may push a group from the left, the right, or both.
   std::vector<Touch> among;
   std::copy_if(touches.begin(), touches.end(), std::back_inserter(among), [&](const Touch& t) {
     return stands[t.a.index()] == 0 && stands[t.b.index()] == 0 && !t.facing.empty();
@@ -396,7 +396,7 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
     }
   std::vector<BlockId> stones;
   for (std::size_t b = 0; b < n; ++b)
-    // One block between two sides, as in a notch, has no hinge that could give way.
+    // One block between two sides, as in a notch, has no hinge that could open.
     if (const auto group = static_cast<std::size_t>(groups.of[b]);
         stands[b] == 0 && pushed[group] == std::array{true, true} && groups.blocks[group].size() > 1)
       stones.emplace_back(static_cast<std::int32_t>(b));

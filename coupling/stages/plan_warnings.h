@@ -1,4 +1,4 @@
-// What is allowed in a case and seldom meant: said before the first step.
+// Warnings before the first step, about input that is allowed but seldom intended.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace scree::coupling {
 
-/// What sliding asks for: with less, modes of a block and of its slipping contacts coalesce, since friction makes their
-/// stiffness unsymmetric; the block hops on its contacts, loses friction and slides too far. The defaults of the case
-/// file are the thresholds.
+/// Damping that sliding requires: with less, modes of a block and of its slipping contacts coalesce, since friction
+/// makes their stiffness unsymmetric; the block hops on its contacts, loses friction and slides too far. The defaults
+/// of the case file are the thresholds.
 struct SlidingNeeds {
   double joint_damping = JointLaw{}.damping;       // `damping` of a joint, fraction of critical
-  double stage_damping = Stage{}.sliding_damping;  // `sliding_damping` of a stage, likewise
-  // Where that happens: friction and slope of the joint, both at least this.
+  double stage_damping = Stage{}.sliding_damping;  // `sliding_damping` of a stage, fraction of critical
+  // Coalescence occurs where friction and slope of the joint are both at least this angle.
   double angle = 25.0 * 3.14159265358979323846 / 180.0;  // [rad]
 };
 
-/// Warnings of a model and its plan, a line each: nothing holds the model, blocks touch nothing, damping acts on
+/// Warnings about a model and its plan, one line each: nothing holds the model, blocks touch nothing, damping acts on
 /// nothing, an area or a region of a partitioned stage holds no block, joints that may slide have less damping than
-/// that asks for, stones of an arch on joints of the NMM.
+/// SlidingNeeds, stones of an arch on joints of the NMM.
 /// @pre the model is checked
 [[nodiscard]] std::vector<std::string> plan_warnings(const Model& model, const Plan& plan);
 
-/// The parts of them. Directions in which something is missing are those of gravity and of loads that last.
+/// The single groups of warnings. Missing supports are checked in the directions of gravity and of lasting loads.
 [[nodiscard]] std::vector<std::string> support_warnings(const Model& model, const std::vector<Touch>& touches,
                                                         const std::vector<BlockId>& absent = {});
 [[nodiscard]] std::vector<std::string> damping_warnings(const Model& model, const Plan& plan);
@@ -36,12 +36,12 @@ struct SlidingNeeds {
 [[nodiscard]] std::vector<std::string> arch_warnings(const Model& model, const Plan& plan,
                                                      const std::vector<Touch>& touches);
 /// Slender blocks that stand alone on one joint of automatic stiffness, which a mesh divides, and that may be shaken:
-/// the joint gives way at its edge, a rigid block's does not.
+/// the joint yields at its edge, that of a rigid block does not.
 [[nodiscard]] std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan,
                                                         const std::vector<Touch>& touches);
 
 /// Free blocks that only the thrust of their neighbours can carry, from both sides, as the stones of an arch: no chain
-/// of joints that are less steep than their friction leads from them down to what is held.
+/// of joints that are less steep than their friction leads from them down to a held block.
 [[nodiscard]] std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches);
 
 /// "'a', 'b' and 3 more".

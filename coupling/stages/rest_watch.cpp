@@ -9,9 +9,9 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kSlowing = 0.9;  // a way that is shorter than this part of the one before
-constexpr double kStill = 1e-4;   // and one that is shorter than this part of all the way
-constexpr double kBeside = 0.1;   // of the farthest way: blocks that are counted with the block that went it
+constexpr double kSlowing = 0.9;  // slows: displacement below this fraction of the one in the part before
+constexpr double kStill = 1e-4;   // stands still: displacement below this fraction of that in the whole stage
+constexpr double kBeside = 0.1;   // fraction of the largest displacement from which other blocks are listed too
 
 /// "'a', 'b' and 3 more"
 std::string listed_blocks(const Model& model, const std::vector<BlockId>& blocks) {

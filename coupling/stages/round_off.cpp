@@ -8,10 +8,10 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kOfLargest = 1e-13;  // of the largest column
-constexpr double kPlaces = 8.0;       // last places that a position loses on its way through a step
+constexpr double kOfLargest = 1e-13;  // fraction of the largest column
+constexpr double kPlaces = 8.0;       // last places of a position lost to round-off in one step
 
-/// Of what moves in a model.
+/// Masses and largest stiffness of the moving part of a model.
 struct Moving {
   double mass = 0.0, lightest = std::numeric_limits<double>::infinity();  // [kg for unit thickness]
   double stiffest = 0.0;                                                  // [N/m for unit thickness]

@@ -13,7 +13,7 @@
 namespace scree::coupling {
 namespace {
 
-/// The column of the scheme that has most.
+/// The column of the scheme with the largest value.
 Column largest_scheme_column(const Ledger& ledger) {
   auto largest = Column::elastic_trapezoid;
   for (int c = 0; c < kColumns; ++c) {

@@ -1,4 +1,4 @@
-// What the time scheme of a stage cannot do with the bodies that it has.
+// Combinations of bodies and time scheme that a stage cannot have.
 #pragma once
 
 #include <span>

@@ -32,7 +32,7 @@ Tick next_step(Tick begin, Tick end, Tick now, Tick dt, Tick cap) {
     const Grid grid(begin, end, dt);
     const Tick group = cap < grid.step ? kGroup : 1;
     Tick k = parts(grid.after(now), group) * group;
-    // Not to a point so near that a step of its own would be all but lost.
+    // Skip a point that is too close to be worth a step of its own.
     if (grid.point(std::min(k, grid.count)) - now < std::min(cap, grid.step) / 2) k += group;
     target = grid.point(std::min(k, grid.count));
   }

@@ -11,7 +11,7 @@
 namespace scree::coupling {
 namespace {
 
-/// Where a segment of an outline begins, or ends, on its edge.
+/// Position on the edge of the beginning, or the end, of a segment of an outline.
 SupportForce spot(const Setup& from, SegmentIndex segment, bool at_end) {
   const Outlines& o = from.outlines();
   const Outlines::Edge& edge = o.edges[o.segments[segment].edge];
@@ -26,7 +26,7 @@ SupportForce spot(const Setup& from, SegmentIndex segment, bool at_end) {
   return out;
 }
 
-/// Adds a force at a spot to those that stand in whole.
+/// Adds a force at a point to the replacing forces that act in full.
 void stand_in(SupportForce at, const Vec2& force, std::vector<SupportForce>& forces) {
   const auto same = std::find_if(forces.begin(), forces.end(), [&](const SupportForce& f) {
     return f.block == at.block && f.ring == at.ring && f.edge == at.edge && f.s == at.s;
@@ -103,7 +103,7 @@ void end_supports(const Setup& from, const std::vector<char>& gone, State& state
   for (const Remainder& r : state.rest)
     if (leaves(r.block)) reservoir += r.kinetic + r.elastic;
   std::erase_if(state.rest, [&](const Remainder& r) { return leaves(r.block); });
-  // A block that comes back stands where the case has it, and so do the anchors of its supports.
+  // A block that is added again has the position of the case, and so do the anchors of its supports.
   const auto& supports = from.model().point_supports;
   for (std::size_t i = 0; i < supports.size() && !state.anchors.empty(); ++i)
     if (leaves(supports[i].block)) state.anchors[2 * i] = state.anchors[2 * i + 1] = 0.0;

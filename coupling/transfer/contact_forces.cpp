@@ -17,7 +17,7 @@ Place place_of(const Setup& from, const ContactKey& key) {
   return {from.outlines().edges[own].first_vertex() + key.part, from.edge_of(key.block_e, key.ring_e, key.edge)};
 }
 
-/// What the second of two points takes of a force between them; a point that is not there (-1) takes nothing.
+/// Part of a force between two points that the second one takes; a missing point (-1) takes nothing.
 double part_of_second(const std::int32_t (&side)[2], const double (&distance)[2]) {
   if (side[0] < 0) return 1.0;
   if (side[1] < 0) return 0.0;
@@ -65,7 +65,7 @@ void hand_contacts_over(const Setup& from, const std::vector<char>& changed, Sta
       ContactMemory& m = state.contacts[static_cast<std::size_t>(to)];
       m.fn += part * (gone.fn - gone.fd);
       m.ft += part * (gone.ft - gone.fdt);
-      m.tributary += part * gone.tributary;  // what the force rests on: a new mesh takes the traction from it
+      m.tributary += part * gone.tributary;  // length on which the force acts: a new mesh derives the traction from it
     }
   }
   std::erase_if(state.contacts.memory, goes);

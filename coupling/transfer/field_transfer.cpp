@@ -33,8 +33,8 @@ void keep_momenta(const Pool& pool, int body, const BodyTotals& was, std::span<c
 
 namespace {
 
-/// Scales the velocities beside the affine ones, to which they are orthogonal in the mass, so that the kinetic energy
-/// is at most `most`.
+/// Scales the non-affine velocities, which are orthogonal to the affine ones in the mass, so that the kinetic energy is
+/// at most `most`.
 void keep_below(double most, const Pool& pool, int body, std::span<const double> q, std::span<double> v) {
   const double kinetic = pool.totals(body, q, v).kinetic;
   if (kinetic <= most) return;
@@ -61,7 +61,7 @@ void project_fields(const Pool& from, int other, std::span<const double> q_from,
   const auto begin = 2 * static_cast<std::size_t>(pool.first_node(body)),
              end = 2 * static_cast<std::size_t>(pool.first_node(body + 1));
   for (std::size_t i = begin; i < end; ++i) q[i] += shift[static_cast<Eigen::Index>(i % 2)];
-  // Two masses see a little of the same short waves as affine, each its own: as much as the old one saw stays.
+  // Each of the two masses counts a different small part of the short waves as affine: that of the old mass is kept.
   const AffineMotion old = from.release(other, q_from, v_from).motion, now = pool.release(body, q, v).motion;
   const Mat2 G = old.Fdot * old.F.inverse() - now.Fdot * now.F.inverse();
   for (std::size_t i = begin; i < end; i += 2) {

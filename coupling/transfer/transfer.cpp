@@ -39,7 +39,7 @@ void measure(TransferRow& row, double inertia) {
       a.kinetic + a.elastic);
 }
 
-/// Brings a body back that has been affine since it was released: its own unknowns, moved along.
+/// Restores a body that has been affine since its release: its former unknowns, moved with the affine motion.
 void bring_back(const Remainder& rest, const AffineMotion& motion, std::span<double> q, std::span<double> v) {
   const Mat2 R = polar_rotation(motion.F);
   for (std::size_t i = 0; i < rest.position.size(); i += 2) {
@@ -111,7 +111,7 @@ double edge_energy_of(const Setup& setup, std::size_t i, std::span<const double>
   return setup.pool_of(b).edge_energy(b.index, setup.part(q, static_cast<std::size_t>(b.pool)));
 }
 
-/// One hand-over at work: what each body leaves behind, and how it goes on.
+/// One hand-over: the data of each body before it, and the body after it.
 class Change {
  public:
   Change(const Model& model, const Methods& methods, const Setup& from, const Stage& stage, State& state)
@@ -119,42 +119,43 @@ class Change {
 
   /// Measures the bodies that change, and puts their new records into the state.
   void release(const std::vector<BodyRequest>& request);
-  /// Those whose contacts are measured anew.
+  /// Flags of bodies whose contacts are measured anew.
   [[nodiscard]] std::vector<char> changed() const;
   [[nodiscard]] std::vector<BlockId> blocks_of(bool gone) const;
-  /// Unknowns of the new bodies.
+  /// Sets the unknowns of the new bodies.
   void place(const Setup& to);
-  /// Each body's energies after, measured anew by its new method; reservoir and cross terms beside them.
+  /// Books each body's energies after the change, measured by its new method, the reservoir and the cross terms.
   void book(const Setup& to);
 
   std::vector<TransferRow> rows;
 
  private:
-  // reformed: the same unknowns with other operators; halved: covers that a division has twice come or go; remeshed:
-  // the same fields on other covers; back: from the reservoir, on its own covers or, remade, on others.
-  // gone: it leaves, with what it had; come: it is there from now on.
+  // reformed: the same unknowns with other operators; halved: covers doubled by a division are added or removed;
+  // remeshed: the same fields on other covers; back: from the reservoir, on its former covers or, remade, on others;
+  // gone: removed, with its energies; come: present from now on.
   enum class Kind { stays, reformed, halved, remeshed, affine, back, gone, come };
   struct One {
     Kind kind = Kind::stays;
     Release release;
     BodyTotals before;
-    double edges = 0.0;       // of before.elastic, what its edge supports held [J]
+    double edges = 0.0;       // part of before.elastic in its edge supports [J]
     Remainder back;           // of Kind::back
     bool remade = false;      // of Kind::back: on other covers than those it was left on
     std::ptrdiff_t row = -1;  // into rows
   };
   void release_one(std::size_t i, const BodyRequest& request);
-  /// False where a block that has a mesh with the mass that it had goes on a onefold cover with that of `form`, or the
-  /// other way round: which of them a narrow block has is a matter of the step that its mass allows.
+  /// False where a block has a mesh with its present mass and a onefold cover with the mass of `form`, or the other way
+  /// round: which of the two a narrow block has depends on the step that its mass allows.
   [[nodiscard]] bool keeps_fields(std::size_t i, const Formulation& form) const;
-  /// The row of a body that changes; `before` is measured.
+  /// Begins the row of a body that changes, and measures `before`.
   TransferRow& begin_row(std::size_t i, const BodyRequest& request);
-  /// Takes out what brings the block back into that body; empty: there is none, and what there was never will.
-  /// @param affine  the body is all affine now: else its own fields would be lost
+  /// Takes out the remainder from which the block can return to the requested body; empty: there is none, and the
+  /// fields of a remainder that does not fit are discarded.
+  /// @param affine  the present body is purely affine: otherwise its own fields would be lost
   [[nodiscard]] std::optional<Remainder> find_remainder(BlockId block, const BodyRequest& request, bool affine);
-  /// The nodes of a body that is divided from now on, or not any more.
+  /// Sets the nodes of a body that becomes divided, or undivided.
   void join_or_halve(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
-  /// A body that comes back to the method that it left, with its fields on other covers than then.
+  /// Sets the nodes of a body that returns to its former method with its fields on other covers.
   void remake(const Setup& to, std::size_t i, std::span<double> q, std::span<double> v) const;
   void book_return(const Setup& to, std::size_t i, TransferRow& row);
 
@@ -240,8 +241,8 @@ void Change::release_one(std::size_t i, const BodyRequest& request) {
     const bool placed = record.placed;
     record = {record.block, request.method, one.release.shape, request.form};
     record.placed = placed;
-    // The outline that the block has become fits its first one but for what bent it, and its in-situ stress is
-    // read there: what that changes does work on the strain.
+    // The new outline fits the first one except for bending, and the in-situ stress is evaluated on it: the change of
+    // this stress does work on the strain.
     const Mat2& F = one.release.motion.F;
     const Mat2 U = polar_rotation(F).transpose() * F, strain = 0.5 * (U + U.transpose()) - Mat2::Identity(),
                change = InSituStress(model_, record).mean() - one.release.initial;
@@ -286,8 +287,8 @@ std::vector<char> Change::changed() const {
   std::vector<char> flags;
   for (const One& one : bodies_)
     flags.push_back(one.kind == Kind::affine || one.kind == Kind::back || one.kind == Kind::remeshed ? 1 : 0);
-  // Where a division comes or goes, cracks may end in other places: they cut where the covers on either side are not
-  // joined around their tip, and the border severs those too. Outlines stay as they are.
+  // Where a division is added or removed, cracks may end in other places: a crack cuts where the covers on its two
+  // sides are not joined around its tip, and the border separates such covers too. Outlines stay as they are.
   for (const Crack& c : model_.cracks)
     if (bodies_[c.block.index()].kind == Kind::halved) flags[c.block.index()] = 1;
   return flags;
@@ -346,7 +347,7 @@ void Change::join_or_halve(const Setup& to, std::size_t i, std::span<double> q, 
   const Body &a = from_.bodies()[i], &b = to.bodies()[i];
   const Pool &before = from_.pool_of(a), &after = to.pool_of(b);
   const auto p = static_cast<std::size_t>(a.pool), p_to = static_cast<std::size_t>(b.pool);
-  // By number where the body is undivided: mass, and its products with position and velocity.
+  // Per node number of the undivided body: mass, and its products with position and velocity.
   const std::span<const std::int32_t> old = before.undivided(a.index), now = after.undivided(b.index);
   const auto number = [](std::span<const std::int32_t> numbers, std::int32_t k) {
     return 2 * static_cast<std::size_t>(numbers.empty() ? k : numbers[static_cast<std::size_t>(k)]);
@@ -371,7 +372,7 @@ void Change::join_or_halve(const Setup& to, std::size_t i, std::span<double> q, 
     }
   const auto q_part = to.part(q, p_to), v_part = to.part(v, p_to);
   after.settle(b.index, q_part, v_part);
-  // What other masses at the nodes have changed of the momenta goes to all nodes as a rigid motion.
+  // The change of the momenta by other masses at the nodes is compensated by a rigid motion of all nodes.
   keep_momenta(after, b.index, bodies_[i].before, q_part, v_part);
 }
 
@@ -391,8 +392,8 @@ void Change::remake(const Setup& to, std::size_t i, std::span<double> q, std::sp
   project_fields(*was, 0, q_was, v_was, to.pool_of(b), b.index, before, to.part(q, p), to.part(v, p));
 }
 
-/// The body as it is after its return, split as a release would: what the reservoir and the affine body had, less what
-/// the same parts have now, is booked. Nothing where it returns at once.
+/// Splits the body after its return as a release would do, and books the energy of the reservoir and the affine body
+/// minus that of the same parts now. The difference is zero if it returns at once.
 void Change::book_return(const Setup& to, std::size_t i, TransferRow& row) {
   const Body& b = to.bodies()[i];
   const auto p = static_cast<std::size_t>(b.pool);
@@ -423,7 +424,7 @@ void Change::book(const Setup& to) {
     kinetic += after.kinetic - one.before.kinetic;
     elastic += after.elastic - one.before.elastic;
     if (one.kind == Kind::reformed ||
-        one.kind == Kind::halved) {  // another mass, another measure of strain: what the same motion now holds
+        one.kind == Kind::halved) {  // another mass, another strain measure: change of energy for the same motion
       ledger.book(Column::transfer, after.kinetic - one.before.kinetic);
       ledger.book(Column::transfer, after.elastic - one.before.elastic);
       continue;
@@ -431,11 +432,11 @@ void Change::book(const Setup& to) {
     TransferRow& row = rows[static_cast<std::size_t>(one.row)];
     row.after = after;
     if (one.kind == Kind::back) book_return(to, i, row);
-    if (one.kind == Kind::remeshed)  // what the new covers cannot hold
+    if (one.kind == Kind::remeshed)  // energy that the new covers cannot represent
       row.booked = (one.before.kinetic - after.kinetic) + (one.before.elastic - after.elastic);
-    if (one.kind == Kind::affine || one.kind == Kind::back)  // neither fields nor reservoir have it
+    if (one.kind == Kind::affine || one.kind == Kind::back)  // energy neither in the fields nor in the reservoir
       row.booked += one.edges - edge_energy_of(to, i, state_.q);
-    if (!to.pool_of(to.bodies()[i]).strains()) {  // strain and strain rates stay behind
+    if (!to.pool_of(to.bodies()[i]).strains()) {  // energy of strain and strain rates is left in the reservoir
       const double held = kinetic_of(one.release.shape, one.release.motion);
       row.reservoir_kinetic += held - after.kinetic;
       row.reservoir_elastic += elastic_of(model_.elasticity_of(row.block), one.release);
@@ -477,7 +478,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
   keep_bolt_forces(bolts, q, *out.setup, state);
   if (!model.edge_supports.empty()) {
     keep_edges(from, q, bodies, *out.setup, change.changed(), state);
-    // Springs come and go with methods that do not hold their edges.
+    // Springs are added or removed with methods that do not hold their edges themselves.
     double energy = 0.0;
     for (const PointSpring& s : point_springs(*out.setup, state)) energy += spring_energy(s, state.q);
     state.ledger.book(Column::transfer, energy - state.ledger[Column::support_springs]);

@@ -1,4 +1,4 @@
-// Bodies change method between stages: affine motion exactly, the rest to the reservoir.
+// Change of method of bodies between stages: affine motion exactly, the rest to the reservoir.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,13 @@
 
 namespace scree::coupling {
 
-/// Method and mesh that a stage wants for each block, in the order of the blocks.
+/// Method and mesh of a block in a stage.
 struct BodyRequest {
   std::string method;
   Formulation form{};
-  bool absent = false;  // the stage is without the block
+  bool absent = false;  // the block is absent in the stage
 };
+/// Requests of all blocks, in their order.
 /// @param explicit_side  State::explicit_side; empty: as a stage begins
 /// @param other_method   RuleMemory::other_method; empty: as a stage begins
 [[nodiscard]] std::vector<BodyRequest> body_requests(const Model& model, const Stage& stage,
@@ -26,13 +27,13 @@ struct BodyRequest {
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<BodyRequest>& request);
 
 /// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
-/// where mass or kinematics change: their energies are measured anew and the difference is booked. The others go
-/// through release() and place(), with the stage's mode of transfer; a body that comes back to the method and mesh that
-/// it left last takes its fields out of the reservoir. Contact memory travels by corner and edge; the stretch of a
+/// where mass or kinematics change: their energies are measured anew and the difference is booked. The others pass
+/// through release() and place(), with the stage's mode of transfer; a body that returns to the method and mesh that it
+/// left last takes its fields out of the reservoir. Contact memory is transferred by corner and edge; the stretch of a
 /// spring is kept on its new edge; anchors of point supports are shifted so that their forces stay. Energies, reservoir
-/// and cross terms are booked; one row a body that changed.
-/// Blocks that are not in the stage any more leave with their energies, contacts and supports (construction.h), those
-/// that were not come at rest, as the model has them, without stress.
+/// and cross terms are booked; one row per body that changed.
+/// Blocks that are absent from this stage on are removed with their energies, contacts and supports (construction.h);
+/// blocks that were absent before are added at rest, in their model shape, without stress.
 /// @param clocks  of the new setup
 /// @source docs/theory/transfer.md, "Affine part"
 struct TransferReport {

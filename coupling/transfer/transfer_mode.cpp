@@ -20,7 +20,7 @@ double kinetic_of(const ReferenceShape& shape, const AffineMotion& motion) {
 }
 
 double limit_release(TransferMode mode, double cap, Release& release) {
-  if (mode == TransferMode::reservoir || release.velocity_rest.empty()) return 0.0;  // affine as it is
+  if (mode == TransferMode::reservoir || release.velocity_rest.empty()) return 0.0;  // the affine motion is unchanged
   AffineMotion& motion = release.motion;
   const Mat2 S = motion.F * release.shape.second * motion.F.transpose();
   const Mat2 G = motion.Fdot * motion.F.inverse();

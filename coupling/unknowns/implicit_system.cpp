@@ -7,7 +7,7 @@
 namespace scree::coupling {
 namespace {
 
-/// True for a body of six unknowns that one element has all of, in order.
+/// True for a body of six unknowns that all belong to one element, in order.
 bool dense_six(int dofs, const ElementDofs& elements) {
   constexpr std::array<std::int32_t, 6> kAll{0, 1, 2, 3, 4, 5};
   return dofs == 6 && elements.size() == 1 &&
@@ -68,7 +68,7 @@ void ImplicitSystem::find_units(std::span<const double> reference) {
       unit = std::max(unit, std::hypot(row.tx[j], row.ty[j]));
     }
   }
-  // Displacements of the inside, and those that hardly move the outline.
+  // For displacements of the inside, and unknowns that hardly move the outline.
   for (std::size_t i = 0; i < first_dof_.size(); ++i) {
     if (first_dof_[i] < 0) continue;
     const auto n = static_cast<std::size_t>(setup_->pool_of(setup_->bodies()[i]).dofs(setup_->bodies()[i].index));
@@ -158,7 +158,7 @@ void ImplicitSystem::accelerations(std::span<const double> q, std::span<const do
 }
 
 void ImplicitSystem::node_accelerations(std::span<const double> dofs, std::span<double> nodes) const {
-  // A constant chart takes rates to velocities as it takes accelerations.
+  // A constant chart maps rates to velocities as it maps accelerations.
   std::vector<double> nowhere(nodes.size(), 0.0);
   const std::vector<double> still(dofs.size(), 0.0);
   std::fill(nodes.begin(), nodes.end(), 0.0);

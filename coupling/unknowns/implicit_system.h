@@ -11,7 +11,7 @@
 
 namespace scree::coupling {
 
-/// Numbers the unknowns of free bodies and sums their element matrices on one pattern, found once a stage.
+/// Numbers the unknowns of free bodies and sums their element matrices on one pattern, found once per stage.
 class ImplicitSystem {
  public:
   explicit ImplicitSystem(const Setup& setup);
@@ -32,16 +32,16 @@ class ImplicitSystem {
   /// True if masses in the unknowns are the same at every state.
   [[nodiscard]] bool constant_charts() const { return constant_charts_; }
 
-  /// Finds the units below from the bodies where they are at rest.
+  /// Finds the units below from the bodies in their reference positions.
   void find_units(std::span<const double> reference);
-  /// How far an unknown moves the outline of its body at most, by one: 1 for a displacement, a length for a rotation or
-  /// a strain. What a force on it is to be divided by to be one of newtons.
+  /// Largest displacement of the body's outline per unit of an unknown: 1 for a displacement, a length for a
+  /// rotation or a strain. A force on the unknown divided by it is in newtons.
   [[nodiscard]] std::span<const double> unit() const { return unit_; }
   /// Masses and velocities in the unknowns at a state.
   void compute_masses(std::span<const double> q, std::span<const double> v);
   /// Stiffness and internal force of the bodies whose force is not linear, or of all.
   /// @param K      numbers on the pattern; empty: only the force
-  /// @param force  a number an unknown
+  /// @param force  one number per unknown
   /// @return elastic energy of the bodies whose force is not linear [J]
   double linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K, std::span<double> force);
   [[nodiscard]] std::span<const double> mass() const { return mass_; }

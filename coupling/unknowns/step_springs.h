@@ -8,7 +8,7 @@
 
 namespace scree::coupling {
 
-/// Things of stiffness k between bodies or to the ground that stay as they are during a step: force -k (at + u) along
+/// Springs of stiffness k between bodies or to the ground that do not change during a step: force -k (at + u) along
 /// their rows, u the change. Supports; dashpots with k = 2 c/h and at = -h v_n/2.
 struct StepSprings {
   DofRows rows;

@@ -32,7 +32,7 @@ CaseError::CaseError(std::string_view file_name, Place place, Fault fault)
 std::string in_quotes(std::string_view text, std::size_t most) {
   const bool cut = text.size() > most;
   std::size_t end = cut ? most : text.size();
-  while (cut && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // not within a character
+  while (cut && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // not inside a character
   std::string marked;
   for (const char c : text.substr(0, end)) {
     if (c == '"' || c == '\\') marked += '\\';

@@ -1,4 +1,4 @@
-// The one error of a case file: where it is, what was found, what is allowed, and what to do about it.
+// The error of a case file: its place, what was found, what is allowed, and how to correct it.
 #pragma once
 
 #include <exception>
@@ -13,7 +13,7 @@ struct Place {
   bool from_set = false;
 };
 
-/// What is wrong. Fields without meaning for an error are empty.
+/// What is wrong. Fields that do not apply are empty.
 struct Fault {
   std::string problem;  // one line, without a full stop
   std::string key{};    // dotted, lists by number from 0: "block.0.polygon"
@@ -26,14 +26,14 @@ struct Fault {
 ///   allowed: ALLOWED
 ///   hint: HINT
 struct CaseError : std::exception {
-  /// @param file_name  of the file that `place` is in; options of the command line show as "--set" whatever its name
+  /// @param file_name  of the file that contains `place`; for options of the command line "--set" is used instead
   CaseError(std::string_view file_name, Place place, Fault fault);
   [[nodiscard]] const char* what() const noexcept override { return message.c_str(); }
 
   std::string file;
   int line = 0, column = 0;
   std::string problem, key, value, allowed, hint;  // control characters escaped
-  std::string message;                             // all of it, as above
+  std::string message;                             // in the form above
 };
 
 /// A text in double quotes, control characters escaped, cut after `most` bytes.

@@ -32,7 +32,7 @@ std::string type_name(const Value& value) {
   return "a table";
 }
 
-/// The key that a symbol of the trade, or a key of an earlier version, stands for; empty: none.
+/// The key that corresponds to a usual symbol or to a key of an earlier version; empty: none.
 std::string_view key_of_symbol(std::string_view symbol) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSymbols{{{"phi", "friction_deg"},
                                                                                     {"friction_angle", "friction_deg"},
@@ -54,10 +54,10 @@ std::string_view key_of_symbol(std::string_view symbol) {
   return {};
 }
 
-/// What a key holds, for hints: "density: Mass density."
+/// Meaning of a key, for hints: "density: Mass density."
 std::string about(const Key& key) { return fmt::format("{}: {}", last_part(key.path), key.meaning); }
 
-/// What a single number of the key may be: a coordinate of a point, where the key holds points.
+/// Allowed values of a single number of the key; for a key that holds points, of a coordinate.
 std::string allowed_number(const Key& key) {
   Key one = key;
   if (key.type == Type::point || key.type == Type::line || key.type == Type::ring || key.type == Type::rings)
@@ -69,7 +69,7 @@ class Checker {
  public:
   explicit Checker(std::string_view file) : file_(file) {}
 
-  /// @param row   path in the key table: "block[]"     @param path  the same as the user would write it: "block.0"
+  /// @param row   path in the key table: "block[]"     @param path  as the user would write it: "block.0"
   void table(Value& value, std::string_view row, const std::string& path) const {
     for (Member& m : *value.as<Table>()) {
       const Key* key = find_key(joined(row, m.key));
@@ -124,9 +124,9 @@ class Checker {
 
   [[nodiscard]] static std::optional<Value> default_of(const Key& key, Place place) {
     if (key.type == Type::table) {
-      if (key.fallback.starts_with('(')) return std::nullopt;  // it acts where it is given, whatever it holds
+      if (key.fallback.starts_with('(')) return std::nullopt;  // the table has an effect when present, even if empty
       bool has_defaults = false;
-      for (const Key& inner : schema()) {  // a table that asks for something, or has nothing to show, is there or not
+      for (const Key& inner : schema()) {  // not made if it has required keys, or no defaults
         if (parent_of(inner.path) != key.path) continue;
         if (inner.required) return std::nullopt;
         has_defaults = has_defaults || !(inner.fallback.empty() || inner.fallback.starts_with('('));
@@ -203,7 +203,7 @@ class Checker {
   }
 
   [[noreturn]] void out_of_range(const Value& value, double number, const Key& key, const std::string& path) const {
-    const bool too_small = number < key.range.high;  // a finite number outside is on one side or the other
+    const bool too_small = number < key.range.high;  // a finite number out of range is below or above it
     fail(value, path, "the value is out of range", allowed_number(key),
          fmt::format("give a {} value{}. {}", too_small ? "larger" : "smaller",
                      key.unit.empty() ? "" : fmt::format(", or check that it is in {}", key.unit), about(key)));

@@ -9,11 +9,11 @@ namespace scree::io {
 
 /// Checks every key, type, unit and range, and leaves a tree that the reader can trust: numbers as double in the unit
 /// of the key (whole numbers of keys that count stay integers), defaults filled in, all tables of the top present.
-/// @throws CaseError for the first thing that is wrong, in the order of the file; missing keys of a table after its
-///         present ones
+/// @throws CaseError for the first fault in the order of the file; the keys that a table contains are checked before
+///         its missing keys
 void check_document(Value& root, std::string_view file);
 
-/// Why a text cannot be a name (names go into paths of result files); empty if it can.
+/// Why a text cannot be a name (names become parts of paths of result files); empty if it can.
 [[nodiscard]] std::string name_fault(std::string_view name);
 
 }  // namespace scree::io

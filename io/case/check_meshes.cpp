@@ -1,4 +1,4 @@
-// Refuses meshes that this machine, or this program, could not hold, before they are made.
+// Refuses meshes too large for the memory of the machine or for the program, before they are made.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ double memory() {
   return limited ? std::min(pages * page, static_cast<double>(limit.rlim_cur)) : pages * page;
 }
 
-/// The table whose cover_size a block has: its own, its region's, or the stage's.
+/// The table from which a block takes its cover_size: of the block, of its region, or of the stage.
 Section giver(const Section& root, const Section& stage, const Block& block) {
   if (block.cover_size == 0.0) return stage;
   for (const Section& s : root.list("block"))

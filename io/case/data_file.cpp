@@ -33,7 +33,7 @@ std::filesystem::path data_path(const Section& s, std::string_view key, const st
   const std::string& file = s.text(key);
   if (file.empty())
     throw s.error(key, "the path is empty", "path of a record", fmt::format("give the file with {}", what));
-  if (!file.starts_with('$')) return folder / file;  // an absolute path stays one
+  if (!file.starts_with('$')) return folder / file;  // an absolute path is kept
   if (!file.starts_with(kRecords))
     throw s.error(key, "only the variable SCREE_RECORDS is known", "a path, or \"$SCREE_RECORDS/...\"",
                   "write the path out");

@@ -1,4 +1,4 @@
-// Files with numbers that a case names.
+// Files of numbers that are named in a case.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 namespace scree::io {
 
 /// The file under a key: relative to the folder of the case; a leading "$SCREE_RECORDS/" is that environment variable.
-/// @param what  the file holds, for messages: "the recorded motion"
+/// @param what  contents of the file, for messages: "the recorded motion"
 /// @throws CaseError: empty, another variable, variable not set
 [[nodiscard]] std::filesystem::path data_path(const Section& s, std::string_view key,
                                               const std::filesystem::path& folder, std::string_view what);
 
-/// All files that a checked document names, as data_path() finds them, in the order of the document; without those
-/// whose variable is not set.
+/// All files named in a checked document, with paths as from data_path(), in the order of the document. Files whose
+/// environment variable is not set are left out.
 [[nodiscard]] std::vector<std::filesystem::path> data_files(const Value& document, const std::filesystem::path& folder);
 
 }  // namespace scree::io

@@ -9,8 +9,8 @@
 #include "io/case/guard.h"
 #include "io/text/printable.h"
 
-// toml++ is slow to compile: this is the only file that sees it. Some wrong texts, "[=a]" for one, fail its assertions,
-// while without them it reports the error as it should.
+// toml++ is slow to compile: only this file includes it. Some invalid texts, "[=a]" for example, fail its assertions;
+// without the assertions it reports the error correctly.
 #define TOML_ASSERT(condition) static_assert(true)
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -98,7 +98,7 @@ void check_texts(const Value& value, std::string_view file, bool of_title = fals
 
 namespace {
 
-/// toml++ takes a failed allocation for an error of the text: one that can be read a second time has none.
+/// toml++ reports a failed allocation as an error of the text: a text that can be parsed at a second attempt is valid.
 /// @throws toml::parse_error, std::bad_alloc
 toml::table parsed(std::string_view text) {
   try {

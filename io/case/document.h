@@ -1,4 +1,4 @@
-// A TOML text as a tree in which every value knows its place. The only door to the TOML parser.
+// A TOML text as a tree in which every value carries its place. The only interface to the TOML parser.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Value {
   [[nodiscard]] const T* as() const;
   template <class T>
   [[nodiscard]] T* as();
-  /// Member of a table; nullptr where there is none (or this is no table).
+  /// Member of a table; nullptr if there is none, or if this is not a table.
   [[nodiscard]] const Value* find(std::string_view key) const;
   [[nodiscard]] Value* find(std::string_view key);
 };
@@ -42,11 +42,11 @@ struct Member {
 /// @pre guard(text) has passed      @throws CaseError with the place at which the parser stopped
 [[nodiscard]] Value parse_document(std::string_view text, std::string_view file);
 
-/// The value alone, as the right-hand side of `key = VALUE`.
-/// @param columns  before the value in the option;  option  its number, from 1
+/// Parses a value alone, the right-hand side of `key = VALUE`.
+/// @param columns  number of columns before the value in the option;  option  number of the option, from 1
 [[nodiscard]] Value parse_set_value(std::string_view value, int option, int columns);
 
-/// A value as TOML on one line, cut where it gets long; what it is, for tables.
+/// A value as TOML on one line, shortened if it is long; "a table" for a table.
 [[nodiscard]] std::string shown(const Value& value);
 
 /// A tree of tables as a TOML text that reads back to the same values (double precision exactly).

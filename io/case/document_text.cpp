@@ -1,4 +1,4 @@
-// Trees back to text: values in messages, and the resolved case.
+// Conversion of trees to text: values in messages, and the resolved case.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-/// Columns x, y and the name of a layer.
+/// Drawing from a file with columns x, y and the name of a layer.
 Drawing of_columns(const std::filesystem::path& file, double unit, const std::string& unit_from) {
   Drawing out;
   out.form = "text";

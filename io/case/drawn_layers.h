@@ -1,4 +1,4 @@
-// The section drawing of a case, and what its sections take from it by the names of layers.
+// The section drawing of a case, and the lines and points that sections of the case take from it by layer name.
 #pragma once
 
 #include <filesystem>
@@ -16,25 +16,25 @@ namespace scree::io {
 struct DrawingRow {
   std::string layer, entity;
   int count = 0;
-  std::string fate;  // "domain.outline, ..." or why it is left out
+  std::string fate;  // its uses, "domain.outline, ...", or why it is left out
 };
 struct DrawingReport {
   std::string file, form;
   double unit = 1.0, tolerance = 0.0, join = 0.0;  // [m]
   std::string unit_from;
-  Box box;  // of what is read [m]
+  Box box;  // of all lines and points that are read [m]
   std::vector<DrawingRow> rows;
 };
 
-/// Lines and points of [drawing] by layer. Patterns of layers know no case, and `*` stands for any characters.
+/// Lines and points of [drawing] by layer. Patterns of layer names ignore letter case; `*` stands for any characters.
 class DrawnLayers {
  public:
   DrawnLayers() = default;  // the case has no drawing
   /// @param root  with a table `drawing`     @throws CaseError
   DrawnLayers(const Section& root, const std::filesystem::path& folder);
 
-  /// What the layer under a key holds; what it is is kept for the report.
-  /// @param use  "domain.outline"
+  /// Contents of the layers that match the pattern under a key; their use is recorded for report().
+  /// @param use  of the contents: "domain.outline"
   /// @throws CaseError: no drawing, no such layer, nothing of the kind on it, entities that cannot be used, open rings
   [[nodiscard]] std::vector<const DrawnLine*> lines(const Section& s, std::string_view key,
                                                     const std::string& use) const;
@@ -48,13 +48,13 @@ class DrawnLayers {
 
  private:
   [[nodiscard]] CaseError error(int row, std::string problem, std::string allowed, std::string hint) const;
-  /// Names of the layers that a key means.
+  /// Names of the layers that match the pattern under a key.
   [[nodiscard]] std::vector<std::string> layers(const Section& s, std::string_view key) const;
   [[nodiscard]] std::vector<Chain> chains(const Section& s, std::string_view key, const std::string& use) const;
 
   Drawing drawing_;
   double join_ = 0.0;                                // [m]
-  mutable std::map<std::string, std::string> uses_;  // a layer
+  mutable std::map<std::string, std::string> uses_;  // of each layer: separated by commas
 };
 
 }  // namespace scree::io

@@ -36,7 +36,7 @@ std::vector<EdgeSpan> on_line(const Section& s, const Model& model, BlockId bloc
           from.x(), from.y(), to.x(), to.y(), nearest.distance));
 }
 
-/// The edge as the block keeps it, from its number in the case.
+/// The edge of the block that has this number in the case.
 std::vector<EdgeSpan> by_number(const Section& s, const Section& root, const Model& model, BlockId block) {
   const Block& of = model.blocks[block.index()];
   const std::vector<Section> listed = root.list("block");
@@ -50,7 +50,7 @@ std::vector<EdgeSpan> by_number(const Section& s, const Section& root, const Mod
   if (written >= corners)
     throw s.error("edge", fmt::format("block {} has {} edges", in_quotes(of.name), corners),
                   fmt::format("0 to {}", corners - 1), "edge 0 runs from the first corner of polygon to the second");
-  // Rings written clockwise were turned, see read_blocks.
+  // Rings written clockwise were reversed, see read_blocks.
   const bool turned = signed_area(listed[block.index()].ring("polygon")) < 0.0 && written < corners - 1;
   return {{block, {0, turned ? corners - 2 - written : written}, 0.0, 1.0}};
 }
@@ -82,9 +82,9 @@ std::vector<BlockId> named(const Section& s, const Model& model) {
   return out;
 }
 
-/// Parts of an edge that lie in a box, as free_edges_in_box() finds them but also on joints.
+/// Parts of edges that lie in a box, as free_edges_in_box() finds them, but including edges on joints.
 std::vector<EdgeSpan> in_box_of(const Model& model, const std::vector<BlockId>& blocks, const Box& box, double near) {
-  Model alone;  // one block at a time: nothing faces it
+  Model alone;  // holds one block at a time: no other block faces it
   std::vector<EdgeSpan> out;
   for (const BlockId b : blocks) {
     alone.blocks = {model.blocks[b.index()]};

@@ -46,7 +46,7 @@ std::int32_t find_name(const Section& section, std::string_view key, std::size_t
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
-  // Greedy: on a mismatch the last star takes one character more.
+  // Greedy: on a mismatch the last star matches one more character.
   std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

@@ -10,7 +10,7 @@
 namespace scree::io {
 namespace {
 
-/// Walks over the text and knows just enough of TOML: strings, comments, brackets and the dots of keys.
+/// Scans the text for the parts of TOML that matter here: strings, comments, brackets and the dots of keys.
 class Scanner {
  public:
   Scanner(std::string_view text, std::string_view file) : text_(text), file_(file) {}
@@ -55,7 +55,7 @@ class Scanner {
     at_ += n;
   }
 
-  /// TOML forbids this, and toml++ 3.3 runs into undefined behaviour when it asks whether the character is a blank.
+  /// TOML forbids this, and toml++ 3.3 has undefined behaviour when it tests whether the character is a blank.
   [[noreturn]] void bare(std::string_view wide) const {
     throw CaseError(file_, {line_, column_ - 1},
                     {"this character stands outside quotation marks and comments", "", in_quotes(wide),
@@ -70,10 +70,10 @@ class Scanner {
     while (!rest().empty()) {
       if (multiline ? rest().starts_with(three) : rest().front() == quote) {
         for (int i = 0; i < (multiline ? 3 : 1); ++i) step();
-        for (int i = 0; multiline && i < 2 && rest().starts_with(quote); ++i) step();  // quotes at the end belong to it
+        for (int i = 0; multiline && i < 2 && rest().starts_with(quote); ++i) step();  // extra quotes at the end
         return;
       }
-      if (!multiline && rest().front() == '\n') return;  // the parser says that the string does not end
+      if (!multiline && rest().front() == '\n') return;  // the parser reports that the string does not end
       if (quote == '"' && rest().front() == '\\') {
         step();
         if (rest().empty()) return;
@@ -89,7 +89,7 @@ class Scanner {
   }
 
   void open(char c) {
-    if (c == '[' && line_begins_ && dots_.size() == 1) header_ = true;  // ends with its line, closed or not
+    if (c == '[' && line_begins_ && dots_.size() == 1) header_ = true;  // ends with its line even if not closed
     dots_.push_back(0);
     check();
   }
@@ -100,7 +100,7 @@ class Scanner {
   }
 
   void check() {
-    // Called with every new dot and bracket, so the sum stays small.
+    // Called at every new dot and bracket, so that the sum stays small.
     int depth = static_cast<int>(dots_.size()) - 1;
     for (const int d : dots_) depth += d;
     if (depth > kDeepest)
@@ -113,7 +113,7 @@ class Scanner {
   std::string_view text_, file_;
   std::size_t at_ = 0;
   int line_ = 1, column_ = 1;
-  std::vector<int> dots_{0};  // dots of the item being read (key and value), outside and in every open bracket
+  std::vector<int> dots_{0};  // dots of the item being read (key and value), outside brackets and within each open one
   bool header_ = false, line_begins_ = true;
 };
 

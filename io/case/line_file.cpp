@@ -25,7 +25,7 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
   const std::string text = read_text_file(file, "file of lines", kLargestFile);
 
   std::vector<FileLine> lines;
-  bool heading_may_come = true, open = false;  // open: the last polyline may go on
+  bool heading_may_come = true, open = false;  // open: the last polyline may continue
   std::string label;
   const auto close = [&] {
     if (open && lines.back().points.size() < 2)

@@ -1,4 +1,4 @@
-// What a long piece of reading tells before it begins.
+// Message before a part of the reading that may take long.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace scree::io {
 
-/// Takes a line of text, without its end.
+/// Receives a line of text, without its line end.
 using Notice = std::function<void(const std::string&)>;
 
 }  // namespace scree::io

@@ -19,12 +19,12 @@ std::size_t digits_at(std::string_view text, std::size_t from) {
   return end - from;
 }
 
-/// Of a number outside the range of double: from_chars does not say on which side.
+/// Value of a number outside the range of double: from_chars does not report whether it is too large or too small.
 double beyond_range(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double value = 0.0;
-  if (in >> value) return value;  // nearest to zero
+  if (in >> value) return value;  // too small
   return text.starts_with('-') ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
@@ -66,7 +66,7 @@ std::size_t leading_number(std::string_view text) {
     const std::size_t length = digits_at(text, power);
     return length > 0 ? power + length : i;
   }
-  // A field of acceleration has a point, so three digits without one are an exponent.
+  // A field of acceleration has a decimal point, so three digits without a point are an exponent.
   if (is_sign(text[i]) && digits_at(text, i + 1) == 3 && (i + 4 == text.size() || is_sign(text[i + 4]))) return i + 4;
   return i;
 }

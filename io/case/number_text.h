@@ -6,15 +6,15 @@
 
 namespace scree::io {
 
-/// The number that a text is, all of it: decimal point, a sign, an exponent after e, E, d or D. Too large for a double
-/// is infinite, too small is zero; "inf" and "nan" are numbers here, so that the caller can say what is wrong with
-/// them. Independent of the locale.
-/// @return nothing where the text is no number
+/// The number that the whole text represents: with decimal point, sign, exponent after e, E, d or D. A number too large
+/// for a double is infinite, one too small is zero; "inf" and "nan" are numbers here, so that the caller can report
+/// what is wrong with them. Independent of the locale.
+/// @return nothing if the text is not a number
 [[nodiscard]] std::optional<double> number_of_text(std::string_view text);
 
 /// Length of the number that a text begins with, 0 if none: digits with or without a point, with or without an
-/// exponent. "1.234-5.678" begins with "1.234"; "1.234-105" with all of it, since Fortran leaves out the letter of an
-/// exponent with three digits.
+/// exponent. "1.234-5.678" begins with "1.234"; "1.234-105" is one number, since Fortran leaves out the letter of
+/// an exponent with three digits.
 [[nodiscard]] std::size_t leading_number(std::string_view text);
 
 }  // namespace scree::io

@@ -18,7 +18,7 @@ struct Part {
 
 constexpr const char* kOverrideForm = "key=value, for example stage.0.duration=0.1";
 
-/// One option being read.
+/// Reads and applies one option.
 class Override {
  public:
   Override(const std::string& option, int number) : option_(option), number_(number) {}
@@ -38,7 +38,7 @@ class Override {
                     {std::move(problem), "", in_quotes(option_), std::move(allowed), std::move(hint)});
   }
 
-  /// Parts of the key, and where the equals sign is.
+  /// Finds the parts of the key and the position of the equals sign.
   void split() {
     std::size_t i = 0;
     while (true) {

@@ -34,8 +34,8 @@ Block read_block(const Section& s, const Model& model) {
   for (std::size_t k = 0; k < block.polygon.rings(); ++k) block.edges.emplace_back(block.polygon.ring(k).size());
   block.edges[0] = edge_laws(s, block.polygon.outer.size(), joints);
   for (const std::size_t k : orient(block.polygon)) {
-    // Turned corners run n-1, ..., 0. Written edge j, from corner j to j + 1, is now edge n - 2 - j; the last one,
-    // from corner n - 1 to 0, stays last.
+    // In a reversed ring the corners run n-1, ..., 0. Edge j as written, from corner j to j + 1, is now edge n - 2 - j;
+    // the last edge, from corner n - 1 to 0, stays last.
     std::vector<JointId>& laws = block.edges[k];
     std::reverse(laws.begin(), laws.end() - 1);
   }
@@ -70,7 +70,7 @@ void read_blocks(const Section& root, const std::filesystem::path& folder, const
   const std::vector<GeometryFault> faults = check_geometry(model);
   if (faults.empty()) return;
   const GeometryFault& f = faults.front();
-  // An overlap names both blocks already.
+  // The text of an overlap contains the names of both blocks already.
   const std::string what =
       f.other.valid() ? f.what : fmt::format("block {}: {}", in_quotes(model.blocks[f.block.index()].name), f.what);
   const char* allowed = "a simple polygon that encloses an area and overlaps no other block";

@@ -9,14 +9,14 @@
 namespace scree::io {
 namespace {
 
-/// Refuses keys that go with another one, which is not there.
+/// Refuses a key that requires another key, if that other key is absent.
 void need(const Section& s, std::string_view key, bool there, std::string_view with) {
   if (!s.has(key) || there) return;
   throw s.error(key, fmt::format("it does nothing without {}", with), fmt::format("beside {}", with),
                 fmt::format("give {}, or remove the key", with));
 }
 
-/// A strength or limit that may be left out.
+/// A strength or limit; Bolt::kNever if the key is absent.
 double limit(const Section& s, std::string_view key) { return s.has(key) ? s.number(key) : Bolt::kNever; }
 
 void read_bond(const Section& s, double spacing, Bolt& bolt) {
@@ -50,7 +50,7 @@ void check_pretension(const Section& s, const Bolt& bolt, double spacing) {
                   fmt::format("less than yield, {:.6g} N", bolt.yield * spacing), "lower it, or raise yield");
 }
 
-/// The bond acts where there is rock.   @pre it is laid out
+/// Refuses a pretension above the strength of the bond, which acts in rock only.   @pre the bolt is laid out
 void check_bond(const Section& s, const Bolt& bolt) {
   if (bolt.pretension == 0.0 || bolt.bond_length == 0.0) return;
   double bond = 0.0;
@@ -62,7 +62,7 @@ void check_bond(const Section& s, const Bolt& bolt) {
         "lower it, or lengthen the bond");
 }
 
-/// Name, head and toe of the bolts of a section: one, or those that a layer of the drawing holds.
+/// Name, head and toe of the bolts of a section: one bolt, or those on a layer of the drawing.
 std::vector<Bolt> drawn_bolts(const Section& s, const DrawnLayers& drawing, std::size_t number) {
   std::vector<Bolt> out;
   for (const char* key : {"head", "toe"})
@@ -113,7 +113,7 @@ Bolt read_bolt(const Section& s, const std::vector<std::string>& stages, Bolt bo
   return bolt;
 }
 
-/// What a bolt that holds nothing would hide.
+/// Refuses a bolt that holds no free block: it would have no effect.
 void check_blocks(const Section& s, const char* place, const Model& model, const Bolt& bolt) {
   const auto held = [&](const Bolt::Node& n) { return model.support_of(n.block) != nullptr; };
   if (std::all_of(bolt.nodes.begin(), bolt.nodes.end(), held))

@@ -49,7 +49,7 @@ Case read_case_text(std::string text, const std::filesystem::path& file, const s
   read_reduction(root, methods, out.model, out.plan);
   out.resolved = to_toml(document);
   if (!drawing.empty()) out.drawing = drawing.report();
-  move_to_local_origin(out.model);  // last: errors above name the coordinates of the file
+  move_to_local_origin(out.model);  // last: errors above report coordinates of the file
   for (coupling::Stage& stage : out.plan.stages)
     for (Vec2& corner : stage.partition.explicit_region) corner -= out.model.origin;
   return out;

@@ -1,4 +1,4 @@
-// What stages excavate and fill: names and regions become lists of the blocks that a stage is without.
+// Excavation and filling by stages: names and regions become lists of the blocks that are absent in a stage.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using coupling::Construction;
 
 constexpr const char* kKeys[] = {"excavate", "excavate_in", "fill", "fill_in"};
 
-/// A block that a key means, and whether it is named itself, not by a pattern or a region.
+/// A block that a key selects, and whether by its own name, not by a pattern or a region.
 struct Choice {
   BlockId block;
   const char* key = "";
@@ -22,7 +22,7 @@ struct Choice {
   bool named = false;
 };
 
-/// Whether a block's centroid is in the region, where the case has it.
+/// Appends the blocks whose centroid, in the position given in the case, lies in the region under the key.
 void choose_in(const Section& s, const char* key, const Model& model, std::vector<Choice>& out) {
   if (!s.has(key)) return;
   Polygon region{s.ring(key), {}};
@@ -40,7 +40,7 @@ void choose_in(const Section& s, const char* key, const Model& model, std::vecto
                   "lists their centroids");
 }
 
-/// Blocks of a list of names and of a region.
+/// Blocks that a list of names and a region select.
 std::vector<Choice> chosen(const Section& s, const char* list, const char* region, const Model& model) {
   std::vector<Choice> out;
   if (s.has(list)) {
@@ -61,12 +61,12 @@ CaseError error_at(const Section& s, const Choice& at, std::string problem, std:
              : s.error(at.key, std::move(problem), std::move(allowed), std::move(hint));
 }
 
-/// Walks the stages in their order with what is there and what of it has been released.
+/// Processes the stages in order and keeps the absent blocks and the released part of each excavation.
 class Reader {
  public:
   explicit Reader(const Model& model) : model_(&model), absent_(model.blocks.size(), 0), seen_(absent_) {}
 
-  /// A block that a stage fills before any has excavated it is not there from the start.
+  /// A block that a stage fills before any stage has excavated it is absent from the start.
   void begin(const std::vector<Section>& stages) {
     for (const Section& s : stages) {
       for (const Choice& c : chosen(s, "fill", "fill_in", *model_))
@@ -106,8 +106,8 @@ class Reader {
  private:
   [[nodiscard]] const std::string& name(BlockId b) const { return model_->blocks[b.index()].name; }
 
-  /// Blocks that a stage takes away (there: 0) or brings (there: 1), each once. Patterns and regions pass over those
-  /// that are so already.
+  /// Blocks that a stage excavates (there: 0) or fills (there: 1), each once. Patterns and regions skip blocks that are
+  /// absent or present already.
   std::vector<BlockId> change(const Section& s, const char* list, const char* region, char there) const {
     std::vector<BlockId> out;
     const std::vector<Choice> all = chosen(s, list, region, *model_);
@@ -168,7 +168,7 @@ class Reader {
   std::vector<double> released_;  // of each excavation so far
 };
 
-/// A bolt holds what is there, from its installation to the end.
+/// Refuses bolts in absent blocks: those that a bolt holds must be present from its installation to the end.
 void check_bolts(const Section& s, std::size_t index, const Model& model, const Construction& construction) {
   const std::vector<char> absent = construction.flags(model.blocks.size());
   for (const Bolt& bolt : model.bolts) {

@@ -9,8 +9,8 @@
 namespace scree::io {
 namespace {
 
-/// True where all of a -> b lies in the polygon or on its outline: the lines of the edges cut it into pieces that do
-/// not change sides, so their middles tell.
+/// True if all of a -> b lies in the polygon or on its outline: the lines of the edges divide it into pieces that
+/// do not change sides, so it suffices to test the middle of each piece.
 bool inside(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
   std::vector<double> cuts{0.0, 1.0};
@@ -19,7 +19,7 @@ bool inside(const Polygon& polygon, const Vec2& a, const Vec2& b) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2 edge = ring[(i + 1) % ring.size()] - ring[i];
       const double t = cross(ring[i] - a, edge) / cross(d, edge);
-      if (t > 0.0 && t < 1.0) cuts.push_back(t);  // not where they are parallel
+      if (t > 0.0 && t < 1.0) cuts.push_back(t);  // false for parallel lines
     }
   }
   std::sort(cuts.begin(), cuts.end());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kManyPieces = 10000.0;  // lines and crossings that are cut within about a second
 
-/// What a domain is read from, with the sections that faults belong to.
+/// Reads a domain and keeps the sections and rows that its parts come from, for faults.
 class DomainReader {
  public:
   DomainReader(const Section& section, const std::filesystem::path& folder, const DrawnLayers& drawing,
@@ -76,7 +76,7 @@ class DomainReader {
  private:
   [[nodiscard]] JointId joint(const Section& s) const { return JointId{find_name(s, "joint", "joint", joints_)}; }
 
-  /// One of several keys.
+  /// Refuses none or more than one of several keys.
   static void check_one(const Section& s, std::initializer_list<const char*> keys, const char* none, const char* hint) {
     std::vector<std::string> given;
     std::string allowed = "one of";
@@ -182,7 +182,7 @@ class DomainReader {
                     fmt::format("remove it: the deviation is {} itself", mean));
     return out;
   }
-  /// The same for a quantity that is positive.
+  /// The spread of a positive quantity.
   [[nodiscard]] static Spread positive_spread(const Section& s, const std::string& key, bool mean_elsewhere = false) {
     const std::string deviation = key + "_deviation";
     Spread out = spread(s, key, deviation, key + "_distribution");

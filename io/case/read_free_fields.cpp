@@ -15,12 +15,12 @@
 namespace scree::io {
 namespace {
 
-/// Stretches that share no more than this part of an edge only touch: their ends were rounded.
+/// Stretches that share at most this part of an edge do not overlap: their ends were rounded.
 constexpr double kTouching = 1e-9;
-/// A side may lean by this much [rad]: its ends were rounded.
+/// Largest inclination of a side to the vertical [rad]: its ends were rounded.
 constexpr double kLean = 1e-3;
 
-/// What a motion drives from below.
+/// A base that a motion drives from below.
 struct Base {
   MotionId motion;
   bool rigid = false;
@@ -28,7 +28,7 @@ struct Base {
   [[nodiscard]] bool operator==(const Base&) const = default;
 };
 
-/// The one base of the model, or the one that follows the motion that is named.
+/// The only base of the model, or the base that follows the motion named in the section.
 Base base_of(const Section& s, const Section& root, const Model& model) {
   MotionId motion;
   if (s.has("motion")) {
@@ -55,7 +55,7 @@ Base base_of(const Section& s, const Section& root, const Model& model) {
   return found.front();
 }
 
-/// The outline that is meant: an edge by its number, or what lies on a line.
+/// The selected outline: an edge by its number, or the stretches on a line.
 std::vector<EdgeSpan> sides(const Section& s, const Section& root, const Model& model) {
   std::vector<EdgeSpan> spans;
   if (s.has("edge")) {
@@ -73,7 +73,7 @@ std::vector<EdgeSpan> sides(const Section& s, const Section& root, const Model& 
   return spans;
 }
 
-/// Refuses sides that lean, and ground of several materials.
+/// Refuses sides that are not vertical, and sides of several materials.
 void check_sides(const Section& s, const std::vector<EdgeSpan>& spans, const Model& model) {
   const char* key = s.has("on") ? "on" : "edge";
   for (const EdgeSpan& span : spans) {
@@ -106,7 +106,7 @@ std::pair<double, double> reach_of(const std::vector<EdgeSpan>& spans, const Mod
   return {low, high};
 }
 
-/// The ground from its base to its surface, around the side.
+/// The ground from its base to its surface, which must include the height of the side.
 FreeField ground_of(const Section& s, const std::vector<EdgeSpan>& spans, const Model& model, const Base& base) {
   const auto [low, high] = reach_of(spans, model);
   const FreeField ground{s.has("bottom") ? s.number("bottom") : low, s.has("top") ? s.number("top") : high, base.motion,
@@ -126,7 +126,7 @@ FreeField ground_of(const Section& s, const std::vector<EdgeSpan>& spans, const 
   return ground;
 }
 
-/// True where a stage has no mesh in a block.
+/// True if a block has no mesh in a stage.
 bool without_mesh(const coupling::Stage& stage, BlockId block) {
   std::string method = stage.method;
   bool onefold = false;
@@ -139,7 +139,7 @@ bool without_mesh(const coupling::Stage& stage, BlockId block) {
   return (method != "nmm" || onefold) && std::find(absent.begin(), absent.end(), block) == absent.end();
 }
 
-/// Refuses sides of blocks that have no mesh in a stage that the motion shakes.
+/// Refuses sides of blocks that have no mesh in a stage in which the motion acts.
 void check_meshed(const Section& s, const std::vector<EdgeSpan>& spans, MotionId motion, const Model& model,
                   const coupling::Plan& plan) {
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
@@ -154,7 +154,7 @@ void check_meshed(const Section& s, const std::vector<EdgeSpan>& spans, MotionId
   }
 }
 
-/// What is left of the run as a motion begins, if the stages last as planned [s].
+/// Remaining time of the run when a motion begins, if the stages last as planned [s].
 double rest_of_run(const GroundMotion& motion, const coupling::Plan& plan) {
   Tick left = 0;
   const StageId stage = motion.setting().stage;

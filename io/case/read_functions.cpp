@@ -13,7 +13,7 @@ namespace {
 
 using Shape = TimeFunction::Shape;
 
-/// What a shape is made from beside amplitude and start.
+/// Keys of a shape, except amplitude and start.
 struct ShapeKeys {
   std::string_view name;
   Shape shape;
@@ -26,7 +26,7 @@ const std::array<ShapeKeys, 6> kShapes{{{"constant", Shape::constant, {}, {}},
                                         {"sine_squared", Shape::sine_squared, {"duration"}, {}},
                                         {"table", Shape::table, {}, {"file", "points"}}}};
 
-/// Each key that the shape needs is there, and none that it does not use.
+/// Checks that each key that the shape needs is present, and none that it does not use.
 void check_keys(const Section& s, const ShapeKeys& shape) {
   std::vector<std::string> known{"amplitude", "start", "offset"};
   for (const auto* keys : {&shape.needed, &shape.possible}) known.insert(known.end(), keys->begin(), keys->end());

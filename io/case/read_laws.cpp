@@ -33,7 +33,7 @@ void read_strength(const Section& s, JointLaw& law) {
     throw s.error("residual_cohesion", "the cohesion would grow with failure",
                   fmt::format("0 <= value <= {:g}, the cohesion of the joint [Pa]", law.cohesion),
                   "cohesion is the one before failure, residual_cohesion the one after it");
-  // At f_n = -c / tan(phi) the least shear slips: a higher strength would never be reached.
+  // At f_n = -c / tan(phi) any shear force causes slip: a higher tensile strength would never be reached.
   const double pull = law.tensile_strength, shear = pull * std::tan(law.friction);
   if (std::isfinite(pull) && pull > 0.0 && (law.cohesion == 0.0 || shear > law.cohesion * (1.0 + 1e-12)))
     throw s.error("tensile_strength", "Coulomb's line ends before the tensile strength: the joint would slip first",
@@ -55,7 +55,7 @@ void read_dilation(const Section& s, JointLaw& law) {
                     "add dilation_deg = ...");
     return;
   }
-  // Sliding spends friction on lifting; what would be spent beyond it would come from nowhere.
+  // Lifting takes its work from friction: with dilation above friction, sliding would create energy.
   double least = law.friction;
   if (law.residual_friction) {
     const double lost =

@@ -42,7 +42,7 @@ Bolt read_liner(const Section& s, std::size_t number, const std::vector<coupling
   return liner;
 }
 
-/// What a liner is glued to stays from its stage to the end.
+/// Refuses liners on blocks that are not present from the liner's stage to the end.
 void check_blocks(const Section& s, const Model& model, const std::vector<coupling::Stage>& stages, const Bolt& liner) {
   for (std::size_t i = liner.stage.valid() ? liner.stage.index() : 0; i < stages.size(); ++i) {
     const std::vector<char> absent = stages[i].construction.flags(model.blocks.size());

@@ -11,7 +11,7 @@
 namespace scree::io {
 namespace {
 
-/// The function that a load names; one of its own, which begins with the load, if the load has a start.
+/// The function named in a load; if the load has a start, a function of its own that begins with the load.
 FunctionId function_of(const Section& s, const Section& root, std::string_view list, std::size_t index, Model& model) {
   FunctionId named;
   if (s.has("function")) {
@@ -60,7 +60,7 @@ void read_point_load(const Section& s, const Section& root, std::size_t index, M
   model.point_loads.push_back(load);
 }
 
-/// What a traction acts on: edges of the block that it names, or of all that lie on its line and are free to move.
+/// Edges that a traction acts on: of the block named in it, or of all free blocks with edges on its line.
 std::vector<EdgeSpan> loaded_edges(const Section& s, const Section& root, const Model& model) {
   if (s.has("block")) return chosen_edges(s, root, model, free_block(s, model, "the traction"));
   if (s.has("edge") || !s.has("on"))

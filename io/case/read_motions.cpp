@@ -25,7 +25,7 @@ Record record_of(const Section& s, const std::filesystem::path& folder) {
   }
 }
 
-/// From the numbers of the file to m/s2.
+/// Factor from the numbers of the file to m/s2.
 double unit_factor(const Section& s, const Record& record) {
   if (!record.unit.empty()) {
     if (!s.has("unit")) s.settle("unit", record.unit);
@@ -63,7 +63,7 @@ RecordProcessing processing_of(const Section& s) {
   return how;
 }
 
-/// The record as the case wants it, in m/s2.
+/// The record processed with the settings of the case, in m/s2.
 Samples samples_of(const Section& s, Record record, const RecordProcessing& how) {
   const double factor = unit_factor(s, record);
   for (double& a : record.acceleration) a *= factor;
@@ -97,8 +97,8 @@ Vec2 direction_of(const Section& s) {
   return direction / length;
 }
 
-/// Without a start of its own a motion begins with the first stage after those that bring the model to rest, whenever
-/// they end.
+/// Without a start of its own a motion begins with the first stage after those that bring the model to rest,
+/// at whatever time these end.
 void settle_start(const Section& s, const Section& root) {
   const std::vector<Section> stages = root.list("stage");
   double end = 0.0;
@@ -109,7 +109,7 @@ void settle_start(const Section& s, const Section& root) {
     }
     end += stage.number("duration");
   }
-  s.settle("start", end);  // after stages to rest alone: no stage meets it
+  s.settle("start", end);  // all stages are stages to rest: it begins in none
 }
 
 }  // namespace

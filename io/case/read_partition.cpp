@@ -14,7 +14,7 @@ namespace {
 using coupling::Integrator;
 using coupling::Partition;
 
-/// Any of these says that some block may be explicit.
+/// With any of these keys some block may be explicit.
 constexpr const char* kRules[] = {"explicit_blocks", "explicit_region", "explicit_area", "explicit_speed",
                                   "explicit_strain_rate"};
 constexpr const char* kBeside[] = {"implicit_blocks", "implicit_speed", "implicit_strain_rate", "substeps",
@@ -31,7 +31,7 @@ void refuse_elsewhere(const Section& s) {
   if (s.boolean("shared_contacts")) refuse("shared_contacts");
 }
 
-/// Blocks of a list, each once. Patterns pass over blocks that are held whole: those take no steps.
+/// Blocks of a list, each once. Patterns skip blocks that are held whole: these take no steps.
 std::vector<BlockId> read_side(const Section& s, const char* key, const Model& model) {
   std::vector<BlockId> blocks;
   if (!s.has(key)) return blocks;
@@ -53,7 +53,7 @@ std::vector<BlockId> read_side(const Section& s, const char* key, const Model& m
   return blocks;
 }
 
-/// The first item of the list under a key that means the block.
+/// The first item of the list under a key that selects the block.
 std::size_t item_of(const Section& s, const char* key, BlockId block, const Model& model) {
   const std::vector<std::string> patterns = s.texts(key), known = names_of(model.blocks);
   for (std::size_t i = 0; i < patterns.size(); ++i) {

@@ -61,7 +61,7 @@ std::vector<coupling::MethodRule> read_rules(const Section& s, const Model& mode
   return rules;
 }
 
-/// The first block with the NMM whose covers have no size; invalid: none.
+/// The first block with the NMM for which no cover size is given; invalid: none.
 BlockId without_covers(const coupling::Stage& stage, const std::vector<std::string>& methods, const Model& model) {
   std::vector<char> sized(methods.size(), stage.cover_size > 0.0 ? 1 : 0);
   for (std::size_t b = 0; b < methods.size(); ++b) sized[b] |= methods[b] != "nmm" || model.blocks[b].cover_size > 0.0;
@@ -136,7 +136,7 @@ bool uses(const coupling::Stage& stage, const std::string& method) {
          std::any_of(stage.rules.begin(), stage.rules.end(), [&](const auto& r) { return r.method == method; });
 }
 
-/// Constants of the methods that have keys; a method that nothing uses needs none.
+/// Constants of the methods that have keys; a method that no stage uses needs none.
 void read_constants(const Section& root, coupling::Plan& plan) {
   const std::vector<Section> stages = root.list("stage");
   for (const coupling::Method& m : coupling::registered_methods()) {

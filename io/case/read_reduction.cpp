@@ -1,4 +1,4 @@
-// [reduction]: the stages of a case in place of which the strength of its joints is reduced.
+// [reduction]: replaces stages of a case by stages in which the strength of its joints is reduced.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace {
 using coupling::Integrator;
 using coupling::Stage;
 
-constexpr double kStepRatio = 0.01;     // of the factor in a static step, at most
-constexpr double kLeastSteps = 20.0;    // of the stage that reduces
-constexpr double kSettleSteps = 400.0;  // static steps within which balance is found, or not
-constexpr double kBalanced = 1e-6;      // unbalanced force at rest, of the largest force
-constexpr double kLimit = 5e-3;         // displacement that decides, of the root area of the smallest free block
-constexpr double kSettleWay = 4.0;      // limits, that a block may move until balance is found: joints take up slip
-constexpr double kTraverses = 2.0;      // of a pressure wave through the free blocks, in a static step
+constexpr double kStepRatio = 0.01;     // largest relative change of the factor per static step
+constexpr double kLeastSteps = 20.0;    // least number of steps of the stage that reduces
+constexpr double kSettleSteps = 400.0;  // most static steps to find balance
+constexpr double kBalanced = 1e-6;      // unbalanced force at rest over the largest force
+constexpr double kLimit = 5e-3;         // displacement that ends a stage, over the root area of the smallest free block
+constexpr double kSettleWay = 4.0;      // displacement allowed until balance is found, in limits: joints take up slip
+constexpr double kTraverses = 2.0;      // traverses of a pressure wave through the free blocks per static step
 
-/// What the settings that are left out follow from.
+/// Quantities from which the defaults of absent settings follow.
 struct Scale {
   double block = INFINITY;  // root area of the smallest free block [m]
   double extent = 0.0;      // of the free blocks [m]
-  double speed = INFINITY;  // of pressure waves in them, the smallest [m/s]
+  double speed = INFINITY;  // smallest of pressure waves in them [m/s]
 };
 
 Scale scale_of(const Section& r, const Model& model, const std::vector<char>& absent) {
@@ -54,7 +54,7 @@ Scale scale_of(const Section& r, const Model& model, const std::vector<char>& ab
   return out;
 }
 
-/// Gives a stage to rest other steps: explicit ones that are as long as they may be, or implicit static steps of dt.
+/// Changes the integrator of a stage to rest: to explicit steps of the step bound, or implicit static steps of dt.
 void integrate(Stage& s, Integrator integrator, double dt) {
   if (s.integrator == integrator) return;
   s.integrator = integrator;
@@ -66,7 +66,7 @@ void integrate(Stage& s, Integrator integrator, double dt) {
     s.dt.reset();
 }
 
-/// The leading stages to rest, or one that is made where there are none.
+/// The leading stages to rest; if there are none, one that is made here.
 std::vector<Stage> rest_stages(const Section& r, const Section& root, const coupling::Plan& plan, double dt) {
   std::vector<Stage> out;
   for (const Stage& s : plan.stages) {
@@ -104,7 +104,7 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
   s.end = {};
   s.rest_steps = 0;
   s.rest_force = 0.0;
-  s.construction.release.reset();  // it is over
+  s.construction.release.reset();  // it is complete
   s.construction.release_time = 0;
   if (r.has("method")) {
     (void)find_name(r, "method", "method", methods);
@@ -130,14 +130,14 @@ Stage stage_of(const Section& r, const Section& root, const Stage& rest, const s
   return s;
 }
 
-/// What depends on later stages is left out: motions, loads that have not begun, bolts that are not installed yet.
+/// Removes what depends on later stages: motions, loads that have not begun, bolts that are not installed yet.
 void drop_later(Model& model, std::size_t kept) {
   for (BlockSupport& s : model.block_supports) s.motion = {};
   for (ViscousEdge& e : model.viscous_edges) e.motion = {};
   model.motions.clear();
   const auto later = [&](FunctionId f) {
     if (!f.valid()) return false;
-    if (of_free_field(model, f)) return true;  // as the motions
+    if (of_free_field(model, f)) return true;  // removed like the motions
     const StageId stage = model.functions[f.index()].stage;
     return stage.valid() && stage.index() >= kept;
   };
@@ -148,7 +148,7 @@ void drop_later(Model& model, std::size_t kept) {
   std::erase_if(model.bolts, [kept](const Bolt& b) { return b.stage.valid() && b.stage.index() >= kept; });
   for (TimeFunction& f : model.functions)
     if (f.stage.valid() && f.stage.index() >= kept) {
-      f = TimeFunction{};  // nothing has it any more
+      f = TimeFunction{};  // nothing uses it any more
       f.stage = {};
     }
 }

@@ -9,7 +9,7 @@ namespace {
 
 using coupling::Integrator;
 
-/// A choice that changes nothing in this stage, which the user would not notice.
+/// Refuses a choice that would have no effect in this stage, which the user would not notice.
 void refuse(const Section& s, std::string_view key, bool wrong, std::string problem, std::string allowed,
             std::string hint) {
   if (wrong) throw s.error(key, std::move(problem), std::move(allowed), std::move(hint));

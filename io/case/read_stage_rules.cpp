@@ -72,7 +72,7 @@ std::string obstacle(const coupling::Stage& stage, const Model& model, BlockId b
   return stage.cracks && cracked ? "has a crack, which the DDA would close" : "";
 }
 
-/// Blocks of the list that can change, each once; those that patterns mean and cannot are passed over.
+/// Blocks of the list that can change method, each once; blocks that match a pattern but cannot change are skipped.
 std::vector<BlockId> read_blocks_of(const Section& r, const coupling::Stage& stage, const Model& model) {
   std::vector<BlockId> blocks;
   const std::vector<std::string> known = names_of(model.blocks);

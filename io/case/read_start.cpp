@@ -1,4 +1,4 @@
-// When motions, functions and loads begin, and whether the stages of the plan meet them.
+// Times at which motions, functions and loads begin, and whether they begin in a stage of the plan.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<Section> sections_of_functions(const Section& root) {
   return out;
 }
 
-/// A stage that takes motion out while its base is told to move would report a rest that is none.
+/// Refuses a stage to rest during which a motion moves the base: the rest that it reports would be false.
 void check_rest(const Section& root, const Model& model) {
   const std::vector<Section> stages = root.list("stage");
   std::vector<double> begins{0.0};
@@ -73,7 +73,7 @@ void check_times(const Section& root, const Model& model, const coupling::Plan& 
   const std::vector<Section::Named> motions = root.named("motion");
   const std::vector<Section> functions = sections_of_functions(root);
   for (const coupling::TimeFault& f : coupling::time_faults(model, plan)) {
-    if (f.kind != coupling::TimeFault::Kind::missed) continue;  // the run warns of it
+    if (f.kind != coupling::TimeFault::Kind::missed) continue;  // the run warns about it
     const Section& s = f.motion ? motions[f.index].section : functions[f.index];
     throw s.error("start", coupling::text(f, model) + ": no stage can meet it",
                   fmt::format("the name of a stage, or a time before {:g} s", f.run_end),

@@ -12,7 +12,7 @@
 namespace scree::io {
 namespace {
 
-/// Blocks that a support names, with the place of each name.
+/// Blocks named in a support, with the item of the list that names each.
 struct Held {
   BlockId block;
   std::size_t item;
@@ -28,7 +28,7 @@ std::vector<Held> held_blocks(const Section& s, const Model& model) {
   return held;
 }
 
-/// One of block, blocks and at; none is needed beside a line or a box.
+/// Checks that one of block, blocks and at is given; none is needed beside a line or a box.
 void check_naming(const Section& s) {
   std::vector<std::string> given;
   for (const char* key : {"block", "blocks", "at"})
@@ -62,7 +62,7 @@ void hold_point(const Section& s, Model& model) {
   model.point_supports.push_back(support);
 }
 
-/// Stretches of outline that a support holds, of blocks that are not held whole.
+/// Stretches of outline that a support holds, without those of blocks that are held whole.
 std::vector<EdgeSpan> held_edges(const Section& s, const Model& model) {
   std::vector<EdgeSpan> spans = free_edges(s, model);
   const char* key = s.has("on") ? "on" : "box";
@@ -135,7 +135,7 @@ void read_supports(const Section& root, Model& model) {
     if (s.has("on") || s.has("box")) continue;
     s.has("point") ? hold_point(s, model) : hold_whole(s, motions, model);
   }
-  for (const Section& s : root.list("support"))  // after all that hold whole blocks
+  for (const Section& s : root.list("support"))  // after all supports that hold whole blocks
     if (s.has("on") || s.has("box")) hold_edges(s, model);
 }
 

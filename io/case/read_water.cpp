@@ -48,7 +48,7 @@ std::vector<Vec2> piezometric_line(const Section& s, const DrawnLayers& drawing)
   return rising(s);
 }
 
-/// Laws that a section names, none of which has water yet.
+/// Joint laws that a section selects; refuses a law that has a piezometric line already.
 std::vector<JointId> filled_joints(const Section& s, const Model& model) {
   const std::vector<std::string> known = names_of(model.joints);
   const auto take = [&](JointId joint, auto&& error) {
@@ -77,7 +77,7 @@ std::vector<JointId> filled_joints(const Section& s, const Model& model) {
   return joints;
 }
 
-/// Lines of later stages, by stage.
+/// Piezometric lines of later stages, in the order of the stages.
 std::vector<JointWater::Level> levels_of(const Section& s, const Section& root) {
   std::vector<std::string> stages;
   for (const Section& stage : root.list("stage")) stages.push_back(stage.text("name"));
@@ -92,7 +92,7 @@ std::vector<JointWater::Level> levels_of(const Section& s, const Section& root) 
   return out;
 }
 
-/// Outlines that a reservoir presses on: those of blocks that are free.
+/// Stretches of outline on which a reservoir acts: those of free blocks.
 std::vector<EdgeSpan> reservoir_faces(const Section& s, const Model& model) {
   Box all = bounds(model.blocks.front().polygon);
   for (const Block& b : model.blocks) {

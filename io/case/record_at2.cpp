@@ -15,7 +15,7 @@ namespace {
 constexpr int kTitleLines = 20;  // the header of PEER is the fourth line; leave room for notes
 constexpr const char* kHeaderForms = "a line \"NPTS=  3930, DT= .00500 SEC\" or \"3930 0.00500 NPTS, DT\"";
 
-/// A part of a line, and where it stands.
+/// A part of a line, and its place.
 struct Spot {
   std::string_view text;
   int line = 0;
@@ -77,7 +77,7 @@ class At2 {
          "add the header that the record had; two columns with time are read from a file that is not called .AT2");
   }
 
-  /// A title that says the unit.
+  /// Reads the unit from a line of title, if the line contains it.
   void read_unit(std::string_view line) {
     const std::string capital = upper(line);
     std::size_t at = std::string::npos;
@@ -116,7 +116,7 @@ class At2 {
            "write the unit in one of these ways, or remove the words \"in units of\" and give the motion a unit");
   }
 
-  /// "NPTS=  3930, DT= .00500 SEC", or both numbers before their names.
+  /// Reads "NPTS=  3930, DT= .00500 SEC", or the form with both numbers before their names.
   void read_counts(std::string_view line, std::size_t key) {
     Spot step;
     const Spot before = word(line, 0);
@@ -136,7 +136,7 @@ class At2 {
     const auto read = std::from_chars(count_spot_.text.data(), end, count_);
     if (count_spot_.text.empty() || read.ec != std::errc{} || read.ptr != end || count_ < 2)
       fail(count_spot_, "NPTS is not a number of samples", "a whole number, at least 2", kHeaderForms);
-    const std::size_t length = leading_number(step.text);  // "SEC" may follow at once
+    const std::size_t length = leading_number(step.text);  // "SEC" may follow without a blank
     const std::optional<double> dt = number_of_text(step.text.substr(0, length));
     if (!dt || !std::isfinite(*dt) || !(*dt > 0.0) || !std::isfinite(*dt * static_cast<double>(count_)) ||
         (length < step.text.size() && upper(step.text[length]) != 'S'))
@@ -144,7 +144,7 @@ class At2 {
     dt_ = *dt;
   }
 
-  /// Numbers of a line, those without a blank between them split at their signs.
+  /// Reads the numbers of a line; numbers without a blank between them are split at their signs.
   void read_values(std::string_view line) {
     std::size_t i = 0;
     while (i < line.size()) {
@@ -152,7 +152,7 @@ class At2 {
         ++i;
         continue;
       }
-      if (line[i] == '\x1A') {  // end of a file of DOS
+      if (line[i] == '\x1A') {  // end-of-file character of DOS
         ended_ = true;
         return;
       }
@@ -181,7 +181,7 @@ class At2 {
     record_.acceleration.push_back(value);
   }
 
-  /// "1.5-103" as "1.5e-103".
+  /// Converts "1.5-103" to "1.5e-103".
   static std::string with_exponent(std::string_view number) {
     const std::size_t sign = number.find_last_of("+-");
     if (sign == std::string_view::npos || sign == 0 || number.find_first_of("eEdD") != std::string_view::npos)

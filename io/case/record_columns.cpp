@@ -21,7 +21,7 @@ double last_place(std::string_view number) {
   return std::pow(10.0, power);
 }
 
-/// Where a time stands, and how finely it is written.
+/// The text of a time, from which its last decimal is taken, and its place.
 struct Stamp {
   Field field;
   int line;
@@ -42,7 +42,7 @@ void refuse_gaps(const std::string& name, const std::vector<double>& time, const
   for (std::size_t i = 1; i < time.size(); ++i) {
     const double rounding = std::max(last_place(stamps[i - 1].field.text), last_place(stamps[i].field.text));
     const double tolerance = std::max(1e-3 * regular, std::min(rounding, 0.5 * regular));
-    // 1e-9: the differences of rounded decimals are themselves rounded.
+    // 1e-9: the differences of rounded decimals are rounded again.
     if (std::abs(time[i] - time[i - 1] - regular) <= tolerance * (1.0 + 1e-9)) continue;
     fail(name, stamps[i].line, stamps[i].field,
          fmt::format("the step from {} s to {} s is not the {:.6g} s of the other rows", time[i - 1], time[i], regular),

@@ -837,7 +837,8 @@ constexpr Key kKeys[] = {
 
 namespace {
 
-/// Appends a table and its numbers. The texts of what is registered stay where they are; those made here are kept.
+/// Appends a table and its numbers. Keys refer to the texts of registered methods and laws in place; the paths made
+/// here are stored in `paths`.
 void append(std::vector<Key>& keys, const std::string& path, std::string_view meaning,
             std::span<const NumberKey> numbers) {
   static std::deque<std::string> paths;
@@ -854,7 +855,7 @@ void insert_after(std::vector<Key>& keys, std::string_view section, const std::v
   keys.insert(last.base(), added.begin(), added.end());
 }
 
-/// The keys of laws of friction follow those of the joints that they belong to; the keys of methods, those of stages.
+/// The keys of friction laws follow those of the joints that they belong to; those of methods follow those of stages.
 std::vector<Key> with_registered() {
   std::vector<Key> keys(std::begin(kKeys), std::end(kKeys));
   std::vector<Key> laws, methods;

@@ -40,28 +40,28 @@ struct Key {
   Type type = Type::text;
   std::string_view unit{};      // of numbers, points and rings; texts with a unit are converted to it
   Range range{};                // of every number in the value
-  std::string_view fallback{};  // value when absent, as TOML; or words in brackets, worked out by the reader
+  std::string_view fallback{};  // value when absent, as TOML; or words in brackets: the reader determines it
   bool required = false;
   std::string_view choices{};  // of a choice, separated by |
   std::string_view meaning{};
 };
 
-/// All keys, a section after the other, in the order of the documentation.
+/// All keys, section by section, in the order of the documentation.
 [[nodiscard]] std::span<const Key> schema();
 
 /// The text that may stand in place of a number: "auto", "unlimited"; empty: none.
 [[nodiscard]] std::string_view word_for_number(Type type);
 
-/// The row of a path; nullptr if there is none.
+/// The row of the table with this path; nullptr if there is none.
 [[nodiscard]] const Key* find_key(std::string_view path);
 /// The part after the last dot: "density".
 [[nodiscard]] std::string_view last_part(std::string_view path);
-/// The path of the table that holds a key: "material.NAME" (lists as "block[]"); empty at the top.
+/// The path of the table that contains a key: "material.NAME" (lists as "block[]"); empty at the top.
 [[nodiscard]] std::string_view parent_of(std::string_view path);
 
 /// Heading of a table: "[model]", "[material.NAME]", "[[block]]".
 [[nodiscard]] std::string header_text(const Key& key);
-/// What may stand there: "number > 0 [kg/m3]".
+/// Allowed values: "number > 0 [kg/m3]".
 [[nodiscard]] std::string allowed_text(const Key& key);
 
 /// The whole table, for a terminal (`scree schema`) and as Markdown (docs/case-file.md).

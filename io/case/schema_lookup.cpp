@@ -1,4 +1,4 @@
-// Questions to the key table.
+// Searches in the key table.
 #include "io/case/schema.h"
 
 namespace scree::io {

@@ -1,4 +1,4 @@
-// The key table in words.
+// The key table as text.
 #include <fmt/format.h>
 
 #include <cmath>

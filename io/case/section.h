@@ -1,4 +1,4 @@
-// Typed reading of a checked document: the table of keys has made sure that types, units and ranges hold.
+// Typed reading of a checked document: types, units and ranges have been checked against the table of keys.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace scree::io {
 
-/// A table of the document, and how the user would write the way to it.
+/// A table of the document, and its path as the user would write it.
 class Section {
  public:
   /// @pre check_document has passed; the table outlives the section
@@ -20,13 +20,13 @@ class Section {
 
   [[nodiscard]] bool has(std::string_view key) const { return table_->find(key) != nullptr; }
 
-  /// @pre the key is there (required, or with a default)
+  /// @pre the key is present (required, or with a default)
   [[nodiscard]] bool boolean(std::string_view key) const;
   [[nodiscard]] int integer(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::optional<double> number_or_auto(std::string_view key) const;  // empty: "auto"
   [[nodiscard]] double number_or_unlimited(std::string_view key) const;            // infinite: "unlimited"
-  [[nodiscard]] bool is_text(std::string_view key) const;                          // of a number that may be a name
+  [[nodiscard]] bool is_text(std::string_view key) const;                          // of a key with a number or a name
   [[nodiscard]] const std::string& text(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] Vec2 point(std::string_view key) const;
@@ -39,12 +39,12 @@ class Section {
   struct Named;
   [[nodiscard]] std::vector<Named> named(std::string_view key) const;
 
-  /// Writes a default that the reader worked out into the document, for the resolved case.
+  /// Writes a default that the reader determined into the document, for the resolved case.
   void settle(std::string_view key, double number) const;
   void settle(std::string_view key, std::int64_t whole) const;
   void settle(std::string_view key, const std::string& text) const;
 
-  /// An error at the value of a key, at an item of it, or at the table itself where the key is absent.
+  /// An error at the value of a key, at an item of the value, or at the table itself if the key is absent.
   [[nodiscard]] CaseError error(std::string_view key, std::string problem, std::string allowed, std::string hint) const;
   [[nodiscard]] CaseError error(std::string_view key, std::size_t item, std::string problem, std::string allowed,
                                 std::string hint) const;

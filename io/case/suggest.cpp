@@ -40,9 +40,9 @@ std::vector<std::string_view> parts_of(std::string_view name) {
   return parts;
 }
 
-/// True where every part of a name begins a part of the known one, in their order: fric_deg, friction_deg.
+/// True if the parts of a name are beginnings of parts of the known name, in the same order: fric_deg, friction_deg.
 bool abbreviates(std::string_view name, std::string_view known) {
-  constexpr std::size_t kShortest = 3;  // of the first part: shorter ones begin too many names
+  constexpr std::size_t kShortest = 3;  // of the first part: shorter parts fit too many names
   const std::vector<std::string_view> given = parts_of(name), full = parts_of(known);
   if (given.empty() || given.front().size() < kShortest) return false;
   std::size_t at = 0;
@@ -58,7 +58,7 @@ bool abbreviates(std::string_view name, std::string_view known) {
   return true;
 }
 
-/// The shortest known name that a name abbreviates; empty where there is none, or two of that length.
+/// The shortest known name that a name abbreviates; empty if there is none, or if two have that length.
 std::string abbreviated(std::string_view name, const std::vector<std::string>& known) {
   std::string best;
   bool two = false;

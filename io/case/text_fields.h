@@ -7,14 +7,14 @@
 
 namespace scree::io {
 
-/// The lines of a text one after another; a byte order mark before the first is passed over.
+/// The lines of a text one after another; a byte order mark before the first line is skipped.
 class TextLines {
  public:
   explicit TextLines(std::string_view text);
 
   /// The next line without its '\n' (a '\r' before it stays); nothing after the last.
   [[nodiscard]] std::optional<std::string_view> next();
-  /// Number of the line that next() gave last, from 1; 0 before the first.
+  /// Number of the line that next() returned last, from 1; 0 before the first.
   [[nodiscard]] int row() const { return row_; }
 
  private:
@@ -27,7 +27,7 @@ struct Field {
   int column;  // from 1
 };
 
-/// Fields of a line without its comment ('#' to the end). Commas and semicolons separate, so does white space.
+/// Fields of a line without its comment ('#' to the end), separated by commas, semicolons or white space.
 [[nodiscard]] std::vector<Field> fields_of(std::string_view line);
 
 }  // namespace scree::io

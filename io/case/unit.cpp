@@ -66,7 +66,7 @@ std::optional<Unit> factor(std::string_view text) {
   std::size_t end = text.size();
   while (end > 0 && is_digit(text[end - 1])) --end;
   int power = 1;
-  if (text.size() - end > 1) return std::nullopt;  // no tenth powers
+  if (text.size() - end > 1) return std::nullopt;  // no powers of two digits
   if (end < text.size()) power = text[end] - '0';
   if (end < text.size() && end > 0 && text[end - 1] == '-') power = -power, --end;
   if (end < text.size() && end > 0 && text[end - 1] == '^') --end;
@@ -117,11 +117,12 @@ double shifted(std::string_view digits, int shift) {
   return read.ec == std::errc{} ? value : std::nan("");
 }
 
-/// A weight where a mass is wanted, such as kN/m3 for a density, or the other way round: the hint has the number.
+/// Fault for a weight where a mass is required, such as kN/m3 for a density, or for the reverse: the hint contains the
+/// converted number.
 std::optional<UnitFault> weight_for_mass(std::string_view digits, std::string_view name, const Unit& unit,
                                          const Unit& wanted, std::string_view base) {
   constexpr double kG = 9.81;                           // [m/s2]
-  constexpr std::array<int, 4> kPowerOfG{0, 1, -2, 0};  // of g
+  constexpr std::array<int, 4> kPowerOfG{0, 1, -2, 0};  // of kg, m, s and rad in g
   int sign = 0;
   for (const int s : {1, -1}) {
     bool fits = true;

@@ -7,7 +7,7 @@
 
 namespace scree::io {
 
-/// Why a text is not a number in the wanted unit.
+/// Why a text is not a number in the required unit.
 struct UnitFault {
   std::string problem, hint;
 };

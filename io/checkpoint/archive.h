@@ -1,4 +1,4 @@
-// Values as bytes and back: visitors for State::visit() and its like. Native byte order, every bit kept.
+// Conversion of values to bytes and back: visitors for State::visit() and similar functions. Native byte order, exact.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ namespace scree::io {
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-/// Passes the bytes of what it is shown on, in pieces.
+/// Passes on the bytes of the values that it visits, in pieces.
 class Packer {
  public:
   using PassOn = std::function<void(std::string_view)>;
   explicit Packer(PassOn pass_on) : pass_on_(std::move(pass_on)) { piece_.reserve(kPiece); }
-  /// Passes on what is left of the last piece.
+  /// Passes on the rest of the last piece.
   void flush();
-  /// Number of bytes of all that it was shown.
+  /// Number of bytes of all values visited so far.
   [[nodiscard]] std::uint64_t total() const { return total_ + piece_.size(); }
 
   template <Plain T>
@@ -63,15 +63,15 @@ class Packer {
 
   PassOn pass_on_;
   std::string piece_;
-  std::uint64_t total_ = 0;  // of what was passed on
+  std::uint64_t total_ = 0;  // bytes passed on
 };
 
-/// The bytes end before the values do, or the other way round.
+/// The bytes end before the values, or the values before the bytes.
 struct ArchiveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Fills what it is shown from the bytes that a Packer made of its like.   @throws ArchiveError
+/// Fills the values that it visits from the bytes that a Packer made of the same values.   @throws ArchiveError
 class Unpacker {
  public:
   explicit Unpacker(std::string_view in) : in_(in) {}
@@ -102,7 +102,7 @@ class Unpacker {
 
  private:
   void bytes(const char* name, void* data, std::size_t size);
-  /// A number of items that take at least `least` bytes each: never more than can follow.
+  /// Reads a number of items of at least `least` bytes each; checks that the remaining bytes can contain them.
   [[nodiscard]] std::size_t count(const char* name, std::size_t least);
 
   std::string_view in_;

@@ -56,7 +56,7 @@ void write_checkpoint(const std::filesystem::path& path, const RunRecord& run, c
     checkpoint.visit(pack);
     pack("state hash", hash);
   };
-  // The length stands before the bytes; they may be many, and are nowhere in memory as a whole.
+  // The length precedes the bytes, which may be many and are never all in memory: a first pass counts them.
   Packer counts([](std::string_view) {});
   pack_body(counts);
 
@@ -97,7 +97,7 @@ StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::s
   std::uint64_t hash = 0;
   try {
     Unpacker unpack(whole.substr(kHead, bytes.size() - kHead - kDigest));
-    // First alone: another version may have other fields after it.
+    // The version is read first: another version may have other fields after it.
     unpack("run.version", out.run.version);
     if (out.run.version != version)
       refuse(fmt::format("it is of Scree {}, and this is Scree {}", out.run.version, version));

@@ -11,18 +11,18 @@
 
 namespace scree::io {
 
-/// What a run was asked for: enough to ask for it again.
+/// The input and options of a run: sufficient to start the same run again.
 struct RunRecord {
   std::string version, commit, instruction_set;  // of the program
   std::string name, command_line;                // of the run
-  std::string case_path;                         // absolute: files that the case names are found from its folder
+  std::string case_path;                         // absolute; files named in the case are relative to its folder
   std::string case_text;
   std::vector<std::string> overrides;            // --set
-  std::vector<std::string> files, file_digests;  // that the case names, with their SHA-256
+  std::vector<std::string> files, file_digests;  // named in the case, with their SHA-256
   bool audit = false;
   double until = std::numeric_limits<double>::infinity();  // --until [s]
 
-  /// As State::visit().
+  /// Calls see(name, value) as State::visit() does.
   template <class Visitor>
   void visit(Visitor&& see) const;
 };
@@ -32,7 +32,7 @@ struct StoredCheckpoint {
   ResultsMark results;
   coupling::Checkpoint checkpoint;
 
-  /// As State::visit().
+  /// Calls see(name, value) as State::visit() does.
   template <class Visitor>
   void visit(Visitor&& see) const {
     run.visit(see);
@@ -41,14 +41,14 @@ struct StoredCheckpoint {
   }
 };
 
-/// A file is: "SCREE-CP", format version and a word that shows the byte order (32 bits each), bytes that follow (64
-/// bits); the record, the mark and the checkpoint (archive.h), hash of the state; SHA-256 of everything before in 64
-/// hexadecimal digits. It is written whole under another name and then put in place (atomic_file.h).
-/// @throws FileError; a file of that name is untouched then
+/// Contents of the file: "SCREE-CP"; format version and a word that shows the byte order (32 bits each); number of
+/// bytes that follow (64 bits); the record, the mark and the checkpoint (archive.h); hash of the state; SHA-256 of
+/// everything before in 64 hexadecimal digits. It is written under another name and then put in place (atomic_file.h).
+/// @throws FileError; an existing file of that name is unchanged then
 void write_checkpoint(const std::filesystem::path& path, const RunRecord& run, const ResultsMark& results,
                       const coupling::Checkpoint& checkpoint);
 
-/// @param version  of the program: a state means something to the version that wrote it
+/// @param version  of the program: a state can be used only by the version that wrote it
 /// @throws FileError with the reason: unreadable, no checkpoint, of another format, byte order or version, cut short,
 ///         damaged
 [[nodiscard]] StoredCheckpoint read_checkpoint(const std::filesystem::path& path, const std::string& version);

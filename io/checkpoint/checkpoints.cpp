@@ -33,7 +33,7 @@ std::optional<std::int64_t> number_of(const fs::path& file) {
   return number;
 }
 
-/// Hash of the case that a run's results are of; empty where they cannot be read.
+/// Hash of the case of the results in a run folder; empty where they cannot be read.
 std::string case_of(const RunFolder& folder) {
   try {
     return h5::text_attribute(h5::File::open(folder.results()), "/provenance", "case_sha256");
@@ -77,7 +77,7 @@ FoundCheckpoint newest_checkpoint(const RunFolder& folder, const std::string& ve
 }
 
 FolderLock::FolderLock(const fs::path& folder) : fd_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  // A file system that knows no locks does without.
+  // On a file system without locks nothing is locked.
   if (fd_ >= 0 && ::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd_);
     throw FileError(folder, "another run is writing in this folder");
@@ -96,7 +96,7 @@ Checkpoints::Checkpoints(RunFolder folder, RunRecord run, ResultsSink& results, 
     step_ = from->stored.checkpoint.state.step;
   }
   for (const fs::path& file : checkpoint_files(folder_)) number_ = number_of(file).value_or(-1) + 1;
-  // What a run that was killed was writing.
+  // Removes temporary files of a run that was killed.
   std::error_code ignored;
   for (fs::directory_iterator it(folder_.path(), ignored), end; !ignored && it != end; it.increment(ignored)) {
     const std::string name = it->path().filename().string();
@@ -111,7 +111,7 @@ bool Checkpoints::due(std::int64_t step) {
 
 void Checkpoints::keep(const coupling::Checkpoint& checkpoint) {
   const std::pair place{checkpoint.state.step, checkpoint.state.stage};
-  if (place == written_) return;  // a run that is stopped before its next step: it is there already
+  if (place == written_) return;  // a run that is stopped before its next step: already written
   step_ = place.first;
   const fs::path path = folder_.path() / (std::string(kBefore) + std::to_string(number_) + std::string(kAfter));
   write_checkpoint(path, run_, results_->mark(), checkpoint);
@@ -123,7 +123,7 @@ void Checkpoints::keep(const coupling::Checkpoint& checkpoint) {
   }
   last_ = path;
   written_ = place;
-  time_ = Clock::now();  // the clock does not run while one is written
+  time_ = Clock::now();  // the time of writing does not count
 }
 
 }  // namespace scree::io

@@ -1,4 +1,4 @@
-// The checkpoints of a run folder: writes them in turn, keeps the last two, finds the newest that is whole.
+// The checkpoints of a run folder: writes them in turn, keeps the last two, finds the newest that is complete.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace scree::io {
 
-/// checkpoint.<n>.scree in a run folder, oldest first.
+/// The files checkpoint.<n>.scree of a run folder, oldest first.
 [[nodiscard]] std::vector<std::filesystem::path> checkpoint_files(const RunFolder& folder);
 
 struct FoundCheckpoint {
@@ -23,14 +23,14 @@ struct FoundCheckpoint {
   std::filesystem::path path;
 };
 
-/// The newest checkpoint that is whole, of this version and of the case that the folder's run.vtkhdf is of (where that
+/// The newest checkpoint that is complete, of this version and of the same case as run.vtkhdf in the folder (if that
 /// can still be read).
-/// @param refused  told why newer ones are not taken
+/// @param refused  called with the reason for each newer checkpoint that is not used
 /// @throws FileError when there is none
 [[nodiscard]] FoundCheckpoint newest_checkpoint(const RunFolder& folder, const std::string& version,
                                                 const std::function<void(const std::string&)>& refused);
 
-/// Nobody else writes in a run folder while this lives.
+/// Excludes other programs from writing in a run folder during its lifetime.
 class FolderLock {
  public:
   /// @throws FileError when another program holds it
@@ -43,22 +43,22 @@ class FolderLock {
   int fd_;
 };
 
-/// Writes a checkpoint after so many seconds or steps. Results so far are brought to the disk before.
-/// @throws FileError from keep(): the checkpoints that there were stay
+/// Writes a checkpoint after a given number of seconds or steps. The results so far are written to the disk before it.
+/// @throws FileError from keep(): the earlier checkpoints stay
 class Checkpoints final : public coupling::Keeper {
  public:
   struct Every {
-    double seconds = 60.0;   // of wall time; 0: not by the clock
-    std::int64_t steps = 0;  // 0: not by steps
+    double seconds = 60.0;   // of wall time; 0: independent of wall time
+    std::int64_t steps = 0;  // 0: independent of steps
   };
-  /// @param results  of the same run, outlives this   @param from  where the run goes on, stays until two newer ones
-  ///                 are there; null: it begins
+  /// @param results  of the same run, outlives this   @param from  checkpoint from which the run is resumed; it stays
+  ///                 until two newer ones exist; null: the run starts
   Checkpoints(RunFolder folder, RunRecord run, ResultsSink& results, Every every,
               const FoundCheckpoint* from = nullptr);
 
   bool due(std::int64_t step) override;
   void keep(const coupling::Checkpoint& checkpoint) override;
-  /// The last one written; empty: none yet.
+  /// The last checkpoint written, or resumed from; empty: none yet.
   [[nodiscard]] const std::filesystem::path& last() const { return last_; }
 
  private:
@@ -68,9 +68,9 @@ class Checkpoints final : public coupling::Keeper {
   ResultsSink* results_;
   Every every_;
   std::filesystem::path last_;
-  std::int64_t number_ = 0;                                // of the next one
-  std::int64_t step_ = 0;                                  // of the last one
-  std::pair<std::int64_t, std::int32_t> written_{-1, -1};  // step and stage of the last one of this program
+  std::int64_t number_ = 0;                                // of the next checkpoint
+  std::int64_t step_ = 0;                                  // of the last checkpoint
+  std::pair<std::int64_t, std::int32_t> written_{-1, -1};  // step and stage of the last one written by this object
   Clock::time_point time_ = Clock::now();
 };
 

@@ -15,7 +15,7 @@ struct End {
   bool last;
 };
 
-/// Ends by place, on a grid of the joining distance.
+/// Ends of lines, sorted by position into a grid with cells of the joining distance.
 class Ends {
  public:
   Ends(const std::vector<const DrawnLine*>& lines, double distance)
@@ -28,7 +28,7 @@ class Ends {
     const auto& points = (*lines_)[e.line]->points;
     return e.last ? points.back() : points.front();
   }
-  /// Other ends at the place of an end.
+  /// Other ends within the joining distance of an end.
   [[nodiscard]] std::vector<End> meeting(const End& e) const {
     std::vector<End> out;
     const auto [i, j] = key(at(e));
@@ -58,7 +58,7 @@ std::vector<Chain> chained(const std::vector<const DrawnLine*>& lines, double di
   const Ends ends(lines, distance);
   std::vector<char> used(lines.size(), 0);
   std::vector<Chain> out;
-  /// The one end that goes on from another; nothing at a free end.
+  /// The one end that meets another end and continues the chain; nothing at a free end.
   const auto next = [&](const End& e) -> std::optional<End> {
     const std::vector<End> meeting = ends.meeting(e);
     if (meeting.size() > 1)
@@ -91,7 +91,7 @@ std::vector<Chain> chained(const std::vector<const DrawnLine*>& lines, double di
         append(chain, e->line, e->last);
         tip = {e->line, !e->last};
       }
-      std::reverse(chain.points.begin(), chain.points.end());  // then on from the other end, and back
+      std::reverse(chain.points.begin(), chain.points.end());  // continue at the other end, then restore the order
     }
     if (chain.points.size() > 3 && (chain.points.front() - chain.points.back()).norm() <= distance) {
       chain.points.pop_back();

@@ -7,16 +7,16 @@
 
 namespace scree::io {
 
-/// A ring or polyline, and the first line that it is made of.
+/// A ring or polyline, and the row of the first line in it.
 struct Chain {
   std::vector<Vec2> points;
-  bool closed = false;  // then the first point is not repeated
+  bool closed = false;  // if true, the first point is not repeated
   int row = 0;
 };
 
 /// Joins lines whose ends are within the distance of each other.
-/// @param lines  usable ones
-/// @throws DrawingError where three or more ends meet: which way goes on is not said
+/// @param lines  usable lines only
+/// @throws DrawingError where three or more ends meet: the continuation is ambiguous
 [[nodiscard]] std::vector<Chain> chained(const std::vector<const DrawnLine*>& lines, double distance);
 
 }  // namespace scree::io

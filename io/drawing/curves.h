@@ -1,4 +1,4 @@
-// Curves of drawings as chords that stray from them by no more than a tolerance.
+// Curves of drawings as chords that deviate from them by at most a tolerance.
 #pragma once
 
 #include <span>
@@ -9,13 +9,14 @@
 namespace scree::io {
 
 /// Points of an ellipse arc c + cos(t) a + sin(t) b, t from `from` to `to` [rad], both ends included.
-/// A chord over dt of a circle of radius r strays by r (1 - cos(dt/2)); of an ellipse by no more than with r = |a|,
-/// |b|.
+/// A chord over dt of a circle of radius r deviates from the circle by r (1 - cos(dt/2)); a chord of an ellipse by at
+/// most this value with r = max(|a|, |b|).
 /// @param tolerance > 0
 [[nodiscard]] std::vector<Vec2> arc_points(const Vec2& c, const Vec2& a, const Vec2& b, double from, double to,
                                            double tolerance);
 
-/// The arc from p to q of a bulge, tan of a quarter of its angle, counter-clockwise where positive; without p.
+/// Points of the arc from p to q, without p. The bulge is tan of a quarter of the arc's angle, positive for a
+/// counter-clockwise arc.
 [[nodiscard]] std::vector<Vec2> bulge_points(const Vec2& p, const Vec2& q, double bulge, double tolerance);
 
 /// A non-uniform rational B-spline. Knots do not decrease, control points + degree + 1 of them; weights > 0.
@@ -24,12 +25,12 @@ struct Spline {
   std::vector<double> knots, weights;  // no weights: all are 1
   std::vector<Vec2> control;
 };
-/// What is wrong with a spline; empty: nothing.
+/// What is wrong with a spline; empty if it is valid.
 [[nodiscard]] std::string spline_fault(const Spline& s);
-/// Position at a parameter between the knots `degree` and `control`.   @pre no fault
+/// Position at a parameter t from knots[degree] to knots[control.size()].   @pre no fault
 [[nodiscard]] Vec2 spline_at(const Spline& s, double t);
-/// Points along the whole of it: knot spans are halved until points at their quarters lie within the tolerance of the
-/// chord.   @pre no fault
+/// Points along the whole spline: knot spans are halved until the points at their quarters lie within the tolerance of
+/// the chord.   @pre no fault
 [[nodiscard]] std::vector<Vec2> spline_points(const Spline& s, double tolerance);
 
 }  // namespace scree::io

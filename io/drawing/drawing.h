@@ -1,4 +1,4 @@
-// A section drawing as lines and points on layers, whatever file it came from.
+// A section drawing as lines and points on layers, independent of the format of its file.
 #pragma once
 
 #include <stdexcept>
@@ -14,9 +14,9 @@ struct DrawnLine {
   std::string layer;
   std::string entity;        // what drew it: "LWPOLYLINE", "row" of a text file
   int row = 0;               // line of the file where that begins, from 1
-  std::vector<Vec2> points;  // [m], at least two; of a closed line the first is not repeated
+  std::vector<Vec2> points;  // [m], at least two; a closed line does not repeat the first
   bool closed = false;
-  std::string unusable;  // why it has no points although it is read; empty: it has
+  std::string unusable;  // why it has no points although it is read; empty: it has points
 };
 
 struct DrawnPoint {
@@ -25,18 +25,18 @@ struct DrawnPoint {
   Vec2 at{0.0, 0.0};  // [m]
 };
 
-/// Entities of one kind on one layer, inserted blocks with what they hold.
+/// Number of entities of one kind on one layer; of inserted blocks, the entities in them are counted.
 struct DrawnCount {
   std::string layer, entity;
   int count = 0;
-  std::string left_out;  // why they are; empty: they are read
+  std::string left_out;  // why they are left out; empty: they are read
 };
 
 struct Drawing {
   std::string file, form;  // "DXF R2018 (AC1032)", "text"
-  double unit = 1.0;       // [m] of a unit of the file
-  std::string unit_from;   // "the header", "the case"
-  double tolerance = 0.0;  // that curves are flattened to [m]
+  double unit = 1.0;       // length of a unit of the file [m]
+  std::string unit_from;   // origin of unit: "the header", "the case"
+  double tolerance = 0.0;  // of the flattening of curves [m]
   std::vector<DrawnLine> lines;
   std::vector<DrawnPoint> points;
   std::vector<DrawnCount> counts;  // by layer, then entity
@@ -50,7 +50,7 @@ struct DrawingError : std::runtime_error {
   std::string allowed, hint;
 };
 
-/// A factor from drawing units to metres.   @return 0 for a name that is unknown
+/// Factor from the named unit to metres.   @return 0 for an unknown name
 [[nodiscard]] double unit_of(const std::string& name);
 
 }  // namespace scree::io

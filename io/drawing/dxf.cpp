@@ -12,8 +12,8 @@
 namespace scree::io {
 namespace {
 
-constexpr int kDeepest = 16;                  // blocks in blocks
-constexpr std::size_t kMostPoints = 5000000;  // of all lines
+constexpr int kDeepest = 16;                  // levels of blocks in blocks
+constexpr std::size_t kMostPoints = 5000000;  // of all lines together
 constexpr std::size_t kMostPieces = 1000000;
 
 /// x -> A x + b
@@ -58,7 +58,7 @@ std::string release_of(const std::string& version) {
   return version.empty() ? std::string("DXF") : fmt::format("DXF ({})", printable_line(version));
 }
 
-/// Puts inserted blocks in their places and makes lines of curves.
+/// Places inserted blocks and converts curves to lines.
 class Maker {
  public:
   Maker(const DxfContent& content, Drawing& out, double tolerance)
@@ -172,7 +172,8 @@ class Maker {
   std::map<std::tuple<std::string, std::string, std::string>, int> counts_;  // layer, type, why left out
 };
 
-/// Diagonal of the box of what the entities are given by; blocks where they are defined.
+/// Diagonal of the box of the vertices, control points and arcs of the model space; if this box has no extent, blocks
+/// are included in the coordinates of their definitions.
 double extent_of(const DxfContent& content) {
   Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   const auto see = [&](const Vec2& x) {

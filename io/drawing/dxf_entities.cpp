@@ -21,7 +21,7 @@ constexpr std::size_t kLongestName = 255;  // of layers and blocks
 constexpr std::size_t kMostEntities = 2000000;
 constexpr double kFarthest = 1e15;  // of coordinates
 
-/// Groups that dxflib is given of an entity; the others do not change its shape.
+/// Groups of an entity that are passed to dxflib; the other groups do not change its shape.
 struct Type {
   std::string_view name;
   std::vector<int> codes, needed;
@@ -48,7 +48,7 @@ const Type* type_of(std::string_view name) {
   return nullptr;
 }
 
-/// An entity as it stands in the file.
+/// An entity as in the file.
 struct Raw {
   std::string_view name;
   int row = 0;
@@ -66,7 +66,7 @@ struct Raw {
   }
 };
 
-/// Takes what dxflib makes of an entity.
+/// Receives the entities that dxflib reads.
 class Taker final : public DL_CreationAdapter {
  public:
   explicit Taker(std::vector<DxfEntity>* into) : into_(into) {}
@@ -165,7 +165,7 @@ class Taker final : public DL_CreationAdapter {
     look_from_above(e);
     return e;
   }
-  /// Entities drawn in a plane of their own: only those seen from below lie in ours as well.
+  /// For entities drawn in a plane of their own: of these, only those seen from below lie in the plane of the drawing.
   void look_from_above(DxfEntity& e) {
     const double* n = getExtrusion()->getDirection();
     e.mirrored = n[2] < 0.0;
@@ -177,7 +177,7 @@ class Taker final : public DL_CreationAdapter {
   int row_ = 0;
 };
 
-/// dxflib, one group at a time.
+/// Passes groups to dxflib one at a time.
 class Library {
  public:
   explicit Library(Taker& taker) : taker_(&taker) {}
@@ -198,7 +198,7 @@ class Library {
                      "the file is damaged: save it again");
 }
 
-/// Everything that dxflib would believe: names, needed groups, and counts.
+/// Checks what dxflib accepts without a check: names, needed groups, and counts.
 void check(const Raw& raw, const Type& type) {
   for (const int code : type.needed)
     if (raw.find(code) == nullptr)
@@ -330,7 +330,7 @@ class Reader {
     read_entities(list, end, "the entities");
   }
 
-  /// The entity that begins at the group, all of it; then the group is what follows.
+  /// Reads the whole entity that begins at group_; afterwards group_ is the first group after it.
   Raw raw_entity() {
     Raw out{group_.value, group_.row, {}};
     for (need("an entity"); group_.code != 0; need("an entity")) {
@@ -341,7 +341,7 @@ class Reader {
   }
 
   void read_entities(std::vector<DxfEntity>* list, std::string_view end, const char* where) {
-    bool in_polyline = false, passes = false;  // over the vertices of a polyline that is left out
+    bool in_polyline = false, passes = false;  // passes: skip the vertices of a polyline that is left out
     while (group_.code != 0 || group_.value != end) {
       if (group_.code != 0)
         throw DrawingError(group_.row, "an entity should begin here", "0, and its type", "the file is damaged");
@@ -391,7 +391,7 @@ class Reader {
     for (const DxfGroup& g : raw.groups)
       if (std::find(type.codes.begin(), type.codes.end(), g.code) != type.codes.end()) library_.give(g.code, g.value);
     if (raw.name == "SPLINE" && raw.find(74) != nullptr && raw.count(10) > 0) library_.give(74, "0");
-    library_.give(0, "ENDSEC");  // completes it
+    library_.give(0, "ENDSEC");  // completes the entity
     if (list.size() <= before) return;
     DxfEntity& e = list.back();
     if (e.kind != DxfEntity::Kind::spline) return;

@@ -1,4 +1,4 @@
-// What a DXF holds, before blocks are inserted and curves flattened. Lengths in its own units.
+// Contents of a DXF before blocks are inserted and curves flattened. Lengths are in units of the file.
 #pragma once
 
 #include <map>
@@ -16,12 +16,12 @@ struct DxfEntity {
   Kind kind = Kind::polyline;
   std::string layer, type;
   int row = 0;
-  std::string unusable;  // why nothing can be made of it
+  std::string unusable;  // why the entity cannot be used
   // polyline, point
   std::vector<Vec2> vertices;
   std::vector<double> bulges;  // from a vertex to the next
   bool closed = false;
-  // arc, of circles and ellipses: c + cos(t) a + sin(t) b; closed: all of it
+  // arc, of circles and ellipses: c + cos(t) a + sin(t) b; closed: the full curve
   Vec2 c{0.0, 0.0}, a{0.0, 0.0}, b{0.0, 0.0};
   double from = 0.0, to = 0.0;  // [rad]
   Spline spline;
@@ -30,7 +30,7 @@ struct DxfEntity {
   Vec2 at{0.0, 0.0}, scale{1.0, 1.0}, pitch{0.0, 0.0};
   double turn = 0.0;  // [rad]
   int columns = 1, rows = 1;
-  bool mirrored = false;  // drawn in a plane seen from below: x counts the other way
+  bool mirrored = false;  // drawn in a plane seen from below: the sign of x is reversed
 };
 
 struct DxfBlock {

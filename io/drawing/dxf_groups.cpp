@@ -16,7 +16,7 @@ std::string_view without_space(std::string_view text) {
   return text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
 }
 
-/// A text for messages.
+/// A text in quotes, shortened, for messages.
 std::string shown(std::string_view text) {
   std::string cut(text.substr(0, 40));
   return '"' + printable_line(cut) + '"';

@@ -15,7 +15,7 @@ struct DxfGroup {
   int row = 0;             // line of the value, from 1
 };
 
-/// Reads groups and checks that values that are numbers by their code are numbers, and finite.
+/// Reads groups and checks that each value whose code denotes a number is a finite number.
 class DxfGroups {
  public:
   /// @throws DrawingError: a binary DXF, a DWG, an empty text
@@ -32,11 +32,11 @@ class DxfGroups {
   int row_ = 0;
 };
 
-/// Number of a group.   @pre the code is that of a number
+/// Value of a group as a number.   @pre the code denotes a number
 [[nodiscard]] double real_of(const DxfGroup& group);
 [[nodiscard]] std::int64_t whole_of(const DxfGroup& group);
 
-/// True for codes whose values are reals, and whole numbers.
+/// True for codes that denote real numbers (is_real) and whole numbers (is_whole).
 [[nodiscard]] bool is_real(int code);
 [[nodiscard]] bool is_whole(int code);
 

@@ -47,7 +47,7 @@ std::optional<AffineMap> affine_map(const LiveMesh& mesh, std::size_t body, std:
   map.xx = static_cast<float>(H(0, 0)), map.xy = static_cast<float>(H(0, 1));
   map.yx = static_cast<float>(H(1, 0)), map.yy = static_cast<float>(H(1, 1));
 
-  // u and H carry half a unit of float32 each, positions a few of double.
+  // The rounding of u and H is half a unit of float32 each, that of positions a few units of double.
   constexpr double kFloat = 0x1p-24, kDouble = 0x1p-53;
   double reach = 0.0, far = 0.0;
   for (const std::int32_t p : points) {
@@ -57,7 +57,7 @@ std::optional<AffineMap> affine_map(const LiveMesh& mesh, std::size_t body, std:
   const double allowed = 4.0 * kFloat * (u.norm() + H.norm() * reach) + 64.0 * kDouble * far;
   for (const std::int32_t p : points) {
     const auto [x, y] = map.place(mesh, first, at(p));
-    // Written so that NaN fails.
+    // Written so that NaN is rejected.
     if (!(std::abs(x - position[2 * at(p)]) <= allowed && std::abs(y - position[2 * at(p) + 1]) <= allowed))
       return std::nullopt;
   }

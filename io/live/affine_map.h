@@ -1,4 +1,4 @@
-// The motion of a body that keeps straight lines straight, as six numbers.
+// The affine motion of a body, as six numbers.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ struct AffineMap {
   [[nodiscard]] std::array<double, 2> place(const LiveMesh& mesh, std::size_t first, std::size_t point) const;
 };
 
-/// The map of a body, if it has one: least squares over its points, accepted when it puts each of them where it is to
-/// within the rounding of float32 displacements. So no method needs to be known here by its name: DDA
-/// blocks and driven ones always have a map, an NMM block as long as its strain is that even.
+/// The map of a body, if it has one: least squares over its points, accepted when it reproduces the position of each
+/// point to within the rounding of float32 displacements. So this does not depend on the method of the body: DDA blocks
+/// and driven blocks always have a map, an NMM block as long as its strain is uniform to that accuracy.
 /// @param position  x, y per point of the mesh [m]
 /// @return empty where no map fits, or a position is not finite
 [[nodiscard]] std::optional<AffineMap> affine_map(const LiveMesh& mesh, std::size_t body,

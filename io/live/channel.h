@@ -9,28 +9,28 @@
 namespace scree::io {
 
 enum class LiveKind { info, topo, state, hist, energy, event, model, detail, ctrl, ack };
-/// What a run streams.
+/// Kinds that a run streams.
 inline constexpr std::array kLiveKinds{LiveKind::info,   LiveKind::topo,  LiveKind::state, LiveKind::hist,
                                        LiveKind::energy, LiveKind::event, LiveKind::model, LiveKind::detail};
-/// What is asked of a run, and its answers.
+/// Commands to a run, and its answers.
 inline constexpr std::array kControlKinds{LiveKind::ctrl, LiveKind::ack};
 [[nodiscard]] std::string_view name(LiveKind kind);  // INFO, TOPO, ...
 
 inline constexpr std::size_t kMaxChannel = 63;  // characters; LCM refuses more
-inline constexpr std::size_t kMaxRun = 50;      // what is left for the run beside the longest kind
+inline constexpr std::size_t kMaxRun = 50;      // that remain for the name of the run beside the longest kind
 
-/// The run's name as it stands in a channel: letters, digits, '_' and '-'; anything else becomes '-'. A name of more
-/// than kMaxRun characters is cut and ends with the CRC-32 of the whole, so that two long names stay apart; an empty
-/// one is "run". Applying it twice changes nothing more.
+/// The name of the run as used in a channel: letters, digits, '_' and '-'; anything else becomes '-'. A name of more
+/// than kMaxRun characters is cut and ends with the CRC-32 of the whole, so that two long names stay distinct; an empty
+/// name becomes "run". The function is idempotent.
 [[nodiscard]] std::string channel_run(std::string_view run);
 
 /// Channel of a run and kind, at most kMaxChannel characters.
 [[nodiscard]] std::string channel_name(std::string_view run, LiveKind kind);
 
-/// Channels that runs stream on, as a regular expression.   @param run  empty: any run
+/// Regular expression that matches the channels on which runs stream.   @param run  empty: any run
 [[nodiscard]] std::string channel_pattern(std::string_view run);
 
-/// What a channel carries; empty where it is not one of ours.
+/// Kind of the messages on a channel; empty if it is not a channel of Scree.
 [[nodiscard]] std::optional<LiveKind> channel_kind(std::string_view channel);
 
 }  // namespace scree::io

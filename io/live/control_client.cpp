@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kAgain = 500ms;  // a lost datagram is sent again
+constexpr auto kAgain = 500ms;  // interval after which a command is sent again: datagrams may be lost
 
 std::int64_t new_sender() {
   std::random_device random;
@@ -28,10 +28,10 @@ struct ControlClient::Impl {
   std::shared_ptr<LiveBus> bus;
   bool listening = false;
   std::int64_t sender = 0, sequence = 0;
-  std::int64_t clock_of_run = 0;     // less ours [us]: numbers are dated by it
-  std::string run;                   // whose answers count
-  std::vector<ack_v1_t> answers;     // to our commands, not looked at yet
-  std::vector<std::string> streams;  // runs whose INFO came
+  std::int64_t clock_of_run = 0;     // minus our clock [us]; sequence numbers use the clock of the run
+  std::string run;                   // name of the run whose answers count
+  std::vector<ack_v1_t> answers;     // to our commands, not evaluated yet
+  std::vector<std::string> streams;  // runs whose INFO was received
 
   void take(std::string_view channel, std::span<const std::uint8_t> bytes) {
     if (channel_kind(channel) == LiveKind::ack) {
@@ -49,7 +49,7 @@ struct ControlClient::Impl {
     (void)bus->publish(channel_name(run, LiveKind::ctrl), bytes);
     return sequence;
   }
-  /// Handles messages until `done` says so, at most to a time.
+  /// Handles messages until `done` returns true, at most until the time `most`.
   template <class Done>
   bool wait(Clock::time_point most, Done&& done) {
     while (!done()) {
@@ -107,7 +107,7 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
   impl.answers.clear();
   const Clock::time_point end = Clock::now() + most;
   ControlReply reply;
-  // Who is there? Of several runs of one name the one that started last.
+  // Determine the session: of several runs of one name, the one that started last.
   std::optional<std::int64_t> session;
   const auto look = [&] {
     for (const ack_v1_t& a : impl.answers)
@@ -123,13 +123,13 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
     impl.wait(std::min(end, Clock::now() + kAgain), look);
   }
   if (!session) return reply;
-  impl.wait(std::min(end, Clock::now() + 50ms), [] { return false; });  // others of the same name
+  impl.wait(std::min(end, Clock::now() + 50ms), [] { return false; });  // answers of other runs of the same name
   look();
   if (verb == ControlVerb::who) return reply;
 
   reply.kind = ControlReply::Kind::silence;
   impl.answers.clear();
-  impl.sender = new_sender();  // a name that nobody has seen yet, whose share of commands nobody has used up
+  impl.sender = new_sender();  // a new sender name, whose share of commands is not used up
   const std::int64_t number = impl.send(*session, verb, value);
   const Bytes again = encode_command(*session, {verb, value, number, impl.sender});
   bool told = false;
@@ -144,7 +144,7 @@ ControlReply ControlClient::ask(const std::string& run, ControlVerb verb, double
     impl.answers.clear();
     return false;
   };
-  // Also an answer may be lost: asked again, the run tells again what became of the command.
+  // An answer may be lost as well: when the command is sent again, the run repeats the result.
   while (!impl.wait(std::min(end, Clock::now() + kAgain), ended) && Clock::now() < end)
     (void)impl.bus->publish(channel_name(impl.run, LiveKind::ctrl), again);
   return reply;

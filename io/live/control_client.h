@@ -1,4 +1,4 @@
-// The side that asks: finds a run that streams, sends it a command, waits for its answers.
+// The side that sends commands: finds a run that streams, sends it a command, waits for its answers.
 #pragma once
 
 #include <chrono>
@@ -12,11 +12,11 @@
 
 namespace scree::io {
 
-/// What a run said to a command.
+/// Answer of a run to a command.
 struct ControlReply {
   enum class Kind {
-    answered,  // ack has the last word
-    no_end,    // accepted, but nothing more came in time
+    answered,  // ack is the final answer
+    no_end,    // accepted, but no final answer in time
     silence    // no answer at all
   } kind = Kind::silence;
   ack_v1_t ack{};
@@ -24,19 +24,19 @@ struct ControlReply {
 
 class ControlClient {
  public:
-  /// @param why  set when the answer is null   @throws std::invalid_argument for a URL that check_live_url refuses
+  /// @param why  set when the result is null   @throws std::invalid_argument for a URL that check_live_url refuses
   [[nodiscard]] static std::unique_ptr<ControlClient> open(const std::string& url, std::string& why);
-  /// On a connection that a run of this program uses (memq), which that run handles too.
+  /// Uses a connection (memq) that a run in this program uses and handles as well.
   explicit ControlClient(std::shared_ptr<LiveBus> bus);
   ~ControlClient();
   ControlClient(const ControlClient&) = delete;
   ControlClient& operator=(const ControlClient&) = delete;
 
-  /// Names of the runs that are heard in that time, as in their channels: 1.5 s hear every one that streams.
+  /// Names, as in their channels, of the runs that are received within `time`; 1.5 s suffice for every streaming run.
   [[nodiscard]] std::vector<std::string> heard(std::chrono::milliseconds time);
 
-  /// Asks a run who it is, then sends its session the command, again every half second until an answer comes.
-  /// @param accepted  called once, when the run has heard but not yet carried out the command
+  /// Requests the session of a run (`who`), then sends it the command, again every half second until the final answer.
+  /// @param accepted  called once, when the run has received the command but not yet carried it out
   [[nodiscard]] ControlReply ask(const std::string& run, ControlVerb verb, double value, std::chrono::milliseconds most,
                                  const std::function<void()>& accepted = {});
 

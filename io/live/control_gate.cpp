@@ -12,7 +12,7 @@
 namespace scree::io {
 namespace {
 
-constexpr double kTellAgain = 0.05;  // [s] at least between answers to one command
+constexpr double kTellAgain = 0.05;  // smallest interval between answers to one command [s]
 
 constexpr std::array<std::string_view, 8> kVerbs{"who",        "pause", "resume", "step",
                                                  "checkpoint", "stop",  "rate",   "field"};
@@ -71,7 +71,7 @@ void ControlGate::forget(std::int64_t utime, double now) {
 }
 
 ControlGate::Verdict ControlGate::refuse(const ControlCommand& command, std::string reason, double now) {
-  if (!refusals_.take(now)) return {};  // a flood is not answered with a flood
+  if (!refusals_.take(now)) return {};  // a flood of commands does not cause a flood of answers
   return {{}, ControlAnswer{command, "refused", std::move(reason)}};
 }
 

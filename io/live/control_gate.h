@@ -1,4 +1,4 @@
-// What a run lets through of the commands that reach it. Knows neither networks nor threads nor clocks.
+// Decides which of the received commands a run carries out. Independent of networks, threads and clocks.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace scree::io {
 enum class ControlVerb { who, pause, resume, step, checkpoint, stop, rate, field };
 [[nodiscard]] std::string_view name(ControlVerb verb);
 [[nodiscard]] std::optional<ControlVerb> control_verb(std::string_view name);
-/// Whether a verb takes this value: step 1 to kMaxSteps, whole; rate 0 to kMaxFrameRate Hz; field the number of a
-/// LiveField; the others none (0).
-/// @return what is wrong; empty if nothing is
+/// Checks the value of a verb: step takes a whole number from 1 to kMaxSteps; rate 0 to kMaxFrameRate Hz; field the
+/// number of a LiveField; the others no value (0).
+/// @return the error; empty if there is none
 [[nodiscard]] std::string control_value_error(ControlVerb verb, double value);
 inline constexpr double kMaxSteps = 1e9;
 inline constexpr double kMaxFrameRate = 1000.0;
@@ -32,34 +32,34 @@ struct ControlCommand {
   std::int64_t sequence = 0, sender = 0;
 };
 
-/// What became of the messages on a run's CTRL channel.
+/// Numbers of messages on the CTRL channel of a run, by result.
 struct ControlCounts {
   std::int64_t received = 0;
   std::int64_t malformed = 0;      // size, CRC, type, a length, an unknown command or value
-  std::int64_t other_session = 0;  // meant for an earlier or another run
-  std::int64_t replayed = 0;       // heard already, or dated outside the window
+  std::int64_t other_session = 0;  // for an earlier run or another one
+  std::int64_t replayed = 0;       // received before, or dated outside the window
   std::int64_t too_frequent = 0;
   std::int64_t passed = 0;
 };
 
-/// What an ACK says: result is accepted, done, refused, not available or failed.
+/// Content of an ACK: result is accepted, done, refused, not available or failed.
 struct ControlAnswer {
   ControlCommand command;
   std::string result, reason;
 };
 
-/// Refuses what is malformed, of another session, heard before, or too frequent, and what is not dated within a window
-/// about the present: all that was let through within it is remembered, so nothing is carried out twice. Commands need
-/// not be in order: no number that somebody sends shuts out others, whatever sender it names. (To ask for numbers that
-/// grow let one forged command, dated ahead, shut out all others until that time.) What comes again just as it was is
-/// told again what became of it: its sender may have missed that.
-/// A flood under a thousand names of senders can still use up what all of them have together.
+/// Refuses commands that are malformed, of another session, received before, too frequent, or not dated within a window
+/// about the present. All commands accepted within the window are remembered, so none is carried out twice. Commands
+/// need not be in order, so that no sequence number sent by anybody blocks other commands, for any sender. (When
+/// numbers were required to grow, one forged command, dated ahead, blocked all others until that time.) A repeated
+/// identical command is answered again with its result: the sender may have missed the answer.
+/// A flood under a thousand names of senders can still use up the share of all senders together.
 class ControlGate {
  public:
-  static constexpr int kBurst = 20;                      // commands of one sender at once
-  static constexpr double kPerSecond = 20.0;             // of them, in the long run; of refusals that are answered too
-  static constexpr double kOfAll = 10.0;                 // times as many of all senders together
-  static constexpr double kBehind = 10.0, kAhead = 2.0;  // the window [s]; senders go by the clock of the run (ACK)
+  static constexpr int kBurst = 20;                      // commands of one sender in a burst
+  static constexpr double kPerSecond = 20.0;             // of one sender, in the mean; also of answered refusals
+  static constexpr double kOfAll = 10.0;                 // factor on both for all senders together
+  static constexpr double kBehind = 10.0, kAhead = 2.0;  // the window [s]; senders use the clock of the run (from ACK)
 
   explicit ControlGate(std::int64_t session) : session_(session) {}
 
@@ -68,17 +68,17 @@ class ControlGate {
     std::optional<ControlAnswer> answer;    // to be sent now
   };
   /// @param bytes  of a message on the CTRL channel
-  /// @param utime  microseconds since 1970   @param now  a clock that never goes back [s]
+  /// @param utime  microseconds since 1970   @param now  a monotonic clock [s]
   [[nodiscard]] Verdict take(std::span<const std::uint8_t> bytes, std::int64_t utime, double now);
 
-  /// Remembers what became of a command that was let through, should it come again.
+  /// Stores the result of an accepted command, as the answer if the command is received again.
   void remember(const ControlAnswer& answer);
 
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] const ControlCounts& counts() const { return counts_; }
 
  private:
-  /// So many at once and so many a second.
+  /// Limit on the number in a burst and on the number per second.
   struct Bucket {
     double share = 1.0;  // of kBurst and kPerSecond
     double left = share * kBurst, at = 0.0;
@@ -86,7 +86,7 @@ class ControlGate {
   };
   struct Heard {
     ControlAnswer answer;
-    double told = 0.0;  // when [s]
+    double told = 0.0;  // time of the last answer [s]
   };
   using Key = std::tuple<std::int64_t, std::int64_t, ControlVerb, double>;  // number, sender, verb, value
   [[nodiscard]] static Key key(const ControlCommand& command);
@@ -95,8 +95,8 @@ class ControlGate {
   void forget(std::int64_t utime, double now);
 
   const std::int64_t session_;
-  std::map<Key, Heard> heard_;              // of the window, and what is not done yet
-  std::map<std::int64_t, Bucket> senders_;  // those who sent within the last seconds
+  std::map<Key, Heard> heard_;              // commands of the window, and those not completed yet
+  std::map<std::int64_t, Bucket> senders_;  // senders of the last seconds
   Bucket commands_{kOfAll}, refusals_;
   ControlCounts counts_;
 };

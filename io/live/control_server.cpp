@@ -24,7 +24,7 @@ double clock_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-constexpr std::size_t kMaxWaiting = 1000;  // commands, during a long step
+constexpr std::size_t kMaxWaiting = 1000;  // commands that may wait during a long step
 
 }  // namespace
 
@@ -37,14 +37,14 @@ struct ControlServer::Impl {
         hooks(std::move(its_hooks)),
         bus(std::move(its_bus)) {}
 
-  // --- of the thread that receives
+  // --- used by the receiving thread
   void serve();
   void receive(std::span<const std::uint8_t> bytes);
   void send(const ControlAnswer& answer);
   void send_outbox();
   [[nodiscard]] bool connected();
 
-  // --- of the run
+  // --- used by the run
   void carry_out(const ControlCommand& command);
   void answer(const ControlCommand& command, std::string result, std::string reason);
   void set_paused(bool now);
@@ -59,18 +59,18 @@ struct ControlServer::Impl {
   std::unique_ptr<ControlGate> gate;   // guarded
   std::deque<ControlCommand> waiting;  // guarded
   std::vector<ControlAnswer> outbox;   // guarded
-  header_v1_t at{};                    // guarded: where the run is
+  header_v1_t at{};                    // guarded: time, step and stage of the run
   std::string state = "running";       // guarded
   std::string warning;                 // guarded
-  bool last = false;                   // guarded: answer what is there, then end
+  bool last = false;                   // guarded: answer the waiting commands, then end
 
-  // Of the run alone.
+  // Used by the run only.
   bool paused = false, stopping = false;
-  std::int64_t steps_left = 0;  // of `stepping`
+  std::int64_t steps_left = 0;  // to be made for `stepping`
   std::optional<ControlCommand> stepping;
   std::int64_t carried_out = 0;
 
-  // Of the thread alone.
+  // Used by the thread only.
   std::shared_ptr<LiveBus> bus;
   bool subscribed = false, complained = false;
   std::chrono::steady_clock::time_point retry_at{};
@@ -129,12 +129,12 @@ void ControlServer::Impl::serve() {
     if (connected()) {
       send_outbox();
       if (end) {
-        // Who asks at the last moment is told that it was too late.
+        // Commands received at the last moment are answered: too late.
         for (std::size_t i = 0; i < kMaxWaiting && bus->handle(0) == LiveBus::Got::message; ++i) {
         }
         break;
       }
-      // Also how long an answer of the run may lie here.
+      // 10 ms: also the longest delay of an answer of the run.
       if (bus->handle(10) == LiveBus::Got::end) break;
     } else {
       if (end) break;
@@ -178,7 +178,7 @@ void ControlServer::Impl::send(const ControlAnswer& answer) {
   ack.command = name(answer.command.verb);
   ack.result = answer.result;
   ack.reason = wire_text(answer.reason, 2000);
-  (void)bus->publish(channel_name(run, LiveKind::ack), seal(ack));  // lost answers are asked for again
+  (void)bus->publish(channel_name(run, LiveKind::ack), seal(ack));  // a lost answer is requested again by the sender
 }
 
 void ControlServer::Impl::send_outbox() {
@@ -235,14 +235,14 @@ void ControlServer::Impl::carry_out(const ControlCommand& command) {
       stepping = command;
       steps_left = static_cast<std::int64_t>(command.value);
       set_paused(false);
-      return;  // answered when they are made
+      return;  // answered when the steps are made
     case ControlVerb::rate:
       if (!hooks.on_rate) return answer(command, "not available", "this run streams nothing");
       hooks.on_rate(command.value);
       break;
     case ControlVerb::field:
       if (!hooks.on_field) return answer(command, "not available", "this run streams nothing");
-      hooks.on_field(live_field(command.value).value_or(LiveField::speed));  // the gate let no other number through
+      hooks.on_field(live_field(command.value).value_or(LiveField::speed));  // the gate accepts no other number
       break;
     case ControlVerb::checkpoint:
       if (!hooks.on_checkpoint) return answer(command, "not available", "this version writes no checkpoints");
@@ -307,7 +307,7 @@ bool ControlServer::stop_requested() {
     std::optional<ControlCommand> next;
     {
       std::unique_lock lock(impl.mutex);
-      if (impl.paused && impl.waiting.empty()) impl.news.wait_for(lock, 50ms);  // and look whether a signal came
+      if (impl.paused && impl.waiting.empty()) impl.news.wait_for(lock, 50ms);  // then check for signals again
       if (!impl.waiting.empty()) {
         next = impl.waiting.front();
         impl.waiting.pop_front();

@@ -1,4 +1,4 @@
-// CRC-32 of a message, against damage (not against intent).
+// CRC-32 of a message, to detect damage (not manipulation).
 #pragma once
 
 #include <cstdint>

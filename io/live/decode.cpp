@@ -72,7 +72,7 @@ void LiveAssembly::forget() {
 template <class Message, class Put>
 bool LiveAssembly::take_by(std::span<const std::uint8_t> bytes, std::int64_t utime, const Put& put) {
   std::optional<Message> message = unseal<Message>(bytes);
-  // At most one of a kind in a microsecond.
+  // A run sends at most one message of a kind per microsecond.
   const auto possible = [utime](const header_v1_t& h) {
     return h.session >= 0 && h.session <= utime + kAhead && h.sequence <= utime - h.session + kAhead;
   };
@@ -100,7 +100,7 @@ bool LiveAssembly::take(std::string_view channel, std::span<const std::uint8_t> 
   switch (const auto kind = channel_kind(channel); kind.value_or(LiveKind::info)) {
     case LiveKind::info:
       if (kind) return take_as<info_v1_t>(bytes, utime);
-      break;  // a channel of somebody else
+      break;  // not a channel of Scree
     case LiveKind::topo:
       return take_as<topo_v1_t>(bytes, utime);
     case LiveKind::state:
@@ -140,7 +140,8 @@ LiveAssembly::Verdict LiveAssembly::put(energy_v1_t&& message) {
 }
 
 LiveAssembly::Verdict LiveAssembly::put(event_v1_t&& message) {
-  // The newest ones come again and again for late viewers. Numbers are dense, so what is far below the highest is old.
+  // The newest events are sent repeatedly for late viewers. Numbers are consecutive, so numbers far below the highest
+  // are old.
   const std::int64_t number = message.header.sequence;
   if (number <= events_floor_ || !events_known_.insert(number).second) return Verdict::taken;
   while (events_known_.size() > kMaxEvents) {
@@ -158,8 +159,8 @@ LiveAssembly::Verdict LiveAssembly::put(topo_v1_t&& in) {
       in.chunk < 0 || in.chunk >= in.chunks || in.first != split_at(in.total, in.chunk, in.chunks) ||
       in.first + in.size != split_at(in.total, in.chunk + 1, in.chunks) || in.header.topology_id < 0)
     return Verdict::malformed;
-  if (mesh_ && mesh_->id == in.header.topology_id) return Verdict::taken;  // sent again for those who came late
-  // Chunks of one mesh are the same bytes each time it is sent, so what one sending lost the next one fills in.
+  if (mesh_ && mesh_->id == in.header.topology_id) return Verdict::taken;  // sent again for late viewers
+  // Chunks of a mesh are the same bytes each time it is sent, so a lost chunk is supplied by the next sending.
   if (!mesh_pieces_.add(in.header.topology_id, in.chunk, in.chunks)) return Verdict::taken;
   mesh_bytes_.resize(static_cast<std::size_t>(in.chunks));
   mesh_bytes_[static_cast<std::size_t>(in.chunk)] = std::move(in.data);
@@ -179,7 +180,7 @@ LiveAssembly::Verdict LiveAssembly::put(topo_v1_t&& in) {
 
 namespace {
 
-/// True for a chunk that a frame of the mesh may have.
+/// True for a chunk that is possible in a frame of the mesh.
 bool well_formed(const state_v1_t& in, const LiveMesh& mesh) {
   const auto most = [](std::size_t size) { return static_cast<std::int32_t>(size); };  // a decoded count: fits
   if (in.total_maps < 0 || in.total_maps > most(mesh.bodies()) || in.total_points < 0 ||
@@ -201,7 +202,7 @@ LiveAssembly::Verdict LiveAssembly::put(state_v1_t&& in) {
   if (!mesh_ || mesh_->id != in.header.topology_id) return Verdict::early;
   if (!well_formed(in, *mesh_)) return Verdict::malformed;
   if (in.header.sequence < frame_pieces_.key || (frame_ && in.header.sequence <= frame_->header.sequence))
-    return Verdict::taken;  // late or twice: a newer frame is there
+    return Verdict::taken;  // late or repeated: there is this frame or a newer one
   if (in.header.sequence > frame_pieces_.key) {
     if (next_frame_) ++counts_.incomplete;
     next_frame_ = std::make_unique<FrameParts>();
@@ -245,7 +246,7 @@ std::shared_ptr<const LiveFrame> LiveAssembly::decode(FrameParts&& parts, const 
   frame->position.resize(2 * mesh_->points());
   std::vector<char> done(mesh_->points(), 0);
   for (std::size_t m = 0; m < parts.body.size(); ++m) {
-    if (m > 0 && parts.body[m] <= parts.body[m - 1]) return nullptr;  // increasing: none twice
+    if (m > 0 && parts.body[m] <= parts.body[m - 1]) return nullptr;  // must increase: no body twice
     const std::span<const std::int32_t> points = mesh_->points_of(static_cast<std::size_t>(parts.body[m]));
     for (const std::int32_t point : points) {
       const auto p = static_cast<std::size_t>(point);

@@ -1,4 +1,4 @@
-// From whole things to sealed messages of at most kMaxMessage bytes.
+// Encodes meshes, frames, histories and events as sealed messages of at most kMaxMessage bytes.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,11 @@ using Send = std::function<void(Bytes message)>;
 
 /// An encoded mesh_v1_t.
 [[nodiscard]] Bytes encode_mesh(const LiveMesh& mesh);
-/// topo_v1_t messages of an encoded mesh.
+/// Sends the topo_v1_t messages of an encoded mesh.
 void send_mesh(const header_v1_t& header, const Bytes& mesh, const Send& send);
-/// state_v1_t messages.   @pre position and scalar fit the mesh
+/// Sends the state_v1_t messages of a frame.   @pre position and scalar fit the mesh
 void send_frame(const LiveFrame& frame, const Send& send);
-/// hist_v1_t messages.
+/// Sends the hist_v1_t messages of a history.
 void send_history(const LiveHistory& history, const Send& send);
 /// One energy_v1_t message: every column of the ledger.
 [[nodiscard]] Bytes encode_energy(const header_v1_t& header, const coupling::Ledger& ledger);

@@ -29,7 +29,7 @@ std::string multicast_route_error(const std::string& group, std::uint16_t port) 
   inet_pton(AF_INET, group.c_str(), &to.sin_addr);
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (probe < 0) return std::strerror(errno);
-  // For UDP this only looks up the route.
+  // For UDP connect() only determines the route.
   const bool reachable = connect(probe, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
   const int reason = errno;
   close(probe);
@@ -68,7 +68,7 @@ bool LiveBus::subscribe(const std::string& pattern, Handler handler) {
     if (receiver_) receiver_->subscribe(pattern, std::move(handler));
     return receiver_ != nullptr;
   }
-  constexpr int kQueue = 1000;  // messages; the library's 30 are less than one frame of a large mesh
+  constexpr int kQueue = 1000;  // messages; the default of the library, 30, is less than one frame of a large mesh
   handlers_.push_back(std::make_unique<Handler>(std::move(handler)));
   const auto call = [](const lcm_recv_buf_t* message, const char* channel, void* user) {
     (*static_cast<const Handler*>(user))(channel,

@@ -8,7 +8,7 @@
 namespace scree::io {
 namespace {
 
-/// Middle of the range of every second number.
+/// Middle of the range of the coordinate `axis` of points x, y.
 double middle(std::span<const double> xy, std::size_t axis) {
   if (xy.empty()) return 0.0;
   double low = xy[axis], high = xy[axis];
@@ -54,7 +54,7 @@ void LiveMesh::find_bodies() {
       if (owner < 0) owner = body;
     }
   }
-  // Counting sort: points of a body stay in their order.
+  // Counting sort: the points of a body keep their order.
   body_first.assign(body_of_block.size() + 1, 0);
   for (const std::int32_t body : body_of_point)
     if (body >= 0) ++body_first[static_cast<std::size_t>(body) + 1];

@@ -1,4 +1,4 @@
-// What travels in STATE, TOPO and HIST, whole: the sink takes it apart into messages, the reader puts it together.
+// Complete data of STATE, TOPO and HIST: the sink divides them into messages, the reader assembles them.
 #pragma once
 
 #include <array>
@@ -14,23 +14,23 @@
 
 namespace scree::io {
 
-/// A MeshView with storage of its own. Sender and viewer add displacements to the very same start, so that only the
-/// rounding of displacements is left between their positions. Where the model had the points is for pictures alone and
-/// rounded as float32 about the middle of the mesh.
+/// A MeshView with storage of its own. Sender and viewer add displacements to identical start positions, so that their
+/// positions differ only by the rounding of displacements. The positions of the points in the model are used for
+/// pictures only, and are rounded as float32 about the middle of the mesh.
 struct LiveMesh {
   std::int64_t id = -1;
   std::array<double, 2> base{0.0, 0.0};                // [m]
-  std::vector<float> origin_x, origin_y;               // in the model, from base, a point [m]
-  std::vector<double> start_x, start_y;                // when this mesh began, a point [m]
+  std::vector<float> origin_x, origin_y;               // in the model, relative to base, per point [m]
+  std::vector<double> start_x, start_y;                // when this mesh began, per point [m]
   std::vector<std::int32_t> offsets{0}, connectivity;  // polygon cells of points; cells + 1 offsets
   std::vector<std::int32_t> block, material, method;   // per cell
-  std::vector<std::string> methods;                    // names that method counts
+  std::vector<std::string> methods;                    // names, indexed by method
 
-  /// Found from the cells by find_bodies(): the blocks of the mesh as their first cells come.
-  std::vector<std::int32_t> body_first;  // first entry of each in body_points; bodies + 1
+  /// Set by find_bodies(): the blocks of the mesh in the order of their first cells.
+  std::vector<std::int32_t> body_first;  // first entry of each body in body_points; bodies + 1
   std::vector<std::int32_t> body_points;
 
-  /// @param position  x, y per point when the mesh began; empty: where the model had them
+  /// @param position  x, y per point when the mesh began; empty: positions in the model
   [[nodiscard]] static LiveMesh copy(const coupling::MeshView& view, std::span<const double> position = {});
   /// @pre cells and points fit together
   void find_bodies();
@@ -49,12 +49,12 @@ struct LiveMesh {
 struct LiveFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
-  std::vector<double> position;  // x, y per point [m]; not a number where it is not finite
+  std::vector<double> position;  // x, y per point [m]; NaN where it is not finite
   std::vector<float> scalar;     // per cell
-  std::string field;             // what that is (live_field.h); empty: not known yet
+  std::string field;             // name of the scalar (live_field.h); empty: not received yet
 };
 
-/// All monitors at one instant; x, y a monitor.
+/// All monitors at one instant; x, y per monitor.
 struct LiveHistory {
   header_v1_t header{};
   std::vector<std::string> names;

@@ -6,7 +6,7 @@
 namespace scree::io {
 namespace {
 
-constexpr std::uint8_t kFailed = 4;  // beside the state
+constexpr std::uint8_t kFailed = 4;  // flag added to the state
 
 float near(double value, double base) { return static_cast<float>(value - base); }
 

@@ -1,4 +1,4 @@
-// What an instant has beside its STATE: closed contact points, the stress of the cells, the bolts.
+// Data of an instant in addition to its STATE: closed contact points, stress of the cells, bolts.
 #pragma once
 
 #include <scree/detail_v1_t.hpp>
@@ -10,8 +10,8 @@
 
 namespace scree::io {
 
-/// Bytes a second that DETAIL may take: a large one comes more seldom than frames do. On a network they take 2 ms of
-/// the sending thread each 56 kB, and about as much of a receiver.
+/// Bytes per second that DETAIL may take: a large one is sent less often than frames. On a network every 56 kB take
+/// 2 ms of the sending thread, and about as much of a receiver.
 inline constexpr double kDetailRate = 2e6;
 
 struct LiveDetail {
@@ -19,15 +19,15 @@ struct LiveDetail {
   detail_v1_t data{};
 };
 
-/// Of a frame that has its contact points, or none.   @param base  what positions are rounded from [m]
+/// Detail of a frame that has its contact points, or none.   @param base  origin of the rounded positions [m]
 [[nodiscard]] detail_v1_t live_detail(const coupling::FrameView& frame, const std::array<double, 2>& base);
-/// Of a frame of a stored run; no contacts where it stored none.   @throws FileError
+/// Detail of a frame of a stored run; without contacts if the run stored none.   @throws FileError
 [[nodiscard]] detail_v1_t live_detail(const RunReader& run, const StoredFrame& frame,
                                       const std::array<double, 2>& base);
 
-/// How many bytes it takes.
+/// Number of bytes of its encoding.
 [[nodiscard]] double size_of(const detail_v1_t& detail);
-/// True when it may belong to a mesh: every block it names is one that can be, and it has a stress for each cell or
+/// True when it may belong to a mesh: its numbers of blocks are possible, and it has a stress for every cell or for
 /// none.
 [[nodiscard]] bool holds_together(const detail_v1_t& detail, const LiveMesh& mesh);
 

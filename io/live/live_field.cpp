@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, kLiveFields> kNames{"speed", "mean_stress
 void take_joint_states(std::vector<double>& out, const coupling::State& state, std::span<const std::int32_t> cells) {
   std::int32_t most = -1;
   for (const std::int32_t block : cells) most = std::max(most, block);
-  out.assign(static_cast<std::size_t>(most) + 1, 0.0);  // of no cells: most is -1, and this 0
+  out.assign(static_cast<std::size_t>(most) + 1, 0.0);  // without cells: most = -1, size 0
   for (const coupling::ContactMemory& c : state.contacts) {
     if (c.status == coupling::ContactStatus::open) continue;
     const double rank = c.status == coupling::ContactStatus::stick ? 1.0 : c.failed != 0 ? 3.0 : 2.0;
@@ -25,7 +25,7 @@ void take_joint_states(std::vector<double>& out, const coupling::State& state, s
   }
 }
 
-/// 0 explicit, 1 implicit per cell; in a partitioned stage that of its block, or of its half of one.
+/// 0 explicit, 1 implicit per cell; in a partitioned stage that of its block, or of its part of a divided block.
 void take_integrators(std::vector<double>& out, const coupling::FrameView& view) {
   const std::span<const std::int32_t> block = view.mesh->cell_block;
   out.assign(block.size(), view.integrator == coupling::Integrator::explicit_ ? 0.0 : 1.0);

@@ -1,4 +1,4 @@
-// The scalar per cell that a stream carries beside displacements: which there are, and what they are made of.
+// The scalar per cell that a stream contains beside displacements: the available fields, and their source data.
 #pragma once
 
 #include <array>
@@ -29,13 +29,13 @@ enum class LiveField {
 };
 inline constexpr std::size_t kLiveFields = 10;
 
-/// As INFO, `live.field` and `scree control RUN field` have it: that of the enumerator.
+/// Name in INFO, `live.field` and `scree control RUN field`: that of the enumerator.
 [[nodiscard]] std::string_view name(LiveField field);
 [[nodiscard]] std::optional<LiveField> live_field(std::string_view name);
-/// The field that a command names by its number, counted from 0 in the order above; empty: there is none.
+/// Field of a number in a command, counted from 0 in the order above; empty: there is none.
 [[nodiscard]] std::optional<LiveField> live_field(double number);
 
-/// A frame as the run has it: copied plainly, turned into cells' values by the sending thread.
+/// Unprocessed data of a frame: copied by the run, converted into values of cells by the sending thread.
 struct RawFrame {
   header_v1_t header{};
   std::shared_ptr<const LiveMesh> mesh;
@@ -45,7 +45,7 @@ struct RawFrame {
                                // (xx, yy, xy per cell)
 };
 
-/// Copies into `frame.source` what its field is made of.   @return false: the frame has it not, or of another mesh
+/// Copies the source data of its field into `frame.source`.   @return false: missing in the frame, or of another mesh
 [[nodiscard]] bool take_source(RawFrame& frame, const coupling::FrameView& view);
 
 /// A value per cell.

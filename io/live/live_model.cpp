@@ -106,7 +106,7 @@ model_v1_t live_model(const RunReader& run) {
     for (const std::int32_t law : w.joints) out.water_law.push_back(law), out.law_line.push_back(number);
     ++number;
   }
-  // The last frame has those that came, which are all of a run that came to its end.
+  // The last frame has the bolts installed so far; in a run that reached its end these are all bolts.
   if (run.has_bolts() && !run.times().empty())
     for (const std::int32_t bolt : run.bolts(run.times().size() - 1).bolt) out.bolts = std::max(out.bolts, bolt + 1);
   set_counts(out);

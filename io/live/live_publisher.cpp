@@ -56,7 +56,7 @@ void LivePublisher::offer(std::shared_ptr<const LiveMesh> mesh) {
   {
     const std::lock_guard lock(mutex_);
     waiting_.mesh = std::move(mesh);
-    if (std::exchange(waiting_.has_frame, false)) ++frames_skipped_;  // of the mesh before
+    if (std::exchange(waiting_.has_frame, false)) ++frames_skipped_;  // of the previous mesh
     fresh_ = true;
   }
   wake_.notify_one();
@@ -175,7 +175,7 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.mesh != mesh_) {
     mesh_ = work.mesh;
     encoded_mesh_.clear();
-    last_frame_.clear(), last_detail_.clear();  // of the mesh before
+    last_frame_.clear(), last_detail_.clear();  // of the previous mesh
     keyframe_at_ = now;
   }
   now_.time = work.progress.time;
@@ -198,7 +198,7 @@ void LivePublisher::send_all(Waiting& work) {
   if (work.history) last_history_.clear();
   if (work.energy) last_energy_.clear();
   if (keyframe_due) {
-    send_again();  // what is replaced below is not sent twice
+    send_again();  // data replaced below are not sent twice
     const Clock::time_point sent = Clock::now();
     keyframe_at_ = std::max(keyframe_at_, sent + 3 * (sent - now));
   }
@@ -209,7 +209,7 @@ void LivePublisher::send_all(Waiting& work) {
     if (kept.size() > kEventsAgain) kept.pop_front();
   }
   if (work.has_frame) {
-    // A viewer goes by the INFO before a frame to know what its scalar is.
+    // The INFO before a frame defines its scalar for viewers.
     if (std::exchange(field_, work.frame.field) != work.frame.field) send_info(work.progress);
     LiveFrame frame{work.frame.header, work.frame.mesh, {}, cell_values(work.frame), {}};
     frame.header.utime = utime_now();
@@ -218,7 +218,7 @@ void LivePublisher::send_all(Waiting& work) {
       send(LiveKind::state, bytes);
       last_frame_.push_back(std::move(bytes));
     });
-    std::swap(frame.position, work.frame.position);  // the buffer goes round
+    std::swap(frame.position, work.frame.position);  // the buffer is reused
     if (bus_) ++frames_sent_;
   }
   if (work.detail)
@@ -253,7 +253,7 @@ void LivePublisher::send_again() {
 
 void LivePublisher::send_topology() {
   if (!model_.empty()) {
-    std::int64_t number = 0;  // it stays what it is
+    std::int64_t number = 0;  // always 0: the model does not change
     send_pieces<part_v1_t>(header_now(number), model_, [this](const Bytes& bytes) { send(LiveKind::model, bytes); });
   }
   if (!mesh_) return;
@@ -264,13 +264,13 @@ void LivePublisher::send_topology() {
 void LivePublisher::send_info(const LiveProgress& progress) {
   const Clock::time_point now = Clock::now();
   const double wall = seconds_between(rate_from_, now);
-  // A pause says nothing about the speed of the run.
+  // A pause does not count in the speed of the run.
   if (progress.status == "paused" || info_status_ == "paused") {
     rate_from_ = now;
     rate_time_ = progress.time;
     rate_steps_ = progress.stats.steps;
   }
-  // The last INFO may follow the one before at once; and a step that takes longer than a second is measured whole.
+  // The last INFO may follow immediately after the previous one; a step longer than a second is measured as a whole.
   if (wall > 0.5 && progress.stats.steps > rate_steps_) {
     constexpr double kMemory = 5.0;  // s
     simulated_per_wall_ = (progress.time - rate_time_) / wall;
@@ -327,7 +327,7 @@ void LivePublisher::send_info(const LiveProgress& progress) {
 }
 
 void LivePublisher::send(LiveKind kind, const Bytes& bytes) {
-  if (!bus_) return;  // failed a moment ago
+  if (!bus_) return;  // sending has just failed
   if (url_.kind == LiveUrl::Kind::udpm && bytes.size() > kLarge) {
     std::this_thread::sleep_until(large_at_ + kPace);
     large_at_ = Clock::now();
@@ -350,7 +350,7 @@ bool LivePublisher::connected() {
   }
   complain(why);
   retry_at_ = Clock::now() + kRetryAfter;
-  // With a route and still no connection LCM has printed why: once is enough.
+  // If there is a route but no connection, LCM has printed the reason, which should not be repeated.
   gave_up_ = url_.kind != LiveUrl::Kind::udpm || multicast_route_error(url_.group, url_.port).empty();
   return false;
 }

@@ -1,6 +1,6 @@
-// The thread that encodes and sends. The run hands things over under a lock that is only ever held to swap buffers, so
-// neither encoding nor the network can keep it waiting. It goes by the clock on the wall, whatever the run does
-// meanwhile: during a step of a minute a viewer still hears that the run lives, and one that comes then sees it all.
+// The thread that encodes and sends. The run passes data to it under a lock that is held only to swap buffers, so
+// neither encoding nor the network can delay the run. The thread works by wall time, independent of the steps of the
+// run: during a step of a minute a viewer still receives INFO, and a viewer that starts then receives all data.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace scree::io {
 
-/// Where a run is as something is sent of it.
+/// Time, step, stage and mesh of the run for the header of a message.
 struct LivePlace {
   double time = 0.0;  // simulated [s]
   std::int64_t step = 0;
@@ -31,7 +31,7 @@ struct LivePlace {
   std::shared_ptr<const LiveMesh> mesh;
 };
 
-/// Where the run is, for INFO.
+/// Progress of the run, for INFO.
 struct LiveProgress {
   double time = 0.0, end_time = 0.0;  // simulated [s]
   std::string stage_name, integrator;
@@ -40,10 +40,10 @@ struct LiveProgress {
   WorstContact contact;
 };
 
-/// What one INFO repeats from the start of the run.
+/// Data that every INFO repeats from the start of the run.
 struct LiveIdentity {
   std::string run, title, version, case_hash;
-  LiveField field = LiveField::speed;      // until a frame has another one
+  LiveField field = LiveField::speed;      // until a frame has another field
   std::array<double, 2> origin{0.0, 0.0};  // of the model [m]
 };
 
@@ -52,43 +52,44 @@ class LivePublisher {
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t kMaxEvents = 1000;  // waiting; more are counted as lost
   static constexpr auto kInfoEvery = std::chrono::seconds(1);
-  /// TOPO, and with it the newest STATE, HIST, ENERGY and events, for late viewers: well below the two seconds that
-  /// such a viewer may wait, since it also takes time to open its connection. A mesh that takes longer than a quarter
-  /// of this to send (7 MB, 200,000 points) comes more seldom: it leaves three quarters of the time to frames.
+  /// Interval of TOPO, and with it the newest STATE, HIST, ENERGY and events, for late viewers. It is well below the
+  /// two seconds that such a viewer may wait, since opening its connection also takes time. A mesh whose sending takes
+  /// longer than a quarter of this (7 MB, 200,000 points) is sent less often: three quarters of the time are left for
+  /// frames.
   static constexpr auto kKeyframeEvery = std::chrono::milliseconds(1000);
-  static constexpr std::size_t kEventsAgain = 10;  // newest ones of each weight in every keyframe
+  static constexpr std::size_t kEventsAgain = 10;  // number of milestones and of other events in every keyframe
   static constexpr auto kRetryAfter = std::chrono::seconds(5);
   static constexpr auto kPace = std::chrono::milliseconds(2);  // between large messages on a network
 
-  /// @param bus  a connection of that URL to use; null: one is opened, and again after failures
+  /// @param bus  connection of that URL to use; null: one is opened, and opened again after failures
   LivePublisher(LiveUrl url, LiveIdentity identity, std::shared_ptr<LiveBus> bus);
-  /// Sends what is waiting and ends the thread.
+  /// Sends the waiting data and ends the thread.
   ~LivePublisher() { finish(); }
   LivePublisher(const LivePublisher&) = delete;
   LivePublisher& operator=(const LivePublisher&) = delete;
-  /// What MODEL carries.   @param model  an encoded model_v1_t   @pre before start()
+  /// Sets the content of MODEL.   @param model  an encoded model_v1_t   @pre before start()
   void set_model(Bytes model) { model_ = std::move(model); }
   void start();
   void finish();
 
-  /// Each replaces what is still waiting of its kind.
+  /// Each call replaces the waiting data of its kind.
   void offer(std::shared_ptr<const LiveMesh> mesh);
-  void offer(RawFrame& frame);  // swapped: `frame` comes back with a buffer to use again
+  void offer(RawFrame& frame);  // swapped: `frame` returns with a buffer for reuse
   void offer(LiveDetail detail);
   void offer(LiveHistory history);
   void offer(const header_v1_t& header, const coupling::Ledger& ledger);
   void offer_energy(Bytes energy);  // an energy_v1_t
-  /// Goes out with the next INFO; with one at once when the status is another one.
+  /// Is sent with the next INFO; immediately if the status has changed.
   void offer(LiveProgress progress);
-  /// Events queue up.
-  /// @param milestone  one of few, such as a stage: cuts and transfers by the hundred do not crowd it out of the
+  /// Adds an event to a queue.
+  /// @param milestone  a rare event, such as a stage: hundreds of cuts and transfers do not displace it from the
   /// keyframes
   void offer(Bytes event, bool milestone);
 
-  /// The one warning of this publisher, once, when there is one: why nothing can be sent.
+  /// The only warning of this publisher, returned once: the reason why nothing can be sent.
   [[nodiscard]] std::optional<std::string> take_warning();
 
-  /// Header of the next message of its kind.   @param sequence  of the kind; counted on
+  /// Header of the next message of a kind.   @param sequence  number of the kind; incremented
   [[nodiscard]] header_v1_t header(const LivePlace& at, std::int64_t& sequence) const;
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t frames_sent() const { return frames_sent_; }
@@ -137,17 +138,17 @@ class LivePublisher {
   std::atomic<bool> has_warning_ = false, stopped_ = false;
   std::atomic<std::int64_t> frames_sent_ = 0, frames_skipped_ = 0, events_lost_ = 0;
 
-  // Of the thread alone.
+  // Used by the thread only.
   std::shared_ptr<LiveBus> bus_;
   bool gave_up_ = false, complained_ = false;
   std::shared_ptr<const LiveMesh> mesh_;
   Bytes encoded_mesh_;
   Bytes model_;
-  std::vector<Bytes> last_frame_, last_detail_, last_history_;  // messages, to be sent again
+  std::vector<Bytes> last_frame_, last_detail_, last_history_;  // messages that are sent again
   Bytes last_energy_;
   std::deque<Bytes> last_events_, last_milestones_;
   header_v1_t now_{};                     // of the newest thing sent
-  std::string info_stage_, info_status_;  // that the last INFO named
+  std::string info_stage_, info_status_;  // of the last INFO
   LiveField field_;                       // of the newest frame sent
   std::int64_t topology_sequence_ = 0, info_sequence_ = 0;
   Clock::time_point retry_at_{}, info_at_{}, keyframe_at_{}, large_at_{};

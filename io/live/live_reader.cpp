@@ -21,7 +21,7 @@ struct LiveReader::Impl {
     news.notify_all();
   }
   void drain() {
-    constexpr int kLook = 50;  // ms between looks at `stop`
+    constexpr int kLook = 50;  // interval between tests of `stop` [ms]
     while (!stop && bus->handle(kLook) != LiveBus::Got::end) {
     }
     const std::lock_guard lock(mutex);
@@ -41,7 +41,7 @@ struct LiveReader::Impl {
 LiveReader::LiveReader(std::shared_ptr<LiveBus> bus, const std::string& run)
     : impl_(std::make_unique<Impl>(std::move(bus))) {
   Impl* impl = impl_.get();
-  const SignalsBlocked inherited_by_the_threads;  // the library's own too: a signal would end its wait with an error
+  const SignalsBlocked inherited_by_the_threads;  // also the library's: a signal would end its wait with an error
   const bool listening = impl->bus->subscribe(
       channel_pattern(run),
       [impl](std::string_view channel, std::span<const std::uint8_t> bytes) { impl->take(channel, bytes); });
@@ -63,7 +63,7 @@ std::unique_ptr<LiveReader> LiveReader::open(const std::string& url, const std::
 LiveReader::~LiveReader() {
   impl_->stop = true;
   if (impl_->thread.joinable()) impl_->thread.join();
-  impl_->bus->unsubscribe();  // the bus may be shared with a sink and live on
+  impl_->bus->unsubscribe();  // the bus may be shared with a sink and still be used
 }
 
 std::optional<info_v1_t> LiveReader::info() const {

@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 Clock::duration wall(double seconds) {
-  constexpr double kLongest = 1e8;  // s: what a clock can still add
+  constexpr double kLongest = 1e8;  // [s]; a clock can add this without overflow
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, kLongest)));
 }
 
@@ -63,10 +63,10 @@ struct LiveReplay::Impl {
   LiveProgress progress;
   std::shared_ptr<const LiveMesh> mesh;
   std::int32_t stage = 0;
-  std::size_t next_event = 0, next_row = 0;  // of what was not sent yet
+  std::size_t next_event = 0, next_row = 0;  // next to be sent
   std::int64_t frames = 0, details = 0, histories = 0, ledgers = 0, events_sent = 0;
-  Clock::time_point detail_at{};  // the next contacts, stresses and bolts may go
-  bool new_mesh = true;           // none have gone of this mesh
+  Clock::time_point detail_at{};  // earliest time of the next detail
+  bool new_mesh = true;           // no detail of this mesh was sent
   std::unique_ptr<LivePublisher> publisher;
 };
 
@@ -97,7 +97,7 @@ void LiveReplay::Impl::offer_frame(const StoredFrame& frame) {
   raw.position = frame.position;
   raw.source = frame.velocity;
   publisher->offer(raw);
-  // As a run sends it, so seldom that it takes no more than its share of the network.
+  // As in a run, only so often that detail takes no more than its share of the network.
   if (Clock::now() < detail_at && !new_mesh) return;
   new_mesh = false;
   LiveDetail detail{header(frame.time, details), live_detail(reader, frame, mesh->base)};
@@ -109,7 +109,7 @@ void LiveReplay::Impl::offer_histories(double until) {
   std::size_t row = next_row;
   while (row < ledger.time.size() && ledger.time[row] <= until) ++row;
   if (row == next_row) return;
-  next_row = row--;  // only the newest matters to a viewer
+  next_row = row--;  // viewers need only the newest row
   energy_v1_t energy{};
   energy.header = header(ledger.time[row], ledgers);
   energy.columns = static_cast<std::int32_t>(ledger.columns.size());
@@ -127,7 +127,7 @@ void LiveReplay::Impl::offer_histories(double until) {
   if (monitors.empty()) return;
   LiveHistory history;
   for (const StoredMonitor& m : monitors) {
-    if (m.time.size() <= row) return;  // of a run that was killed
+    if (m.time.size() <= row) return;  // a run that was killed has fewer rows
     history.names.push_back(m.given);
     for (const auto& [from, to] :
          {std::pair(&m.position, &history.position), std::pair(&m.displacement, &history.displacement),
@@ -208,7 +208,7 @@ ReplayCounts LiveReplay::run(double speed, const std::function<bool()>& stop,
   const auto pass_warning = [&] {
     if (const auto text = r.publisher->take_warning(); text && warn) warn(*text);
   };
-  /// True when that time has come; false: stopped.
+  /// True when `ready` returns true; false: stopped.
   const auto wait_until = [&](const auto& ready) {
     while (!ready()) {
       pass_warning();
@@ -229,13 +229,13 @@ ReplayCounts LiveReplay::run(double speed, const std::function<bool()>& stop,
     const bool is_last = k + 1 == times().size();
     stopped = !wait_until([&] { return Clock::now() >= due(k) && r.publisher->idle(); });
     if (stopped) break;
-    // Those that would come faster than a stream are left out, but not the beginning of a stage.
+    // Frames that would exceed the rate of a stream are left out, except at the beginning of a stage.
     const bool too_soon = speed > 0.0 && Clock::now() - last_sent < wall(1.0 / kRate);
     if (too_soon && !is_last && times()[k + 1] > times()[k] && r.mesh && due(k + 1) <= Clock::now() + wall(1.0 / kRate))
       continue;
     const StoredFrame frame = r.reader.frame(k);
     r.take_progress(frame);
-    // Between two frames of one time a stage ends: its events come before the second one.
+    // Between two frames of the same time a stage ends: its events are sent before the second frame.
     constexpr std::size_t kAtOnce = LivePublisher::kMaxEvents / 2;
     do {
       r.offer_events(frame.time, kAtOnce);

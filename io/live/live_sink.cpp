@@ -13,23 +13,22 @@ namespace scree::io {
 namespace {
 
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
-constexpr int kShare = 100;  // copying frames takes at most one part in so many of the time
+constexpr int kShare = 100;  // copying frames takes at most 1/kShare of the time
 
-/// Processor time of this thread: waiting for other threads of a busy machine does not count.
+/// Processor time of this thread: waiting for other threads on a busy machine does not count.
 std::chrono::nanoseconds cpu_time() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec);
 }
 
-/// Says when the next thing is due, at most so many a second in the mean: times of steps that do not divide the
-/// interval (steps of 29 ms, an interval of 33 ms) would give every second step where each interval began with the
-/// thing before.
+/// Limits the mean number of items per second. If each interval began at the previous item, step times that do not
+/// divide the interval (steps of 29 ms, an interval of 33 ms) would select only every second step.
 class Limiter {
  public:
   using Clock = LivePublisher::Clock;
   explicit Limiter(Clock::duration every) : every_(every) {}
-  /// @param rate  a second; 0 or less: never due
+  /// @param rate  items per second; 0 or less: never due
   [[nodiscard]] static Limiter at_rate(double rate) {
     constexpr double kDay = 86400.0;
     return Limiter(std::chrono::duration_cast<Clock::duration>(
@@ -42,7 +41,7 @@ class Limiter {
     next_ = now - next_ < every_ ? next_ + every_ : now + every_;
     return true;
   }
-  /// Nothing is due before that time is over.
+  /// Nothing is due before this time has passed.
   void rest(Clock::duration time) { next_ = std::max(next_, Clock::now() + time); }
 
  private:
@@ -86,7 +85,7 @@ struct LiveSink::Impl {
   [[nodiscard]] header_v1_t header(double time, std::int64_t& sequence) const {
     return publisher->header({time, step, stage, mesh}, sequence);
   }
-  /// Offers the mesh of a frame, if it is another one than before: maps and displacements count from there.
+  /// Offers the mesh of a frame, if it has changed: maps and displacements are relative to its start.
   void take_mesh(const coupling::FrameView& view) {
     if (view.mesh == nullptr || (mesh && mesh->id == std::int64_t{view.mesh->id})) return;
     mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(*view.mesh, view.position));
@@ -94,7 +93,7 @@ struct LiveSink::Impl {
   }
   void set_end(double plan_end) { progress.end_time = until ? std::min(*until, plan_end) : plan_end; }
   void take_frame(const coupling::FrameView& view);
-  /// Contacts, stress and bolts of a frame that was taken.   @param always  also where it is not due
+  /// Contacts, stress and bolts of a frame that was taken.   @param always  also when it is not due
   void take_detail(const coupling::FrameView& view, bool always);
 
   LiveUrl url;
@@ -111,9 +110,9 @@ struct LiveSink::Impl {
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::int64_t frames = 0, details = 0, histories = 0, ledgers = 0, events = 0;  // sequences
-  std::optional<LiveHistory> last_history;                                       // newer than what was offered
+  std::optional<LiveHistory> last_history;                                       // newer than the one offered last
   RawFrame spare;                                                                // a buffer for the next frame
-  std::unique_ptr<LivePublisher> publisher;                                      // last: its thread ends first
+  std::unique_ptr<LivePublisher> publisher;                                      // last member: its thread ends first
 };
 
 void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
@@ -121,7 +120,7 @@ void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
   spare.mesh = mesh;
   spare.field = who.field;
   if (!mesh || view.position.size() != 2 * mesh->points() || !take_source(spare, view)) {
-    publisher->skip_frame();  // a frame of some other mesh
+    publisher->skip_frame();  // a frame of another mesh, or without the data of its field
     return;
   }
   spare.header = header(view.time, frames);
@@ -130,7 +129,7 @@ void LiveSink::Impl::take_frame(const coupling::FrameView& view) {
 }
 
 void LiveSink::Impl::take_detail(const coupling::FrameView& view, bool always) {
-  // A frame without its contact points would seem to have none.
+  // A frame whose contact points were not computed would appear to have no contacts.
   const bool whole = view.contacts != nullptr || view.state == nullptr || view.state->contacts.empty();
   if (!mesh || !whole || !(always || detail_limit.due())) return;
   LiveDetail detail{header(view.time, details), live_detail(view, mesh->base)};
@@ -174,7 +173,7 @@ void LiveSink::frame(const coupling::FrameView& frame) {
   progress.integrator = name(frame.integrator);
   if (frame.stats != nullptr) progress.stats = *frame.stats;
   if (new_stage) impl_->publisher->offer(progress);
-  impl_->take_mesh(frame);  // also of a frame that is not sent
+  impl_->take_mesh(frame);  // also for a frame that is not sent
   if (impl_->frame_limit.due()) {
     const auto before = cpu_time();
     if (frame.state != nullptr) progress.contact = worst_contact(*frame.state, impl_->blocks);
@@ -198,7 +197,7 @@ void LiveSink::history(const coupling::HistoryView& history) {
     if (due)
       impl_->publisher->offer(std::move(now));
     else
-      impl_->last_history = std::move(now);  // goes out if the run ends here
+      impl_->last_history = std::move(now);  // sent if the run ends here
   }
   if (due) {
     impl_->last_history.reset();
@@ -234,7 +233,7 @@ void LiveSink::end(const coupling::RunEnd& end, const coupling::FrameView& last)
   impl_->take_detail(last, true);
   if (impl_->last_history) impl_->publisher->offer(std::move(*impl_->last_history));
   if (last.state != nullptr) impl_->publisher->offer(impl_->header(last.time, impl_->ledgers), last.state->ledger);
-  impl_->publisher->offer(impl_->progress);  // last: viewers leave when they hear of the end
+  impl_->publisher->offer(impl_->progress);  // last: viewers disconnect when the end is reported
   impl_->publisher->finish();
   impl_->pass_warning();
 }

@@ -13,31 +13,31 @@
 
 namespace scree::io {
 
-/// Who is streaming. A name alone will do.
+/// Identification of the streaming run. Only the name is required.
 struct LiveRun {
-  std::string name = {};       // of the run; in the channels as channel_run(name)
+  std::string name = {};       // of the run; channels contain channel_run(name)
   std::string version = {};    // of the program
   std::string case_hash = {};  // SHA-256 of the case text, or empty
   LiveField field = LiveField::speed;
-  std::optional<double> until = {};  // the run stops here, before the end of its plan [s]
+  std::optional<double> until = {};  // time at which the run stops, before the end of its plan [s]
 };
 
-/// Per frame, the monitors and the ledger are taken at most plan.rate times a second of wall time (0: only the last
-/// frame of the run), and frames so seldom that copying them takes at most a hundredth of the time; what is not sent
-/// before the next is replaced. Events are all sent; INFO goes out once a second, TOPO with the first frame of a mesh
-/// and every second, and with it once more the newest of everything else, so that a viewer may come at any time.
+/// Frames, monitors and the ledger are taken at most plan.rate times per second of wall time (0: only the last frame of
+/// the run), and frames only so often that copying them takes at most a hundredth of the time. Data not sent before the
+/// next of their kind are replaced. All events are sent; INFO is sent once per second, TOPO with the first frame of a
+/// mesh and every second, together with the newest data of all other kinds, so that a viewer may start at any time.
 /// Sending has a thread of its own. Messages and channels: io/lcmtypes, channel.h.
 class LiveSink final : public coupling::Sink {
  public:
   using Warn = std::function<void(std::string)>;
 
   /// @param warn  called at most once in the life of the sink, on the thread that runs the simulation, when nothing can
-  ///              be sent: no multicast route, or the system refuses. The sink then tries again quietly, every 5 s, but
-  ///              for a log file, which it gives up.
+  ///              be sent: no multicast route, or the system refuses. The sink then tries again every 5 s without a
+  ///              warning, except for a log file, which it does not open again.
   /// @param bus   a connection to share with a reader of the same program (memq); null: opened from plan.url
   /// @throws std::invalid_argument with the text of check_live_url(plan.url)
   LiveSink(const coupling::LivePlan& plan, LiveRun run, Warn warn, std::shared_ptr<LiveBus> bus = nullptr);
-  /// Sends what is waiting: at most one mesh and one frame.
+  /// Sends the waiting data: at most one mesh and one frame.
   ~LiveSink() override;
 
   void begin(const Model& model, const coupling::Plan& plan) override;
@@ -48,13 +48,14 @@ class LiveSink final : public coupling::Sink {
   /// Sends the last frame and INFO, then ends the thread.
   void end(const coupling::RunEnd& end, const coupling::FrameView& last) override;
 
-  /// Between steps: frames a second from now on, as plan.rate; viewers hear at once that the run is held or goes on.
+  /// To be called between steps: frames per second from now on, in place of plan.rate.
   void set_rate(double rate);
-  /// Between steps: what frames carry from the next one on.
+  /// To be called between steps: scalar of the frames from the next one on.
   void set_field(LiveField field);
+  /// To be called between steps: viewers are informed immediately that the run is held or continues.
   void set_paused(bool paused);
 
-  /// Of the run that has begun: in the header of every message.
+  /// Session of the run that has begun, as in the header of every message.
   [[nodiscard]] std::int64_t session() const;
   [[nodiscard]] std::int64_t frames_sent() const;
   [[nodiscard]] std::int64_t frames_skipped() const;

@@ -29,7 +29,7 @@ std::optional<long> number(std::string_view text) {
   return value;
 }
 
-/// Splits off what follows the first `mark`.
+/// Splits off the text after the first `mark`.
 std::string_view split(std::string_view& text, char mark) {
   const std::size_t at = text.find(mark);
   const std::string_view rest = at == text.npos ? std::string_view{} : text.substr(at + 1);
@@ -68,13 +68,13 @@ void parse_udpm(std::string_view target, std::string_view options, LiveUrl& url)
   url.lcm = fmt::format("udpm://{}:{}?ttl={}{}", url.group, url.port, ttl, buffer);
 }
 
-/// A sender makes the file anew: it may not be something that is no log.
+/// A sender overwrites the file: an existing file must be empty or a log.
 void check_writable(const fs::path& path) {
   std::error_code ignored;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) throw Bad(fmt::format("there is no folder {}", folder.string()));
   if (!fs::exists(path, ignored)) {
-    // Tried for real: permission bits say little to root and nothing about read-only file systems.
+    // Tested by opening: permission bits do not apply to root, nor to read-only file systems.
     if (!std::ofstream(path)) throw Bad(fmt::format("{} cannot be written", path.string()));
     fs::remove(path, ignored);
     return;

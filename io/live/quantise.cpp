@@ -27,7 +27,7 @@ std::vector<std::int16_t> steps(std::span<const double> d, double base, double s
   const double per_step = scale > 0.0 ? 1.0 / scale : 0.0;
   for (std::size_t i = 0; i < d.size(); ++i) {
     if (!std::isfinite(d[i])) continue;
-    // std::round would be a call; rounding may pass the end of the range by one.
+    // std::round would be a function call; rounding may exceed the end of the range by one.
     const double exact = (d[i] - base) * per_step;
     q[i] = static_cast<std::int16_t>(std::clamp(exact + std::copysign(0.5, exact), -32767.0, 32767.0));
   }
@@ -41,7 +41,7 @@ Quantised quantise(std::span<const double> dx, std::span<const double> dy) {
   Quantised result;
   result.base = {x.middle(), y.middle()};
   result.scale = std::max(x.step(), y.step());
-  if (!std::isnormal(result.scale)) result.scale = 0.0;  // below 1e-307 m: no range at all
+  if (!std::isnormal(result.scale)) result.scale = 0.0;  // below 1e-307 m: treated as no range
   result.dx = steps(dx, result.base[0], result.scale);
   result.dy = steps(dy, result.base[1], result.scale);
   return result;

@@ -8,15 +8,15 @@
 
 namespace scree::io {
 
-/// Displacements of a run of points: d = base + scale * q, to within scale / 2.
+/// Displacements of consecutive points: d = base + scale * q, to within scale / 2.
 struct Quantised {
   std::array<double, 2> base{0.0, 0.0};  // [m]
   double scale = 0.0;                    // [m]; the widest range of x and y over 65534
-  std::vector<std::int16_t> dx, dy;      // -32767 to 32767; kNotFinite
+  std::vector<std::int16_t> dx, dy;      // -32767 to 32767, or kNotFinite
 };
 inline constexpr std::int16_t kNotFinite = -32768;
 
-/// @param dx,dy  one number a point [m]; may hold infinities and NaN
+/// @param dx,dy  one number per point [m]; may hold infinities and NaN
 [[nodiscard]] Quantised quantise(std::span<const double> dx, std::span<const double> dy);
 
 /// base + scale * q, NaN for kNotFinite.

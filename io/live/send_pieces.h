@@ -1,4 +1,4 @@
-// Sends the bytes of something large as messages of one type, each with a range of them.
+// Sends a large block of bytes as messages of one type, each with a range of the bytes.
 #pragma once
 
 #include "io/live/encode.h"

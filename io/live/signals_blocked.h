@@ -1,11 +1,11 @@
-// Signals are for the thread that runs the program: threads of the live stream do not take them.
+// Signals are handled by the main thread of the program: threads of the live stream do not receive them.
 #pragma once
 
 #include <csignal>
 
 namespace scree::io {
 
-/// While it lives, this thread takes no signals; threads that it starts meanwhile never do.
+/// During its lifetime this thread receives no signals; threads that it starts in that time never do.
 class SignalsBlocked {
  public:
   SignalsBlocked() {

@@ -1,4 +1,4 @@
-// How large things are cut into messages; sender and receiver use the same rule, so a receiver knows every range.
+// Division of large data into messages; sender and receiver use the same rule, so a receiver can compute every range.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@ namespace scree::io {
 
 inline constexpr std::int64_t kChunkPayload = 56000;  // bytes; the rest of a message stays far below kMaxMessage
 
-inline constexpr std::int32_t kMonitorsPerMessage = 256;  // with names of 100 bytes at most: 40 kB
+inline constexpr std::int32_t kMonitorsPerMessage = 256;  // 40 kB with names of at most 100 bytes
 
-/// Chunks that so many bytes take, one at least.
+/// Number of chunks for this number of bytes, at least one.
 [[nodiscard]] constexpr std::int32_t chunks_for(std::int64_t bytes) {
   return static_cast<std::int32_t>(std::max<std::int64_t>(1, (bytes + kChunkPayload - 1) / kChunkPayload));
 }
 
-/// Chunks of a frame.
+/// Number of chunks of a frame.
 [[nodiscard]] constexpr std::int32_t frame_chunks(std::int64_t maps, std::int64_t points, std::int64_t cells) {
   return chunks_for(28 * maps + 4 * points + 4 * cells);
 }

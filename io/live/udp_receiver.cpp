@@ -25,7 +25,7 @@ std::uint32_t word(std::span<const std::uint8_t> b) {
   return std::uint32_t{b[0]} << 24U | std::uint32_t{b[1]} << 16U | std::uint32_t{b[2]} << 8U | std::uint32_t{b[3]};
 }
 
-/// A channel ended by a zero; the rest is the data. False where there is no end within what LCM allows.
+/// Reads a channel ended by a zero; the rest is the data. False if no zero ends it within the length that LCM allows.
 bool take_channel(std::span<const std::uint8_t> rest, LcmDatagram& out) {
   const auto end =
       std::find(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(std::min(rest.size(), kMaxChannel + 1)), 0);
@@ -82,21 +82,21 @@ std::unique_ptr<UdpReceiver> UdpReceiver::open(const LiveUrl& url, std::string& 
   if (receiver->socket_ < 0) return failed("socket");
   const int fd = receiver->socket_, yes = 1, no = 0;
   if (setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0) return failed("SO_REUSEADDR");
-  // As much as the system gives; the thread takes care of the rest.
+  // As much as the system permits; the queue of the thread holds the rest.
   const int buffer = url.receive_buffer > 0 ? static_cast<int>(url.receive_buffer) : 1 << 22;
   (void)setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
   sockaddr_in group{};
   group.sin_family = AF_INET;
   group.sin_port = htons(url.port);
   inet_pton(AF_INET, url.group.c_str(), &group.sin_addr);
-  // Bound to the group, not to any address: what is sent to this machine alone never arrives.
+  // Bound to the group, not to any address: unicast datagrams to this machine are not received.
   if (bind(fd, reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0) return failed("bind");
   ip_mreq membership{};
   membership.imr_multiaddr = group.sin_addr;
   membership.imr_interface.s_addr = htonl(INADDR_ANY);
   if (setsockopt(fd, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0)
     return failed("IP_ADD_MEMBERSHIP");
-  (void)setsockopt(fd, IPPROTO_IP, IP_MULTICAST_ALL, &no, sizeof no);  // nothing of interfaces that others joined on
+  (void)setsockopt(fd, IPPROTO_IP, IP_MULTICAST_ALL, &no, sizeof no);  // only of interfaces on which we joined
   receiver->wake_ = eventfd(0, EFD_CLOEXEC);
   if (receiver->wake_ < 0) return failed("eventfd");
   const SignalsBlocked inherited_by_the_thread;
@@ -152,13 +152,13 @@ bool UdpReceiver::wanted(std::string_view channel) const {
 }
 
 bool UdpReceiver::from_here(std::uint32_t address) {
-  // 0.0.0.0 stands for this machine where no interface but the loopback has an address.
+  // 0.0.0.0 denotes this machine if no interface except the loopback has an address.
   if (address == 0 || address >> 24U == 127) return true;
   const auto known = [&] {
     return std::find(own_addresses_.begin(), own_addresses_.end(), address) != own_addresses_.end();
   };
   if (known()) return true;
-  // Addresses come and go; a flood from elsewhere is no reason to ask each time.
+  // Addresses may change, but a flood of foreign datagrams must not cause a query for each of them.
   constexpr std::int64_t kAgain = 1000;  // ms
   const std::int64_t now = milliseconds_now();
   if (!own_addresses_.empty() && now - addresses_at_ < kAgain) return false;
@@ -198,7 +198,7 @@ void UdpReceiver::run() {
       sockaddr_in from{};
       socklen_t size = sizeof from;
       const ssize_t got = recvfrom(socket_, buffer.data(), buffer.size(), 0, reinterpret_cast<sockaddr*>(&from), &size);
-      if (got < 0) break;  // nothing more; errors of a socket that only listens pass
+      if (got < 0) break;  // no more datagrams; errors of a receiving socket are transient
       take(std::span(buffer).first(static_cast<std::size_t>(got)), ntohl(from.sin_addr.s_addr));
     }
   }

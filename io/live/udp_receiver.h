@@ -1,5 +1,5 @@
-// Receives what LCM sends over multicast, in place of the library: two forged fragments end a program that lets
-// liblcm 1.3.1 receive, and a forged channel or length comes as far as its regular expressions and decoders.
+// Receives LCM messages over multicast, in place of the library: two forged fragments end a program in which
+// liblcm 1.3.1 receives, and its regular expressions and decoders process forged channels and lengths.
 #pragma once
 
 #include <atomic>
@@ -20,40 +20,40 @@
 
 namespace scree::io {
 
-/// A datagram of LCM taken apart.
+/// The parts of a datagram of LCM.
 struct LcmDatagram {
   enum class Kind {
-    message,   // a whole message ("LC02")
-    fragment,  // a piece of a larger one ("LC03"); channel of the first piece only
+    message,   // a complete message ("LC02")
+    fragment,  // a piece of a larger message ("LC03"); only the first piece has a channel
     garbage
   } kind = Kind::garbage;
   std::string_view channel;
   std::span<const std::uint8_t> data;
 };
 /// @source [LCM], lcm_udpm.c: two big-endian words (magic, number of the message), then the channel ended by a zero,
-///         then the data; a fragment has the size of the whole, its offset, its number and their count (4, 4, 2, 2
-///         bytes) in between
+///         then the data; a fragment has, after the two words, the size of the whole message, its offset, its number
+///         and the number of fragments (4, 4, 2, 2 bytes)
 [[nodiscard]] LcmDatagram decode_datagram(std::span<const std::uint8_t> datagram);
 
 struct UdpCounts {
   std::int64_t datagrams = 0;
-  std::int64_t garbage = 0;  // nothing of LCM, or a fragment on one of our channels: dropped
-  std::int64_t foreign = 0;  // of other channels, or of other machines where ttl=0 says that all is local: dropped
-  std::int64_t overrun = 0;  // the oldest, dropped because nobody took them in time
+  std::int64_t garbage = 0;  // not of LCM, or a fragment on one of our channels: dropped
+  std::int64_t foreign = 0;  // of other channels, or with ttl=0 (all is local) of other machines: dropped
+  std::int64_t overrun = 0;  // oldest messages, dropped because they were not handled in time
 };
 
-/// A socket in the multicast group and a thread that drains it, so that what comes in bursts is not lost while somebody
-/// is busy with the message before.
-/// Fragments are not put together: LCM cuts messages above 65,499 bytes, ours have kMaxMessage at most. What cannot
-/// be handled in time goes, the oldest first. With ttl=0 only what comes from an address of this machine is taken
-/// (the kernel lets no packet in from outside that claims to: martian sources, ip_route_input_mc).
+/// A socket in the multicast group and a thread that empties it, so that messages in bursts are not lost while an
+/// earlier message is being handled.
+/// Fragments are not assembled: LCM cuts messages above 65,499 bytes, ours have at most kMaxMessage. Messages that
+/// cannot be handled in time are dropped, the oldest first. With ttl=0 only datagrams from an address of this machine
+/// are taken (the kernel rejects packets from outside with such an address: martian sources, ip_route_input_mc).
 class UdpReceiver {
  public:
   using Handler = std::function<void(std::string_view channel, std::span<const std::uint8_t> bytes)>;
   static constexpr std::size_t kMaxWaiting = 4000;                 // messages
-  static constexpr std::size_t kMaxBytes = std::size_t{1} << 26U;  // of them
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 26U;  // bytes of these messages
 
-  /// @pre url.kind is udpm   @param why  set when the answer is null
+  /// @pre url.kind is udpm   @param why  set when the result is null
   [[nodiscard]] static std::unique_ptr<UdpReceiver> open(const LiveUrl& url, std::string& why);
   ~UdpReceiver();
   UdpReceiver(const UdpReceiver&) = delete;
@@ -61,7 +61,7 @@ class UdpReceiver {
 
   /// Calls `handler` from handle() for channels that match a regular expression as a whole.
   void subscribe(const std::string& pattern, Handler handler);
-  /// Waits for a message and handles it.   @return false when none came in time
+  /// Waits for a message and handles it.   @return false if none arrived in time
   bool handle(int milliseconds);
   [[nodiscard]] UdpCounts counts() const;
 
@@ -88,9 +88,9 @@ class UdpReceiver {
   std::deque<Message> waiting_;                                     // guarded
   std::size_t waiting_bytes_ = 0;                                   // guarded
   UdpCounts counts_;                                                // guarded
-  // Of the thread alone.
+  // Used by the thread only.
   std::vector<std::uint32_t> own_addresses_;
-  std::int64_t addresses_at_ = 0;  // when they were looked up [ms]
+  std::int64_t addresses_at_ = 0;  // time at which they were determined [ms]
   std::atomic<bool> stop_ = false;
   std::thread thread_;
 };

@@ -24,7 +24,7 @@ std::uint32_t big_endian(std::span<const std::uint8_t> b) {
   return std::uint32_t{b[0]} << 24U | std::uint32_t{b[1]} << 16U | std::uint32_t{b[2]} << 8U | std::uint32_t{b[3]};
 }
 
-/// Walks over a message without copying anything out of it.
+/// Traverses a message without copying any data.
 class Walker {
  public:
   explicit Walker(std::span<const std::uint8_t> rest) : rest_(rest) {}
@@ -48,7 +48,7 @@ class Walker {
   }
   [[nodiscard]] bool many(char element, std::uint64_t times) {
     if (element != 's') return skip(static_cast<std::uint64_t>(element - '0') * times);
-    while (times-- > 0)  // ends early: a text takes five bytes at least
+    while (times-- > 0)  // ends early on large counts: a text has at least five bytes
       if (!text()) return false;
     return true;
   }

@@ -6,8 +6,8 @@
 
 namespace scree::io {
 
-/// Draws the bolts of a frame as lines, the wider the larger their axial force is among all of the frame; broken ones
-/// and those without force as thin lines.
+/// Draws the bolts of a frame as lines whose width grows with the axial force, relative to the largest of the frame;
+/// broken bolts and those without force as thin lines.
 void draw_bolts(const Canvas& canvas, const PlotArea& area, const StoredBolts& bolts);
 
 /// The colour of bolts in every picture.

@@ -82,7 +82,7 @@ void Canvas::fill_piece() const {
     cairo_fill(get());
     return;
   }
-  cairo_fill_preserve(get());  // viewers smooth whatever the file says: a rim covers the paper between neighbours
+  cairo_fill_preserve(get());  // viewers smooth regardless of the file: a rim covers the paper between neighbours
   cairo_set_line_width(get(), 0.25);
   cairo_stroke(get());
 }
@@ -93,7 +93,7 @@ void Canvas::hatch_path() const {
   cairo_fill_preserve(get());
   cairo_clip(get());
   const double step = 5.0;                              // [pt]
-  cairo_set_antialias(get(), CAIRO_ANTIALIAS_DEFAULT);  // whatever the fill was drawn with
+  cairo_set_antialias(get(), CAIRO_ANTIALIAS_DEFAULT);  // independent of the setting used for the fill
   ink(kHatch);
   cairo_set_line_width(get(), 0.35);
   for (double x = -height_; x < width_; x += step) {

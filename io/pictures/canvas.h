@@ -31,10 +31,10 @@ struct TextStyle {
 
 class Canvas {
  public:
-  /// White.   @param width,height [pt]   @param pixels  width of a PNG in pixels; PDF and SVG have none
+  /// A white page.   @param width,height [pt]   @param pixels  width of a PNG in pixels; PDF and SVG have none
   Canvas(double width, double height, int pixels, PictureFormat format = PictureFormat::png);
 
-  /// PDF and SVG keep lines and letters as such; whoever shows them makes the pixels.
+  /// PDF and SVG keep lines and letters as such; the program that shows them makes the pixels.
   [[nodiscard]] bool is_vector() const { return format_ != PictureFormat::png; }
   [[nodiscard]] cairo_t* get() const { return cairo_.get(); }
   [[nodiscard]] double width() const { return width_; }
@@ -44,7 +44,7 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, double width, const Colour& colour) const;
   void box(double x, double y, double w, double h, const Colour& fill) const;
   void frame(double x, double y, double w, double h, double width, const Colour& colour) const;
-  /// Fills the current path, which it ends, with the present ink: one of many pieces that lie side by side.
+  /// Fills the current path, which it ends, with the current ink: one of many pieces that lie side by side.
   void fill_piece() const;
   /// Grey with hatching over the current path, which it ends.
   void hatch_path() const;

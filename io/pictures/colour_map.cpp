@@ -44,7 +44,7 @@ constexpr std::array<Rgb, 11> kBlueRed{{{5, 48, 97},
                                         {177, 24, 43},
                                         {103, 0, 31}}};
 
-// Okabe and Ito 2008 without black, told apart by colour-blind readers; then darker ones for long lists.
+// Okabe and Ito 2008 without black, distinguished by colour-blind readers; then darker ones for long lists.
 constexpr std::array<Rgb, 14> kDistinct{{{0, 114, 178},
                                          {230, 159, 0},
                                          {0, 158, 115},

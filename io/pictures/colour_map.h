@@ -11,7 +11,7 @@ namespace scree::io {
 [[nodiscard]] Colour sequential_colour(double t);
 /// Blue, white, red for signed values, 0.5 is zero (clamped).
 [[nodiscard]] Colour diverging_colour(double t);
-/// Colours told apart easily, counted from 0: 14, then paler and darker ones of them; repeating after 42.
+/// Colours that are easily distinguished, counted from 0: 14, then paler and darker ones of them; repeating after 42.
 [[nodiscard]] Colour distinct_colour(std::size_t number);
 
 }  // namespace scree::io

@@ -71,7 +71,7 @@ std::vector<double> cell_values(const StoredFrame& frame, Field field) {
     case Field::material:
       return numbers(frame.material);
     case Field::utilisation:
-      break;  // it takes the materials: cell_utilisation
+      break;  // it requires the materials: cell_utilisation
   }
   return {};
 }

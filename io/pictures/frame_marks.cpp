@@ -86,7 +86,7 @@ bool cell_holds(const StoredFrame& f, std::size_t cell, const Vec2& point) {
 ArrowMarks::ArrowMarks(const StoredFrame& frame, const std::vector<double>& value, const std::vector<char>& skip,
                        const PlotArea& area, double block, double noise, const std::string& name,
                        const std::string& si) {
-  const double metres = (area.x1 - area.x0) / area.w;  // a point of the page
+  const double metres = (area.x1 - area.x0) / area.w;  // per point of the page
   arrows_ = arrows_of(frame, value, skip, kSpacing * metres);
   double longest = 0.0;
   for (const Arrow& a : arrows_) longest = std::max(longest, a.vector.norm());

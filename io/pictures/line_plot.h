@@ -9,7 +9,7 @@ namespace scree::io {
 
 struct PlotSeries {
   std::string name;
-  std::vector<double> x, y;  // as many; values that are not finite are left out
+  std::vector<double> x, y;  // of equal length; values that are not finite are left out
   bool points = false;       // discs in place of a line
   bool dashed = false;
 };

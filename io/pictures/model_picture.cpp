@@ -82,8 +82,8 @@ void draw_blocks(const Canvas& canvas, const PlotArea& area, const Model& model,
   }
 }
 
-/// Faces between blocks by their law, those with less friction last, for theirs is the law of the joint; then cracks,
-/// then free faces in black.
+/// Faces between blocks by their law, those with less friction last, because theirs is the law of the joint; then
+/// cracks, then free faces in black.
 void draw_joints(const Canvas& canvas, const PlotArea& area, const Model& model, const Box& box,
                  std::set<JointId>& laws, std::set<Mark>& marks) {
   const auto stroke = [&](const Vec2& a, const Vec2& b, double width, const Colour& colour) {
@@ -227,7 +227,7 @@ void draw_model(const Model& model, const ModelPictureOptions& options, const st
   const double left = kPictureEdge + 22.0 + widest(ruler, ticks_of(guess.y0, guess.y1, guess.h));
   const PlotArea area = placed(box, left);
 
-  // What the legend will hold is known once all is drawn: a first time on a page that nobody sees.
+  // The contents of the legend are known only after drawing: everything is first drawn on a page that is discarded.
   std::set<JointId> laws;
   std::set<Mark> marks;
   const auto draw_section = [&](const Canvas& canvas) {

@@ -24,10 +24,10 @@ inline constexpr TextStyle kTickText{7.5}, kLabelText{8.5};
 /// Widest of the labels [pt].
 [[nodiscard]] double widest(const Canvas& canvas, const Ticks& ticks);
 
-/// Label of a coordinate that is counted from somewhere [m]: "x [m]", "x − 500000 [m]".
+/// Label of a coordinate relative to `from` [m]: "x [m]", "x − 500000 [m]".
 [[nodiscard]] std::string axis_label(char axis, double from);
 
-/// Frame, ticks outside, labels; with grid lines where asked. An empty label of x leaves the numbers of x out, too.
+/// Frame, ticks outside, labels; grid lines if `grid` is true. An empty label of x leaves the numbers of x out, too.
 void draw_axes(const Canvas& canvas, const PlotArea& area, const Ticks& x, const Ticks& y, const std::string& x_label,
                const std::string& y_label, bool grid);
 
@@ -39,7 +39,7 @@ struct ColourScale {
   std::function<Colour(double)> colour;  // of 0 to 1
 };
 
-/// A standing colour bar with its ticks and label to the right of (x, y).   @return its width [pt]
+/// A vertical colour bar with its ticks and label to the right of (x, y).   @return its width [pt]
 double draw_colour_bar(const Canvas& canvas, double x, double y, double h, const ColourScale& scale,
                        const std::string& label);
 

@@ -1,4 +1,4 @@
-// What plots over time share: ranges, curves, the stages behind them.
+// Common parts of plots over time: ranges, curves, the stages behind them.
 #pragma once
 
 #include <limits>
@@ -21,10 +21,10 @@ struct Range {
   void widen(double fraction);
 };
 
-/// A line through the points with the present ink, width and dashes. A value that is not finite interrupts it.
+/// A line through the points with the current ink, width and dashes. A value that is not finite interrupts it.
 void draw_curve(const Canvas& canvas, const PlotArea& area, const std::vector<double>& x, const std::vector<double>& y);
 
-/// Keeps drawing inside an area until it goes.
+/// Restricts drawing to an area during its lifetime.
 class Clip {
  public:
   Clip(const Canvas& canvas, const PlotArea& area);
@@ -36,7 +36,7 @@ class Clip {
   cairo_t* cairo_;
 };
 
-/// Upright lines where stages begin, but for the first; with `names`, each stage's name above the area where it fits.
+/// Vertical lines where stages begin, except the first; with `names`, each stage's name above the area where it fits.
 void draw_stages(const Canvas& canvas, const PlotArea& area, const std::vector<StoredStage>& stages, bool names);
 
 }  // namespace scree::io

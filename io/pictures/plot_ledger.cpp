@@ -33,7 +33,7 @@ void use_dashes(cairo_t* c, const std::string& side) {
     cairo_set_dash(c, nullptr, 0, 0.0);
 }
 
-/// Columns that show: a thousandth of the largest is less than the width of a line.
+/// Columns that are visible: a thousandth of the largest is less than the width of a line.
 std::vector<Curve> curves_of(StoredLedger& ledger) {
   constexpr double kShown = 1e-3;
   double most = 0.0;

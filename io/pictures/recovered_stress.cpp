@@ -18,7 +18,7 @@ constexpr std::size_t kComponents = 3;
 
 constexpr std::size_t kAlone = static_cast<std::size_t>(-1);
 
-/// Cells that are a block each, as those of the DDA: nothing is to be recovered there, whatever their number.
+/// Cells that are a block each, as in DDA: their stress is not recovered, whatever their number.
 std::vector<char> alone_in(const StoredFrame& f) {
   std::vector<std::int32_t> cells(1, 0);
   for (const std::int32_t block : f.block) {
@@ -32,7 +32,8 @@ std::vector<char> alone_in(const StoredFrame& f) {
   return alone;
 }
 
-/// Points that are one: of a block, at one place in the model and now; kAlone where a block has one cell.
+/// Node of each corner: corners of a block at one place both in the model and now are one; kAlone where a block has
+/// one cell.
 std::vector<std::size_t> nodes_of(const StoredFrame& f, std::size_t& count) {
   const std::vector<char> alone = alone_in(f);
   double extent = 0.0;

@@ -110,7 +110,7 @@ Box shown_box(const Scene& s) {
   if (s.options.window) return *s.options.window;
   Box box{Vec2::Constant(1e300), Vec2::Constant(-1e300)};
   const auto add = [&](const Vec2& p) {
-    if (!p.allFinite()) return;  // a run that ended in numbers that are none is looked at most of all
+    if (!p.allFinite()) return;  // runs that ended in non-finite numbers are drawn, too: they are viewed most of all
     box.lo = box.lo.cwiseMin(p);
     box.hi = box.hi.cwiseMax(p);
   };
@@ -121,12 +121,12 @@ Box shown_box(const Scene& s) {
   return {box.lo - margin, box.hi + margin};
 }
 
-/// The plot on a page of fixed width, equal scales; a model much wider or taller than usual gets air around it.
+/// The plot on a page of fixed width, equal scales; a model much wider or taller than usual gets space around it.
 PlotArea placed(const Box& box, double left, double right) {
   const double w = kSnapshotWidth - left - right;
   const Vec2 size = box.hi - box.lo;
   const double h = w * std::clamp(size.y() / size.x(), 0.28, 1.1);
-  const double metres = std::max(size.x() / w, size.y() / h);  // a point of the page
+  const double metres = std::max(size.x() / w, size.y() / h);  // per point of the page
   const Vec2 middle = 0.5 * (box.lo + box.hi), half(0.5 * w * metres, 0.5 * h * metres);
   return {left,
           kSnapshotTop,
@@ -181,9 +181,9 @@ struct Corner {
   double value;
 };
 
-/// A triangle with values that are straight between its corners, in pieces of one colour.
+/// A triangle with values that are linear between its corners, in pieces of one colour.
 void draw_triangle(const Canvas& canvas, const Scene& s, Corner a, Corner b, Corner c) {
-  constexpr double kColours = 96.0, kSmallest = 1.2;  // shades of the bar that are told apart; side of a piece [pt]
+  constexpr double kColours = 96.0, kSmallest = 1.2;  // shades of the bar that are distinguished; side of a piece [pt]
   const double low = std::min({a.value, b.value, c.value}), high = std::max({a.value, b.value, c.value});
   const double shade = (s.scale.high - s.scale.low) * s.scale.unit.factor / kColours;
   const double ab = (b.at - a.at).norm(), bc = (c.at - b.at).norm(), ca = (a.at - c.at).norm();

@@ -58,7 +58,7 @@ Unit prefixed(const std::string& si, double largest) {
   static constexpr std::array<std::pair<double, const char*>, 6> kPrefix{
       {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}}};
   if (si == "1") return {1.0, si};
-  const bool metric = si.front() == 'm';  // nobody reads km of a slope
+  const bool metric = si.front() == 'm';  // km are unusual for a slope
   for (const auto& [factor, prefix] : kPrefix)
     if (largest >= factor && !(metric && factor > 1.0)) return {factor, prefix + si};
   return largest > 0.0 && std::isfinite(largest) ? Unit{1e-6, "µ" + si} : Unit{1.0, si};

@@ -114,7 +114,7 @@ class Ranges {
             const std::vector<char>& skip) {
     const double noise = rounding_of(like, f, run_->materials());
     double& most = most_[name];
-    // A frame in which nothing rises above rounding has no say: colour_range gives it a range of one.
+    // A frame without values above rounding does not count: colour_range gives it a range of one.
     const bool anything = [&] {
       for (std::size_t c = 0; c < values.size(); ++c)
         if (skip[c] == 0 && std::abs(values[c]) > noise) return true;

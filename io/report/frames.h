@@ -23,7 +23,7 @@ struct ReportFrame {
                      // cell); contact points that are closed
 };
 
-/// What the colours of a field span: all frames shown.
+/// Range of the colours of a field, over all frames shown.
 struct ReportRange {
   std::string field;
   double low = 0.0, high = 1.0;
@@ -32,31 +32,30 @@ struct ReportRange {
 struct ReportFrames {
   std::vector<std::string>
       meshes;                      // chunk: origin (x, y per point), offsets, cells, block, material, method (per cell)
-  std::vector<std::size_t> first;  // first frame of each mesh, a frame of the run
+  std::vector<std::size_t> first;  // first frame of each mesh, as an index in the run
   std::vector<ReportFrame> frames;
   std::vector<ReportRange> ranges;
-  std::array<double, 4> bounds{};  // x0, y0, x1, y1 of all points shown [m], less `base`
+  std::array<double, 4> bounds{};  // x0, y0, x1, y1 of all points shown [m], relative to `base`
   std::size_t stored = 0;          // frames of the run
 };
 
 /// Reads, packs and thins.
-/// @param base   what positions in the chunks are counted from [m], beside the origin of the run
+/// @param base   reference point of positions in the chunks [m], in addition to the origin of the run
 /// @param bytes  that meshes and frames may take together; the first and the last frame of each mesh and stage stay
-/// even
-///               where they take more. 0: no limit
+///               even where they take more. 0: no limit
 /// @throws FileError
 [[nodiscard]] ReportFrames pack_frames(const RunReader& run, const Vec2& base, std::size_t bytes);
 
 /// Every frame of the run and every mesh, without their chunks.
-/// @param looked  ranges and bounds are those of so many frames, spread evenly, and of the first frame of each mesh and
-///                the last of all   @pre looked >= 1   @throws FileError
+/// @param looked  number of frames, spread evenly, that ranges and bounds are taken from, besides the first frame of
+///                each mesh and the last of all   @pre looked >= 1   @throws FileError
 [[nodiscard]] ReportFrames list_frames(const RunReader& run, const Vec2& base, std::size_t looked);
 
 /// The chunks that ReportFrames describes.   @throws FileError where contacts cannot be read
 [[nodiscard]] Chunk mesh_chunk(const StoredFrame& frame, const Vec2& base);
 [[nodiscard]] Chunk frame_chunk(const RunReader& run, const StoredFrame& frame, const Vec2& base);
 
-/// Which of `count` frames stay where every `stride`-th does: those, and the kept ones, in order.
+/// Indices of the frames that stay: every `stride`-th and the kept ones, in order.
 /// @pre stride >= 1, kept.size() == count
 [[nodiscard]] std::vector<std::size_t> thinned(const std::vector<char>& kept, std::size_t stride);
 

@@ -18,8 +18,8 @@ struct GalleryCard {
   std::string trouble;  // why there is no report; empty: there is one
 };
 
-/// What a card says of a run: from its results and its summary.json.
-/// @param picture  is written: displacement at the end (PNG)   @param link  as of GalleryCard
+/// The card of a run, from its results and its summary.json.
+/// @param picture  file to write: displacement at the end (PNG)   @param link  as in GalleryCard
 /// @throws FileError where the run cannot be read, has no frame, or the picture cannot be written
 [[nodiscard]] GalleryCard gallery_card(const std::filesystem::path& run_folder, const std::filesystem::path& picture,
                                        const std::string& link);

@@ -1,4 +1,4 @@
-// The HTML of a report: one file that needs nothing else. What comes from a run is data and is never run.
+// The HTML of a report: one file that needs nothing else. The texts of a run are data and are never executed.
 #pragma once
 
 #include <string>
@@ -18,9 +18,9 @@ struct PageParts {
 /// every request.   @pre ids of chunks are letters, digits and '-'; chunks are base64
 [[nodiscard]] std::string report_page(const PageParts& parts);
 
-/// The page as a server gives it: script, styles and data come from where it came from (viewer.js, viewer.css,
-/// run.json, mesh/N, frame/N, history, live), so that its policy needs no hashes.
-/// @param source  where the script takes its data: stored, case, live
+/// The page as a server sends it: script, styles and data come from the same server (viewer.js, viewer.css, run.json,
+/// mesh/N, frame/N, history, live), so that its policy needs no hashes.
+/// @param source  of the data of the script: stored, case, live
 [[nodiscard]] std::string served_page(const std::string& title, std::string_view source);
 
 /// Two served pages side by side, left/ and right/, with their titles.
@@ -30,7 +30,7 @@ struct PageParts {
 [[nodiscard]] std::string policy_hash(std::string_view text);
 /// Text for HTML: & < > " ' as entities.
 [[nodiscard]] std::string html_text(std::string_view text);
-/// JSON that cannot end or open an element of HTML: '<', '>', '&' as \u003c, \u003e, \u0026 (they stand in strings
+/// JSON that cannot end or open an element of HTML: '<', '>', '&' as \u003c, \u003e, \u0026 (they occur in strings
 /// only).
 [[nodiscard]] std::string json_in_html(std::string_view json);
 

@@ -28,7 +28,7 @@ ReportNote write_report(const std::filesystem::path& run_folder, const ReportOpt
   const std::size_t rest = page.text().size() + parts.chunks.front().second.size() + viewer_script().size() +
                            viewer_style().size() + viewer_body().size() + viewer_licences().size() + kSlack;
   const auto limit = static_cast<std::size_t>(options.megabytes * kMegabyte);
-  // A report always has its model, its histories and the ends of its stages, whatever they take.
+  // A report always has its model, its histories and the ends of its stages, whatever their size.
   const std::size_t room = limit == 0 ? 0 : std::max<std::size_t>(1, limit > rest ? limit - rest : 1);
   ReportFrames frames = pack_frames(run, page.base(), room);
   page.add_frames(frames);

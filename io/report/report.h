@@ -10,7 +10,7 @@
 namespace scree::io {
 
 struct ReportOptions {
-  double megabytes = 5.0;  // of the file; frames are left out until they fit in, 0: none is
+  double megabytes = 5.0;  // of the file; frames are left out until they fit in, 0: all are kept
   std::string version;     // of the program that writes
 };
 
@@ -19,7 +19,7 @@ struct ReportNote {
   std::uintmax_t bytes = 0;           // of the file
 };
 
-/// Writes the page in one piece: an earlier file stays where that fails.
+/// Writes the page in one piece: an earlier file stays if writing fails.
 /// @throws FileError where the run cannot be read, has no frame, or the file cannot be written
 ReportNote write_report(const std::filesystem::path& run_folder, const ReportOptions& options,
                         const std::filesystem::path& file);

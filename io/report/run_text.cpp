@@ -122,7 +122,7 @@ void add_rows(Chunk& chunk, const std::string& name, const std::vector<double>& 
   chunk.add(name, std::span<const float>(out));
 }
 
-/// Monitors and the ledger: what they are as JSON, their rows in the chunk.
+/// Monitors and the ledger: their description as JSON, their rows in the chunk.
 OrderedJson history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
   OrderedJson monitors = OrderedJson::array(), columns = OrderedJson::array();
   bool all = true;
@@ -137,7 +137,7 @@ OrderedJson history_json(const RunReader& run, const Vec2& base, Chunk& chunk) {
     add_rows(chunk, at + "v", m.velocity, 2, rows);
     if (!m.stress.empty()) add_rows(chunk, at + "s", m.stress, 3, rows);
     OrderedJson entry{{"name", m.name}, {"stress", !m.stress.empty()}};
-    std::size_t first = 0;  // sample in which its block is there
+    std::size_t first = 0;  // first sample in which its block exists
     while (first + 1 < m.position.size() && !std::isfinite(m.position[first])) first += 2;
     if (first + 1 < m.position.size())
       entry["at"] = {m.position[first] - m.displacement[first] - base.x(),

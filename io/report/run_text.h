@@ -1,4 +1,4 @@
-// What a page says of a stored run beside its frames: the model, stages, histories, events, what was asked and found.
+// Contents of the page of a stored run besides its frames: the model, stages, histories, events, input and results.
 #pragma once
 
 #include <filesystem>
@@ -20,14 +20,14 @@ class RunText {
   RunText(const RunText&) = delete;
   RunText& operator=(const RunText&) = delete;
 
-  /// The middle of the model in whole metres, which positions of the page are counted from beside the origin of the
-  /// run: float32 then resolves them to 1e-7 of the extent of the model.
+  /// The middle of the model in whole metres, the reference point of positions on the page, in addition to the origin
+  /// of the run: float32 then resolves them to 1e-7 of the extent of the model.
   [[nodiscard]] const Vec2& base() const;
   /// Monitors and the ledger.
   [[nodiscard]] const Chunk& history() const;
 
   void add_frames(const ReportFrames& frames);
-  /// Valid JSON whatever the texts of the run hold.
+  /// Valid JSON whatever the texts of the run contain.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
   throw FileError(path, what + ": " + std::strerror(errno));
 }
 
-/// What is in the folder is on the disk.
+/// Writes the entries of the folder to the disk; false: failed.
 bool folder_is_kept(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

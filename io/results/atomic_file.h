@@ -1,4 +1,4 @@
-// A file put in place whole: a reader sees the old one or the new one, never half.
+// A file that is put in place complete: a reader finds the old content or the new content, never a part.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace scree::io {
 
 /// A file under a temporary name in the same folder until commit(). @throws FileError from every member that writes;
-/// the old file is untouched then.
+/// the old file is unchanged then.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -17,7 +17,7 @@ class AtomicFile {
   ~AtomicFile();  // removes the temporary file unless it was put in place
 
   void write(std::string_view text);
-  /// Adds the first bytes of another one, which may be in place already, whatever has become of its name since.
+  /// Appends the first `bytes` of `from`, which may be in place already, and renamed or deleted since.
   void copy(const AtomicFile& from, std::int64_t bytes);
   /// fsync, rename, fsync of the folder. The content can still be read by copy().
   void commit();
@@ -28,7 +28,7 @@ class AtomicFile {
   bool in_place_ = false;
 };
 
-/// The whole of a file at once.   @throws FileError; the old file is untouched then
+/// Writes the whole file at once.   @throws FileError; the old file is unchanged then
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace scree::io

@@ -9,9 +9,9 @@
 namespace scree::io {
 
 /// /bolts/<name>/{time, force, shear, slip, plastic_strain, broken} and /liners/<name>/{time, thrust, moment,
-/// plastic_strain, broken}, rows as those of the monitors; and of every frame
-/// the nodes of the bolts that are installed: /bolt_nodes/{bolt, position, force} and /bolt_nodes/frames/{first,
-/// count}, a row a frame: its nodes are the rows first[k] to first[k] + count[k] - 1.
+/// plastic_strain, broken}, with rows at the times of the monitors; and, for every frame, the nodes of the installed
+/// bolts: /bolt_nodes/{bolt, position, force} and /bolt_nodes/frames/{first, count}, one row per frame. The nodes of
+/// frame k are the rows first[k] to first[k] + count[k] - 1.
 class BoltWriter : public SeriesGroup<BoltWriter> {
  public:
   BoltWriter(const h5::File& file, const Model& model);
@@ -21,14 +21,14 @@ class BoltWriter : public SeriesGroup<BoltWriter> {
  private:
   friend SeriesGroup<BoltWriter>;
   struct Bolt {
-    h5::Series<double> time, force, shear, slip, strain;  // of a liner: thrust, moment, no slip
+    h5::Series<double> time, force, shear, slip, strain;  // for a liner: force = thrust, shear = moment, no slip
     h5::Series<std::int32_t> broken;
     bool liner = false;
   };
   void add_liner(const h5::File& file, const scree::Bolt& liner, std::size_t index);
   template <class Visitor>
   void each(Visitor&& see) {
-    // The rows before what refers to them.
+    // The rows are written before the datasets that refer to them.
     for (Bolt& b : bolts_) {
       see(b.force), see(b.shear);
       if (!b.liner) see(b.slip);
@@ -46,7 +46,7 @@ class BoltWriter : public SeriesGroup<BoltWriter> {
 
 /// Columns of history.csv for a model's bolts, after those of the monitors: names and units.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> bolt_columns(const Model& model);
-/// Their values.
+/// Appends the values of these columns to a row.
 void add_bolt_values(const coupling::HistoryView& history, std::vector<double>& row);
 
 }  // namespace scree::io

@@ -1,4 +1,4 @@
-// Hash of bytes in their order, however many at once: to find damage, not deceit.
+// Hash of a sequence of bytes, independent of how it is split into calls: detects damage, not manipulation.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace scree::io {
 class ByteHash {
  public:
   ByteHash() = default;
-  /// Goes on from value().
+  /// Continues from an earlier value().
   explicit ByteHash(std::uint64_t value) : value_(value) {}
   void add(const void* data, std::size_t bytes) {
     const auto* at = static_cast<const unsigned char*>(data);

@@ -6,11 +6,12 @@
 
 namespace scree::io {
 
-/// /contacts/{corner, edge, joint, state, ...}: a row a point, frame after frame, and /contacts/frames/{first, count},
-/// a row a frame in the order of /frames: the points of frame k are the rows first[k] to first[k] + count[k] - 1.
+/// /contacts/{corner, edge, joint, state, ...}: one row per contact point, frame after frame, and
+/// /contacts/frames/{first, count}: one row per frame in the order of /frames. The contact points of frame k are the
+/// rows first[k] to first[k] + count[k] - 1.
 class ContactWriter : public SeriesGroup<ContactWriter> {
  public:
-  /// @param in  rows: contact points of all frames
+  /// @param in  its rows: expected number of contact points of all frames
   ContactWriter(const h5::Growing& in, double frames);
   /// @pre frame.contacts
   void frame(const coupling::FrameView& frame);
@@ -19,7 +20,7 @@ class ContactWriter : public SeriesGroup<ContactWriter> {
   friend SeriesGroup<ContactWriter>;
   template <class Visitor>
   void each(Visitor&& see) {
-    // The rows before what refers to them.
+    // The rows are written before the datasets that refer to them.
     see(corner_), see(edge_), see(joint_), see(state_), see(facing_), see(bonded_), see(failed_);
     see(position_), see(normal_), see(share_), see(gap_), see(gap0_), see(fn_), see(ft_), see(water_), see(slip_);
     see(first_), see(count_);

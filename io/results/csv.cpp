@@ -16,7 +16,7 @@ namespace scree::io {
 
 namespace {
 
-/// Quoted where a comma, a quote or a line end would break the table (RFC 4180).
+/// The text, quoted if a comma, a quote or a line end would break the table (RFC 4180).
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -22,17 +22,17 @@ class CsvFile {
   struct Column {
     std::string name, units;
   };
-  /// @param keep  goes on after so many bytes of an older file, which holds(); none: a new one
-  /// @throws FileError, as all of it
+  /// @param keep  leading bytes of an older file that are kept (lacks() is empty for them); none: a new file
+  /// @throws FileError, as every member
   CsvFile(std::filesystem::path path, std::span<const Column> columns, const TableMark& keep = {});
   void row(std::span<const double> values);
   void flush();
-  /// Everything so far to the disk.
+  /// Writes everything so far to the disk.
   void sync();
   void close();
-  /// Written so far.
+  /// Bytes written so far and their hash.
   [[nodiscard]] TableMark mark() const { return {bytes_, hash_.value()}; }
-  /// What a file lacks that it had at a mark, as the end of a sentence; empty where it begins with those very bytes.
+  /// How a file differs from its content at a mark, as the end of a sentence; empty if it begins with those bytes.
   [[nodiscard]] static std::string lacks(const std::filesystem::path& file, const TableMark& mark);
 
  private:
@@ -44,7 +44,7 @@ class CsvFile {
   ByteHash hash_;
 };
 
-/// history.csv: time, then <monitor>.x, .y (position), .ux, .uy (displacement), .vx, .vy (velocity) a monitor.
+/// history.csv: time, then <monitor>.x, .y (position), .ux, .uy (displacement), .vx, .vy (velocity) per monitor.
 /// energy.csv: time, every ledger column, energy, closure, moved, relative_closure, passed, passed_closure.
 class CsvHistories {
  public:

@@ -1,4 +1,4 @@
-// Events and the books of every hand-over in the results file.
+// Events and the balances of every transfer in the results file.
 #pragma once
 
 #include <array>

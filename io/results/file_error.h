@@ -1,4 +1,4 @@
-// The error of everything that touches files; the command ends with exit code 5.
+// The error of all file operations; the program ends with exit code 5.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@ struct FileError : std::runtime_error {
       : std::runtime_error(printable_line(where.string()) + ": " + why), path(std::move(where)), reason(why) {}
 
   std::filesystem::path path;
-  std::string reason;  // what was tried and what the system said
+  std::string reason;  // the operation that failed and the message of the system
 };
 
-/// A file that was there and whole once cannot be read any more.
+/// A file that was once complete cannot be read any more.
 struct DamagedFile : FileError {
   using FileError::FileError;
   explicit DamagedFile(const FileError& e) : FileError(e.path, e.reason) {}

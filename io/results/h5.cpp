@@ -44,7 +44,7 @@ std::string cause() {
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &text);
   H5Eclear2(H5E_DEFAULT);
-  // The file driver reports a sentence full of addresses; the system's message inside it is what matters.
+  // The message of the file driver contains many addresses; only the system's message inside it is kept.
   const std::string mark = "error message = '";
   if (const std::size_t at = text.find(mark); at != std::string::npos) {
     const std::size_t from = at + mark.size();
@@ -53,11 +53,11 @@ std::string cause() {
   return text.empty() ? "HDF5 gives no reason" : text;
 }
 
-/// Errors go into FileError, not to stderr. No clean-up by HDF5 at exit: every identifier here has an owner, and HDF5
-/// 1.10 crashes there over a file whose close failed on a full disk, which would hide our exit code.
+/// Errors are reported by FileError, not on stderr. No clean-up by HDF5 at exit: every identifier here has an owner,
+/// and HDF5 1.10 crashes at exit if closing a file failed on a full disk, which would hide our exit code.
 void quiet() {
-  (void)H5dont_atexit();           // fails when it was called before
-  constexpr int kKept = 8 * 1024;  // bytes a kind that are kept for use again; without a limit they pile up
+  (void)H5dont_atexit();           // fails if it was called before
+  constexpr int kKept = 8 * 1024;  // bytes per kind that are kept for reuse; without a limit they accumulate
   H5set_free_list_limits(kKept, kKept, kKept, kKept, kKept, kKept);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -65,8 +65,8 @@ void quiet() {
 Handle access_list(const fs::path& path) {
   Handle list(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);
   check(H5Pset_file_locking(list.get(), false, true), path, "set up HDF5");
-  // Whole chunks are written, once: none is worth keeping. What HDF5 knows of frames long written need not stay either.
-  // It counts a frame's window as 400 bytes, and holds 20 times that of it.
+  // Chunks are written whole and once, so no chunk cache is needed. The metadata of frames written long ago need not
+  // stay in memory either. HDF5 counts a window of a frame as 400 bytes, but uses 20 times as much memory for it.
   constexpr std::size_t kSlots = 521, kMetadata = 48 * 1024;
   check(H5Pset_cache(list.get(), 0, kSlots, 0, 0.75), path, "set up HDF5");
   H5AC_cache_config_t metadata;
@@ -81,8 +81,8 @@ Handle access_list(const fs::path& path) {
   return list;
 }
 
-/// A node of a table of chunks, or of names, has room for twice as many as said here, whether they are there or not;
-/// HDF5 says 32 and 16, and the tables of a hundred short datasets are larger than what is in them.
+/// A node of a table of chunks, or of names, has room for twice this number of entries, used or not. The defaults of
+/// HDF5 are 32 and 16, with which the tables of a hundred short datasets are larger than their data.
 constexpr unsigned kEntriesOfSmall = 4;
 constexpr double kSmall = 16.0 * 1024 * 1024;  // bytes
 
@@ -250,7 +250,7 @@ void File::hold(bool tables) const {
   H5AC_cache_config_t config;
   config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Fget_mdc_config(id(), &config), path_, "set up HDF5");
-  // What is held is never given back, so a long run holds its tables only while they are few.
+  // Memory of held tables is never released, so a long run holds its tables only while they are small.
   constexpr std::size_t kFew = 128 * 1024;  // [bytes], as HDF5 counts
   std::size_t most = 0, clean = 0, now = 0;
   int entries = 0;

@@ -1,4 +1,4 @@
-// HDF5 with owners and errors: handles close themselves, and a call that fails throws FileError with HDF5's own words.
+// HDF5 with ownership and errors: handles close themselves, and a call that fails throws FileError with HDF5's message.
 #pragma once
 
 #include <hdf5.h>
@@ -17,7 +17,7 @@ namespace scree::io::h5 {
 
 class ChunkPacker;
 
-/// Owns an HDF5 identifier. The destructor closes without a word; where data could be lost, call close() and look.
+/// Owns an HDF5 identifier. The destructor ignores errors; where data could be lost, call close() and check its result.
 class Handle {
  public:
   using Closer = herr_t (*)(hid_t);
@@ -29,7 +29,7 @@ class Handle {
 
   [[nodiscard]] hid_t get() const { return id_; }
   [[nodiscard]] bool valid() const { return id_ >= 0; }
-  /// False when HDF5 could not close it (a full disk shows here for a dataset). Closing twice is fine.
+  /// False when HDF5 could not close it (for a dataset a full disk is detected here). Closing twice is allowed.
   [[nodiscard]] bool close() noexcept;
 
  private:
@@ -37,17 +37,17 @@ class Handle {
   Closer closer_ = nullptr;
 };
 
-/// Throws FileError{path, "cannot <what>: <the cause that HDF5 or the system gives>"}.
+/// Throws FileError{path, "cannot <what>: <the cause stated by HDF5 or the system>"}.
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view what);
 
-/// `result` of an HDF5 call, unless it says failure (negative).   @throws FileError
+/// Returns `result` of an HDF5 call.   @throws FileError if it is negative, which means failure
 template <class Result>
 Result check(Result result, const std::filesystem::path& path, std::string_view what) {
   if (result < 0) fail(path, what);
   return result;
 }
 
-/// What every dataset says about itself. Units in SI; "1" for counts and numbers without unit, "none" for text.
+/// Attributes of every dataset. Units in SI; "1" for counts and numbers without unit, "none" for text.
 struct Label {
   std::string units;
   std::string long_name;
@@ -70,7 +70,7 @@ template <>
 /// Variable-length UTF-8 text.
 [[nodiscard]] Handle text_type(const std::filesystem::path& path);
 
-/// An open file. Not locked: a reader may look at a run that is going on (what it sees is as of the last flush).
+/// An open file. It is not locked: a run that is still computing can be read (in the state of the last flush).
 class File {
  public:
   File();
@@ -78,12 +78,12 @@ class File {
   File& operator=(File&&) noexcept;
   ~File();
   /// A new file in place of an old one.
-  /// @param bytes  that it is expected to hold, roughly: a small one has small tables of chunks (560 bytes a dataset in
-  ///               place of 2.6 kB)   @throws FileError
+  /// @param bytes  expected size, roughly: a small file has small tables of chunks (560 bytes per dataset in place of
+  ///               2.6 kB)   @throws FileError
   [[nodiscard]] static File create(const std::filesystem::path& path, double bytes = 0.0);
-  /// A new file that stands beside an old one until put_in_place(); it goes by the name of that one in errors.
+  /// A new file beside an old one until put_in_place(); errors name the path of the old one.
   [[nodiscard]] static File create_beside(const std::filesystem::path& path, double bytes = 0.0);
-  /// What create_beside() calls it until then.
+  /// Path of such a file until then.
   [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& path) {
     return path.string() + ".new";
   }
@@ -98,34 +98,34 @@ class File {
   void group(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
 
-  /// List of properties with which a link is made with the groups above it. Kept by the file.
+  /// Property list for making a link together with the missing groups above it. Owned by the file.
   [[nodiscard]] hid_t links() const;
-  /// Attributes of a new object, which is open: `units` and `long_name`.   @param name  of the object, for errors
+  /// Writes the attributes `units` and `long_name` of a new, open object.   @param name  of the object, for errors
   void label(const Handle& object, const std::string& name, const Label& label) const;
   /// Sets an attribute of the object `name` ("/" for the file), replacing an old one.
   void attribute(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute(const std::string& name, const std::string& key, std::int64_t value) const;
   void attribute(const std::string& name, const std::string& key, double value) const;
   void attribute(const std::string& name, const std::string& key, const std::array<double, 2>& pair) const;
-  /// Text of fixed length in ASCII, and a pair of integers, as VTKHDF wants its Type and Version.
+  /// Text of fixed length in ASCII, and a pair of integers, as VTKHDF requires for its Type and Version.
   void attribute_ascii(const std::string& name, const std::string& key, const std::string& text) const;
   void attribute_pair(const std::string& name, const std::string& key, std::int64_t a, std::int64_t b) const;
 
-  /// Everything so far to the operating system.   @throws FileError (a full disk shows here)
+  /// Passes everything so far to the operating system.   @throws FileError (a full disk is detected here)
   void flush() const;
-  /// Lets HDF5 write its tables when it needs room for others (the default), or not before flush(): what other programs
-  /// see of the file stays whole until then.   @throws FileError
+  /// Allows HDF5 to write its tables when it needs room for others (false, the default), or not before flush() (true):
+  /// other programs can read the file as of the last flush until then.   @throws FileError
   void hold(bool tables) const;
-  /// What packs the chunks of a file that is made.   @pre it is, not opened
+  /// Packs the chunks of the file.   @pre the file was made, not opened
   [[nodiscard]] const std::shared_ptr<ChunkPacker>& packer() const { return packer_; }
-  /// The same, and on to the disk: it outlives a loss of power too.   @throws FileError
+  /// Flushes, and writes to the disk: the content survives a loss of power too.   @throws FileError
   void sync() const;
-  /// The same, and from now on the file can be brought back to what it is now, until it is closed or this is called
+  /// Calls sync(). From now on the file can be restored to its present content, until it is closed or keep() is called
   /// again (UndoLog).   @pre the file was made by create(), or create_beside() and put in place   @throws FileError
   void keep();
-  /// Puts a file of create_beside() in place of the old one.   @throws FileError
+  /// Replaces the old file by one of create_beside().   @throws FileError
   void put_in_place();
-  /// @throws FileError; the file can be brought back then
+  /// @throws FileError; the file can be restored then (see keep())
   void close();
 
  private:
@@ -135,7 +135,7 @@ class File {
   std::filesystem::path path_;
   std::shared_ptr<ChunkPacker> packer_;
   std::unique_ptr<UndoLog> undo_;         // outlives the handle
-  mutable Handle text_, scalar_, below_;  // text type, space of one value, list that makes groups: kept for use
+  mutable Handle text_, scalar_, below_;  // text type, dataspace of one value, links(): made once
   Handle handle_;
 };
 

@@ -8,9 +8,9 @@ namespace scree::io::h5 {
 
 namespace {
 
-/// HDF5's driver for plain files, of which this one is a copy with other functions in a few places.
+/// HDF5's driver for plain files; ours is a copy of it in which a few functions are replaced.
 H5FD_class_t plain;
-/// Of the files that are open.
+/// The undo log of each open file.
 std::unordered_map<const H5FD_t*, UndoLog*>& logs() {
   static std::unordered_map<const H5FD_t*, UndoLog*> map;
   return map;
@@ -21,7 +21,7 @@ bool saved(const H5FD_t* file, haddr_t at, hsize_t size) {
     logs().at(file)->save(at, size);
     return true;
   } catch (const FileError& e) {
-    // As HDF5's own driver gives the system's message.
+    // In the form in which HDF5's own driver reports the system's message.
     (void)H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_IO, H5E_WRITEERROR,
                    "error message = '%s'", e.what());
     return false;
@@ -44,7 +44,7 @@ herr_t write(H5FD_t* file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t s
   return saved(file, at, size) ? plain.write(file, type, transfer, at, size, data) : -1;
 }
 
-/// A file ends where its allocated space does: it may become shorter.
+/// Sets the length of the file to its allocated space, which may make it shorter.
 herr_t truncate(H5FD_t* file, hid_t transfer, hbool_t closing) {
   const haddr_t end = plain.get_eoa(file, H5FD_MEM_DEFAULT), now = plain.get_eof(file, H5FD_MEM_DEFAULT);
   return end >= now || saved(file, end, now - end) ? plain.truncate(file, transfer, closing) : -1;
@@ -55,7 +55,7 @@ hid_t driver(const std::filesystem::path& path) {
   static const hid_t kDriver = [&] {
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), path, "set up HDF5"), H5Pclose);
     check(H5Pset_fapl_sec2(access.get()), path, "set up HDF5");
-    // The driver's functions are found in a file that it has opened.
+    // The functions of the driver are accessible only in a file that it has opened.
     H5FD_t* probe = H5FDopen("/dev/null", H5F_ACC_RDONLY, access.get(), HADDR_UNDEF);
     if (probe == nullptr) fail(path, "set up HDF5");
     plain = *probe->cls;

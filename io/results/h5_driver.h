@@ -1,4 +1,4 @@
-// The file driver of HDF5 through which results are written: what is overwritten is kept in an undo log first.
+// The HDF5 file driver through which results are written: bytes are saved in an undo log before they are overwritten.
 #pragma once
 
 #include <hdf5.h>
@@ -9,9 +9,9 @@
 
 namespace scree::io::h5 {
 
-/// Makes files that are opened with `access` go by the driver.
+/// Selects this driver for files that are opened with `access`.
 /// @param log  outlives the file; it stores nothing until it is started
-/// @throws FileError, by the path of the file
+/// @throws FileError with the path of the file
 void write_through(hid_t access, UndoLog& log, const std::filesystem::path& path);
 
 }  // namespace scree::io::h5

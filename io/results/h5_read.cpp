@@ -25,7 +25,7 @@ Extent extent(const File& file, const std::string& name, hid_t dataset) {
   return {static_cast<std::int64_t>(size[0]), static_cast<std::int64_t>(size[1])};
 }
 
-/// Gives back texts that HDF5 allocated, also when copying them throws.
+/// Frees texts that HDF5 allocated, also when copying them throws.
 struct Texts {
   std::vector<char*> text;
   hid_t type, space;

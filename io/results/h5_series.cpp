@@ -12,10 +12,10 @@ namespace scree::io::h5 {
 
 namespace {
 
-constexpr hsize_t kMostOfChunk = 64 * 1024;  // bytes; less than twice as much
+constexpr hsize_t kMostOfChunk = 64 * 1024;  // bytes; a chunk has less than twice as many
 constexpr hsize_t kLeastOfChunk = 256;       // bytes
-constexpr double kChunks = 4.0;              // of what is expected
-constexpr unsigned kDeflate = 1;             // files 4 % larger than with 4, written in half the time
+constexpr double kChunks = 4.0;              // per expected number of rows
+constexpr unsigned kDeflate = 1;             // files 4 % larger than with level 4, written in half the time
 
 /// An empty dataset without limit in its first dimension.
 Handle make_dataset(const File& file, const std::string& name, hid_t type, hsize_t width, hsize_t chunk_rows,
@@ -51,7 +51,7 @@ void extend(const std::filesystem::path& path, const std::string& name, hid_t da
   const Handle target(check(H5Dget_space(dataset), path, what), H5Sclose);
   check(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), path, what);
   const Handle memory(check(H5Screate_simple(rank, count.data(), nullptr), path, what), H5Sclose);
-  // Texts are converted in a buffer, of 1 MiB if nothing is said.
+  // HDF5 converts texts in a buffer, by default of 1 MiB.
   const Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), path, what), H5Pclose);
   check(H5Pset_buffer(transfer.get(), kMostOfChunk, nullptr, nullptr), path, what);
   check(H5Dwrite(dataset, type, memory.get(), target.get(), transfer.get(), data), path, what);
@@ -86,7 +86,7 @@ Series<T>::Series(const Growing& in, std::string name, hsize_t width, const Labe
       width_(width),
       chunk_(rows_of_chunk(in.rows, width * sizeof(T))),
       dataset_(make_dataset(*in.file, name_, type_of<T>(), width, chunk_, label)) {
-  // Touched now: a long run needs the memory that it will need from its start.
+  // Memory is touched now, so that a long run needs its full memory from the start.
   rows_.resize(chunk_ * width_);
   rows_.clear();
 }
@@ -156,7 +156,7 @@ void Series<T>::flush() {
   const std::array<hsize_t, 2> at{first_, 0};
   grow(rows);
   const std::size_t held = rows_.size();
-  rows_.resize(chunk_ * width_);  // zeros behind what there is
+  rows_.resize(chunk_ * width_);  // zeros after the rows
   const herr_t written =
       H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, kFilters, at.data(), rows_.size() * sizeof(T), rows_.data());
   rows_.resize(held);
@@ -168,10 +168,10 @@ template <class T>
 void Series<T>::close() {
   if (!dataset_.valid()) return;
   if (const hsize_t rows = rows_.size() / width_; rows > 0) {
-    // At its full length from the start: a dataset that shrinks has its last chunk read, cut and written again.
+    // Grown to its final length only: when a dataset shrinks, HDF5 reads, cuts and rewrites its last chunk.
     const hsize_t all = first_ + rows;
     grow(all);
-    rows_.resize(chunk_ * width_);  // zeros behind what there is
+    rows_.resize(chunk_ * width_);  // zeros after the rows
     write_chunks(rows_);
     rows_.clear();
     first_ = stored_ = all;
@@ -186,8 +186,9 @@ template class Series<std::uint64_t>;
 template class Series<std::uint8_t>;
 
 namespace {
-/// Of a chunk of texts. It is deflated by HDF5, which lets it be where it would grow; HDF5 1.10 then frees what it has
-/// not got if an allocation fails just there. References to 64 texts or more, or zeros after them, always get smaller.
+/// Rows of a chunk of texts. HDF5 deflates it, but leaves it unpacked if it would grow; if an allocation fails just
+/// then, HDF5 1.10 frees memory that it does not own. References to 64 or more texts, or zeros after them, always
+/// become smaller.
 hsize_t rows_of_texts(double rows_expected) {
   return std::max(rows_of_chunk(rows_expected, sizeof(hvl_t)), hsize_t{64});
 }

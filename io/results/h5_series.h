@@ -13,7 +13,7 @@
 
 namespace scree::io::h5 {
 
-/// Hash of rows in their order, however many at once: to find damage, not deceit.
+/// Hash of a sequence of rows, independent of how it is split into calls: detects damage, not manipulation.
 class RowHash {
  public:
   void add(const void* data, std::size_t bytes);
@@ -23,7 +23,7 @@ class RowHash {
   std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
-/// A file, and the rows that datasets which grow in it are expected to get.
+/// A file, and the number of rows that its growing datasets are expected to reach.
 struct Growing {
   // NOLINTNEXTLINE(google-explicit-constructor): a file of which nothing is expected
   Growing(const File& in, double rows_expected = 0.0) : file(&in), rows(rows_expected) {}
@@ -31,15 +31,15 @@ struct Growing {
   double rows;
 };
 
-/// Rows of a chunk, a power of two: a quarter of what is expected, but at least 256 bytes and less than 128 KiB. Small
-/// runs leave small files so, and a chunk that is stored as it is (below) is no burden.
+/// Rows of a chunk, a power of two: a quarter of the expected rows, but at least 256 bytes and less than 128 KiB. So
+/// small runs make small files, and a chunk that is stored unpacked (below) takes little room.
 [[nodiscard]] hsize_t rows_of_chunk(double rows_expected, hsize_t bytes_of_row);
 
-/// A growing table of numbers, `width` a row. A width of 1 makes a dataset of one dimension.
-/// flush() stores the last chunk, while it is not full, as it is, and at its full length: it stays where it is in the
-/// file, so what was there before is still read when the run is killed in the middle of a flush. Deflated it would
-/// change its length and move, and until the index follows the old place may hold another chunk (killed 40 times, 5 to
-/// 11 files could not be read). Full chunks, and the last one at close(), are shuffled and deflated.
+/// A growing table of numbers, `width` per row. A width of 1 makes a dataset of one dimension.
+/// flush() stores the last chunk, while it is not full, unpacked and at its full length: it stays at its place in the
+/// file, so its earlier rows can still be read when the run is killed during a flush. A deflated chunk would change its
+/// length and be moved, and until the index is updated its old place may contain another chunk (of 40 runs that were
+/// killed, 5 to 11 files could not be read). Full chunks, and the last one at close(), are shuffled and deflated.
 template <class T>
 class Series {
  public:
@@ -51,7 +51,7 @@ class Series {
   void append(std::span<const T> rows);
   void append(T value) { append(std::span<const T>(&value, 1)); }
   /// Appends the first rows of the dataset of the same name in another file.   @pre nothing was appended yet
-  /// @throws DamagedFile where they cannot be read, or are not those that were written
+  /// @throws DamagedFile where they cannot be read, or differ from the rows that were written
   void take(const File& from, const SeriesMark& mark);
   [[nodiscard]] SeriesMark mark() const { return {rows(), hash_.value()}; }
   /// Writes what is buffered.   @throws FileError
@@ -82,7 +82,7 @@ class TextSeries {
   TextSeries() = default;
   TextSeries(const Growing& in, std::string name, const Label& label);
   void append(std::string text);
-  /// As Series::take().
+  /// Same as Series::take(), for texts.
   void take(const File& from, const SeriesMark& mark);
   [[nodiscard]] SeriesMark mark() const { return {rows(), hash_.value()}; }
   void flush();
@@ -99,7 +99,7 @@ class TextSeries {
   Handle dataset_;
 };
 
-/// A dataset written at once.
+/// Writes a complete dataset.
 template <class T>
 void write(const File& file, const std::string& name, hsize_t width, std::span<const T> rows, const Label& label) {
   Series<T> series({file, static_cast<double>(rows.size()) / static_cast<double>(width)}, name, width, label);

@@ -14,7 +14,7 @@ void window(const File& file, const std::string& name, const Rows& rows, const L
   const auto width = static_cast<hsize_t>(rows.width);
   const std::array<hsize_t, 2> start{static_cast<hsize_t>(rows.first), 0};
   const std::array<hsize_t, 2> count{static_cast<hsize_t>(rows.count), width};
-  // The space of the mapping reaches as far as the rows do: they may be still in our buffer.
+  // The dataspace of the mapping extends to the last of the rows: they may still be in our buffer.
   const std::array<hsize_t, 2> reach{start[0] + count[0], width}, limit{H5S_UNLIMITED, width};
   const Handle mapped(sure(H5Screate_simple(rank, reach.data(), limit.data())), H5Sclose);
   sure(H5Sselect_hyperslab(mapped.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));

@@ -17,8 +17,8 @@ struct Rows {
 };
 
 /// Makes `name` (and its groups), which reads as `count` rows from row `first` of a dataset of the same file. Neither
-/// the dataset nor the rows need be there yet; rows that are not read as zero. Nothing of the file is read for it: a
-/// run makes a dozen windows a frame (40 us and 600 bytes each, of which the labels take 10 us and 120 bytes).
+/// the dataset nor the rows need to exist yet; missing rows read as zero. Nothing is read from the file for this: a run
+/// makes a dozen windows per frame (40 us and 600 bytes each, of which the labels take 10 us and 120 bytes).
 /// Virtual datasets need HDF5 1.10; the rest of the file stays in the layout that the library writes by default.
 /// @param label  of the new dataset   @pre count > 0   @throws FileError
 void window(const File& file, const std::string& name, const Rows& rows, const Label& label);

@@ -9,19 +9,19 @@
 
 namespace scree::io {
 
-/// Name a side of the ledger goes by in files: energy, work, dissipated, scheme.
+/// Name of a side of the ledger in files: energy, work, dissipated, scheme.
 [[nodiscard]] std::string_view side_name(coupling::Side side);
 
-/// Names of the monitors as names of groups: '/' becomes '_', an empty one "monitor", a repeated one gets a number.
+/// Names of the monitors as names of groups: '/' becomes '_', an empty name "monitor", a repeated name gets a number.
 [[nodiscard]] std::vector<std::string> monitor_names(const Model& model);
 
-/// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, a dataset a ledger column,
-/// energy, closure, moved, passed}. Ledger columns carry the attribute `side`; closure = E - E_0 - W + D - R by those
-/// sides.
+/// /history/<monitor>/{time, position, displacement, velocity, stress} and /energy/{time, one dataset per
+/// ledger column, energy, closure, moved, passed}. Ledger columns have the attribute `side`;
+/// closure = E - E_0 - W + D - R by those sides.
 class HistoryWriter : public SeriesGroup<HistoryWriter> {
  public:
   HistoryWriter(const h5::Growing& in, const Model& model);
-  /// Adds one row everywhere.   @pre spans hold every monitor of the model; ledger is set
+  /// Adds one row to every dataset.   @pre spans hold every monitor of the model; ledger is set
   void append(const coupling::HistoryView& history);
 
  private:

@@ -9,7 +9,7 @@
 namespace scree::io {
 namespace {
 
-/// Straight pieces as columns: ends and law.
+/// Columns of straight pieces: their ends and laws.
 struct Pieces {
   std::vector<double> from, to;
   std::vector<std::int32_t> joint;

@@ -6,8 +6,8 @@
 
 namespace scree::io {
 
-/// Writes /joints: the laws, the lines that were drawn into the domain and the cracks, their dead ends inside blocks;
-/// tables without rows where the model was not cut from a domain.     @throws FileError
+/// Writes /joints: the laws, the lines that were drawn into the domain, and the cracks (parts of lines that end inside
+/// a block); tables without rows where the model was not cut from a domain.     @throws FileError
 void write_joints(const h5::File& file, const Model& model);
 
 }  // namespace scree::io

@@ -1,4 +1,4 @@
-// How far a run was at each frame, in the results file: what a viewer shows beside the frames, for replay.
+// Progress of a run at each frame, in the results file: shown by viewers beside the frames of a replay.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace scree::io {
 
 /// /progress/{cuts, passes, contacts, unknowns, contact_depth, contact_force, contact_depth_at, contact_force_at}: one
-/// entry a frame.
+/// entry per frame.
 class ProgressWriter : public SeriesGroup<ProgressWriter> {
  public:
   ProgressWriter(const h5::Growing& in, const Model& model);
@@ -21,7 +21,7 @@ class ProgressWriter : public SeriesGroup<ProgressWriter> {
   friend SeriesGroup<ProgressWriter>;
   template <class Visitor>
   void each(Visitor&& see) {
-    // The numbers of unknowns last: what they count is whole in every column.
+    // The numbers of unknowns are written last: every column has at least as many complete rows.
     see(cuts_), see(passes_), see(contacts_), see(depth_), see(force_), see(depth_at_), see(force_at_), see(unknowns_);
   }
 

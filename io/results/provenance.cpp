@@ -70,7 +70,7 @@ void write_provenance(const h5::File& file, const Provenance& provenance) {
   h5::write(file, group + "/library_version", versions, {"none", "their versions"});
 }
 
-/// Of materials that have one; a row without numbers for the others.
+/// Rock strength of every material; a row of NaN for a material without one.
 void write_rock_strengths(const h5::File& file, const std::vector<Material>& materials) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> mohr, hoek;

@@ -9,7 +9,7 @@ namespace scree::io {
 
 void require_regular(const std::filesystem::path& path) {
   using Type = std::filesystem::file_type;
-  std::error_code ignored;  // what cannot be looked at cannot be opened either, and that tells why
+  std::error_code ignored;  // a path without a status cannot be opened either, and opening it reports why
   const Type type = std::filesystem::status(path, ignored).type();
   const char* what = type == Type::directory   ? "a folder"
                      : type == Type::fifo      ? "a named pipe"

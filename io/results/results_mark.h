@@ -1,4 +1,4 @@
-// How much of a run's results there was at an instant.
+// Amount of results that a run had stored at an instant.
 #pragma once
 
 #include <array>
@@ -7,8 +7,9 @@
 
 namespace scree::io {
 
-/// A dataset: its rows, and a hash of all that was written in them. A file that was killed or had no room while it was
-/// written may read back without an error and yet hold other numbers: the place of a chunk that moved is used again.
+/// A dataset: its number of rows, and a hash of all that was written in them. A file whose writing was cut short (run
+/// killed, disk full) may be read without an error and yet contain other numbers: the place of a chunk that was moved
+/// is used again.
 struct SeriesMark {
   std::int64_t rows = 0;
   std::uint64_t hash = 0;
@@ -22,19 +23,19 @@ struct TableMark {
   bool operator==(const TableMark&) const = default;
 };
 
-/// Rows of every dataset and lengths of the tables: what comes after is written again by a run that goes on from there.
+/// Rows of every dataset and lengths of the tables. A run that continues from the mark writes all later results again.
 struct ResultsMark {
   std::vector<SeriesMark> frames, histories, events, contacts, bolts,
-      progress;                       // in the order in which their writers have them
+      progress;                       // in the order of each() of their writers
   std::array<TableMark, 2> tables{};  // history.csv and energy.csv
-  // Of the frames: their number; id of the mesh stored last (-1: none yet); 1 once time schemes of its cells have been
-  // stored, else 0; and where that mesh is.
+  // Of the frames: their number; id of the mesh stored last (-1: none yet); 1 once the time integrators of its cells
+  // have been stored, else 0; and the rows of that mesh.
   std::int64_t frame_count = 0, mesh = -1, schemes = 0;
   std::array<std::int64_t, 6> mesh_rows{};
-  std::int64_t stored_tick = -1, stored_stage = -1;  // of the last frame
-  double wall_seconds = 0.0, cpu_seconds = 0.0;      // that the run has taken so far
+  std::int64_t stored_tick = -1, stored_stage = -1;  // of the last frame stored
+  double wall_seconds = 0.0, cpu_seconds = 0.0;      // used by the run so far
 
-  /// As State::visit().
+  /// Calls see(name, value) as State::visit() does.
   template <class Visitor>
   void visit(Visitor&& see) const {
     for (auto* list : {&frames, &histories, &events, &contacts, &bolts, &progress}) {

@@ -29,8 +29,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Readers of a run that goes on see it as of a second ago: bringing out takes longer than all else of a small frame.
-// What is in the file does not depend on when it gets there.
+// Other programs read the results of a run in progress up to a second late: bringing out takes longer than the rest of
+// a small frame. The content of the file does not depend on when it is brought out.
 constexpr std::chrono::milliseconds kBetween{1000};
 constexpr int kShare = 50;              // bringing out may take 1/50 of the time
 constexpr std::size_t kMostDue = 4096;  // windows that may wait: 40 bytes each
@@ -44,12 +44,12 @@ struct ResultsSink::Files {
   HistoryWriter histories;
   EventWriter events;
   ProgressWriter progress;
-  std::optional<ContactWriter> contacts;  // where the plan asks for them
-  std::optional<BoltWriter> bolts;        // where the model has any
+  std::optional<ContactWriter> contacts;  // if the plan requires them
+  std::optional<BoltWriter> bolts;        // if the model has any
   CsvHistories tables;
   Summary summary;
   std::pair<Tick, std::int32_t> stored{-1, -1};  // tick and stage of the frame stored last
-  Clock::time_point next;                        // nothing is brought out before
+  Clock::time_point next;                        // nothing is brought out earlier
   bool broken = false;                           // bringing out failed
 
   Files(h5::File results, const RunFolder& folder, const std::array<TableMark, 2>& keep, const Provenance& provenance,
@@ -80,7 +80,7 @@ struct ResultsSink::Files {
     if (Clock::now() >= next || xdmf.due() > kMostDue || xdmf.full()) bring_out();
   }
 
-  /// Everything so far, as other programs see it.
+  /// Makes everything so far readable by other programs.
   void bring_out() {
     const Clock::time_point start = Clock::now();
     broken = true;
@@ -88,13 +88,13 @@ struct ResultsSink::Files {
     flush();
     file.flush();
     file.hold(true);
-    xdmf.flush();  // after what it refers to
+    xdmf.flush();  // after the data to which it refers
     broken = false;
     const Clock::time_point end = Clock::now();
     next = end + std::max<Clock::duration>(kBetween, kShare * (end - start));
   }
 
-  /// Buffers to HDF5 and the tables.
+  /// Writes the buffers to HDF5 and the tables.
   void flush() {
     frames.flush();
     histories.flush();
@@ -136,19 +136,19 @@ struct ResultsSink::Files {
 ResultsSink::ResultsSink(RunFolder folder, Provenance provenance, std::optional<GoOn> go_on)
     : folder_(std::move(folder)), provenance_(std::move(provenance)), go_on_(std::move(go_on)) {}
 
-/// A run that ends by an exception of another's keeps what it had.
+/// A run that is ended by an exception from elsewhere keeps its results so far.
 ResultsSink::~ResultsSink() {
   if (!files_ || files_->broken) return;
   try {
     files_->bring_out();
-  } catch (const std::exception&) {  // the first exception says why the run ended
+  } catch (const std::exception&) {  // the first exception states why the run ended
     files_->broken = true;
   }
 }
 
 namespace {
 
-struct BesideFile {  // goes, unless it was put in place
+struct BesideFile {  // removed, unless it was put in place
   std::filesystem::path path;
   explicit BesideFile(std::filesystem::path where) : path(std::move(where)) {}
   BesideFile(const BesideFile&) = delete;
@@ -159,7 +159,7 @@ struct BesideFile {  // goes, unless it was put in place
   }
 };
 
-/// Puts a table aside that is not what it was; says so. Empty: it is.
+/// Renames a table that differs from its content at the mark, and returns a message. Empty: it does not differ.
 std::string set_aside_changed(const std::filesystem::path& table, const TableMark& mark) {
   std::string lacks = CsvFile::lacks(table, mark);
   if (lacks.empty()) return lacks;
@@ -178,7 +178,7 @@ ResultsSink::Files& ResultsSink::files() {
 void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
   if (go_on_) {
     take_up(model, plan);
-    files_->file.keep();  // until the next checkpoint the run may come back to where it goes on
+    files_->file.keep();  // until the next checkpoint the run may be resumed from the same point again
   } else {
     const ResultsSize size = results_size(model, plan);
     make_files(h5::File::create(folder_.results(), size.bytes()), {}, model, plan, size);
@@ -259,7 +259,7 @@ void ResultsSink::history(const coupling::HistoryView& history) {
   f.histories.append(history);
   if (f.bolts) f.bolts->append(history);
   f.tables.append(history);
-  if (f.stored.first >= 0) f.bring_out_if_due();  // the first frame is seen at once
+  if (f.stored.first >= 0) f.bring_out_if_due();  // the first frame can be read at once
 }
 
 void ResultsSink::event(const coupling::Event& event) {
@@ -273,7 +273,7 @@ void ResultsSink::end(const coupling::RunEnd& end, const coupling::FrameView& la
   if (files().stored != std::pair{last.tick, last.stage}) files().frame(last);
   files().broken = true;
   outcome_ = files().summary.checked(end, last);
-  files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has none
+  files().file.attribute("/provenance", "status", status_name(outcome_.status));  // a run that was killed has no status
   files().file.attribute("/provenance", "reason", outcome_.reason);
   files().close();
   write_atomically(folder_.summary(), files().summary.text(outcome_, last));

@@ -16,12 +16,12 @@ ResultsSize results_size(const Model& model, const coupling::Plan& plan) {
   const auto blocks = static_cast<double>(model.blocks.size());
   for (const coupling::Stage& stage : plan.stages) {
     ticks += static_cast<double>(stage.duration);
-    // Elements are triangles, those along an outline cut to three to five corners. Every cell has points of its own.
+    // Elements are triangles, those along an outline are cut to three to five vertices. Cells share no points.
     const double elements = coupling::mesh_estimate(model, stage).elements;
     size.cells = std::max(size.cells, elements + blocks);
     size.points = std::max(size.points, 3.5 * elements + corners);
   }
-  // A frame as a stage begins and one as it ends, beside those of its time.
+  // One frame at the beginning and one at the end of each stage, in addition to those at regular times.
   const double of_stages = 2.0 * static_cast<double>(plan.stages.size());
   const auto rows = [&](Tick every) { return of_stages + (every > 0 ? ticks / static_cast<double>(every) : 0.0); };
   size.frames = rows(plan.output.every);

@@ -1,4 +1,4 @@
-// Where the stress in the blocks of a stored frame is above the strength of their rock.
+// Comparison of the stress in the blocks of a stored frame with the strength of their rock.
 #pragma once
 
 #include <string>
@@ -8,22 +8,21 @@
 
 namespace scree::io {
 
-/// How much of its strength the stress of each cell takes (scree::utilisation); not a number where its material has
-/// none.
+/// Ratio of stress to strength of each cell (scree::utilisation); NaN where the material of the cell has no strength.
 [[nodiscard]] std::vector<double> cell_utilisation(const StoredFrame& frame,
                                                    const std::vector<StoredMaterial>& materials);
 
-/// A block, by the cell of it that takes most.
+/// A block, and its cell with the largest utilisation.
 struct RockUse {
   std::string block, material;
   double utilisation = 0.0;
-  Vec2 at{0.0, 0.0};          // middle of the cell, now, in the axes of the case [m]
+  Vec2 at{0.0, 0.0};          // current middle of the cell, in the axes of the case [m]
   double s1 = 0.0, s3 = 0.0;  // principal stresses there, tension positive [Pa]
   double area = 0.0;          // of the block's cells above the strength [m2]
 };
 
-/// Blocks that are not held and whose material has a strength, the largest utilisation first.
-/// @param frame  of the run   @throws FileError
+/// Blocks that are not held and whose material has a strength, by decreasing utilisation.
+/// @param frame  its number in the run   @throws FileError
 [[nodiscard]] std::vector<RockUse> rock_use(const RunReader& run, std::size_t frame);
 
 /// "rock: stress is above the strength in 2 of 9 blocks, 14.5 m2, at most 1.37 of the strength of 'rock' in block 'b-3'

@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kNames{"run.vtkhdf", "run.xmf",      "history.csv",
                                                  "energy.csv", "summary.json", "run.log"};
-constexpr std::string_view kCheckpoint = "checkpoint";  // all checkpoints begin with it
-// run.vtkhdf while it is written anew, and what it was at the last checkpoint (UndoLog).
+constexpr std::string_view kCheckpoint = "checkpoint";  // beginning of the names of checkpoints
+// run.vtkhdf while it is written anew, and the log that restores it as of the last checkpoint (UndoLog).
 constexpr std::array<std::string_view, 3> kBeside{"run.vtkhdf.new", "run.vtkhdf.undo", "run.vtkhdf.undo.tmp"};
 constexpr std::string_view kDamaged = ".damaged";  // in names of files that were put aside
 
@@ -51,7 +51,7 @@ std::vector<fs::path> run_files(const fs::path& folder) {
   return found;
 }
 
-/// Nothing that a run reads or writes, under its own name or a temporary one, is a pipe, a device or a folder.
+/// Refuses pipes, devices and folders in place of the files, also temporary ones, that a run reads or writes.
 void refuse_odd_files(const fs::path& folder) {
   constexpr std::string_view kTemporary = ".tmp";
   std::error_code error;

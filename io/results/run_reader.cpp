@@ -67,7 +67,7 @@ std::vector<StoredMaterial> read_materials(const h5::File& file) {
   return materials;
 }
 
-/// x, y of rows x, y, z.
+/// x, y from rows of x, y, z.
 std::vector<double> in_plane(const std::vector<double>& xyz) {
   std::vector<double> xy;
   xy.reserve(xyz.size() / 3 * 2);
@@ -75,7 +75,7 @@ std::vector<double> in_plane(const std::vector<double>& xyz) {
   return xy;
 }
 
-/// What a drawing relies on: cells and ids inside their arrays.
+/// Checks the assumptions of drawings: cells and ids refer to entries inside their arrays.
 void check_cells(const h5::File& file, const StoredFrame& f, std::size_t blocks, std::size_t methods,
                  std::size_t materials) {
   const auto inside = [](std::int64_t i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
@@ -109,7 +109,7 @@ bool has_child(const h5::File& file, const std::string& group, const std::string
   return std::find(there.begin(), there.end(), name) != there.end();
 }
 
-/// Frame, or mesh, number k of a list of numbers.
+/// Entry of frame, or mesh, k in a list of numbers.
 std::int64_t entry(const h5::File& file, const std::string& name, std::int64_t k) {
   return h5::read<std::int64_t>(file, name, k, 1).front();
 }
@@ -123,7 +123,8 @@ RunReader::RunReader(const std::filesystem::path& run_folder) : data_(std::make_
   const std::array<double, 2> origin = h5::pair_attribute(file, "/", "origin");
   data_->origin = {origin[0], origin[1]};
   data_->times = h5::read<double>(file, "/VTKHDF/Steps/Values");
-  // A run that was killed may have times without the count, or the count of the flush before: the smaller one is whole.
+  // A run that was killed may have times without the count, or the count of the flush before: the smaller number of
+  // frames is complete.
   const auto whole =
       static_cast<std::size_t>(std::max<std::int64_t>(0, h5::integer_attribute(file, "/VTKHDF/Steps", "NSteps")));
   data_->times.resize(std::min(data_->times.size(), whole));
@@ -198,7 +199,7 @@ StoredFrame RunReader::frame(std::size_t index) const {
                      first = entry(file, steps + "CellOffsets", k);
   f.connectivity =
       h5::read<std::int64_t>(file, vtk + "Connectivity", entry(file, steps + "ConnectivityIdOffsets", k), ids);
-  f.offsets = h5::read<std::int64_t>(file, vtk + "Offsets", first + f.mesh, cells + 1);  // one more a mesh than cells
+  f.offsets = h5::read<std::int64_t>(file, vtk + "Offsets", first + f.mesh, cells + 1);  // per mesh one more than cells
   f.position = in_plane(h5::read<double>(file, vtk + "Points", entry(file, steps + "PointOffsets", k), points));
 
   const auto of_points = [&](const std::string& name) {
@@ -250,7 +251,7 @@ StoredLedger RunReader::ledger() const {
   const h5::File& file = data_->file;
   StoredLedger ledger;
   ledger.time = h5::read<double>(file, "/energy/time");
-  // The times are written last: what they count is whole in every column.
+  // The times are written last: every column has at least as many complete rows.
   const auto rows = static_cast<std::int64_t>(ledger.time.size());
   const auto column = [&](const std::string& name) { return h5::read<double>(file, "/energy/" + name, 0, rows); };
   ledger.energy = column("energy");
@@ -298,7 +299,7 @@ std::vector<StoredEvent> RunReader::events() const {
   const auto time = h5::read<double>(file, "/events/time");
   const std::vector<std::string> kind = h5::read_texts(file, "/events/kind"),
                                  text = h5::read_texts(file, "/events/text");
-  // The times are written last, as those of the ledger.
+  // The times are written last, as in the ledger.
   if (kind.size() < time.size() || text.size() < time.size()) throw FileError(file.path(), "/events is damaged");
   std::vector<StoredEvent> events;
   for (std::size_t i = 0; i < time.size(); ++i) events.push_back({time[i], kind[i], text[i]});
@@ -438,7 +439,7 @@ StoredBolts RunReader::bolts(std::size_t frame) const {
 double RunReader::end_time() const {
   const auto durations = h5::read<double>(data_->file, "/stages/duration");
   double end = 0.0;
-  std::size_t over = 0;  // stages that are: they may have ended before their time
+  std::size_t over = 0;  // number of stages that are over; they may have been shorter than planned
   for (const StoredEvent& e : events()) {
     if (e.kind != "stage_end" || over == durations.size()) continue;
     end = e.time;

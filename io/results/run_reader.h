@@ -1,4 +1,4 @@
-// A stored run read back: frames, blocks, ledger, monitors. Nothing of HDF5 shows here.
+// Reads a stored run: frames, blocks, ledger, monitors. The interface does not use HDF5.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace scree::io {
 
-/// One frame. Points and cells as MeshView has them; a cell is offsets[c] .. offsets[c + 1] of connectivity.
+/// One frame. Points and cells as in MeshView; a cell is offsets[c] .. offsets[c + 1] of connectivity.
 struct StoredFrame {
   std::int64_t index = 0, step = 0, mesh = 0;  // mesh: number of its topology in the file
   double time = 0.0;                           // [s]
@@ -23,14 +23,14 @@ struct StoredFrame {
   std::vector<double> position, displacement, velocity;  // x, y per point [m], [m], [m/s]
   std::vector<std::int64_t> offsets, connectivity;
   std::vector<std::int32_t> block, element, material, method, cell_integrator;  // per cell
-  std::vector<double> cell_displacement, cell_velocity;                         // x, y a cell, means over it [m], [m/s]
-  std::vector<double> stress, principal;  // xx, yy, xy; larger, smaller a cell; tension positive [Pa]
+  std::vector<double> cell_displacement, cell_velocity;                         // x, y per cell, area means [m], [m/s]
+  std::vector<double> stress, principal;  // xx, yy, xy; larger, smaller; per cell; tension positive [Pa]
 
   [[nodiscard]] std::size_t cells() const { return block.size(); }
   [[nodiscard]] std::size_t points() const { return position.size() / 2; }
 };
 
-/// What is known of a frame without reading it.
+/// Data of a frame that are available without reading the frame.
 struct StoredNote {
   std::int64_t step = 0, mesh = 0;
   double time = 0.0;  // [s]
@@ -43,14 +43,14 @@ struct StoredLedger {
     std::string name, side, meaning;  // side: energy, work, dissipated, scheme
     std::vector<double> value;
   };
-  std::vector<double> time, energy, closure, moved, passed;  // passed: of older runs as moved
+  std::vector<double> time, energy, closure, moved, passed;  // passed: equal to moved in older runs
   std::vector<Column> columns;                               // in the order of coupling::Column
 };
 
 struct StoredMonitor {
-  std::string name, given;                                     // in the file, where it is unique; in the case
-  std::vector<double> time, position, displacement, velocity;  // x, y a time
-  std::vector<double> stress;                                  // xx, yy, xy a time [Pa]; empty in older runs
+  std::string name, given;                                     // name in the file, which is unique; name in the case
+  std::vector<double> time, position, displacement, velocity;  // x, y per time
+  std::vector<double> stress;                                  // xx, yy, xy per time [Pa]; empty in older runs
 };
 
 struct StoredEvent {
@@ -58,7 +58,7 @@ struct StoredEvent {
   std::string kind, text;
 };
 
-/// How far the run was at a frame.
+/// Progress of the run at a frame.
 struct StoredProgress {
   std::int64_t cuts = 0, passes = 0, contacts = 0, unknowns = 0;
   WorstContact contact;  // time: of the frame
@@ -81,11 +81,11 @@ struct StoredMaterial {
 struct StoredBlock {
   std::string name;
   bool held = false;  // fixed or driven as a whole
-  Polygon polygon;    // as the model first had it
+  Polygon polygon;    // initial polygon
   std::int32_t material = 0;
 };
 
-/// A straight piece of a discontinuity, or of a crack that ends inside a block, as the model first had it.
+/// A straight piece of a discontinuity, or of a crack that ends inside a block, in the initial geometry.
 struct StoredJointLine {
   Vec2 from, to;  // [m]
   std::int32_t law = 0;
@@ -101,7 +101,7 @@ struct StoredJoints {
   std::vector<StoredJointLine> lines, cracks;
 };
 
-/// A point that a spring ties to where it was at the start.
+/// A point that a spring ties to its position at the start.
 struct StoredSupport {
   Vec2 point;  // [m], in the model
   bool fix_x = true, fix_y = true;
@@ -113,30 +113,30 @@ struct StoredEdgeSupport {
   Mat2 held = Mat2::Identity();  // projector on the directions that are held
 };
 
-/// A piezometric line, level beyond its ends.
+/// A piezometric line, horizontal beyond its ends.
 struct StoredWater {
   std::vector<Vec2> line;            // [m], in the model, from left to right
-  std::vector<std::int32_t> joints;  // laws that it fills; empty: all
+  std::vector<std::int32_t> joints;  // joint laws to which it applies; empty: all
 };
 
-/// Contact points of one frame, an entry a point of each.
+/// Contact points of one frame; every list has one entry per contact point.
 struct StoredContacts {
-  std::vector<double> position, normal;   // x, y per point: of the corner [m]; of the edge, outward of its block
-  std::vector<double> fn, ft, gap, slip;  // [N], [N], [m], [m]; docs/results.md says how they are counted
+  std::vector<double> position, normal;   // x, y per point: of the vertex [m]; of the edge, outward from its block
+  std::vector<double> fn, ft, gap, slip;  // [N], [N], [m], [m]; signs and definitions: docs/results.md
   std::vector<std::int32_t> state;        // 0 open, 1 slipping, 2 sticking
-  std::vector<std::int32_t> failed;       // 1 where what failure takes of the strength is lost
+  std::vector<std::int32_t> failed;       // 1 where the strength that failure removes is lost
   std::vector<std::int32_t> law;          // joint law
   std::vector<std::int32_t> corner_block, edge_block;
 };
 
-/// Bolts of one frame: their nodes, bolt after bolt, an entry a node of each.
+/// Bolts of one frame: their nodes, bolt after bolt; every list has one entry per node.
 struct StoredBolts {
-  std::vector<std::int32_t> bolt;  // counted in the order of the case
+  std::vector<std::int32_t> bolt;  // number, in the order of the case
   std::vector<double> position;    // x, y [m]
-  std::vector<double> force;       // axial, from a node to the next [N]
+  std::vector<double> force;       // axial force between a node and the next [N]
 };
 
-/// What a dataset says about itself.
+/// Name and attributes of a dataset.
 struct DatasetNote {
   std::string name, units, long_name;
   std::int64_t rows = 0;
@@ -144,34 +144,34 @@ struct DatasetNote {
 
 class RunReader {
  public:
-  /// @throws FileError, as all of it, where the folder is no run or the file is damaged
+  /// @throws FileError, as every member, where the folder is no run or the file is damaged
   explicit RunReader(const std::filesystem::path& run_folder);
   ~RunReader();
   RunReader(RunReader&&) noexcept;
 
   [[nodiscard]] const std::string& title() const;
-  /// What positions in the run are counted from [m]; (0, 0) in runs before there was one.
+  /// Origin to which positions in the run are relative [m]; (0, 0) in runs from before it was stored.
   [[nodiscard]] const Vec2& origin() const;
   [[nodiscard]] const std::vector<double>& times() const;  // of the frames [s]
   [[nodiscard]] const std::vector<std::string>& methods() const;
   [[nodiscard]] const std::vector<StoredBlock>& blocks() const;
   [[nodiscard]] const std::vector<StoredMaterial>& materials() const;
   [[nodiscard]] std::vector<StoredStage> stages() const;
-  /// The last frame that is not later than a time by more than rounding; the first one when all are later.
+  /// The last frame that is not later than `time`, apart from rounding; the first one when all are later.
   /// @pre there are frames
   [[nodiscard]] std::size_t at_time(double time) const;
   /// @throws FileError when there is no such frame
   [[nodiscard]] StoredFrame frame(std::size_t index) const;
-  /// One entry a frame.
+  /// One entry per frame.
   [[nodiscard]] std::vector<StoredNote> notes() const;
   [[nodiscard]] StoredLedger ledger() const;
   /// In the order of the case (in older runs by name).
   [[nodiscard]] std::vector<StoredMonitor> monitors() const;
   [[nodiscard]] std::vector<StoredEvent> events() const;
-  /// One entry a frame; none in runs from before they were stored.
+  /// One entry per frame; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredProgress> progress() const;
   [[nodiscard]] StoredJoints joints() const;
-  /// Point supports; none in runs from before they were stored. Blocks held whole: StoredBlock::held.
+  /// Point supports; none in runs from before they were stored. Blocks held as a whole: StoredBlock::held.
   [[nodiscard]] std::vector<StoredSupport> supports() const;
   /// Held stretches of outlines; none in runs from before they were stored.
   [[nodiscard]] std::vector<StoredEdgeSupport> edge_supports() const;
@@ -184,12 +184,12 @@ class RunReader {
   [[nodiscard]] bool has_bolts() const;
   /// Bolts of a frame; none where the model has none.   @throws FileError when there is no such frame
   [[nodiscard]] StoredBolts bolts(std::size_t frame) const;
-  [[nodiscard]] double end_time() const;  // of the whole plan at the latest: stages that are over as they ended [s]
+  [[nodiscard]] double end_time() const;  // of the plan; stages that are over count with their actual ends [s]
   [[nodiscard]] std::vector<DatasetNote> datasets() const;
-  /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and for a run that ended status and
-  /// reason; empty where there is none.
+  /// Attribute of /provenance, such as version, commit, case_sha256, command_line, and status and reason for a run that
+  /// ended; empty where it is missing.
   [[nodiscard]] std::string provenance(const std::string& key) const;
-  /// A list of /provenance, such as case (one entry), set, library, library_version; empty where there is none.
+  /// A list of /provenance, such as case (one entry), set, library, library_version; empty where it is missing.
   [[nodiscard]] std::vector<std::string> provenance_list(const std::string& key) const;
 
  private:

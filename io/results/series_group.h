@@ -1,4 +1,4 @@
-// What every writer of several datasets does with all of them.
+// Operations on all datasets of a writer.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace scree::io {
 
-/// Base of a writer whose each(see) calls see() for every series, what is counted before what counts it.
+/// Base of a writer whose each(see) calls see() for every series, the rows before the series that count them.
 template <class Writer>
 class SeriesGroup {
  public:
-  /// Every dataset as it is now, and a start with what another file had then (results_mark.h).
+  /// marks(): rows and hash of every dataset now. take(): appends the rows that another file had at such marks
+  /// (results_mark.h).
   [[nodiscard]] std::vector<SeriesMark> marks() {
     std::vector<SeriesMark> out;
     self().each([&](auto& series) { out.push_back(series.mark()); });

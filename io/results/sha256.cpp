@@ -12,7 +12,7 @@ namespace scree::io {
 
 namespace {
 
-/// libcrypto fails where it has no memory, which it may not be able to record, or where its configuration has no
+/// libcrypto fails if it has no memory (it may then be unable to record the error), or if its configuration has no
 /// SHA-256.
 [[noreturn]] void fail() {
   const unsigned long error = ::ERR_peek_last_error();

@@ -10,7 +10,7 @@ namespace scree::io {
 /// Digest of the bytes as 64 lower-case hexadecimal digits.   @source [FIPS180-4] section 6.2
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// The same of bytes that come in pieces.
+/// SHA-256 of bytes that are added in pieces.
 class Sha256 {
  public:
   Sha256();

@@ -1,14 +1,14 @@
-// Cells of a stored frame as they lie now.
+// Cells of a stored frame at their current positions.
 #pragma once
 
 #include "io/results/run_reader.h"
 
 namespace scree::io {
 
-/// Mean of a cell's points now [m].
+/// Mean of the current points of a cell [m].
 [[nodiscard]] Vec2 cell_middle(const StoredFrame& frame, std::size_t cell);
 
-/// Signed area of a cell now [m2].
+/// Current signed area of a cell [m2].
 [[nodiscard]] double cell_area(const StoredFrame& frame, std::size_t cell);
 
 }  // namespace scree::io

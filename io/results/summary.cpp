@@ -27,7 +27,7 @@ double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-
 
 rusage usage() {
   rusage use{};
-  ::getrusage(RUSAGE_SELF, &use);  // fails for a wrong argument only
+  ::getrusage(RUSAGE_SELF, &use);  // fails only for a wrong argument
   return use;
 }
 
@@ -125,7 +125,7 @@ Json transfers_json(const Model& model, const std::vector<coupling::TransferRow>
   return list;
 }
 
-/// Where a block went: the mean over the points of its cells, each point once.
+/// Mean displacement of a block over the points of its cells, each point counted once.
 struct Travel {
   Vec2 sum{0.0, 0.0};
   int points = 0;
@@ -135,7 +135,7 @@ struct Travel {
 std::vector<Travel> travels(std::size_t blocks, const coupling::FrameView& last) {
   const coupling::MeshView& mesh = *last.mesh;
   std::vector<Travel> travel(blocks);
-  std::vector<std::int32_t> counted(mesh.origin.size() / 2, -1);  // block a point was last counted for
+  std::vector<std::int32_t> counted(mesh.origin.size() / 2, -1);  // per point: block for which it was last counted
   for (std::size_t cell = 0; cell < mesh.cell_block.size(); ++cell) {
     Travel& t = travel[static_cast<std::size_t>(mesh.cell_block[cell])];
     t.method = mesh.cell_method[cell];
@@ -213,13 +213,13 @@ void Summary::go_on(std::vector<coupling::TransferRow> transfers, std::vector<co
   earlier_cpu_ = cpu_seconds;
 }
 
-/// Keeps the library out of the header.
+/// Keeps the JSON library out of the header.
 struct Summary::Document {
   Json json;
 };
 
 std::string Summary::text(const coupling::RunEnd& end, const coupling::FrameView& last) const {
-  // Bytes that are not UTF-8 become U+FFFD. Characters that steer a terminal (printable.h) stand in texts only, where
+  // Bytes that are not UTF-8 become U+FFFD. Control characters of a terminal (printable.h) occur in texts only, where
   // \u009B means the same in JSON.
   return printable(document(end, last).json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
@@ -254,7 +254,7 @@ Summary::Document Summary::document(const coupling::RunEnd& end, const coupling:
   for (const coupling::Warning& w : warnings_) json["warnings"].push_back(Json{{"time", w.time}, {"text", w.text}});
   add_run(json, *last.stats, wall_seconds(), cpu_seconds());
   json["ledger"] = ledger_json(last.state->ledger);
-  if (std::isfinite(last.stats->friction_ratio))  // of runs in which a contact has slid far enough
+  if (std::isfinite(last.stats->friction_ratio))  // only if a contact has slid far enough
     json["friction"] = {{"worst_ratio", last.stats->friction_ratio},
                         {"contact", coupling::contact_name(*model_, last.stats->friction_key)}};
   json["stages"] = stages_json(*model_, travels_);

@@ -6,9 +6,9 @@
 
 namespace scree::io {
 
-/// Writes /supports: points that springs tie to where they were at the start, and stretches of outlines that are held;
-/// tables without rows where there are none.
-/// Blocks that are held whole are in /blocks/held.     @throws FileError
+/// Writes /supports: points that springs tie to their positions at the start, and stretches of outlines that are held;
+/// tables without rows where the model has none.
+/// Blocks that are held as a whole are in /blocks/held.     @throws FileError
 void write_supports(const h5::File& file, const Model& model);
 
 }  // namespace scree::io

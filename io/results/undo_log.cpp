@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kPage = 4096;
 constexpr std::array<char, 8> kMagic{'S', 'C', 'R', 'U', 'N', 'D', 'O', '1'};
 
-/// At the front of the log.
+/// Head of the log.
 struct Head {
   std::array<char, 8> magic = kMagic;
   std::uint64_t length = 0;  // of the file
@@ -35,7 +35,7 @@ struct Head {
   }
 };
 
-/// Before every stretch of pages.
+/// Precedes every stretch of pages.
 struct Stretch {
   std::uint64_t at = 0, size = 0;  // in the file
   std::uint64_t hash = 0;          // of the two above and the bytes
@@ -67,14 +67,14 @@ class Descriptor {
   int fd_;
 };
 
-/// All of it, or false.
+/// Reads `size` bytes; false if that fails.
 bool read_all(int fd, void* data, std::size_t size, std::uint64_t at) {
   auto* to = static_cast<char*>(data);
   while (size > 0) {
     const ssize_t n = ::pread(fd, to, size, static_cast<off_t>(at));
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
-      if (n == 0) errno = EIO;  // shorter than it said
+      if (n == 0) errno = EIO;  // shorter than stated
       return false;
     }
     to += n;
@@ -167,7 +167,7 @@ bool UndoLog::roll_back(const fs::path& file) {
         head.magic == kMagic && head.hash == head.right_hash() && size_of(target.get(), file) >= head.length) {
       std::vector<char> bytes;
       Stretch s;
-      // A stretch that is not whole was being stored: the file was not yet overwritten there.
+      // A stretch that is not complete was just being stored: the file was not yet overwritten there.
       for (std::uint64_t at = sizeof head; at + sizeof s <= size; at += sizeof s + s.size) {
         if (!read_all(log.get(), &s, sizeof s, at)) fail(path, "read");
         if (s.size > size - at - sizeof s || s.at > head.length || s.size > head.length - s.at) break;

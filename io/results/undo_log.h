@@ -1,4 +1,4 @@
-// What a file was at an instant, kept while it is written on: a rollback log, as databases keep one.
+// Keeps the content that a file had at an instant while the file is written further: a rollback log, as in databases.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace scree::io {
 
-/// Stands beside a file as "<file>.undo". It holds the length that the file had when start() was called, and the pages
-/// of it that were overwritten since, as they were. What is written behind that length needs no page. So its size goes
-/// by what changes between two starts, not by the length of the file.
+/// Stored beside a file as "<file>.undo". It contains the length of the file at the time of start(), and the original
+/// bytes of the pages that were overwritten since. Bytes written beyond that length need no page. So the size of the
+/// log depends on what changes between two starts, not on the length of the file.
 ///
-/// A program that is killed leaves the pages with the system, and roll_back() brings the file back to what it was, byte
-/// for byte. A loss of power may lose pages: they are not brought to the disk one by one.
+/// When a program is killed, the system still has the pages, and roll_back() restores the file byte for byte. A loss of
+/// power may lose pages: they are not written to the disk one by one.
 class UndoLog {
  public:
-  /// @param file  whose log it is; no log is made yet
+  /// @param file  the file to protect; no log is made yet
   explicit UndoLog(std::filesystem::path file) : file_(std::move(file)) {}
   UndoLog(const UndoLog&) = delete;
   UndoLog& operator=(const UndoLog&) = delete;
@@ -26,19 +26,19 @@ class UndoLog {
 
   [[nodiscard]] static std::filesystem::path path_of(const std::filesystem::path& file);
 
-  /// From now on the file can be brought back to what it is now; the log before is replaced at once.
-  /// @param descriptor  of the file, whose bytes are with the system; stays open while this is used
-  /// @throws FileError; the log before stays
+  /// From now on the file can be restored to its present content; an earlier log is replaced atomically.
+  /// @param descriptor  of the file, whose bytes have been passed to the system; stays open while this is used
+  /// @throws FileError; the earlier log stays
   void start(int descriptor);
-  /// Stores the pages under [at, at + size) that were there at start() and are not stored yet: to be called before
-  /// they are overwritten.   @throws FileError
+  /// Stores the pages that overlap [at, at + size), existed at start() and are not stored yet. To be called before they
+  /// are overwritten.   @throws FileError
   void save(std::uint64_t at, std::uint64_t size);
-  /// Ends: the file is whole as it is.   @throws FileError
+  /// Ends and removes the log: the file is complete as it is.   @throws FileError
   void remove();
 
-  /// Brings a file back to what it was, as far as there is a log beside it, and removes the log. Being killed here does
-  /// no harm: it can be done again.
-  /// @return true where there was one   @throws FileError
+  /// Restores a file from the log beside it, if there is one, and removes the log. If the program is killed meanwhile,
+  /// roll_back() can be repeated.
+  /// @return true if there was a log   @throws FileError
   static bool roll_back(const std::filesystem::path& file);
 
  private:

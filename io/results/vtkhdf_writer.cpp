@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::uint8_t kPolygon = 7;  // VTK_POLYGON
 
-/// Two numbers a point to three, z = 0.
+/// From two numbers per point to three, z = 0.
 void in_space(std::span<const double> xy, std::vector<double>& xyz) {
   xyz.clear();
   for (std::size_t i = 0; i + 1 < xy.size(); i += 2) xyz.insert(xyz.end(), {xy[i], xy[i + 1], 0.0});
 }
 
-/// s1 >= s2 a cell from (xx, yy, xy):  s = m +- r,  m = (xx + yy)/2,  r = |((xx - yy)/2, xy)|.
+/// s1 >= s2 per cell from (xx, yy, xy):  s = m +- r,  m = (xx + yy)/2,  r = |((xx - yy)/2, xy)|.
 void principal(std::span<const double> stress, std::vector<double>& s) {
   s.clear();
   for (std::size_t i = 0; i + 2 < stress.size(); i += 3) {
@@ -30,7 +30,8 @@ void principal(std::span<const double> stress, std::vector<double>& s) {
   }
 }
 
-/// Time scheme a cell, 0 explicit or 1 implicit: in a partitioned stage that of its block, or half of one.
+/// Time integrator per cell, 0 explicit or 1 implicit: in a partitioned stage that of its block, or of its part of a
+/// divided block.
 std::vector<std::int32_t> schemes_of_cells(const coupling::FrameView& frame) {
   using coupling::Integrator;
   const std::span<const std::int32_t> block = frame.mesh->cell_block;
@@ -112,7 +113,7 @@ VtkhdfWriter::VtkhdfWriter(const h5::File& file, const ResultsSize& size) : file
 
 template <class Visitor>
 void VtkhdfWriter::each(Visitor&& see) {
-  // Fields before the offsets that point at them: a run that is killed leaves no frame that refers to missing rows.
+  // Fields before the offsets that refer to them: a run that is killed leaves no frame that refers to missing rows.
   see(points_), see(displacement_), see(velocity_), see(cell_displacement_), see(cell_velocity_);
   see(stress_), see(principal_);
   see(connectivity_), see(offsets_), see(types_), see(block_), see(element_), see(material_), see(method_);
@@ -149,7 +150,7 @@ void VtkhdfWriter::topology(const coupling::MeshView& mesh) {
   types_.append(std::vector<std::uint8_t>(mesh.cell_block.size(), kPolygon));
   block_.append(mesh.cell_block);
   material_.append(mesh.cell_material);
-  std::vector<std::int32_t> number;  // of this mesh's methods in /methods
+  std::vector<std::int32_t> number;  // number in /methods of each method of this mesh
   for (const std::string& name : mesh.methods) number.push_back(method_number(name));
   for (std::size_t c = 0; c < mesh.cell_block.size(); ++c) {
     element_.append(static_cast<std::int32_t>(c));
@@ -195,7 +196,7 @@ FrameRows VtkhdfWriter::frame(const coupling::FrameView& frame) {
   id_offset_.append(at_.first_id);
   for (auto& [name, series] : point_field_) series.append(first_point);
   for (auto& [name, series] : cell_field_) {
-    const bool of_mesh = name.ends_with("_id") || name == "method";  // stored once a mesh
+    const bool of_mesh = name.ends_with("_id") || name == "method";  // stored once per mesh
     series.append(of_mesh ? at_.first_cell : name == "integrator" ? at_.first_integrator : first_value);
   }
   frame_step_.append(frame.step);

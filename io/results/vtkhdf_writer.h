@@ -1,4 +1,4 @@
-// The frames of a run in the VTKHDF 2.0 layout: one part a mesh, stored once; points and fields a frame.
+// The frames of a run in the VTKHDF 2.0 layout: one part per mesh, stored once; points and fields per frame.
 #pragma once
 
 #include <map>
@@ -11,51 +11,51 @@
 
 namespace scree::io {
 
-/// Where the last frame lies: rows of the datasets below /VTKHDF.
+/// Where a frame is stored: rows of the datasets below /VTKHDF.
 struct FrameRows {
   std::int64_t mesh = 0, points = 0, cells = 0;       // number of its part; sizes
-  std::int64_t first_point = 0, first_value = 0;      // of what is stored a frame, at points and at cells
-  std::int64_t first_cell = 0, first_integrator = 0;  // of what is stored once a mesh, once a mesh and time schemes
+  std::int64_t first_point = 0, first_value = 0;      // of datasets per frame, at points and at cells
+  std::int64_t first_cell = 0, first_integrator = 0;  // of datasets per mesh, per mesh and integrators
 };
 
-/// What is stored of the last frame, in these rows.
+/// Values stored for the last frame, in these rows.
 struct FrameValues {
-  std::vector<double> points, displacement, velocity;            // three numbers a point
-  std::vector<double> cell_displacement, cell_velocity, stress;  // three numbers a cell
-  std::vector<double> principal_stress;                          // two numbers a cell
+  std::vector<double> points, displacement, velocity;            // three numbers per point
+  std::vector<double> cell_displacement, cell_velocity, stress;  // three numbers per cell
+  std::vector<double> principal_stress;                          // two numbers per cell
 };
 
 /// /VTKHDF     Points, Connectivity, Offsets, Types, NumberOf..., PointData, CellData, Steps (offsets of every frame)
-/// /frames     step, tick, stage, integrator, state_hash, points, cells: one entry a frame
-/// /methods    names that CellData/method counts
+/// /frames     step, tick, stage, integrator, state_hash, points, cells: one entry per frame
+/// /methods    names of the methods, in the order of the numbers in CellData/method
 /// Types are doubles for lengths, velocities and stress, int32 for ids. Points have z = 0.
 /// @source [VTKHDF] 2.0: frame k reads part PartOffsets[k]; its Offsets begin at CellOffsets[k] + PartOffsets[k], which
-///         holds for shared meshes only because there is one part a mesh
+///         holds for shared meshes only because there is one part per mesh
 class VtkhdfWriter {
  public:
-  /// Makes the groups, empty.   @throws FileError, as all of it
+  /// Makes the groups, empty.   @throws FileError, as every member
   VtkhdfWriter(const h5::File& file, const ResultsSize& size);
 
   /// Stores a mesh unless it is the one stored last.
   void topology(const coupling::MeshView& mesh);
-  /// Adds a frame.   @pre frame.mesh is set, in partitioned stages frame.state too, and spans have the sizes that
-  /// sink.h gives them
+  /// Adds a frame.   @pre frame.mesh is set, in partitioned stages frame.state too, and spans have the sizes stated in
+  /// sink.h
   /// @return its rows, written or still buffered
   FrameRows frame(const coupling::FrameView& frame);
-  /// What the last frame() stored.
+  /// Values that the last frame() stored.
   [[nodiscard]] const FrameValues& values() const { return values_; }
-  /// Notes how much there is now.
+  /// Records in `mark` how much is stored now.
   void mark(ResultsMark& mark);
-  /// Starts with the frames that another file had then.   @pre nothing has been added yet
+  /// Starts with the frames that another file had at the mark.   @pre nothing has been added yet
   void take(const h5::File& from, const ResultsMark& mark);
-  /// Rows of a frame, from the first on, that a file has.
+  /// Rows of a frame of a file; frames are counted from 0.
   [[nodiscard]] static FrameRows rows_of(const h5::File& file, std::int64_t frame);
   /// Writes what is buffered (the file itself is flushed by its owner).
   void flush();
   void close();
 
  private:
-  /// The mesh that frames are on now: its part, sizes, and first rows of the datasets stored once a mesh.
+  /// Mesh of the present frames: its part, sizes, and first rows of the datasets stored once per mesh.
   struct Mesh {
     std::int64_t part = 0, points = 0, cells = 0, first_cell = 0, first_id = 0, first_integrator = 0;
   };
@@ -66,11 +66,11 @@ class VtkhdfWriter {
   const h5::File* file_;
   std::optional<std::uint32_t> mesh_;  // id of the mesh stored last
   std::vector<std::int32_t>
-      schemes_;  // time scheme a cell that the present mesh was last written with; empty: none yet
+      schemes_;  // time integrator per cell, as last written for the present mesh; empty: none yet
   std::map<std::string, std::int32_t> methods_;
   Mesh at_;
   FrameValues values_;
-  std::int64_t frames_ = 0, told_ = 0;  // told_: NSteps, as the file has it
+  std::int64_t frames_ = 0, told_ = 0;  // told_: NSteps as stored in the file
 
   h5::Series<double> points_, displacement_, velocity_, cell_displacement_, cell_velocity_, stress_, principal_, time_;
   h5::Series<std::int64_t> connectivity_, offsets_, count_points_, count_cells_, count_ids_;

@@ -6,8 +6,8 @@
 
 namespace scree::io {
 
-/// Writes /water: the piezometric lines, point by point, and the joint laws that each fills; tables without rows where
-/// the model has no water.     @throws FileError
+/// Writes /water: the points of the piezometric lines, and the joint laws to which each line applies; tables without
+/// rows where the model has no water.     @throws FileError
 void write_water(const h5::File& file, const Model& model);
 
 }  // namespace scree::io

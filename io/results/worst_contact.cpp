@@ -9,7 +9,7 @@ namespace scree::io {
 
 WorstContact worst_contact(const coupling::State& state, std::span<const std::string> blocks) {
   const coupling::ContactMemory *deepest = nullptr, *strongest = nullptr;
-  // Squares are enough to compare, and a frame may have 100,000 contacts.
+  // Squares are sufficient for comparison, and a frame may have 100,000 contacts.
   const auto force_squared = [](const coupling::ContactMemory& c) { return c.fn * c.fn + c.ft * c.ft; };
   double largest = 0.0;
   for (const coupling::ContactMemory& c : state.contacts) {

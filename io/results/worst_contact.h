@@ -1,4 +1,4 @@
-// The worst of the closed contacts of an instant.
+// The closed contacts with the deepest penetration and with the largest force at an instant.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 namespace scree::io {
 
 struct WorstContact {
-  double time = -1.0;               // [s]; negative: none looked at yet
+  double time = -1.0;               // [s]; negative: not evaluated yet
   double depth = 0.0, force = 0.0;  // deepest penetration [m], largest force [N]
-  std::string depth_at, force_at;   // whose: corner and edge by the names of their blocks; empty: nothing is closed
+  std::string depth_at, force_at;   // that contact: vertex and edge, with the names of their blocks; empty: none closed
 };
 
-/// @param blocks  names; a block without one is "block" and its number
+/// @param blocks  names; a block without a name is called "block" and its number
 [[nodiscard]] WorstContact worst_contact(const coupling::State& state, std::span<const std::string> blocks);
 
 }  // namespace scree::io

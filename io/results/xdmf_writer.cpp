@@ -20,13 +20,14 @@ constexpr const char* kNode = "Node";
 constexpr const char* kCell = "Cell";
 constexpr std::string_view kFile = "run.vtkhdf:";
 constexpr std::chrono::seconds kBetween{1};
-constexpr int kShare = 50;          // a text may take 1/50 of the time
+constexpr int kShare = 50;          // writing the text may take 1/50 of the time
 constexpr int kMost = 64 * 1024;    // bytes that may wait to be written
-constexpr int kRoom = 2048 * 1024;  // bytes of text that there is room for
-constexpr int kInText = 100;        // numbers of an array
-constexpr std::size_t kDue = 8192;  // windows that may wait while frames are taken over
+constexpr int kRoom = 2048 * 1024;  // bytes of text for which memory is reserved
+constexpr int kInText = 100;        // largest number of entries of an array in the text
+constexpr std::size_t kDue = 8192;  // windows that may wait in take()
 
-/// HDF5 keeps the names of a group in one piece, read and written whole with each new one: groups must stay small.
+/// HDF5 keeps the names of a group in one piece, which is read and written as a whole with each new name: groups must
+/// stay small.
 std::string window_name(std::string_view field, std::int64_t n) {
   constexpr std::int64_t kOfGroup = 500;
   return fmt::format("/xdmf/{}/{}/{}", field, n / kOfGroup, n);
@@ -93,7 +94,7 @@ XdmfWriter::XdmfWriter(const h5::File& file, std::filesystem::path xmf) : file_(
     field.label = {h5::text_attribute(file, "/VTKHDF/" + field.path, "units"),
                    h5::text_attribute(file, "/VTKHDF/" + field.path, "long_name")};
   due_.reserve(kDue + fields_.size());
-  settled_.assign(kRoom, '\0');  // in memory from the start: a long run does not grow when a second has many frames
+  settled_.assign(kRoom, '\0');  // reserves memory from the start: a second with many frames needs no more
   settled_ = xdmf::opening();
   file.group("/xdmf");
 }
@@ -127,7 +128,7 @@ xdmf::Array XdmfWriter::window(std::size_t field, const FrameRows& rows) {
 }
 
 void XdmfWriter::settle() {
-  // Field by field: neighbours lie in one group of the file.
+  // Field by field: consecutive windows are in one group of the file.
   std::stable_sort(due_.begin(), due_.end(), [](const Due& a, const Due& b) { return a.field < b.field; });
   for (const Due& d : due_) {
     const Field& f = fields_[d.field];
@@ -151,7 +152,7 @@ void XdmfWriter::take(const h5::File& from, std::int64_t frames) {
   for (std::int64_t k = 0; k < frames; ++k) {
     const FrameRows rows = VtkhdfWriter::rows_of(from, k);
     if (mesh_ != rows.mesh) {
-      // The offsets of mesh m begin m rows after its cells: each mesh has one more of them (VTKHDF 2.0).
+      // The offsets of mesh m begin m rows after its first cell: each mesh has one more offset than cells (VTKHDF 2.0).
       const auto numbers = [&](const std::string& name, std::int64_t first, std::int64_t count) {
         const std::vector<std::int64_t> wide =
             h5::from_whole([&] { return h5::read<std::int64_t>(from, vtk + name, first, count); });

@@ -18,7 +18,7 @@
 namespace scree::io {
 namespace {
 
-constexpr auto kMost = std::chrono::milliseconds(3000);  // for the answer of a run; a server that ends waits as long
+constexpr auto kMost = std::chrono::milliseconds(3000);  // for the answer of a run; can delay the end of the server
 
 struct Command {
   std::string run, text;
@@ -36,7 +36,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-/// Takes as long for every text of this length.
+/// Takes the same time for every text of this length.
 bool same(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;

@@ -1,4 +1,4 @@
-// Commands of a page to the run that streams: whoever knows the token may give them.
+// Commands of a page to the run that streams: every page that has the token may give them.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@ namespace scree::io {
 /// 128 random bits as 32 hexadecimal digits.
 [[nodiscard]] std::string new_token();
 
-/// Takes commands in the order they come and asks the run for each in a thread of its own, as `scree control` does, so
-/// that a run that does not answer holds up no viewer.
+/// Accepts commands in their order of arrival and sends each to the run in a thread of its own, as `scree control`
+/// does, so that a run that does not answer delays no viewer.
 class ControlBridge {
  public:
   static constexpr std::size_t kMostWaiting = 16;
 
   /// @param url  of the stream, udpm://
   ControlBridge(std::string url, std::string token);
-  /// Ends the thread; what waits is dropped.
+  /// Ends the thread; waiting commands are dropped.
   ~ControlBridge();
   ControlBridge(const ControlBridge&) = delete;
   ControlBridge& operator=(const ControlBridge&) = delete;
 
   /// "TOKEN command", "TOKEN command VALUE": pause, resume, step N, checkpoint, stop, rate HZ, field NAME.
-  /// @param run  that is shown now; empty: none, the answer says so
+  /// @param run  that is shown now; empty: none, and the answer states this
   /// @return false: the token is wrong or the text is no command; nothing has been done
   [[nodiscard]] bool take(std::string_view text, const std::string& run);
 
-  /// What became of the last command, once: a message of kind "answer".
+  /// The result of the last command, returned once: a message of kind "answer".
   [[nodiscard]] std::optional<SharedBytes> answer();
 
  private:

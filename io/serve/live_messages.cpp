@@ -113,7 +113,7 @@ Json water_json(const model_v1_t& m, const std::array<double, 2>& base) {
   return out;
 }
 
-/// Stress of the cells as xx, yy, xy a point: the mean of the cells that have it as a corner.
+/// Stress of the cells as xx, yy, xy per point: the mean of the cells that have it as a corner.
 std::vector<float> point_stress(const detail_v1_t& d, const LiveMesh& mesh) {
   std::vector<float> sum(3 * mesh.points(), 0.0F), cells(mesh.points(), 0.0F);
   for (std::size_t c = 0; c < d.xx.size(); ++c)

@@ -1,4 +1,4 @@
-// What a stream tells the page over a WebSocket, message by message.
+// The messages of a stream to the page over a WebSocket.
 #pragma once
 
 #include <array>
@@ -16,14 +16,15 @@
 namespace scree::io {
 
 // A message is a u32 (little endian), so many bytes of JSON {"kind": ..., "session": ..., ...}, and the bytes of a
-// Chunk, which are none but for meshes and frames. Positions are counted from `base`, beside the origin of the run [m].
+// Chunk, which are none but for meshes and frames. Positions are relative to `base`, in addition to the
+// origin of the run [m].
 
 /// "run": what does not change while a session lasts.   @param control  pages that know the token may give commands
 [[nodiscard]] SharedBytes run_message(const info_v1_t& info, const std::array<double, 2>& base, std::size_t blocks,
                                       std::size_t materials, bool control);
 /// "mesh": arrays as in a report.
 [[nodiscard]] SharedBytes mesh_message(std::int64_t session, const LiveMesh& mesh, const std::array<double, 2>& base);
-/// "frame": displacements of the points since the model, and the scalar of the cells.   @pre frame.mesh
+/// "frame": displacements of the points from the model, and the scalar of the cells.   @pre frame.mesh
 [[nodiscard]] SharedBytes frame_message(const LiveFrame& frame, const std::string& stage,
                                         const std::string& integrator);
 /// "model": names, and what is drawn over blocks, as run.json of a stored run has them (RunText).
@@ -36,11 +37,11 @@ namespace scree::io {
 /// "rows": monitors and the ledger at their newest instants.   @param history,energy  null: not known
 [[nodiscard]] SharedBytes rows_message(std::int64_t session, const LiveHistory* history, const energy_v1_t* energy,
                                        const std::array<double, 2>& base);
-/// "status": how far the run is, once there is one.   @param silent  since its last message [s]
+/// "status": progress of the run, once there is one.   @param silent  time since its last message [s]
 [[nodiscard]] SharedBytes status_message(const info_v1_t& info, double silent);
-/// "status" while nothing has been heard.   @param trouble  why nothing can be heard; empty: nothing streams
+/// "status" before the first message of a run.   @param trouble  why nothing can be received; empty: nothing streams
 [[nodiscard]] SharedBytes waiting_message(const std::string& url, const std::string& run, const std::string& trouble);
-/// "answer": what became of a command that a page gave, whatever the session.
+/// "answer": the result of a command that a page gave, whatever the session.
 [[nodiscard]] SharedBytes answer_message(const std::string& command, const std::string& result,
                                          const std::string& reason, const std::string& state);
 /// "events": all that are kept, oldest first.

@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kRetry = 2s;    // between attempts to listen
-constexpr auto kSlow = 200ms;  // between two looks at what people read: rows, status, events
+constexpr auto kSlow = 200ms;  // between two updates of what people read: rows, status, events
 constexpr std::size_t kEvents = 300;
 
 enum Place : std::size_t { kRun, kMesh, kFrame, kRows, kStatus, kEventList, kAnswer, kModel, kDetail, kPlaces };
@@ -45,7 +45,7 @@ struct LiveSite::Data {
     changed = true;
   }
 
-  /// Nothing is known of a run that has just begun.
+  /// Clears the data of the last session.
   void forget(std::int64_t its_session) {
     session = its_session;
     stages.clear(), events.clear();
@@ -72,7 +72,7 @@ struct LiveSite::Data {
     if (!newest || newest == frame || newest->header.session != session) return;
     frame = newest;
     if (frame->mesh != mesh) {
-      // The first INFO of a run comes before its mesh and knows no bounds.
+      // The first INFO of a run comes before its mesh and contains no bounds.
       if (!mesh) base = {whole_metres(frame->mesh->base[0]), whole_metres(frame->mesh->base[1])};
       mesh = frame->mesh;
       blocks = std::max(blocks, one_more_than_largest(mesh->block));
@@ -115,7 +115,7 @@ struct LiveSite::Data {
       news = true;
     }
     if (news) {
-      // Those sent again for a late viewer come after newer ones.
+      // Events that are sent again for a late viewer arrive after newer ones.
       std::sort(events.begin(), events.end(),
                 [](const event_v1_t& a, const event_v1_t& b) { return a.header.sequence < b.header.sequence; });
       if (events.size() > kEvents) events.erase(events.begin(), events.end() - std::ptrdiff_t{kEvents});
@@ -156,7 +156,7 @@ struct LiveSite::Data {
   std::array<Slot, kPlaces> slots;
   bool changed = false;
   std::int64_t session = -1, heard_count = 0;
-  std::array<double, 2> base{0.0, 0.0};  // where the first mesh is; the page counts from it
+  std::array<double, 2> base{0.0, 0.0};  // position of the first mesh; reference point of the page
   std::map<std::int32_t, std::pair<std::string, std::string>> stages;  // name, integrator
   std::vector<event_v1_t> events;                                      // by sequence
   std::shared_ptr<const LiveMesh> mesh;                                // as published

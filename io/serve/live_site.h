@@ -1,4 +1,4 @@
-// A run that streams over LCM as a site: what comes is handed on to viewers over WebSockets.
+// A run that streams over LCM as a site: its messages are passed on to viewers over WebSockets.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,8 @@
 namespace scree::io {
 
 /// Paths: / (the page), /viewer.js, /viewer.css. Slots: run, mesh, frame, rows, status, events, answer, model, detail
-/// (live_messages.h). Of
-/// several runs that of LiveReader; where another begins, everything begins anew. Where there is no network, or the
-/// connection fails, it is tried again every two seconds.
+/// (live_messages.h). Of several runs the site shows that of LiveReader; when another run begins, all data are cleared.
+/// Without a network, or after the connection fails, it tries again every two seconds.
 class LiveSite final : public Site {
  public:
   /// @param run    name of the run to follow; empty: the one that started last

@@ -5,7 +5,7 @@
 
 namespace scree::io {
 
-/// Paths: / (a page with both), /viewer.css, /left/... and /right/... with what the two sites have.
+/// Paths: / (a page with both), /viewer.css, /left/... and /right/... with the contents of the two sites.
 class PairSite final : public Site {
  public:
   /// @param left,right  must outlive the site

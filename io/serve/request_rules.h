@@ -1,5 +1,5 @@
 // Which requests a server on the loopback interface answers. Other pages in the same browser can send requests to
-// 127.0.0.1 too, and a foreign name may be made to resolve to it: the headers tell.
+// 127.0.0.1 too, and a foreign name may be made to resolve to it: the headers show this.
 #pragma once
 
 #include <cstdint>

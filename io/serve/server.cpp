@@ -30,7 +30,7 @@ constexpr std::string_view kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src data: blob:; connect-src 'self'; frame-src "
     "'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
-constexpr int kViewerBuffer = 256 * 1024;  // bytes that the system keeps for a viewer: what waits there is old already
+constexpr int kViewerBuffer = 256 * 1024;  // bytes that the system keeps for a viewer: data waiting there get old
 constexpr int kAhead = 2;                  // paced messages that a viewer need not have taken yet
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
@@ -61,7 +61,7 @@ class Counted {
 
 using Request = http::request<http::empty_body>;
 
-/// Why a request is not answered with what it asks for: a status and a line.
+/// Why a request is refused: a status and a line.
 struct Refusal {
   http::status status;
   std::string why;
@@ -102,7 +102,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   Viewer& operator=(const Viewer&) = delete;
 
   void start(const Request& request) {
-    Failure ignored;  // the size of a buffer changes nothing that must hold
+    Failure ignored;  // the size of the buffer is not essential
     beast::get_lowest_layer(socket_).socket().set_option(asio::socket_base::send_buffer_size(kViewerBuffer), ignored);
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout{shared_->limits.request, shared_->limits.silence, true});
@@ -117,7 +117,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
     });
   }
 
-  /// Sends what comes next, unless something is on its way.
+  /// Sends the next message, unless one is being sent.
   void send() {
     if (sending_) return;
     const std::optional<std::size_t> next = choose();
@@ -137,7 +137,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   }
 
  private:
-  /// The first slot in its order of those that go first; else the others in turn, so that none waits for ever.
+  /// The first slot with news among those marked `first`; else the others in turn, so that none waits for ever.
   [[nodiscard]] std::optional<std::size_t> choose() const {
     const std::span<const Slot> slots = shared_->site.slots();
     const auto is_news = [&](std::size_t i) {
@@ -182,7 +182,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   std::size_t last_ = 0;              // slot that was sent last
   int ahead_ = 0;                     // paced messages that the viewer has not taken yet
   bool sending_ = false;
-  SharedBytes message_;  // on its way
+  SharedBytes message_;  // being sent
 };
 
 /// A connection of HTTP: one request after the other.
@@ -237,7 +237,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::make_shared<Viewer>(std::move(stream_), *shared_)->start(request);
   }
 
-  /// Says why, and closes.
+  /// Sends the reason, and closes.
   void refuse(const Refusal& refusal) {
     ++shared_->counts.refused;
     keep_ = false;
@@ -275,10 +275,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
 
   void close() {
-    Failure ignored;  // the other side may have gone already
+    Failure ignored;  // the other side may have closed already
     stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
     if (drained_) return;
-    // Closed with bytes unread, the connection would be reset, and the reply that says why would be lost.
+    // If closed with bytes unread, the connection would be reset, and the reply with the reason would be lost.
     drained_ = true;
     buffer_.consume(buffer_.size());
     stream_.expires_after(std::chrono::seconds(1));

@@ -1,4 +1,4 @@
-// What a server serves: resources by their exact paths, and for viewers of a stream the newest of a few things.
+// What a server serves: resources by their exact paths, and for viewers of a stream the newest message of each slot.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,12 @@ struct Resource {
   SharedBytes body;
 };
 
-/// The newest message of one thing that viewers are to know. A viewer gets each version at most once, and none but the
-/// newest.
+/// The newest message of one kind for viewers. A viewer gets each version at most once, and only the newest.
 struct Slot {
   std::uint64_t version = 0;  // 0: nothing yet
   SharedBytes message;
-  bool first = false;  // goes before every slot that is not: the others refer to it
-  bool paced = false;  // is sent to a viewer only when that has said that it took the ones before
+  bool first = false;  // sent before every slot that is not: the others refer to it
+  bool paced = false;  // sent to a viewer only after it has confirmed earlier ones (server.h)
 };
 
 class Site {
@@ -37,11 +36,11 @@ class Site {
   Site& operator=(const Site&) = delete;
   virtual ~Site() = default;
 
-  /// @param path  as in the request, not decoded: whatever is not a path of the site, letter for letter, is not there
-  /// @throws std::exception where it is there and cannot be given: viewers are told what()
+  /// @param path  as in the request, not decoded: only a path of the site, letter for letter, is found
+  /// @throws std::exception where it exists and cannot be delivered: viewers receive what()
   [[nodiscard]] virtual std::optional<Resource> find(std::string_view path) = 0;
 
-  /// A text that a viewer has sent.   @return false: it is none that the site takes, which ends the connection
+  /// A text that a viewer has sent.   @return false: the site does not accept it, which ends the connection
   [[nodiscard]] virtual bool take(std::string_view text) {
     (void)text;
     return false;
@@ -49,7 +48,7 @@ class Site {
 
   /// Called often by the thread of the server.   @return true: a slot has changed
   virtual bool refresh() { return false; }
-  /// Of a stream; empty: there is none. Slots stay what they are, their messages change in refresh() only.
+  /// Slots of a stream; empty: there is none. The set of slots is fixed, their messages change in refresh() only.
   [[nodiscard]] virtual std::span<const Slot> slots() const { return {}; }
 };
 

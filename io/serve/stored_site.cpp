@@ -12,8 +12,8 @@
 namespace scree::io {
 namespace {
 
-constexpr std::size_t kLooked = 300;          // frames that ranges of colours come from
-constexpr std::size_t kKeptBytes = 64 << 20;  // of frames that were asked for lately, for other viewers
+constexpr std::size_t kLooked = 300;          // frames from which ranges of colours are taken
+constexpr std::size_t kKeptBytes = 64 << 20;  // of frames that were requested lately, for other viewers
 constexpr int kLevel = 1;                     // of compression: on this machine reading waits longer than sending
 
 SharedBytes shared_bytes(std::vector<std::uint8_t>&& bytes) {

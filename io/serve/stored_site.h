@@ -1,4 +1,4 @@
-// A stored run as a site: the page of `scree report`, with every frame read when it is asked for.
+// A stored run as a site: the page of `scree report`, with every frame read when it is requested.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 namespace scree::io {
 
 /// Paths: / (the page), /viewer.js, /viewer.css, /run.json (RunText), and chunks (Chunk::packed) /mesh/N, /frame/N,
-/// /history. The run is as it was when the site was made, also where it goes on.
+/// /history. The run is shown as it was when the site was made, even if it continues.
 class StoredSite final : public Site {
  public:
-  /// What the frames are to the page.
+  /// Meaning of the frames for the page.
   enum class Kind {
     run,
-    model  // one frame, before a run: the page says so, and shows no histories
+    model  // one frame, before a run: the page states this, and shows no histories
   };
 
   /// @param version  of the program
@@ -35,8 +35,8 @@ class StoredSite final : public Site {
   std::unique_ptr<Data> data_;
 };
 
-/// What every site serves alike: / (the page), /viewer.js, /viewer.css; empty for other paths.
-/// @param source  as of served_page
+/// Resources common to all sites: / (the page), /viewer.js, /viewer.css; empty for other paths.
+/// @param source  as in served_page
 [[nodiscard]] std::optional<Resource> page_resource(std::string_view path, const std::string& title,
                                                     std::string_view source);
 

@@ -32,14 +32,14 @@ std::string right(std::string_view text, std::size_t width) {
   return std::string(width - columns(out), ' ') + out;
 }
 
-/// Two texts at the ends of a line; the left one gives way.
+/// Two texts at the ends of a line; the left one is shortened first.
 std::string ends(std::string_view a, std::string_view b, std::size_t width) {
   const std::string tail = shown(b, width);
   const std::size_t room = width - columns(tail);
   return room < 2 ? tail : left(a, room - 1) + " " + tail;
 }
 
-/// The middle column of a screen is where second facts begin.
+/// A line with one or two facts; the second begins at the middle column of the screen.
 std::string pair(std::string_view label, std::string_view a, std::string_view b, std::size_t width) {
   constexpr std::size_t kLabel = 9;
   const std::size_t half = std::max<std::size_t>(width / 2, 30);
@@ -78,7 +78,7 @@ std::string join(std::initializer_list<std::string> parts, std::string_view betw
 // --- sections -----------------------------------------------------------------------------------------------------
 
 std::string status(const Dashboard& run) {
-  constexpr double kSilence = 3.0;  // INFO comes once a second
+  constexpr double kSilence = 3.0;  // INFO is sent once per second
   if (!has_ended(run) && run.received && run.received->silent > kSilence)
     return fmt::format("silent for {}", duration(run.received->silent));
   return run.status;
@@ -202,7 +202,7 @@ Lines monitors(const Dashboard& run, std::size_t width, std::size_t height) {
   return lines;
 }
 
-/// Events as they are shown: step cuts, transfers and changes of a partition that follow one another are one.
+/// Events as they are shown: step cuts, transfers and changes of a partition that follow one another are merged.
 struct Happening {
   const Dashboard::Event* last = nullptr;
   int times = 0;
@@ -277,7 +277,7 @@ std::vector<std::string> render(const Dashboard& run, int width, int height) {
   struct Section {
     std::size_t wish = 0, least = 0, given = 0;  // lines with the title, without the empty line above
   };
-  std::array<Section, 3> sections;  // energy, monitors, events: what comes first goes last
+  std::array<Section, 3> sections;  // energy, monitors, events: the first section is dropped last
   if (run.ledger) sections[0] = {energy_wish(*run.ledger), 1 + kSides.size()};
   if (!run.monitors.empty()) sections[1] = {1 + run.monitors.size(), 2};
   const std::vector<Happening> happened = happenings(run.events);

@@ -1,4 +1,4 @@
-// What `scree watch` shows of a run, and how it looks as text. Knows neither networks nor files nor terminals.
+// Data that `scree watch` shows of a run, and their rendering as text. Independent of networks, files and terminals.
 #pragma once
 
 #include <cmath>
@@ -43,15 +43,16 @@ struct DashboardEvent {
   std::string kind, text;
 };
 
-/// What came over LCM.
+/// Statistics of the messages received over LCM.
 struct DashboardReceived {
   std::int64_t messages = 0, malformed = 0, other = 0, incomplete = 0, events_lost = 0, frames = 0;
   double waited = 0.0;               // since the watcher began to listen [s]
   double silent = 0.0;               // since the last message [s]
-  std::optional<double> mesh_after;  // the whole mesh was there so long after the watcher began [s]
+  std::optional<double> mesh_after;  // from the start of the watcher to the complete mesh [s]
 };
 
-/// A run as a watcher knows it. Texts may hold anything: the screen shows them cut and without control characters.
+/// The data of a run that a watcher has. Texts may contain anything: the screen shows them cut and without control
+/// characters.
 struct Dashboard {
   using Term = DashboardTerm;
   using Ledger = DashboardLedger;
@@ -61,11 +62,11 @@ struct Dashboard {
   using Received = DashboardReceived;
 
   std::string source;  // URL or folder
-  std::string run;     // name; empty: nothing is known yet
+  std::string run;     // name; empty: nothing has been received yet
   std::string title, version, status, reason, stage, integrator;
   double time = 0.0, end_time = 0.0;  // simulated [s]
-  std::optional<double> rate;         // simulated seconds a second
-  std::optional<double> step_rate;    // steps a second
+  std::optional<double> rate;         // simulated seconds per second
+  std::optional<double> step_rate;    // steps per second
   std::optional<double> time_left;    // wall time [s]
   std::optional<std::int64_t> steps, cuts, passes, contacts, blocks, cells, unknowns;
   std::optional<double> frame_time;  // of the newest complete frame [s]
@@ -77,11 +78,11 @@ struct Dashboard {
   std::optional<Received> received;  // empty: a stored run
 };
 
-/// False while a run goes on, also one that is paused.
+/// False while a run continues, also one that is paused.
 [[nodiscard]] bool has_ended(const Dashboard& run);
 
 /// The whole screen: at most `height` lines of at most `width` columns, without line ends or control characters.
-/// Sections that do not fit are shortened and say so; the last line is the foot.
+/// Sections that do not fit are shortened and marked as such; the last line is the foot.
 /// @pre width >= 40, height >= 10
 [[nodiscard]] std::vector<std::string> render(const Dashboard& run, int width, int height);
 

@@ -18,7 +18,7 @@ void LiveDashboard::take_events(std::int64_t session) {
   session_ = session;
   for (event_v1_t& e : reader_->take_events())
     if (e.header.session == session) events_.push_back(std::move(e));
-  // Those sent again for a late viewer come after newer ones.
+  // Events that are sent again for a late viewer arrive after newer ones.
   std::sort(events_.begin(), events_.end(),
             [](const event_v1_t& a, const event_v1_t& b) { return a.header.sequence < b.header.sequence; });
   if (events_.size() > LiveAssembly::kMaxEvents)
@@ -32,7 +32,7 @@ const Dashboard& LiveDashboard::refresh() {
   const auto since = [now](Clock::time_point then) { return std::chrono::duration<double>(now - then).count(); };
   Dashboard::Received& received = *now_.received;
   const LiveCounts counts = reader_->counts();
-  // What is malformed or of an older run is no sign of life.
+  // Malformed messages and those of an older run do not show that the run is alive.
   const auto good = [](const Dashboard::Received& r) { return r.messages - r.malformed - r.other; };
   const std::int64_t before = good(received);
   received.messages = counts.messages;
@@ -73,7 +73,7 @@ const Dashboard& LiveDashboard::refresh() {
   if (info->contact_time >= 0.0)
     now_.contact = {info->contact_depth, info->contact_force, info->contact_depth_at, info->contact_force_at};
 
-  // INFO comes once a second, the rest more often: the newest of them says where the run is.
+  // INFO is sent once per second, the rest more often: the newest of them gives the progress of the run.
   const auto is_of_it = [session](const header_v1_t& header) { return header.session == session; };
   now_.ledger.reset();
   if (const auto energy = reader_->energy(); energy && is_of_it(energy->header)) {

@@ -1,4 +1,4 @@
-// Where a Dashboard comes from: a stream, or a stored run.
+// Sources of a Dashboard: a stream, or a stored run.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace scree::io {
 
-/// Brings a dashboard up to date with what a reader has. Several runs: the one that started last.
+/// Updates a dashboard with the data of a reader. Of several runs, it shows the one that started last.
 class LiveDashboard {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,7 +17,7 @@ class LiveDashboard {
   LiveDashboard(std::unique_ptr<LiveReader> reader, std::string source, Clock::time_point start = Clock::now());
   /// @return what is known now; valid until the next call
   const Dashboard& refresh();
-  /// True when nothing more will come: the log is over, or the connection failed.
+  /// True when no more messages can arrive: the log is over, or the connection failed.
   [[nodiscard]] bool ended() const { return reader_->ended(); }
 
  private:
@@ -30,7 +30,7 @@ class LiveDashboard {
   Clock::time_point start_, heard_;
 };
 
-/// The end of a stored run, or how far it has come.   @throws FileError when it is none or damaged
+/// The end of a stored run, or its progress so far.   @throws FileError when the folder is no run or damaged
 [[nodiscard]] Dashboard stored_dashboard(const std::filesystem::path& run_folder);
 
 }  // namespace scree::io

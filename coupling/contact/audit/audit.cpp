@@ -14,7 +14,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr double kSameNumber = 1e-9;  // of the detection distance: gaps and stretches known twice
+constexpr double kSameNumber = 1e-9;  // of the detection distance: difference of gaps and stretches computed twice
 
 /// Outlines of the bodies at their present places: corners only.
 std::vector<Polygon> present_outlines(const Setup& setup, std::span<const double> q) {
@@ -63,7 +63,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
   double farthest = 0.0;
   for (const double x : q) farthest = std::max(farthest, std::abs(x));
   const double allowed = kSameNumber * detection + 64.0 * std::numeric_limits<double>::epsilon() * farthest;
-  // Where joints cross, diagonal corners leave the force to the joints beside them, and go as deep as those give way.
+  // Where joints cross, diagonal corners carry no force, and are as deep as the joints beside them are pressed.
   std::set<std::pair<BodyIndex, BodyIndex>> held, listed;
   std::vector<double> pressed(setup.bodies().size(), 0.0);  // the deepest closed point of a body [m]
   for (std::size_t i = 0; i < list.points.size(); ++i) {
@@ -73,7 +73,7 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     const auto name = [&] { return contact_name(setup.model(), m.key); };
     audit.check(g.gap - m.gap0 - m.gap, allowed,
                 [&] { return fmt::format("{}: the gap is {:.6g} m, not {:.6g} m", name(), g.gap - m.gap0, m.gap); });
-    // A point that closed at a depth, or whose share changed under load, is free of force where gap0 says.
+    // A point that closed at a depth, or whose share changed under load, has no force at the gap gap0.
     const bool comes_out = m.gap >= 0.0 && m.gap + m.gap0 < 0.0;
     const std::pair<BodyIndex, BodyIndex> bodies = std::minmax(o.node_body[p.node[0]], o.node_body[p.node[1]]);
     if (m.status != ContactStatus::open || comes_out) held.insert(bodies);

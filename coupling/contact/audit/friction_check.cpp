@@ -12,7 +12,7 @@ namespace {
 
 float ratio(const SlideMemory::Sum& sum) { return -std::copysign(1.0F, sum.slip) * sum.drag / sum.limit; }
 
-/// Adds a window to those in succession that lose friction, or that keep it.
+/// Adds a window to the successive ones that lose friction, or to those that keep it.
 /// @param still  nothing moves the ground or changes the loads any more
 void add(const SlideMemory::Sum& window, bool still, SlideMemory& s) {
   const bool loses = ratio(window) < FrictionCheck::kLeast;
@@ -33,7 +33,7 @@ void add(const SlideMemory::Sum& window, bool still, SlideMemory& s) {
     s.worst = std::min(s.worst, ratio(s.total));
 }
 
-/// When the last motion and the last function of a stage are over [s]; infinite: one of them never is.
+/// End of the last motion and the last function of a stage [s]; infinite: one of them does not end.
 double last_change(const Setup& setup) {
   const Model& model = setup.model();
   const Clocks& clocks = setup.clocks();
@@ -50,8 +50,8 @@ double last_change(const Setup& setup) {
   return last;
 }
 
-/// The next windows are twice as long, and the stretch begins anew with them.
-/// @param slip  of the window before them, in elastic stretches: the point slides on, at this pace
+/// Doubles the length of the next windows, with which the stretch begins anew.
+/// @param slip  of the window before them, in elastic stretches: the pace at which the point slides on
 void lengthen(float slip, SlideMemory& s) {
   const float length = 2.0F * s.length;
   const std::int16_t lost = s.lost;
@@ -61,9 +61,11 @@ void lengthen(float slip, SlideMemory& s) {
   s.last.slip = 2.0F * slip;
 }
 
-/// Takes a window that is complete into the stretch, or ends the stretch.
-/// @param stretch  elongation of the spring at the mean limit of the window, or what strain of a block may bring [m]
-/// @param longest  windows of a stretch that is not steady are lengthened up to this [s]; 0: something still acts
+/// Adds a complete window to the stretch, or ends the stretch.
+/// @param stretch  elongation of the spring at the mean limit of the window, or slip that a block's strain may cause
+/// [m]
+/// @param longest  windows of a stretch that is not steady are lengthened up to this [s]; 0: a motion or function
+/// still acts
 void close_window(double stretch, double longest, SlideMemory& s) {
   SlideMemory::Sum window{stretch > 0.0 ? static_cast<float>(s.slip / stretch) : 0.0F, static_cast<float>(s.drag),
                           static_cast<float>(s.limit)};
@@ -79,7 +81,7 @@ void close_window(double stretch, double longest, SlideMemory& s) {
     s.total = {};
     s.losing = s.keeping = 0;
   }
-  if (first || std::abs(window.slip) < 1.0F) window.drag = window.limit = 0.0F;  // it may have stopped in between
+  if (first || std::abs(window.slip) < 1.0F) window.drag = window.limit = 0.0F;  // the point may have stopped between
   s.last = window;
   s.slip = s.drag = s.limit = s.time = 0.0;
 }

@@ -7,8 +7,8 @@ namespace scree::coupling {
 
 namespace {
 
-/// Places along a direction of the vertices of an edge, rising or falling from its start to its end. Vertices between
-/// the ends lie in that order but where an edge is bent back on itself.
+/// Coordinates of the vertices of an edge along a direction, rising or falling from its start to its end. Vertices
+/// between the ends lie in that order except where an edge is bent back on itself.
 class Places {
  public:
   Places(const Outlines& o, OutlinePositions x, EdgeIndex edge, const Vec2& along, bool falls)
@@ -21,20 +21,20 @@ class Places {
   [[nodiscard]] double start() const { return start_; }
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool straight() const { return edge_->segments == 1; }
-  /// see(vertex, s) for the two ends, where they lie within [low, high].
+  /// Calls see(vertex, s) for the two ends, where they lie within [low, high].
   template <class See>
   void ends_within(double low, double high, See&& see) const {
     if (start_ >= low && start_ <= high) see(edge_->first_vertex(), start_);
     if (end_ >= low && end_ <= high) see(edge_->end_vertex, end_);
   }
-  /// see(k, s) for the vertices within [low, high], found without a look at the others.
+  /// Calls see(k, s) for the vertices within [low, high]; a bisection finds the first one.
   template <class See>
   void within(double low, double high, bool middle, See&& see) const {
     const auto inside = [&](double s) { return s >= low && s <= high; };
     if (inside(start_)) see(0, start_);
     if (middle) {
       std::int32_t k = 1, after = edge_->segments;
-      while (k < after) {  // the first that is not before the overlap
+      while (k < after) {  // the first vertex that is not before the overlap
         const std::int32_t half = k + (after - k) / 2;
         (falls_ ? at(half) > high : at(half) < low) ? k = half + 1 : after = half;
       }

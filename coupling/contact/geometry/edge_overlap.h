@@ -18,7 +18,7 @@ struct OverlapPoint {
 
 /// Cuts the overlap of two edges at every vertex of either side; each end of a piece carries half of its length. The
 /// trapezoidal rule is exact for pressures and displacements that are linear in every piece, so a uniform pressure
-/// passes exactly whatever the vertices (contact patch test), and each length counts once, not once a body.
+/// is transferred exactly for any vertices (contact patch test), and each length counts once, not once per body.
 class EdgeOverlap {
  public:
   /// @param x        positions of the outline nodes

@@ -5,10 +5,10 @@
 
 namespace scree::coupling {
 
-/// What a return mapping leaves of a tangential spring.
+/// Result of a return mapping of a tangential spring.
 struct CoulombStep {
   double stretch = 0.0;     // elongation that remains [m]
-  double slip = 0.0;        // way of the slider, with the sign of the trial elongation [m]
+  double slip = 0.0;        // displacement of the slider, with the sign of the trial elongation [m]
   double force = 0.0;       // on the corner, along the edge [N]
   double tangent = 0.0;     // -dforce/dtrial at a fixed limit [N/m]
   double dissipated = 0.0;  // |force| |slip|: work of the slider at the force where the step ends [J]

@@ -16,7 +16,7 @@ void open(ContactMemory& m) {
 }
 
 /// Normal force of the spring and the dashpot. It never pulls more than the bond bears.
-/// @param opened  by dilation in this step, which the dashpot does not see [m]
+/// @param opened  by dilation in this step, on which the dashpot does not act [m]
 void press(const JointLaw& law, const PointMotion& motion, double opened, ContactMemory& m) {
   const double spring = -m.kn * m.gap, rate = motion.rate - motion.per_time * opened;
   m.fn = std::max(0.0 - tension_limit(law, m), spring - motion.cn * rate);
@@ -67,7 +67,7 @@ void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& m
   } else {
     m.status = ContactStatus::stick;
   }
-  if (m.gap >= 0.0 && m.bonded == 0) return open(m);  // it did not slip far enough to stay
+  if (m.gap >= 0.0 && m.bonded == 0) return open(m);  // it did not slip far enough to stay closed
   // Damping only where the contact sticks, and never beyond Coulomb's limit.
   const double spring_t = -m.kt * m.stretch;
   m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - motion.ct * motion.shear, -limit, limit) : spring_t;

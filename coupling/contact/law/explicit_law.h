@@ -1,4 +1,4 @@
-// The law of a contact point in an explicit step: where it is and what it remembers in, forces and memory out.
+// The law of a contact point in an explicit step: from its place and memory to its forces and new memory.
 #pragma once
 
 #include "coupling/contact_memory.h"
@@ -6,19 +6,19 @@
 
 namespace scree::coupling {
 
-/// Motion of a contact point in the step that brought it where it is.
+/// Motion of a contact point in the step that led to its present place.
 struct PointMotion {
   double foot = 0.0, length = 0.0;  // of the corner on its segment: fraction, and the segment's length [m]
   double rate = 0.0, shear = 0.0;   // of gap and stretch [m/s]
-  double per_time = 0.0;            // one over the step [1/s]; 0: it stands
+  double per_time = 0.0;            // one over the step [1/s]; 0: at rest
   double cn = 0.0, ct = 0.0;        // dashpots, normal and (while it sticks) tangential [N s/m]
-  bool held_elsewhere = false;      // another edge or corner carries what there is, or the foot is beyond the edge
+  bool held_elsewhere = false;      // another edge or corner carries the contact, or the foot is beyond the edge
 };
 
-/// Normal spring, which pulls as far as a bond bears; tangential spring with Coulomb's limit (return mapping);
-/// dashpots, which act on the springs, pull no more than a bond bears, and stay within Coulomb's limit.
+/// Normal spring, which pulls up to the tension limit of a bond; tangential spring with Coulomb's limit (return
+/// mapping); dashpots, which act on the springs, pull no more than that tension limit, and stay within Coulomb's limit.
 /// In: m.gap and m.stretch as the motion left them without slip. Out: forces fn, ft with their parts of damping fd,
-/// fdt; status; accumulated slip; the anchor moved by the slip; gap0 moved by what slip has opened; failure of the
+/// fdt; status; accumulated slip; the anchor moved by the slip; gap0 moved by the opening due to slip; failure of the
 /// bond. The law depends on nothing else: same arguments, same result.
 /// @param tan_friction  tangent of law.friction   @pre m.kn, m.kt and m.tributary are those of the point
 /// @source docs/theory/contact-law.md, "Coulomb friction"

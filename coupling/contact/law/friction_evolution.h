@@ -18,7 +18,7 @@ class FrictionEvolution {
   [[nodiscard]] bool used() const {
     return std::any_of(joints_->begin(), joints_->end(), [](const JointLaw& j) { return j.friction_law != nullptr; });
   }
-  /// What the slip of a step does to tan phi.   @param step  that has been taken [s]
+  /// Changes tan phi by the slip of a step.   @param step  that has been taken [s]
   /// @param contacts  with their slip at the end of the step
   void advance(double step, std::span<ContactMemory> contacts);
 

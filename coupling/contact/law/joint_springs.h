@@ -9,21 +9,21 @@
 
 namespace scree::coupling {
 
-/// Knows every edge's block and its width normal to the edge. Constant during a stage.
+/// Contains the width of every edge's block normal to the edge. Constant during a stage.
 class JointSprings {
  public:
   explicit JointSprings(const Setup& setup);
 
-  /// Law between two edges: that of the edge that names one; of two the one with less friction.
+  /// Law between two edges: that of the edge that names one; if both do, the one with less friction.
   [[nodiscard]] JointId law_of(EdgeIndex edge_a, EdgeIndex edge_b) const;
-  /// True if points carry shares of the overlap; false for a penalty a point.
+  /// True if points carry shares of the overlap; false for a penalty per point.
   [[nodiscard]] bool per_area(JointId id) const;
   /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
   /// @source [Qu2013] eq. 7.56 (there as an upper bound, ten times as stiff)
   [[nodiscard]] double normal_stiffness(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
   /// Length that a corner against an edge stands for [m].
   [[nodiscard]] double corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
-  /// Extent of the edge's block, as the model has it, normal to the edge [m].
+  /// Extent of the edge's block in the model, normal to the edge [m].
   [[nodiscard]] double width(EdgeIndex edge) const { return width_[edge]; }
   /// Springs of a point with a length of overlap [m].
   [[nodiscard]] Springs springs(JointId id, EdgeIndex edge_a, EdgeIndex edge_b, double tributary) const;

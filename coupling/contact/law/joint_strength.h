@@ -1,4 +1,4 @@
-// Strength of a contact point under its law, and what failure and slip leave of it.
+// Strength of a contact point under its law, as reduced by failure and slip.
 #pragma once
 
 #include "coupling/contact_memory.h"
@@ -6,7 +6,7 @@
 
 namespace scree::coupling {
 
-/// What the law leaves a point at an instant.
+/// Strength of a point at an instant.
 struct Strength {
   double cohesion = 0.0;     // times its tributary; infinite: it never slips [N]
   double coefficient = 0.0;  // tan phi
@@ -19,7 +19,7 @@ struct Strength {
   }
 };
 [[nodiscard]] Strength strength(const JointLaw& law, const ContactMemory& memory);
-/// The same, where the tangent of the law's friction angle is at hand: it takes as long as all the rest.
+/// The same with a known tangent of the law's friction angle, whose computation takes as long as all the rest.
 [[nodiscard]] Strength strength(const JointLaw& law, double tan_friction, const ContactMemory& memory);
 
 /// tan phi of a point: linear in its accumulated slip s from peak to residual over the weakening slip D,
@@ -34,10 +34,10 @@ struct Strength {
 /// The largest pull that the point bears [N]: tensile strength * share while it is bonded, else 0.
 [[nodiscard]] double tension_limit(const JointLaw& law, const ContactMemory& memory);
 
-/// True if failure takes strength from a joint of this law.
+/// True if failure reduces the strength of a joint of this law.
 [[nodiscard]] bool can_fail(const JointLaw& law);
 
-/// The first failure: what remains are the residual strengths.
+/// The first failure: the residual strengths remain.
 void mark_failed(const JointLaw& law, ContactMemory& memory);
 
 }  // namespace scree::coupling

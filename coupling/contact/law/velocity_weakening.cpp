@@ -12,7 +12,7 @@ namespace {
 // With v the slip rate, s the slip, and tan phi_v the friction of a steady slide:
 //   tan phi_v = tan phi_f + (tan phi_p - tan phi_f) / (1 + v/v_w)
 //   d tan phi / d s = -(tan phi - tan phi_v) / D
-// integrated exactly over a step of constant v. At rest nothing changes; in a slide that slows friction comes back.
+// integrated exactly over a step of constant v. At rest nothing changes; in a slide that slows, friction recovers.
 
 enum : std::size_t { kFastFriction, kVelocity, kSlip };
 

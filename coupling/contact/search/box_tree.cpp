@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kTooWide = 1.5;  // times the least extents since it was built: a tree this wide is built anew
 
-/// Bullet uses what it is given without a look, and an exception that passes through its trees leaves them in no order
-/// to be taken down: a failed allocation ends the program as one that nobody catches does.
+/// Bullet uses the memory it receives without a check, and an exception that passes through its trees leaves them in a
+/// state that cannot be destroyed: a failed allocation ends the program, as an uncaught exception does.
 void* allocate(std::size_t size) {
   void* memory = std::malloc(size);
   if (memory == nullptr) std::terminate();
@@ -26,8 +26,8 @@ btDbvtVolume volume(const Box& box) {
   return btDbvtVolume::FromMM(btVector3(box.lo.x(), box.lo.y(), -1.0), btVector3(box.hi.x(), box.hi.y(), 1.0));
 }
 
-/// A number without a divisor in common with n, about the golden section of it: its multiples modulo n are all of
-/// 0 .. n - 1, and any of them that follow each other lie evenly scattered.
+/// A number coprime to n, about its golden section: its multiples modulo n are all of 0 .. n - 1, and successive ones
+/// lie evenly scattered.
 std::size_t scattering(std::size_t n) {
   constexpr double kGoldenSection = 0.6180339887498949;
   auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(kGoldenSection * static_cast<double>(n)));
@@ -38,11 +38,11 @@ std::size_t scattering(std::size_t n) {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
-  broadphase_.m_deferedcollide = true;  // overlaps are asked for, never told
+  broadphase_.m_deferedcollide = true;  // overlaps are queried, not reported by Bullet
   proxies_.resize(boxes.size());
   nodes_.reserve(boxes.size());
-  // Bullet puts a box beside the nearest one that is there. Boxes in the order of a file, row after row, make a tree as
-  // deep as a row is long, and the time grows with the square of their number: 20 s for 400,000 of them.
+  // Bullet inserts a box beside the nearest one in the tree. Boxes in the order of a file, row after row, make a tree
+  // as deep as a row is long, and the time grows with the square of their number: 20 s for 400,000 of them.
   const std::size_t n = boxes.size(), stride = n > 0 ? scattering(n) : 0;
   for (std::size_t k = 0, i = 0; k < n; ++k, i = (i + stride) % n) {
     const btDbvtVolume v = volume(boxes[i]);
@@ -109,7 +109,7 @@ double BoxTree::fit() {
 void BoxTree::build() {
   constexpr int kPairUp = 8;  // leaves at most that Bullet joins by trying all pairs
   tree().optimizeTopDown(kPairUp);
-  // A copy has its nodes one after the other in memory as they are gone through; those of the tree lie anywhere.
+  // A copy has its nodes in memory in the order in which they are visited; those of the tree are scattered.
   struct Leaf final : btDbvt::IClone {
     void CloneLeaf(btDbvtNode* leaf) override { static_cast<btDbvtProxy*>(leaf->data)->leaf = leaf; }
   } to_proxy;

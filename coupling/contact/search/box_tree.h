@@ -29,10 +29,10 @@ class BoxTree {
 
   /// Takes one box out of the tree and puts it in again: its cost grows with the logarithm of their number.
   void move(std::size_t i, const Box& box);
-  /// Gives a box its place in the tree as it is; for many boxes, with one refit() after the last.
+  /// Sets a box without changing the structure of the tree; for many boxes, with one refit() after the last.
   void place(std::size_t i, const Box& box);
-  /// Fits the nodes above all boxes in one pass: in proportion to the number of boxes. A tree that has grown too wide
-  /// for that is built anew.
+  /// Fits the nodes above all boxes in one pass, at a cost in proportion to the number of boxes. A tree that has grown
+  /// too wide for that is built anew.
   void refit();
   /// Calls see(i, j), i != j, once for every two boxes that overlap, in no promised order.
   template <class See>
@@ -60,7 +60,7 @@ class BoxTree {
   static std::size_t index_of(const btDbvtNode* leaf) {
     return reinterpret_cast<std::uintptr_t>(static_cast<const btDbvtProxy*>(leaf->data)->m_clientObject);
   }
-  /// Boxes never rest long enough for Bullet's other tree, of what stands still: they all move, or none.
+  /// Bullet's other tree is for boxes at rest, and these do not rest long enough: they all move, or none.
   btDbvt& tree() { return broadphase_.m_sets[btDbvtBroadphase::DYNAMIC_SET]; }
   void list_nodes();
   /// Fits the nodes to their leaves.   @return the extents of all nodes, summed [m]
@@ -70,7 +70,7 @@ class BoxTree {
   btNullPairCache no_pairs_;
   btDbvtBroadphase broadphase_{&no_pairs_};
   std::vector<btDbvtProxy*> proxies_;
-  std::vector<btDbvtNode*> nodes_;    // that are not leaves, each before those below it; empty: to be listed
+  std::vector<btDbvtNode*> nodes_;    // inner nodes, each before those below it; empty: to be listed
   std::vector<btDbvtNode*> waiting_;  // while they are listed
   double narrowest_ = 0.0;            // least of what fit() gave since the tree was built [m]
 };

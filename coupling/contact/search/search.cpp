@@ -13,7 +13,7 @@ constexpr double kManyMoved = 0.05;   // of all boxes
 constexpr std::int32_t kAhead = 200;  // nodes
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// What decides whether two segments may touch, close together.
+/// Data that decide whether two segments may touch, contiguous in memory.
 struct Owner {
   EdgeIndex edge, opposite;
   BodyIndex body;
@@ -42,7 +42,7 @@ struct Search::Impl {
 
   /// Makes the box of a segment anew, with the slack around it.
   void fatten(SegmentIndex segment, OutlinePositions x);
-  /// Where a node may be without leaving the boxes of its segments.
+  /// Sets the range of a node within the boxes of its segments.
   void set_room(OutlineNode node);
   void list_all();
   /// Lists the pairs of the boxes that moved anew.
@@ -58,7 +58,7 @@ struct Search::Impl {
   IndexedVector<SegmentIndex, Box> fat;
   IndexedVector<OutlineNode, Box> room;  // in all boxes of its segments, half the reach away from their sides
   std::unique_ptr<BoxTree> tree;
-  std::vector<SegmentIndex> moved;  // boxes anew
+  std::vector<SegmentIndex> moved;  // with new boxes
   IndexedVector<SegmentIndex, char> has_moved;
   std::vector<SegmentPair> near;
   std::vector<EdgePair> pairs;
@@ -71,7 +71,7 @@ Search::Impl::Impl(const Setup& s, double r) : setup(&s), reach(r) {
     const Outlines::Edge& e = o.edges[segment.edge];
     owners.push_back({segment.edge, e.opposite, e.body, e.touches, s.body(e.body).touched});
   }
-  first.resize(o.nodes.size() + 2);  // counted one further on, so that filling leaves the first ones
+  first.resize(o.nodes.size() + 2);  // counts are one place further on, so that filling leaves the first ones
   for (const Outlines::Segment& segment : o.segments)
     for (const OutlineNode node : {segment.a, segment.b}) ++first[node + 2];
   std::vector<std::size_t>& first_of = first.values();
@@ -155,7 +155,7 @@ bool Search::refit(OutlinePositions x, bool all) {
   s.moved.clear();
   const auto look = [&](IndexRange<OutlineNode> nodes) {
     for (const OutlineNode n : nodes) {
-      // Processors do not look ahead from one page of memory to the next by themselves.
+      // Processors do not prefetch from one page of memory to the next by themselves.
       if (n + kAhead < nodes.end_index()) {
         __builtin_prefetch(&s.room[n + kAhead]);
         __builtin_prefetch(&x[n + kAhead]);
@@ -181,7 +181,7 @@ std::span<const EdgePair> Search::update(OutlinePositions x) {
 }
 
 double Search::room_between_bodies(OutlinePositions x) const {
-  constexpr std::size_t kMany = 64;  // bodies; pairs of their boxes are looked at one by one
+  constexpr std::size_t kMany = 64;  // bodies; pairs of their boxes are tested one by one
   const Setup& setup = *impl_->setup;
   const Outlines& o = setup.outlines();
   const std::size_t count = setup.bodies().size();
@@ -215,7 +215,7 @@ double Search::clearance(OutlinePositions x) {
 
 void Search::collect() {
   Impl& s = *impl_;
-  // A few boxes look for their pairs one by one; of many it is cheaper to hold the tree against itself once.
+  // For a few boxes the pairs are searched box by box; for many it is cheaper to test the tree against itself once.
   const bool many = kManyMoved * static_cast<double>(s.fat.size()) < static_cast<double>(s.moved.size());
   if (s.tree == nullptr) {
     s.tree = std::make_unique<BoxTree>(s.fat.values());

@@ -16,9 +16,9 @@ struct EdgePair {
   auto operator<=>(const EdgePair&) const = default;
 };
 
-/// Keeps a fattened box a boundary segment in btDbvtBroadphase (double precision) and moves it only when the segment
-/// leaves it. The pairs are a superset of all nearer than `reach`; what depends on a box's history is
-/// sorted out by the exact distance afterwards, so results never depend on the tree.
+/// Keeps a fattened box per boundary segment in btDbvtBroadphase (double precision) and moves it only when the segment
+/// leaves it. The pairs are a superset of all nearer than `reach`; those that depend on a box's history are excluded by
+/// the exact distance afterwards, so results never depend on the tree.
 class Search {
  public:
   /// @param reach  distance within which no pair may be missed [m]
@@ -33,14 +33,14 @@ class Search {
   /// How often pairs have been listed so far.
   [[nodiscard]] std::size_t times_listed() const { return times_listed_; }
   /// How far every outline node may move before update() can find a pair [m]; 0 if there are pairs already. Fattens all
-  /// boxes anew, which is worth it where the answer saves many updates.   @pre update() was called with x
+  /// boxes anew, which pays where the result saves many updates.   @pre update() was called with x
   double clearance(OutlinePositions x);
 
  private:
   bool refit(OutlinePositions x, bool all);
   void collect();
   /// How far every outline node may move while the bounding boxes of bodies stay out of each other's reach; <= 0: they
-  /// do not now.
+  /// are within it now.
   [[nodiscard]] double room_between_bodies(OutlinePositions x) const;
 
   struct Impl;

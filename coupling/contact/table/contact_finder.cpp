@@ -21,9 +21,9 @@ double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
-constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are asked for so far ahead
-constexpr double kClearly = 1.0 - 1e-6;  // of a depth: at equal ones a corner does not go to and fro
-constexpr double kBoundMargin = 0.1;     // of a point's largest share, so that the step bound outlives small changes
+constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are prefetched so far ahead
+constexpr double kClearly = 1.0 - 1e-6;  // of a depth: at equal ones a corner does not alternate
+constexpr double kBoundMargin = 0.1;     // of a point's largest share, so that the step bound covers small changes
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void ContactFinder::restore(std::span<const ContactMemory> memory, ContactList& 
     p.edge = setup_->edge_of(m.key.block_e, m.key.ring_e, m.key.edge);
     if (!of.valid() || !p.edge.valid()) continue;  // the face of a crack that this stage does not cut
     const Outlines::Edge& own = o.edges[of];
-    if (m.key.part >= own.segments) continue;  // a mesh vertex that is no more
+    if (m.key.part >= own.segments) continue;  // a mesh vertex that no longer exists
     p.vertex = own.first_vertex() + m.key.part;
     out.points.push_back(p);
     out.memory.push_back(m);
@@ -177,9 +177,9 @@ void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[p.edge];
   const std::int32_t part = o.segments[p.segment].part;
-  // Beyond a re-entrant corner the solid goes on; beyond a convex one there is nothing, and beyond a straight one the
-  // next edge holds. But a closed contact is kept a little further, so that corners which meet exactly do not lose and
-  // find each other, and another edge can take it over.
+  // Beyond a re-entrant corner the solid continues; beyond a convex one there is nothing, and beyond a straight one the
+  // next edge carries. But a closed contact is kept a little further, so that corners which meet exactly do not lose
+  // and regain their contact, and another edge can take it over.
   const auto beyond = [&](bool convex, EdgeIndex next) {
     const bool ends = convex || pairs_.in_line(next, p.edge);
     return !ends ? detection_ : (closed ? 0.25 * detection_ : 1e-9 * p.at.length);
@@ -205,7 +205,7 @@ bool ContactFinder::admissible(const ContactPoint& p) const {
 
 double ContactFinder::compliance(const ContactPoint& p) const {
   const auto of = [&](OutlineNode node) { return compliance_[node]; };
-  // Of the foot: at least what it has. Where two vertices meet either may be the corner, with the same damping.
+  // Of the foot: an upper bound. Where two vertices meet either may be the corner, with the same damping.
   const double xi = std::clamp(p.at.xi, 0.0, 1.0);
   return of(p.node[0]) + (1.0 - xi) * of(p.node[1]) + xi * of(p.node[2]);
 }
@@ -234,7 +234,7 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   const double fraction = setup_->model().joints[static_cast<std::size_t>(m.joint)].damping;
   if (fraction == 0.0) return;
   const double mu = compliance(p);
-  // In proportion to the share, as the springs: that of the root of k is without bound per length of a small overlap.
+  // In proportion to the share, as the springs: in proportion to sqrt(k) it is unbounded per length of a small overlap.
   const double part =
       p.full_tributary > 0.0 && m.edge_edge != 0 ? std::sqrt(std::min(1.0, m.tributary / p.full_tributary)) : 1.0;
   p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
@@ -245,11 +245,11 @@ bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) 
   if ((to.edge_edge && !in_impact(from)) || to.beyond) return false;
   const Outlines& o = setup_->outlines();
   const Outlines::Edge &a = o.edges[from.edge], &b = o.edges[to.edge];
-  // Over a convex corner: where both gaps are equal.
+  // A corner passes over a convex corner where both gaps are equal.
   if ((a.end_vertex == b.first_vertex() && a.convex_end) || (b.end_vertex == a.first_vertex() && b.convex_end)) {
     return !reentrant(from) && from.at.gap < 0.0 && to.at.gap < 0.0 && to.at.gap > kClearly * from.at.gap;
   }
-  // Along a joint, or a straight side: with the foot, unless the next edge stands up like a step.
+  // Along a joint, or a straight side, it passes with its foot, unless the next edge stands up like a step.
   const auto off = [](const ContactPoint& p) { return p.at.xi < 0.0 || p.at.xi > 1.0; };
   return pairs_.in_line(from.edge, to.edge) && off(from) && !off(to) &&
          from.at.gap - to.at.gap <= kInLine * std::max(0.0, -from.at.gap);
@@ -278,7 +278,7 @@ void ContactFinder::pass_corners(std::span<ContactPoint> points) const {
     ContactPoint* to = successor(from, points);
     if (to == nullptr) continue;
     std::swap(from.from, to->from);
-    if (in_impact(*to)) from.from = -1;  // what it had found deep there is not of this edge
+    if (in_impact(*to)) from.from = -1;  // the depth at which it was found does not belong to this edge
     set_range(from, false);
     set_range(*to, true);
   }
@@ -408,7 +408,7 @@ bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bo
   p.edge = pair.edge;
   p.node = {v.node, s.a, s.b};
   p.at = contact_geometry(x_[v.node], frames_[p.segment]);
-  // What is more than half way through a body when it is first seen came in over another edge.
+  // A corner that is first found more than half way through a body has entered over another edge.
   if (!closed && p.at.gap < -0.5 * springs_.width(p.edge) && (was == nullptr || was->gap + was->gap0 < 0.0))
     return false;
   p.edge_edge = pair.tributary > 0.0;
@@ -437,7 +437,7 @@ void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   p.first_gap0 = std::min(p.at.gap, 0.0);
   if (was == nullptr || (!closed && was->gap < 0.0)) {
     p.beside = neighbour(p, false);
-    // In an impact the points that there were keep what they have, and a new one has nothing yet.
+    // In an impact the earlier points keep their memory, and a new one has none yet.
     if (p.beside >= 0 && known_.impact(static_cast<std::size_t>(p.beside)) > 0.0) p.beside = -1;
     if (p.beside >= 0) p.first_gap0 = known_.gap0(static_cast<std::size_t>(p.beside));
   }
@@ -467,7 +467,7 @@ void ContactFinder::list_vertex(std::span<const VertexEdge> pairs, std::size_t o
     const Outlines::Edge& edge = o.edges[pair.edge];
     const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
     if (!closed && under.distance > detection_) continue;
-    // Made where it stays: to copy what has just been written waits for all that is still on its way to memory.
+    // Constructed in place: copying what has just been written waits for all pending writes to memory.
     ContactPoint& p = out.points.emplace_back();
     p.segment = under.segment;
     if (has_memory) p.from = static_cast<std::int32_t>(old);
@@ -492,7 +492,7 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
   out.points.clear();
   out.memory.clear();
   out.briefs.clear();
-  out.reserve(known_.size() + known_.size() / 16);  // to double a list of many points would be half in vain
+  out.reserve(known_.size() + known_.size() / 16);  // doubling a long list would leave half of it unused
   for (std::size_t k = 0, old = 0; k < pairs.size();) {
     const std::size_t first = k;
     while (k < pairs.size() && pairs[k].vertex == pairs[first].vertex) ++k;
@@ -519,8 +519,8 @@ void ContactFinder::fill_with_water(const ContactPoint& p, ContactMemory& m) con
   m.water = 0.0;
   const JointWater* water = setup_->water_in(JointId{m.joint});
   if (water == nullptr || !p.edge_edge || p.suppressed) return;
-  // The straight pieces beside the vertex, in the middle of the gap: it does not matter whose vertex it is. Each end
-  // of a piece carries what a linear pressure gives it.
+  // The water acts on the straight pieces beside the vertex, in the middle of the gap: the side of the vertex does not
+  // matter. Each end of a piece carries its part of a linear pressure.
   const Vec2 at = x_[p.node[0]] - 0.5 * p.at.gap * p.at.n;
   for (const double piece : {-p.behind, p.ahead})
     if (piece != 0.0) m.water += water_force(*water, at, piece * p.at.t);

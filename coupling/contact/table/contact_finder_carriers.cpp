@@ -7,7 +7,7 @@
 namespace scree::coupling {
 namespace {
 
-/// Whether the corner is outside the body, above the edge `over`, and only behind the line of the edge `behind`, which
+/// True if the corner is outside the body, above the edge `over`, and only behind the line of the edge `behind`, which
 /// ends at the same corner.
 bool passes_over(const ContactPoint& over, const ContactPoint& behind) {
   if (over.at.gap < 0.0 || behind.at.gap >= 0.0) return false;
@@ -16,14 +16,14 @@ bool passes_over(const ContactPoint& over, const ContactPoint& behind) {
   return (over.edge_edge && behind.edge_edge) || over.at.gap < -behind.at.gap;
 }
 
-/// Suppresses one of two contacts of a corner where it is plain which of the edges the corner stands on, or passes
+/// Suppresses one of two contacts of a corner where it is clear which of the edges the corner stands on, or passes
 /// over.
-/// @return false: it is not plain, and nothing has changed
+/// @return false: it is not clear, and nothing has changed
 bool suppress_by_place(bool at_start, ContactPoint& a, const ContactMemory& ma, ContactPoint& b,
                        const ContactMemory& mb) {
   if (const bool first_is_open = ma.status == ContactStatus::open;
       at_start && ma.status != mb.status && (first_is_open ? ma : mb).gap < 0.0) {
-    // It stands on one edge, beside the end of the other: as deep behind that as the way to its end is long.
+    // The corner stands on one edge, beside the end of the other, and its depth behind that is the distance to its end.
     (first_is_open ? a : b).suppressed = true;
     return true;
   }
@@ -51,8 +51,8 @@ bool ContactFinder::reentrant(const ContactPoint& p) const {
 }
 
 void ContactFinder::cover_corners(ContactList& out) const {
-  // A corner whose side goes on in line over another block is not one that an edge can run against: where an end of
-  // that edge is pressed into the joint it carries what there is, unless the corner stands up from it like a step.
+  // A corner whose side continues in line on another block cannot be struck by an edge: an end of that edge that is
+  // pressed into the joint carries the contact, unless the corner stands up from it like a step.
   const Outlines& o = setup_->outlines();
   for (const std::int32_t c : corners_) {
     ContactPoint& p = out.points[static_cast<std::size_t>(c)];
@@ -83,7 +83,7 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
       const bool follows = a.end_vertex == b.first_vertex() && a.convex_end;
       const bool closes_ring = b.end_vertex == a.first_vertex() && b.convex_end;
       if (!follows && !closes_ring) continue;
-      const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // there
+      const auto [ends, begins] = follows ? std::pair(i, j) : std::pair(j, i);  // at the common corner
       list.points[ends].partner[1] = static_cast<std::int32_t>(begins);
       list.points[begins].partner[0] = static_cast<std::int32_t>(ends);
     }
@@ -91,8 +91,8 @@ void ContactFinder::pair_edges(std::size_t first, ContactList& list) const {
 
 void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) const {
   // A corner inside another body near one of that body's convex corners penetrates both edges; it leaves by the nearer
-  // one (shortest path, [Qu2013] 2.4.3), and the choice is kept until the other is clearly nearer. Where it came in
-  // along a joint that goes on over the next block, it is as deep there as it was before, and does not run against the
+  // one (shortest path, [Qu2013] 2.4.3), and the choice is kept until the other is clearly nearer. Where it entered
+  // along a joint that continues on the next block, its depth there is the same as before, and it does not strike the
   // side. A convex corner in a reentrant one touches both of its sides, and each carries.
   for (const std::int32_t index : paired_)
     for (const std::int32_t other : list.points[static_cast<std::size_t>(index)].partner) {
@@ -100,7 +100,7 @@ void ContactFinder::suppress_second_edges(bool at_start, ContactList& list) cons
       const auto i = static_cast<std::size_t>(index);
       const auto j = static_cast<std::size_t>(other);
       if (list.points[i].beyond || list.points[j].beyond || reentrant(list.points[i])) continue;
-      if (list.memory[i].bonded != 0 && list.memory[j].bonded != 0) continue;  // it has grown to both
+      if (list.memory[i].bonded != 0 && list.memory[j].bonded != 0) continue;  // the corner is bonded to both
       suppress_one(at_start, i, j, list);
     }
 }
@@ -111,13 +111,13 @@ void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, Co
   if (suppress_by_place(at_start, a, ma, b, mb)) return;
   const bool inside = a.at.gap < 0.0 && b.at.gap < 0.0, loaded = ma.gap < 0.0 && mb.gap < 0.0;
   if (!inside && !loaded) return;
-  if (ma.impact > 0.0 || mb.impact > 0.0) {  // it goes over where both gaps are equal (pass_corners())
+  if (ma.impact > 0.0 || mb.impact > 0.0) {  // the corner passes where both gaps are equal (pass_corners())
     if (loaded && mb.impact == 0.0) b.suppressed = true;
     if (loaded && ma.impact == 0.0) a.suppressed = true;
     return;
   }
   const double depth_a = entry_depth(a), depth_b = entry_depth(b);
-  // Where joints go on in line both ways four blocks meet in a corner, and those across it do not touch.
+  // Where joints continue in line in both directions four blocks meet in a corner, and diagonal ones do not touch.
   if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
     a.suppressed = b.suppressed = true;
     return;

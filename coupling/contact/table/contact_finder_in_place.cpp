@@ -1,4 +1,4 @@
-// Contact points brought to the next instant where they are: the same list, the same memories, to the bits of find().
+// Contact points updated to the next instant in place: the same list, the same memories, to the bits of find().
 #include <algorithm>
 #include <limits>
 
@@ -109,7 +109,7 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
     for (const VertexIndex v : IndexRange(first, last))
       if (!stay(v, list, kept)) kept.changed.push_back(v);
   };
-  // Most vertices of a large base have nothing near: it is the pairs that count.
+  // Most vertices of a large base have nothing near: the number of pairs decides about threads.
   const auto count = static_cast<std::int64_t>(vertices);
   parallel_for_chunks(count, of_vertices, pairs_.pairs().size() < kFewPairs ? count + 1 : 0, kContactChunk);
   if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.anew; })) return false;
@@ -127,7 +127,7 @@ void ContactFinder::make_changed() {
   fresh_.clear();
   unchanged_.swap(moving_);
   moving_.clear();
-  std::size_t next = 0;  // of the known points, the first that has no place in moving_ yet
+  std::size_t next = 0;  // the first known point that has no place in moving_ yet
   const auto take_unchanged = [&](std::size_t end) {
     for (; next < end; ++next) moving_.push_back(unchanged_[next]);
   };
@@ -165,7 +165,7 @@ void ContactFinder::splice(ContactList& list) {
   list.points.resize(room);
   list.memory.resize(room);
   list.briefs.resize(room);
-  // What stays moves to the right first, the last of it before what stands in its way, then to the left.
+  // Points that stay move to the right first, the last of them before those whose place it leaves, then to the left.
   struct Stretch {
     std::ptrdiff_t begin, end, to;
   };

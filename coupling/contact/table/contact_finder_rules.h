@@ -1,8 +1,8 @@
-// What the rules of which contact carries have in common.
+// Constants shared by the rules of which contact carries.
 #pragma once
 
 namespace scree::coupling {
 
-inline constexpr double kInLine = 0.5;  // of a corner's depth: more of it is that of the joint that goes on beside it
+inline constexpr double kInLine = 0.5;  // of a corner's depth: above it the depth is that of the joint beside it
 
 }  // namespace scree::coupling

@@ -10,8 +10,8 @@
 namespace scree::coupling {
 namespace {
 
-/// Whether a point is what its memory is of: two edges that meet, or the same corner on the same edge.
-/// @param passed  from another vertex or edge
+/// True if a point is of the kind of its memory: an edge-edge contact, or the same corner on the same edge.
+/// @param passed  true: the memory is from another vertex or edge
 bool same_kind(const ContactPoint& p, const ContactMemory& m, bool passed) {
   return m.edge_edge == static_cast<std::int32_t>(p.edge_edge) && (p.edge_edge || !passed);
 }
@@ -38,7 +38,7 @@ void ContactFinder::inherit(ContactList& out) {
       nearest = d;
       p.from = index;
     };
-    // One of the other side that takes the vertex's place, and the vertex itself against the next edge in line.
+    // Points of the other side whose place the vertex takes, and the vertex itself against the next edge in line.
     if (p.edge_edge)
       known_.for_vertices(
           p.edge, [&v](EdgeIndex edge) { return edge == v.edge_in || edge == v.edge_out; },
@@ -98,8 +98,8 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
   const bool closed = m.status != ContactStatus::open;
   if (passed) m.joint = p.joint;
   if (m.segment < 0) m.impact = 0.0;  // a body was made anew
-  // A corner that has passed to another edge keeps its force, whatever the stiffness there: see adopt_kinds(). In an
-  // impact a point keeps all of it.
+  // A corner that has passed to another edge keeps its force, independent of the stiffness there: see adopt_kinds(). In
+  // an impact a point keeps kind, share and springs.
   if (!closed || (m.impact == 0.0 && same_kind(p, m, passed))) {
     m.edge_edge = static_cast<std::int32_t>(p.edge_edge);
     m.tributary = p.springs.tributary;
@@ -126,11 +126,11 @@ void ContactFinder::fill(const ContactMemory* old, bool at_start, bool divided, 
     m.stretch = 0.0;
     return;
   }
-  if (m.segment < 0) {  // the edge was divided anew: the stretch is what carries over
+  if (m.segment < 0) {  // the edge was divided anew: the stretch is kept
     m.segment = part;
     m.anchor = p.at.xi - m.stretch / p.at.length;
   } else if (m.segment != part || passed) {
-    // The stretch as the old place sees it now, then the same stretch on the new one.
+    // The stretch at the old place now, then the same stretch at the new one.
     const ContactGeometry g = geometry(known_.vertex(before), o.edges[known_.edge(before)].first_segment + m.segment);
     m.segment = part;
     m.anchor = p.at.xi - (g.xi - m.anchor) * g.length / p.at.length;
@@ -208,7 +208,7 @@ void ContactFinder::interpolate(ContactList& out) const {
     struct Neighbour {
       double distance = 0.0;
       const ContactMemory* memory = nullptr;
-    } side[2], nearest;  // the nearest may be open: what is torn at a corner stays so
+    } side[2], nearest;  // the nearest may be open: a joint torn at a corner stays torn
     const EdgePair joint = joint_of(p, true);
     for (auto r = std::lower_bound(remembered_.begin(), remembered_.end(), OnJoint{joint, 0});
          r != remembered_.end() && r->joint == joint; ++r) {
@@ -246,7 +246,7 @@ void ContactFinder::interpolate(ContactList& out) const {
 void ContactFinder::adopt_kind(const ContactPoint& p, ContactMemory& m, double& change) {
   if (!may_adopt(p, m)) return;
   const bool same_kind = m.edge_edge == static_cast<std::int32_t>(p.edge_edge);
-  // A corner that begins to overlap stays one until the overlap is worth more: no force rests on next to nothing.
+  // A corner that begins to overlap stays one until the overlap is large enough: no force rests on a vanishing length.
   if (p.edge_edge && !same_kind && p.springs.tributary < std::min(m.tributary, 0.5 * p.largest_tributary)) return;
   // A share that has become smaller in an impact is followed from the next step on, as in sliding: see fill().
   if (p.edge_edge && same_kind && p.springs.tributary < m.tributary) return;

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kFaces = 0.9962;             // cosine of 5 degrees: edges this nearly anti-parallel face each other
 constexpr std::int64_t kFewEdgePairs = 1024;  // fewer pairs of edges are not worth waking threads
-constexpr double kRounding = 1e-9;  // what is left out here must be left out by the exact tests of ContactFinder too
+constexpr double kRounding = 1e-9;            // pairs excluded here must fail the exact tests of ContactFinder too
 constexpr double kLeast = -kWedgeTolerance - kRounding;
 
 /// Distance of two boxes along the axis along which they are farthest apart; negative where they overlap [m].
 double distance(const Box& a, const Box& b) { return (a.lo - b.hi).cwiseMax(b.lo - a.hi).maxCoeff(); }
 
-/// How far beside a straight edge's line two points are, both on one side; <= 0: not on one side [m]. Boxes of long
-/// edges that dip overlap those of all others.
+/// Distance of two points from a straight edge's line, both on one side; <= 0: not on one side [m]. Boxes of long
+/// inclined edges overlap those of all others.
 double beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2& x, const Vec2& y) {
   const Vec2 n(direction.y(), -direction.x());
   const double sx = n.dot(x - edge[0]), sy = n.dot(y - edge[0]);
@@ -28,8 +28,8 @@ double beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2
 }
 
 /// How far every node may move while points stay more than `far` beside an edge's line; <= 0: they are not [m]. With a
-/// way d of the nodes n' . (x' - e') - n . (x - e) = n' . ((x' - e') - (x - e)) + (n' - n) . (x - e) is at most
-/// 2 d + 4 d |x - e|/L, by the bound of turn_by().
+/// displacement d of the nodes n' . (x' - e') - n . (x - e) = n' . ((x' - e') - (x - e)) + (n' - n) . (x - e) is at
+/// most 2 d + 4 d |x - e|/L, by the bound of turn_by().
 double room_beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const Vec2& x, const Vec2& y, double far) {
   const double lever =
       std::sqrt(std::max((x - edge[0]).squaredNorm(), (y - edge[0]).squaredNorm()) / (edge[1] - edge[0]).squaredNorm());
@@ -96,7 +96,7 @@ double ContactPairs::corner_room(VertexIndex vertex, EdgeIndex edge) const {
   const Vec2 n(t.y(), -t.x());
   const double faces = -direction(v.edge_in).dot(t);
   double turned = faces - kFaces;  // the side before it faces the edge, and is listed with it
-  // Up to kStillFaces it depends on what is closed whether that side faces the edge.
+  // Up to kStillFaces it depends on the closed contacts whether that side faces the edge.
   if (turned <= 0.0 && !bent(edge) && !bent(v.edge_in) && !bent(v.edge_out))
     turned = std::min(kStillFaces - faces,
                       std::max(kLeast - n.dot(direction(v.edge_out)), kLeast + n.dot(direction(v.edge_in))));
@@ -124,7 +124,7 @@ double ContactPairs::turn_by(std::initializer_list<EdgeIndex> edges) const {
     const auto& [begin, end] = ends_[e];
     shortest = std::min(shortest, (end - begin).squaredNorm());
   }
-  // |u - u'| <= 2 |d - d'|/|d| for the unit vectors u of d, where |d - d'| is twice the way of a node at most.
+  // |u - u'| <= 2 |d - d'|/|d| for the unit vectors u of d, where |d - d'| is at most twice the displacement of a node.
   return 8.0 / std::sqrt(shortest);
 }
 
@@ -227,7 +227,7 @@ void ContactPairs::sort() {
   }
   pairs_.erase(kept, pairs_.end());
   for (; next < first_.next(); next = next + 1) first_[next] = static_cast<std::int32_t>(pairs_.size());
-  // Where each of those that were listed has gone.
+  // Place in pairs_ of each pair that was listed.
   place_.resize(count);
   seen_.assign(pairs_.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t k) {
@@ -241,7 +241,7 @@ void ContactPairs::sort() {
 void ContactPairs::refresh() {
   for_found([&](const VertexEdge& from, std::size_t k) {
     VertexEdge& to = pairs_[static_cast<std::size_t>(place_[k].pair)];
-    if (place_[k].adds) {  // to one other at most: sums of two have no order
+    if (place_[k].adds) {  // to at most one other: the sum of two does not depend on their order
       to.tributary += from.tributary;
       to.behind += from.behind;
       to.ahead += from.ahead;
@@ -318,7 +318,7 @@ std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const Known
         out.end();
       },
       kFewEdgePairs, kContactChunk);
-  // A corner that was pressed deeper than the search looks, as through a thin plate, is still held.
+  // A corner that was pressed deeper than the search reaches, as through a thin plate, is still kept.
   find_deep(known);
   Found& deep = found_.back();
   deep.begin();

@@ -39,24 +39,24 @@ class ContactPairs {
   /// @param x      positions of the outline nodes
   /// @param known  contacts of the instant before: edges whose contact was closed face each other a little longer
   /// @param of     ghosts: leave out pairs of two bodies that are not ghosts, which the caller does not need;
-  ///               all_in_turn: the call before was of the instant before, from which `known` follows: edges that
-  ///               cannot have come near each other since are not examined again
+  ///               all_in_turn: the call before was for the instant before, from which `known` follows: edges that
+  ///               cannot have approached each other since are not examined again
   /// @return pairs in order, each once; valid until the next call
   enum class Of { all, all_in_turn, ghosts };
   std::span<const VertexEdge> update(OutlinePositions x, const KnownContacts& known, Of of = Of::all);
-  /// `known` of the next update() does not follow from the one before.
+  /// Declares that `known` of the next update() does not follow from the one before.
   void forget() { quiet_.forget(); }
-  /// What update() returned last.
+  /// The result of the last update().
   [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
-  /// The pairs of a vertex begin here among them, and end where those of the next begin.
+  /// Index of a vertex's first pair in pairs(); its pairs end where those of the next vertex begin.
   /// @param vertex  any, or one beyond the last
   [[nodiscard]] std::size_t first_pair(VertexIndex vertex) const { return static_cast<std::size_t>(first_[vertex]); }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(OutlinePositions x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
   [[nodiscard]] const Vec2& direction(EdgeIndex edge) const { return direction_[edge]; }
-  /// True if one edge goes on, in the same direction, about where the other ends: a joint may run on from one to the
-  /// other. Sides of thin blocks next to each other are as parallel, and do not.
+  /// True if one edge continues in the same direction about where the other ends, so that a joint may run on from one
+  /// to the other. Sides of thin blocks next to each other are as parallel, but do not continue each other.
   [[nodiscard]] bool in_line(EdgeIndex a, EdgeIndex b) const;
   /// Of the two edges that meet at a vertex, the one that turns towards an edge.
   [[nodiscard]] EdgeIndex opposing_edge(VertexIndex vertex, EdgeIndex edge) const;
@@ -65,8 +65,8 @@ class ContactPairs {
   /// Vertices against edges that one chunk of edge pairs yields, in order. Kept from one update to the next.
   struct Found {
     std::vector<VertexEdge> pairs;
-    std::size_t count = 0;  // of them, so far
-    bool same = false;      // they are those of the last time
+    std::size_t count = 0;  // number of pairs so far
+    bool same = false;      // they equal those of the last update
     EdgeOverlap overlap;    // scratch
 
     void begin() { count = 0, same = true; }
@@ -78,26 +78,27 @@ class ContactPairs {
   void place_edges(OutlinePositions x, IndexRange<EdgeIndex> range);
   void try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const KnownContacts& known, Found& out) const;
   void try_corner(VertexIndex vertex, EdgeIndex edge, const KnownContacts& known, Found& out) const;
-  /// Lists the edges of closed contacts that are deeper than the search looks.
+  /// Lists the edges of closed contacts that are deeper than the search reaches.
   void find_deep(const KnownContacts& known);
-  /// True if what is in the boxes is farther apart than half the reach.
+  /// True if the contents of the boxes are farther apart than half the reach.
   [[nodiscard]] bool too_far(const Box& a, const Box& b) const;
   /// Distance from which on open edges are not listed [m].
   [[nodiscard]] double far() const;
-  /// How far every node may move, at least, before two edges that yield nothing now can yield a vertex [m].
+  /// How far every node may move, at least, before two edges without any pair now can yield a vertex [m].
   [[nodiscard]] double room(EdgeIndex a, EdgeIndex b) const;
   /// By how much the product of the directions of two of the edges changes, at most, per displacement of nodes [1/m].
   [[nodiscard]] double turn_by(std::initializer_list<EdgeIndex> edges) const;
-  /// The same as room() of a corner against an edge that it does not touch.
+  /// The same as room(), for a corner against an edge that it does not touch.
   [[nodiscard]] double corner_room(VertexIndex vertex, EdgeIndex edge) const;
-  /// True if a side of the corner leans into the edge: it cannot touch it first. Left open for bent sides.
+  /// True if a side of the corner leans into the edge, so that it cannot touch it first. Not decided for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, EdgeIndex edge) const;
   /// Calls see(pair, k) for all that was found, k counted through all chunks.
   template <class See>
   void for_found(See&& see) const;
-  /// Brings the pairs into order: by vertex in one pass, then the few of each vertex, with those of one edge made one.
+  /// Sorts the pairs: by vertex in one pass, then the few of each vertex, and merges those of one edge.
   void sort();
-  /// The same vertices against the same edges were listed as last time, in the same order: no order is to be found.
+  /// Updates pairs_ without sorting, if the same vertices against the same edges were listed as last time, in the same
+  /// order.
   void refresh();
 
   const Setup* setup_;
@@ -108,11 +109,11 @@ class ContactPairs {
   std::size_t times_listed_ = 0;          // of the pairs in quiet_
   IndexedVector<EdgeIndex, char> ghost_;  // 1 if its body is a ghost
   IndexedVector<EdgeIndex, Vec2> direction_;
-  IndexedVector<EdgeIndex, std::array<Vec2, 2>> ends_;  // where its first and its last vertex are
+  IndexedVector<EdgeIndex, std::array<Vec2, 2>> ends_;  // positions of its first and its last vertex
   IndexedVector<EdgeIndex, Box> box_;
-  bool placed_ = false;  // those of bodies that rest
+  bool placed_ = false;  // those of bodies at rest are placed
   std::vector<VertexEdge> pairs_;
-  std::vector<Found> found_;  // a chunk of pairs of edges; last those of deep_
+  std::vector<Found> found_;  // per chunk of pairs of edges; last those of deep_
   struct Place {
     std::int32_t pair;
     bool adds;
@@ -120,7 +121,7 @@ class ContactPairs {
   std::vector<Place> place_;                               // of what was found, in pairs_
   std::vector<char> seen_;                                 // scratch of sort()
   IndexedVector<VertexIndex, std::int32_t> first_, next_;  // its first pair, and the end; where sort() puts the next
-  std::vector<EdgePair> deep_;                             // of closed contacts deeper than the search looks
+  std::vector<EdgePair> deep_;                             // of closed contacts deeper than the search reaches
 };
 
 }  // namespace scree::coupling

@@ -1,4 +1,4 @@
-// What a contact point does to the outlines it lies on: rates and forces along its rows.
+// Rates and forces of a contact point along its rows.
 #pragma once
 
 #include <span>
@@ -8,10 +8,10 @@
 
 namespace scree::coupling {
 
-/// Which of two edges that meet at a convex corner another corner inside leaves by: true for the edge that it is
-/// `depth` deep in, the nearer one. Two tips that meet exactly are as deep in both: then the edge that ends at the
-/// corner, for both tips, which faces the other's. Left to round-off, each might choose the way that the other stands
-/// in.
+/// Decides by which of two edges that meet at a convex corner another corner inside the body leaves: true for the edge
+/// in which it is `depth` deep, if that is the nearer one. Two tips that meet exactly have equal depths in both edges:
+/// then each leaves by the edge that ends at the corner, which faces that of the other tip. Left to round-off, each tip
+/// might choose the direction that the other one blocks.
 /// @param depth,other  [m], > 0    @param ends  the edge of `depth` is the one that ends at the corner
 /// @source [Qu2013] 2.4.3 (shortest path); the rule for equal depths is not from there
 [[nodiscard]] bool leaves_by(double depth, double other, bool ends);

@@ -35,13 +35,13 @@ class KnownContacts {
     }
     list_places();
   }
-  /// What a point of the list remembers at the next instant; nothing changes before take_noted().
+  /// Notes the memory of a point of the list at the next instant; nothing changes before take_noted().
   void note(std::size_t i, const ContactMemory& m) { next_[i] = brief(m); }
-  /// All points have been noted, and the list is the same but for what they remember: in place of index().
+  /// In place of index(), when all points have been noted and the list has changed in its memory alone.
   void take_noted() { points_.swap(next_); }
-  /// The list is another one from the next instant on: before note() of its points.
+  /// Called before note() if the list of the next instant is another one.
   void expect(std::size_t size) { next_.resize(size); }
-  /// All points of that list have been noted.   @pre segments are known
+  /// The same when all points of that list have been noted.   @pre segments are known
   void take_noted(const std::vector<ContactList::Brief>& briefs) {
     points_.swap(next_);
     next_.resize(briefs.size());
@@ -49,11 +49,11 @@ class KnownContacts {
     for (std::size_t i = 0; i < briefs.size(); ++i) places_[i] = {briefs[i].vertex, briefs[i].edge};
     list_places();
   }
-  /// True if a body was made anew since: a contact does not know the segment it was on; and a closed one.
+  /// True if a body was made anew since, so that a contact has no valid segment; and the same for a closed contact.
   [[nodiscard]] bool divided() const { return divided_; }
   [[nodiscard]] bool closed_divided() const { return closed_divided_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
-  /// The points of a vertex begin here among them, and end where those of the next begin.
+  /// Index of a vertex's first point; its points end where those of the next vertex begin.
   /// @param vertex  any, or one beyond the last
   [[nodiscard]] std::size_t first_point(VertexIndex vertex) const { return static_cast<std::size_t>(first_[vertex]); }
   [[nodiscard]] VertexIndex vertex(std::size_t i) const { return places_[i].vertex; }
@@ -61,11 +61,11 @@ class KnownContacts {
   [[nodiscard]] bool closed(std::size_t i) const { return points_[i].closed; }
   [[nodiscard]] bool edge_edge(std::size_t i) const { return points_[i].edge_edge; }
   /// Segment of the edge, counted within it, and ContactMemory::impact and gap0. A list that is changed point by point
-  /// has those of the next instant already.
+  /// contains those of the next instant already.
   [[nodiscard]] std::int32_t segment(std::size_t i) const { return points_[i].segment; }
   [[nodiscard]] double impact(std::size_t i) const { return points_[i].impact; }
   [[nodiscard]] double gap0(std::size_t i) const { return points_[i].gap0; }
-  /// Gap between the bodies, whatever counts as closed [m].
+  /// Gap between the bodies, gap0 included [m].
   [[nodiscard]] double whole_gap(std::size_t i) const { return points_[i].whole_gap; }
   /// True if the vertex is closed against any edge.
   [[nodiscard]] bool closed_vertex(VertexIndex vertex) const {
@@ -114,11 +114,11 @@ class KnownContacts {
     VertexIndex vertex;
     EdgeIndex edge;
   };
-  /// Points by vertex and by edge.
+  /// Indexes points by vertex and by edge.
   void list_places() {
     first_.assign(first_.size(), 0);
     std::vector<std::int32_t>&of_vertex = first_.values(), &of_edge = against_first_.values();
-    // Points in the order of their edges: counted one further on, so that filling leaves the first ones.
+    // Points in the order of their edges: counts are one place further on, so that filling leaves the first ones.
     against_first_.assign(against_first_.size(), 0);
     for (const Place& p : places_) {
       ++first_[p.vertex + 1];
@@ -132,7 +132,7 @@ class KnownContacts {
       against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
     }
   }
-  /// What searches look at, close together.
+  /// Data that searches read, contiguous in memory.
   struct Brief {
     double whole_gap, gap0, impact;
     std::int32_t segment;

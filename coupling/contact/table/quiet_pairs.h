@@ -8,8 +8,9 @@
 
 namespace scree::coupling {
 
-/// Keeps, per pair of edges, how far nodes may travel before the pair has to be examined again. Whoever examines a
-/// pair gives a bound that no motion of its nodes can beat, so results are those of examining every pair each time.
+/// Keeps, per pair of edges, how far nodes may travel before the pair has to be examined again. The caller that
+/// examines a pair gives a bound that holds for any motion of its nodes, so results are those of examining every pair
+/// each time.
 class QuietPairs {
  public:
   /// Every pair is to be examined.
@@ -20,7 +21,7 @@ class QuietPairs {
   /// @param near    pairs in order   @param listed_anew  they are not those of the last call
   void begin(OutlinePositions x, std::span<const IndexRange<OutlineNode>> moving, std::span<const EdgePair> near,
              bool listed_anew);
-  /// True if pair k yields nothing wherever its nodes have gone since.
+  /// True if pair k yields nothing, however its nodes have moved since.
   [[nodiscard]] bool quiet(std::size_t k) const { return until_[k] > travel_; }
   /// Pair k yields nothing while no node is farther than `room` from where it is now [m].
   void set(std::size_t k, double room) { until_[k] = travel_ + kSafe * room; }
