@@ -11,7 +11,8 @@
 namespace scree::app {
 
 /// On a terminal one line is redrawn ten times per second; elsewhere there is a line every tenth of the run, and every
-/// five seconds of a long one. Warnings and step cuts get lines of their own (cuts of one kind at most five).
+/// five seconds of a long one. Warnings and step cuts get lines of their own (at most five step cuts, and five changes
+/// of a partition).
 class Progress final : public coupling::Sink {
  public:
   /// @param from  null: the run is at its start

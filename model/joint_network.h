@@ -114,7 +114,8 @@ struct Segment {
 [[nodiscard]] double expected_traces(const JointSet& set, const Polygon& domain);
 
 /// Number of crossings that two sets are expected to have with each other in a domain.
-///   L_i L_j |sin(alpha_i - alpha_j)| / A,  L: total length of the traces of a set, A: area of the domain
+///   L_i L_j |sin(alpha_i - alpha_j)| / A,  L: total length of the traces of a set, A: area of the domain, for sets
+/// that fill it; a set with a region of its own has the density of its region, and the smaller region counts
 /// @source docs/theory/contact-geometry.md, "Block cutting": mean number of crossings of two independent
 ///         stationary systems of straight lines
 [[nodiscard]] double expected_crossings(const JointSet& first, const JointSet& second, const Polygon& domain);

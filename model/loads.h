@@ -1,4 +1,4 @@
-// Actions on blocks beside gravity, contacts and supports.
+// Loads on blocks, initial stress, and supports of edges.
 #pragma once
 
 #include <optional>

@@ -21,7 +21,7 @@ struct Touch {
 };
 
 /// Law between two edges whose own laws may be given or not (invalid): the one that is given; if both are, the one with
-/// less friction, and for equal friction the one defined first.
+/// less friction, and for equal friction the one defined first; if neither is, the default joint of the model.
 [[nodiscard]] JointId law_between(const Model& model, JointId a, JointId b);
 
 /// Gap below which two blocks count as touching: a thousandth of the root area of the smaller one [m].

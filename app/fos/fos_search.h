@@ -51,8 +51,7 @@ class FosSearch {
   [[nodiscard]] double stands() const;
   [[nodiscard]] double fails() const;
   [[nodiscard]] const std::map<double, Trial>& trials() const { return trials_; }
-  /// A factor below a failed one stood, or the other way round: where more than one bracket is possible the lowest
-  /// counts.
+  /// True if a factor above a failed one was stable. Then more than one bracket is possible, and the lowest counts.
   [[nodiscard]] bool inconsistent() const;
 
  private:

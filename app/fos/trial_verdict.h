@@ -33,7 +33,8 @@ struct Decision {
 };
 
 /// Stable: the dynamic stage ended by its rule of balance. Failed: the fastest block keeps accelerating (v t >= 1.5 d,
-/// where constant acceleration gives 2 d; v and d without the part of the speed with which the stage began), and either
+/// where constant acceleration gives 2 d; v and d without the part of the speed with which the stage began), has gained
+/// more than 2 % of the first speed, and either
 /// a block has moved as far as the limit, or the time is over and the acceleration is above 0.3 (1 - F_s) g,
 /// F_s = 1/(1 + tolerance/factor) being the margin that the search resolves. A run that could not continue counts as
 /// failed if a block has moved as far as the limit or has no path of closed contacts to a support, else as undecided.

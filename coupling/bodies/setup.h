@@ -170,7 +170,7 @@ inline void add_force(const Row& row, const Vec2& force, std::span<double> f) {
   }
 }
 
-/// Records of a model's blocks at rest and free of stress, as a stage's rules choose their methods.
+/// Shape of a block in the model, at rest and free of stress.
 [[nodiscard]] ReferenceShape reference_shape(const Model& model, BlockId block);
 
 }  // namespace scree::coupling

@@ -67,7 +67,7 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   finder_.restore(list_->memory, before_);
   for (std::size_t i = 0; i < before_.memory.size() && !goes_on; ++i) before_.memory[i].impact = 0.0;
   finder_.find(state.q, before_, at_start, *list_);
-  (void)finder_.adopt_kinds(*list_);  // the energy returned below has it
+  (void)finder_.adopt_kinds(*list_);  // its change is in the energy that enter() of the integrator returns
   // Forces of the present springs: a mesh, a share or a scheme may have changed since they were last computed.
   for (std::size_t i = 0; i < list_->points.size() && !goes_on; ++i) {
     ContactMemory& m = list_->memory[i];

@@ -63,7 +63,7 @@ class ExplicitContact {
   [[nodiscard]] std::int64_t steps_in_place() const { return steps_in_place_; }
 
  private:
-  /// Half-step works of one contact, and the geometric changes they are compared with.
+  /// Half-step works of one contact.
   struct Half {
     double normal = 0.0, damping = 0.0, tangential = 0.0, water = 0.0;  // h/2 times force times rate [J]
   };
@@ -115,9 +115,9 @@ class ExplicitContact {
   void book_ended(std::size_t before, Ledger& ledger) const;
   /// Gives closed points the springs of their kind.   @param points  those that may have changed their kind
   void adopt_kinds(double h, std::span<const std::int32_t> points, Ledger& ledger);
-  /// arrive() where points came or went, or one passed to another place.
+  /// arrive() with all points listed anew.
   void arrive_anew(double h, State& state);
-  /// arrive() where all points are still there: nothing is listed anew, nothing copied.
+  /// arrive() with the list updated in place: only the points of vertices that changed are made anew.
   void arrive_in_place(double h, State& state);
   /// Results for a range of points: ledger increments, points that slide, points that may take springs of another kind.
   struct Chunk {

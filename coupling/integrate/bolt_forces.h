@@ -50,8 +50,8 @@ struct BoltSpring {
   double k = 0.0;  // [N/m]
 };
 /// For every bolt that this setup applies, the less stiff of two bounds of its elastic stiffness: the bond's springs
-/// with the bar at rest, or the bar's segments without slip. Then its shear springs, and its tension across the
-/// segments.
+/// with the bar at rest, or the bar's segments without slip. Then its shear springs, and, with the bond's springs, its
+/// tension across the segments.
 [[nodiscard]] std::vector<BoltSpring> bolt_springs(const Setup& setup, const State& state);
 
 }  // namespace scree::coupling

@@ -93,7 +93,7 @@ class CentralDifference final : public TimeIntegrator {
   /// Finds v_{n+1/2}, x_{n+1} of the free nodes and the work over the first half, and sets their stress to zero;
   /// returns a bound of the largest node displacement (in its own unit: axes of an affine body are dimensionless).
   [[nodiscard]] double kick_off(const State& state, double h);
-  /// Finds how far the points of the outlines would move: too_far, or ok.
+  /// Finds how far the points of the outlines would move: too_far, non_finite or ok.
   [[nodiscard]] StepReport refuse(double h) const;
   /// False if contact forces, or the bodies that they act on, may not be finite: the step has to be undone if so.
   [[nodiscard]] bool forces_stay_finite() const;

@@ -131,7 +131,6 @@ class Driver {
   /// Charges processor time from now on to a phase. Called where phases change, not at every step, because reading the
   /// clock of the process is a system call.   @return the phase so far
   Phase enter(Phase next);
-  /// One step, by as many attempts as it takes; and what is looked at after it.
   /// Determines the largest step anew, if this is due or the last step has put it in doubt.
   void bound_step(const Stage& stage, bool due);
   /// Sets the strengths of the joints to those of the stage at a time.
@@ -140,6 +139,7 @@ class Driver {
   [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
   /// A sentence about an attempt that failed.
   [[nodiscard]] std::string told_refusal(const StepReport& report, Tick h) const;
+  /// Takes one step, in as many attempts as it needs, and evaluates rules, checks and output after it.
   [[nodiscard]] RunEnd advance_step(const Stage& stage);
   void count(const StepReport& report);
   [[nodiscard]] RunEnd after_step(const Stage& stage);

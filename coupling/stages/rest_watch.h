@@ -34,7 +34,7 @@ struct RestTrace {
 
 /// Whether blocks creep, slide or stand still, which of them, and how fast the unbalanced force has fallen; empty where
 /// the stage was too short.
-///   displacement per part   d4 in the last, d3 in the one before; slides: d4 >= 0.9 d3, stands still: d4 < 1e-4 of
+///   displacement per part   d4 in the last, d3 in the one before; slides: d4 >= 0.9 d3, stands still: d4 <= 1e-4 of
 ///                           its displacement in the stage
 /// @param centres  of the bodies at present   @param length  of the stage so far [s]
 [[nodiscard]] std::string told(const RestTrace& trace, const Setup& setup, std::span<const Vec2> centres,

@@ -26,6 +26,13 @@ struct BodyRequest {
 /// Records of all blocks at rest in their model shape.
 [[nodiscard]] std::vector<BodyRecord> initial_records(const Model& model, const std::vector<BodyRequest>& request);
 
+/// Result of a transfer: the new bodies, one row per body that changed, blocks that became absent and present.
+struct TransferReport {
+  std::unique_ptr<Setup> setup;
+  std::vector<TransferRow> rows;
+  std::vector<BlockId> left, came;
+};
+
 /// Hands a synchronised state over to new bodies. Bodies whose method and mesh stay keep every bit of q and v, also
 /// where mass or kinematics change: their energies are measured anew and the difference is booked. The others pass
 /// through release() and place(), with the stage's mode of transfer; a body that returns to the method and mesh that it
@@ -36,11 +43,6 @@ struct BodyRequest {
 /// blocks that were absent before are added at rest, in their model shape, without stress.
 /// @param clocks  of the new setup
 /// @source docs/theory/transfer.md, "Affine part"
-struct TransferReport {
-  std::unique_ptr<Setup> setup;
-  std::vector<TransferRow> rows;
-  std::vector<BlockId> left, came;
-};
 [[nodiscard]] TransferReport transfer_bodies(const Model& model, const Methods& methods, const Setup& from,
                                              const Stage& stage, State& state, Clocks clocks = {});
 

@@ -8,7 +8,8 @@
 namespace scree::io {
 
 /// Checks every key, type, unit and range, and leaves a tree that the reader can trust: numbers as double in the unit
-/// of the key (whole numbers of keys that count stay integers), defaults filled in, all tables of the top present.
+/// of the key (whole numbers of keys that count stay integers), defaults filled in. Top-level tables are made if they
+/// have defaults and no required key.
 /// @throws CaseError for the first fault in the order of the file; the keys that a table contains are checked before
 ///         its missing keys
 void check_document(Value& root, std::string_view file);

@@ -8,7 +8,8 @@ namespace scree::io {
 inline constexpr std::size_t kLargestCase = std::size_t{16} << 20;  // bytes
 inline constexpr int kDeepest = 64;                                 // parts of a dotted key and open brackets together
 
-/// Refuses a text that is empty, larger than kLargestCase, not UTF-8, or nested deeper than kDeepest. The parser
+/// Refuses a text that is empty, larger than kLargestCase, not UTF-8, nested deeper than kDeepest, or has characters
+/// other than ASCII outside strings and comments. The parser
 /// recurses at every level, and so does the destruction of the tables that it makes: without a bound, a header of many
 /// thousand dotted parts terminates the program.
 /// @throws CaseError

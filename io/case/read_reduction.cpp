@@ -23,13 +23,13 @@ constexpr double kSettleSteps = 400.0;  // most static steps to find balance
 constexpr double kBalanced = 1e-6;      // unbalanced force at rest over the largest force
 constexpr double kLimit = 5e-3;         // displacement that ends a stage, over the root area of the smallest free block
 constexpr double kSettleWay = 4.0;      // displacement allowed until balance is found, in limits: joints take up slip
-constexpr double kTraverses = 2.0;      // traverses of a pressure wave through the free blocks per static step
+constexpr double kTraverses = 2.0;      // traverses of a wave of sqrt(E/rho) through the free blocks per static step
 
 /// Quantities from which the defaults of absent settings follow.
 struct Scale {
   double block = INFINITY;  // root area of the smallest free block [m]
   double extent = 0.0;      // of the free blocks [m]
-  double speed = INFINITY;  // smallest of pressure waves in them [m/s]
+  double speed = INFINITY;  // smallest sqrt(E/rho) in them [m/s]
 };
 
 Scale scale_of(const Section& r, const Model& model, const std::vector<char>& absent) {

@@ -17,7 +17,7 @@ constexpr int kMostChords = 20000, kMostHalvings = 14;
 
 std::vector<Vec2> arc_points(const Vec2& c, const Vec2& a, const Vec2& b, double from, double to, double tolerance) {
   const double radius = std::max(a.norm(), b.norm()), sweep = to - from;
-  const double step = 2.0 * std::acos(std::clamp(1.0 - tolerance / radius, 0.5, 1.0));  // at least a sixth of a turn
+  const double step = 2.0 * std::acos(std::clamp(1.0 - tolerance / radius, 0.5, 1.0));  // at most a third of a turn
   const double chords = std::ceil(std::abs(sweep) / std::max(step, 1e-12));
   const int n = static_cast<int>(std::clamp(chords, 1.0, static_cast<double>(kMostChords)));
   std::vector<Vec2> out;

@@ -12,7 +12,7 @@ namespace scree::io {
 /// A line of a drawing; curves are flattened.
 struct DrawnLine {
   std::string layer;
-  std::string entity;        // what drew it: "LWPOLYLINE", "row" of a text file
+  std::string entity;        // its kind: "LWPOLYLINE"; "line" of a file of columns
   int row = 0;               // line of the file where that begins, from 1
   std::vector<Vec2> points;  // [m], at least two; a closed line does not repeat the first
   bool closed = false;

@@ -11,7 +11,7 @@ namespace scree::io {
 
 struct DxfGroup {
   int code = 0;
-  std::string_view value;  // without white space at its end, numbers without any around
+  std::string_view value;  // without white space at its ends
   int row = 0;             // line of the value, from 1
 };
 

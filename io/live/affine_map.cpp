@@ -37,7 +37,7 @@ std::optional<AffineMap> affine_map(const LiveMesh& mesh, std::size_t body, std:
     S += X * X.transpose();
     C += (moved(at(p)) - mean_moved) * X.transpose();
   }
-  constexpr double kFlat = 1e-12;  // points on a line turn with it, but nothing is known across: no stretch there
+  constexpr double kFlat = 1e-12;  // points on a line: the map across the line is not determined
   const double trace = S.trace();
   if (!(S.determinant() > kFlat * trace * trace)) return std::nullopt;
   const Mat2 H = C * S.inverse();

@@ -8,7 +8,7 @@
 namespace scree::io {
 
 /// A file under a temporary name in the same folder until commit(). @throws FileError from every member that writes;
-/// the old file is unchanged then.
+/// the old file is unchanged then, except after a failed fsync of the folder, when the new file is in place.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -28,7 +28,7 @@ class AtomicFile {
   bool in_place_ = false;
 };
 
-/// Writes the whole file at once.   @throws FileError; the old file is unchanged then
+/// Writes the whole file at once.   @throws FileError as AtomicFile
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace scree::io

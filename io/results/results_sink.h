@@ -17,9 +17,11 @@ namespace scree::io {
 
 /// run.vtkhdf has the groups /VTKHDF (frames, vtkhdf_writer.h), /frames, /history, /energy (history_writer.h), /events,
 /// /transfers (event_writer.h), /progress (progress_writer.h), /contacts if requested (contact_writer.h), /xdmf
-/// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /supports (supports_writer.h), /stages and
-/// /provenance (provenance.h). Everything is buffered, and passed to the operating system every second, at the end of
-/// a stage, for a checkpoint and at the end of the run. The final content of the files does not depend on these times.
+/// (xdmf_writer.h), /blocks, /materials, /joints (joints_writer.h), /supports (supports_writer.h), /stages,
+/// /provenance (provenance.h), and in models that have them /water, /bolts, /liners and /bolt_nodes. Everything is
+/// buffered, and passed to the operating system every second or at intervals of 50 times what it took, whichever is
+/// longer, at the end of a stage, for a checkpoint and at the end of the run. The final content of the files does not
+/// depend on these times.
 /// @throws FileError{path, reason} from every call: a loss of results ends the run
 class ResultsSink : public coupling::Sink {
  public:

@@ -18,7 +18,7 @@ class RunFolder {
   /// Makes the folder and its parents. An empty folder is used as it is; an earlier run is cleared of the files that
   /// runs write (other files in it stay) if `overwrite`; a folder that is neither is never changed.
   /// @throws FileError when refused or impossible; nothing has been made or removed then, except missing parents that
-  ///         could be made before the failure
+  ///         could be made before the failure, and files of the earlier run that could be removed before it
   [[nodiscard]] static RunFolder create(const std::filesystem::path& path, bool overwrite);
   /// An earlier run, for reading.   @throws FileError if there is no run.vtkhdf in it
   [[nodiscard]] static RunFolder open(const std::filesystem::path& path);

@@ -43,7 +43,8 @@ class XdmfWriter {
   /// True when little room is left for the text that flush() has not written yet.
   [[nodiscard]] bool full() const;
   /// Replaces the text on the disk as a whole, if a second has passed since the last writing and that writing took less
-  /// than 2 % of the time: all the text written so far is copied, and it grows with the run.
+  /// than 2 % of the time, or if the text that waits is longer than 64 KiB: all the text written so far is copied, and
+  /// it grows with the run.
   /// @pre other programs can read the frames so far and their windows from the file   @throws FileError
   void flush();
   /// Replaces the text in any case.   @pre as for flush()   @throws FileError

@@ -16,7 +16,7 @@
 namespace scree::io {
 
 // A message is a u32 (little endian), so many bytes of JSON {"kind": ..., "session": ..., ...}, and the bytes of a
-// Chunk, which are none but for meshes and frames. Positions are relative to `base`, in addition to the
+// Chunk (meshes, frames and details only; else there are none). Positions are relative to `base`, in addition to the
 // origin of the run [m].
 
 /// "run": what does not change while a session lasts.   @param control  pages that know the token may give commands

@@ -14,7 +14,7 @@
 namespace scree::coupling {
 namespace {
 
-/// Distance from a point to the segment, and the fraction nearest to it.
+/// Distance from a point to a segment.
 double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
   const double s = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);

@@ -177,7 +177,7 @@ class ContactFinder {
   void inherit(ContactList& out);
   /// A body was made anew, its edges a little elsewhere: no force comes from that. A point that has more of the joint
   /// than before carries what it was given of the vertices that went; one that has less leaves its traction to new
-  /// ones, also of what it was given (`share` counts the length that came with it).
+  /// ones, also of what it was given.
   static void keep_force(const ContactMemory& old, bool divided, const ContactPoint& p, ContactMemory& m);
   /// A contact closes where its gap passes zero, or the opening left by slip. A point found deep (a corner that entered
   /// from the side, or that another edge carried so far) begins without force at its present gap, and loses that depth
