@@ -48,11 +48,11 @@ class ExplicitContact {
   /// Checks the points of the present instant.
   void check(std::span<const double> q, Audit& audit) const;
   /// Called before arrive(): true where it may have to be undone. The points at the start of the step are then kept.
-  void keep_way_back(bool keep) {
+  void keep_for_undo(bool keep) {
     can_undo_ = keep;
     if (keep) left_list_ = *list_;
   }
-  /// Returns to the start of the step, after keep_way_back(true) and arrive().
+  /// Returns to the start of the step, after keep_for_undo(true) and arrive().
   void undo();
 
   /// State::contacts of the state given last.

@@ -20,7 +20,7 @@ struct PointTangent {
 };
 
 /// Below this number of points a loop that takes some nanoseconds per point runs on one thread.
-inline constexpr std::int64_t kFewPoints = 30000;
+inline constexpr std::int64_t kFewPoints = 8000;
 
 /// Assembles (A + springs + contact points, with friction and dilation) as a matrix of blocks, row of bodies by row of
 /// bodies: only rows whose points have changed are summed again. The matrix is for corrections; residuals are

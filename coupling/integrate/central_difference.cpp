@@ -463,7 +463,7 @@ StepReport CentralDifference::step(State& state, Tick ticks_of_step) {
     restore_stress(state);
     return report;
   }
-  contact_.keep_way_back(!forces_stay_finite());
+  contact_.keep_for_undo(!forces_stay_finite());
   contact_.arrive(h, farthest, q_new_, v_half_, state);
   const Instant now{q_new_, v_half_, end};
   sum_up(now);
