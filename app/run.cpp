@@ -33,7 +33,7 @@ namespace scree::app {
 namespace {
 
 /// Origin of the coordinates of a model, as text; empty for (0, 0).
-std::string told_origin(const Model& model) {
+std::string origin_text(const Model& model) {
   if (model.origin == Vec2(0.0, 0.0)) return {};
   return fmt::format("coordinates are counted from ({}, {}) m", model.origin.x(), model.origin.y());
 }
@@ -50,7 +50,7 @@ class Log final : public coupling::Sink {
   }
   ~Log() override { spdlog::drop(log_->name()); }
   void begin(const Model& model, const coupling::Plan&) override {
-    if (const std::string text = told_origin(model); !text.empty()) note(text);
+    if (const std::string text = origin_text(model); !text.empty()) note(text);
   }
   void event(const coupling::Event& e) override {
     const bool warn = e.kind == coupling::EventKind::warning || e.kind == coupling::EventKind::not_converged;
@@ -76,7 +76,7 @@ class Warnings final : public coupling::Sink {
 };
 
 /// Which blocks of a partitioned stage take explicit steps.
-std::string told_sides(const Model& model, const coupling::Stage& stage) {
+std::string sides_text(const Model& model, const coupling::Stage& stage) {
   const coupling::Partition& partition = stage.partition;
   const std::vector<char> sides = coupling::first_sides(model, partition, stage.construction),
                           absent = stage.construction.flags(model.blocks.size());
@@ -145,7 +145,7 @@ void print_loads(const Model& m) {
 }
 
 /// Names of the blocks, those that are numbered from one to the last: "base-1, rock-1 to rock-76".
-std::string told_names(const Model& model) {
+std::string names_text(const Model& model) {
   struct Run {
     std::string stem;
     std::int64_t first = 0, last = 0;  // stem + number; stem alone where first is negative
@@ -505,9 +505,9 @@ int check(const CheckOptions& options) {
   if (options.blocks)
     print_blocks(c.model);
   else
-    say("  blocks: {}\n", told_names(c.model));
+    say("  blocks: {}\n", names_text(c.model));
   print_loads(c.model);
-  if (const std::string text = told_origin(c.model); !text.empty()) say("  {} in the results\n", text);
+  if (const std::string text = origin_text(c.model); !text.empty()) say("  {} in the results\n", text);
   if (c.drawing) print(*c.drawing);
   if (c.model.cutting) print(*c.model.cutting);
   for (const SetStatistics& set : c.model.joint_sets) print(c.model, set);
@@ -532,7 +532,7 @@ int check(const CheckOptions& options) {
     say("  stage '{}': {}, {}, {:g} s, {} elements, {} unknowns\n", s.name, s.method, name(s.integrator),
         seconds(s.duration), cells, unknowns);
     print_construction(c.model, i == 0 ? nullptr : &c.plan.stages[i - 1], s);
-    if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", told_sides(c.model, s));
+    if (s.integrator == coupling::Integrator::partitioned) say("    {}\n", sides_text(c.model, s));
     warned += print_damping(c, i);
     if (i == 0) warned += print_first_step(c, methods, setup.outlines().edges.size());
   }

@@ -38,7 +38,7 @@ struct Sweep {
   fs::path path;                  // of its folder, absolute
   std::size_t jobs = 1;           // at a time
 
-  [[nodiscard]] std::string told_run(std::size_t run) const {
+  [[nodiscard]] std::string run_text(std::size_t run) const {
     return fmt::format("run {} ({})", run_name(run, record.runs()), fmt::join(record.parameters.overrides(run), ", "));
   }
 };
@@ -104,7 +104,7 @@ PoolHooks hooks_of(const Sweep& sweep, Signals& signals) {
   if (sweep.command->quiet) return hooks;
   hooks.note = [](const std::string& text) { say("{}\n", text); };
   hooks.ended = [&sweep](std::size_t run, const RunOutcome& outcome, double seconds) {
-    say("{}: {}, {:.1f} s{}{}\n", sweep.told_run(run), outcome.status, seconds, outcome.reason.empty() ? "" : ": ",
+    say("{}: {}, {:.1f} s{}{}\n", sweep.run_text(run), outcome.status, seconds, outcome.reason.empty() ? "" : ": ",
         outcome.reason);
   };
   return hooks;
@@ -122,7 +122,7 @@ int tabulate(const Sweep& sweep, const SweepFolder& folder) {
     const RunOutcome& outcome = table.outcomes[run - 1];
     if (outcome.state == RunOutcome::State::done) continue;
     ++not_done;
-    complain("error: {}: {}{}{}\n", sweep.told_run(run), outcome.status, outcome.reason.empty() ? "" : ": ",
+    complain("error: {}: {}{}{}\n", sweep.run_text(run), outcome.status, outcome.reason.empty() ? "" : ": ",
              outcome.reason);
   }
   if (!sweep.command->quiet)
@@ -156,7 +156,7 @@ int make_one(const Sweep& sweep) {
       make_runs(folder, sweep.record, sweep.runs, {1, sweep.command->threads}, hooks_of(sweep, signals));
   if (counts.left > 0) return kInterrupted;
   if (counts.without_outcome == 0) return kDone;  // a failure is an outcome, which the table contains
-  complain("error: {} has no outcome: {}\n", sweep.told_run(sweep.runs.front()),
+  complain("error: {} has no outcome: {}\n", sweep.run_text(sweep.runs.front()),
            first_error(folder.log(sweep.runs.front())));
   return kFailed;
 }

@@ -351,7 +351,7 @@ void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, co
   m.gap = gap;
 }
 
-double ExplicitContact::way(std::size_t i, const Left& was) const {
+double ExplicitContact::slip_in_step(std::size_t i, const Left& was) const {
   const ContactMemory& m = list_->memory[i];
   if (m.status == ContactStatus::slip) return trial_[i] - m.stretch;
   const ContactPoint& p = list_->points[i];
@@ -364,7 +364,7 @@ void ExplicitContact::follow_slides(double h, double time) {
   const Left none;
   for (std::size_t i = 0; i < list_->points.size(); ++i) {
     const std::int32_t from = list_->points[i].from;
-    friction_check_.see(h, list_->points[i], way(i, from < 0 ? none : left_[static_cast<std::size_t>(from)]),
+    friction_check_.see(h, list_->points[i], slip_in_step(i, from < 0 ? none : left_[static_cast<std::size_t>(from)]),
                         list_->memory[i]);
   }
 }
@@ -477,7 +477,7 @@ void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, C
     transfer_impact_energy(h, p, left, m);
   if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
   const Rates rates = respond(h, i, *list_);
-  const double slip = way(i, left);
+  const double slip = slip_in_step(i, left);
   if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
   const Half arriving = half_work(h, p, m, v_, rates);
   if (p.from >= 0)

@@ -107,7 +107,7 @@ class ExplicitContact {
   Rates respond(double h, std::size_t i, ContactList& list);
   /// After respond(): signed slip of a point in the step, for the check of friction [m].
   /// @param was  the point at the start of the step
-  [[nodiscard]] double way(std::size_t i, const Left& was) const;
+  [[nodiscard]] double slip_in_step(std::size_t i, const Left& was) const;
   /// After respond(): applies the check of friction to the points.
   void follow_slides(double h, double time);
   void book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const;

@@ -359,7 +359,7 @@ StepReport Newmark::not_finite(const StepReport& report, const State& state, dou
               state, h);
 }
 
-void Newmark::tell_no_balance(double left, StepReport& report) const {
+void Newmark::describe_imbalance(double left, StepReport& report) const {
   report.status = StepReport::Status::no_balance;
   const auto worst =
       std::max_element(out_.begin(), out_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -513,7 +513,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
     if (const Settled settled = settle(state, loop, report); settled != Settled::no) return settled == Settled::yes;
     if (report.iterations >= kIterations ||
         (report.iterations > 8 && loop.left > 1e3 * loop.last && loop.left > kBalanced * loop.largest)) {
-      tell_no_balance(std::max(report.residual, loop.apart / loop.largest), report);
+      describe_imbalance(std::max(report.residual, loop.apart / loop.largest), report);
       return false;
     }
     prepare_iterate(state, h, loop);

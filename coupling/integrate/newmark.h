@@ -131,7 +131,7 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool spares_affine() const { return options_.damping > 0.0 && !options_.damp_rigid_motion; }
   /// Report of an iterate that is not finite, with the body.
   [[nodiscard]] StepReport not_finite(const StepReport& report, const State& state, double h) const;
-  void tell_no_balance(double left, StepReport& report) const;
+  void describe_imbalance(double left, StepReport& report) const;
   [[nodiscard]] double residual(const State& state, double h, double& largest);
   struct RoundOff {
     double system = 0.0;  // of the linear system's forces, inertia included [N]

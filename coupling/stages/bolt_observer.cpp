@@ -21,7 +21,7 @@ BoltObserver::BoltObserver(const Setup& setup, const State& state) {
   }
 }
 
-const BoltsView* BoltObserver::look(const State& state) {
+const BoltsView* BoltObserver::view(const State& state) {
   if (rows_.empty()) return nullptr;
   for (auto* v : {&force_, &shear_, &slip_, &strain_, &position_, &node_force_}) v->clear();
   broken_.clear();

@@ -12,7 +12,7 @@ class BoltObserver {
  public:
   BoltObserver(const Setup& setup, const State& state);
   /// Valid until the next call; nullptr where the model has no bolts.
-  [[nodiscard]] const BoltsView* look(const State& state);
+  [[nodiscard]] const BoltsView* view(const State& state);
 
  private:
   std::vector<BoltRows> rows_;  // of all bolts

@@ -7,7 +7,7 @@
 namespace scree::coupling {
 namespace {
 
-std::string told(const Model& model, const Bolt& bolt, const BoltMemory& memory, std::size_t segment) {
+std::string break_text(const Model& model, const Bolt& bolt, const BoltMemory& memory, std::size_t segment) {
   const Bolt::Node &a = bolt.nodes[segment], &b = bolt.nodes[segment + 1];
   const auto name = [&](BlockId block) { return model.blocks[block.index()].name; };
   std::string text =
@@ -24,7 +24,7 @@ std::string told(const Model& model, const Bolt& bolt, const BoltMemory& memory,
 
 }  // namespace
 
-std::vector<std::string> BoltWatch::look(const Model* model, const State& state) {
+std::vector<std::string> BoltWatch::new_breaks(const Model* model, const State& state) {
   std::vector<std::string> out;
   broken_.resize(state.bolts.size());
   for (std::size_t i = 0; i < broken_.size(); ++i) {
@@ -33,7 +33,7 @@ std::vector<std::string> BoltWatch::look(const Model* model, const State& state)
     broken_[i].resize(now.size(), 0);
     for (std::size_t s = 0; s < now.size(); ++s) {
       if (now[s] != 0 && broken_[i][s] == 0 && model != nullptr)
-        out.push_back(told(*model, model->bolts[i], state.bolts[i], s));
+        out.push_back(break_text(*model, model->bolts[i], state.bolts[i], s));
       broken_[i][s] = now[s];
     }
   }

@@ -13,12 +13,14 @@ namespace scree::coupling {
 class BoltWatch {
  public:
   BoltWatch() = default;
-  explicit BoltWatch(const State& state) { (void)look(nullptr, state); }
+  explicit BoltWatch(const State& state) { (void)new_breaks(nullptr, state); }
   /// A line for every segment that has broken since the last call.
-  [[nodiscard]] std::vector<std::string> look(const Model& model, const State& state) { return look(&model, state); }
+  [[nodiscard]] std::vector<std::string> new_breaks(const Model& model, const State& state) {
+    return new_breaks(&model, state);
+  }
 
  private:
-  [[nodiscard]] std::vector<std::string> look(const Model* model, const State& state);
+  [[nodiscard]] std::vector<std::string> new_breaks(const Model* model, const State& state);
 
   std::vector<std::vector<std::int8_t>> broken_;  // per bolt, per segment
 };

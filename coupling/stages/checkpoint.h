@@ -30,7 +30,7 @@ struct Checkpoint {
   std::vector<StageTravel> travels;
   std::vector<Warning> warnings;
   std::vector<std::int64_t> rule_changes;  // 2 per stage: changes by its rules of methods, and of sides
-  Told told;
+  ReportedWarnings reported;
 
   /// As State::visit().
   template <class Visitor>
@@ -151,7 +151,7 @@ void Checkpoint::visit(Visitor&& see) const {
     see("warning.text", w.text);
   }
   see("rule_changes", rule_changes);
-  told.visit(see);
+  reported.visit(see);
 }
 
 }  // namespace scree::coupling

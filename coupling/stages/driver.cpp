@@ -225,7 +225,7 @@ void Driver::start() {
   state_.ledger.open(std::array{kinetic});
   stats_ = RunStats{};
   audit_ = Audit{};
-  told_ = Told{};
+  reported_ = ReportedWarnings{};
   travels_.clear();
   warnings_.clear();
   rule_changes_.assign(kRuleKinds * plan_->stages.size(), 0);
@@ -271,7 +271,7 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
   TransferReport handed = in_plan(stage, seconds(state_.time), [&] {
     return transfer_bodies(*model_, *methods_, *setup_, stage, state_, clocks());
   });
-  tell_construction(stage, handed, state_.ledger[Column::excavated] - excavated);
+  report_construction(stage, handed, state_.ledger[Column::excavated] - excavated);
   observer_.reset();
   setup_ = std::move(handed.setup);
   for (TransferRow& row : handed.rows) {
@@ -293,7 +293,7 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
   }
 }
 
-void Driver::tell_construction(const Stage& stage, const TransferReport& handed, double energy) {
+void Driver::report_construction(const Stage& stage, const TransferReport& handed, double energy) {
   if (!handed.left.empty()) {
     const Construction& c = stage.construction;
     const std::string release =
@@ -494,7 +494,7 @@ RunEnd Driver::run_stage(const Stage& stage, Tick stop) {
     event(EventKind::not_converged, reason);
     return {RunEnd::Status::not_converged, reason};
   }
-  if (rested) tell_unbalanced(stage);
+  if (rested) warn_unbalanced(stage);
   travels_.push_back(travel_since(stage_begin_));
   const StageTravel& travel = travels_.back();
   event(EventKind::stage_end,
@@ -543,7 +543,7 @@ RunEnd Driver::run(std::optional<double> until) {
     }
   }
   if (result.status == RunEnd::Status::interrupted) keep(true);
-  if (result.status == RunEnd::Status::done) tell_idle_rules();
+  if (result.status == RunEnd::Status::done) warn_idle_rules();
   finish(result);
   return result;
 }
@@ -552,7 +552,7 @@ void Driver::count_rule(int kind, std::int64_t changes) {
   rule_changes_[kRuleKinds * static_cast<std::size_t>(state_.stage) + static_cast<std::size_t>(kind)] += changes;
 }
 
-void Driver::tell_idle_rules() {
+void Driver::warn_idle_rules() {
   const bool over = ended_ || state_.time >= stage_end_;  // otherwise the run ends before the stage
   for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
     const Stage& stage = plan_->stages[i];

@@ -63,7 +63,7 @@ class Driver {
   /// @param why  blocks that change by a rule
   void change_bodies(const Stage& stage, std::span<const MethodChange> why = {});
   /// Reports blocks that were removed and added.   @param energy  of the removed ones [J]
-  void tell_construction(const Stage& stage, const TransferReport& handed, double energy);
+  void report_construction(const Stage& stage, const TransferReport& handed, double energy);
   /// Creates the integrator of the present bodies, the observer and the watches.
   void begin_moving(const Stage& stage, bool new_mesh);
   /// Creates the evaluators of the rules of a stage, for the present bodies.
@@ -90,7 +90,7 @@ class Driver {
   /// warned about.
   [[nodiscard]] BlockId unsupported_at_rest(const Stage& stage);
   /// At the end of such a stage: warns about unbalanced forces.
-  void tell_unbalanced(const Stage& stage);
+  void warn_unbalanced(const Stage& stage);
   /// Updates the trace to rest.   @param ratio  unbalanced force over the largest force
   void follow_rest(const Stage& stage, std::optional<double> ratio);
   void begin_stage(const Stage& stage);
@@ -138,7 +138,7 @@ class Driver {
   /// One attempt of the integrator.   @param cap  of its length   @param h  its length
   [[nodiscard]] StepReport attempt(const Stage& stage, Tick cap, Tick& h);
   /// A sentence about an attempt that failed.
-  [[nodiscard]] std::string told_refusal(const StepReport& report, Tick h) const;
+  [[nodiscard]] std::string refusal_text(const StepReport& report, Tick h) const;
   /// Takes one step, in as many attempts as it needs, and evaluates rules, checks and output after it.
   [[nodiscard]] RunEnd advance_step(const Stage& stage);
   void count(const StepReport& report);
@@ -149,7 +149,7 @@ class Driver {
   /// Counts changes that rules of the present stage made.
   void count_rule(int kind, std::int64_t changes);
   /// Reports rules that changed nothing, of stages that have ended.
-  void tell_idle_rules();
+  void warn_idle_rules();
   void event(EventKind kind, std::string text, const TransferRow* row = nullptr, const StageTravel* travel = nullptr);
   [[nodiscard]] std::vector<Vec2> centres() const;
   [[nodiscard]] StageTravel travel_since(const std::vector<Vec2>& begin) const;
@@ -195,7 +195,7 @@ class Driver {
   std::vector<StageTravel> travels_;
   std::vector<Warning> warnings_;
   std::vector<std::int64_t> rule_changes_;  // per stage: of methods, and of sides
-  Told told_;
+  ReportedWarnings reported_;
   double round_off_ = 0.0;  // energy_of_round_off() of the model [J]
 };
 

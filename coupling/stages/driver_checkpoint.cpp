@@ -20,7 +20,7 @@ void Driver::go_on() {
   mesh_ = c.mesh;
   audit_ = std::move(c.audit);
   transfers_ = std::move(c.transfers);
-  told_ = std::move(c.told);
+  reported_ = std::move(c.reported);
   travels_ = std::move(c.travels);
   warnings_ = std::move(c.warnings);
   rule_changes_ = std::move(c.rule_changes);
@@ -54,7 +54,7 @@ Checkpoint Driver::checkpoint_of_driver() const {
   c.travels = travels_;
   c.warnings = warnings_;
   c.rule_changes = rule_changes_;
-  c.told = told_;
+  c.reported = reported_;
   return c;
 }
 

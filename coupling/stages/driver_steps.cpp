@@ -33,7 +33,7 @@ constexpr std::int64_t kBoundSteps = 500, kBoundLongSteps = 20, kClosureSteps = 
 constexpr double kGrowsBy = 1.5;
 
 /// ", about 2e+09 of them" where the number explains a long run time.
-std::string told_number(double steps) { return steps < 1e6 ? "" : fmt::format(", about {:.2g} of them", steps); }
+std::string count_text(double steps) { return steps < 1e6 ? "" : fmt::format(", about {:.2g} of them", steps); }
 
 /// Largest length of the first attempt of a step.
 Tick first_cap(const Stage& stage, const StepLimit& limit) {
@@ -91,7 +91,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
           std::isfinite(bound)
               ? fmt::format("stage '{}': steps of {:.4g} s, explicit ones of at most {:.4g} s{}; certified are {:.4g} "
                             "s, bound by {}",
-                            stage.name, *stage.dt, fine, told_number(seconds(stage.duration) / fine), bound, binding)
+                            stage.name, *stage.dt, fine, count_text(seconds(stage.duration) / fine), bound, binding)
               : fmt::format("stage '{}': steps of {:.4g} s; no block is explicit yet", stage.name, *stage.dt));
     }
     return ticks(*stage.dt);
@@ -168,7 +168,7 @@ StepReport Driver::attempt(const Stage& stage, Tick cap, Tick& h) {
   return report;
 }
 
-std::string Driver::told_refusal(const StepReport& report, Tick h) const {
+std::string Driver::refusal_text(const StepReport& report, Tick h) const {
   const std::string where =
       report.body.valid() ? fmt::format("block '{}', ", model_->blocks[setup_->body(report.body).block.index()].name)
                           : std::string();
@@ -186,7 +186,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
     stats_ = committed_;
     return RunEnd{RunEnd::Status::interrupted, "stopped on request"};
   };
-  const auto tell_cut = [&] {
+  const auto report_cut = [&] {
     if (cut)
       for (Sink* s : sinks_) s->event(*cut);
     cut.reset();
@@ -203,7 +203,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
     if (report.status == StepReport::Status::given_up) return stopped();
     if (stage.integrator == Integrator::partitioned) stats_.effort += effort(report, stats_, fast_elements_);
     if (report.status == StepReport::Status::ok) {
-      tell_cut();
+      report_cut();
       ++stats_.steps;
       if (stage.integrator == Integrator::partitioned)
         state_.step_limit.taken(h, iteration_of(report, stats_, fast_elements_, converged), largest_);
@@ -214,18 +214,18 @@ RunEnd Driver::advance_step(const Stage& stage) {
       return after_step(stage);
     }
     ++stats_.cuts;
-    const std::string text = told_refusal(report, h);
+    const std::string text = refusal_text(report, h);
     if (is_hopeless(report) || ++cuts > step_control_.max_cuts || h <= 3) {
       const auto status =
           report.status == StepReport::Status::non_finite ? RunEnd::Status::non_finite : RunEnd::Status::not_converged;
       const std::string reason =
           fmt::format("t = {:.6g} s, stage '{}', {} (after {} cuts)", seconds(state_.time), stage.name, text, cuts);
-      tell_cut();
+      report_cut();
       event(EventKind::not_converged, reason);
       return {status, reason};
     }
     if (RunEnd slow = check_pace(stage, text); slow.status != RunEnd::Status::done) {
-      tell_cut();
+      report_cut();
       return slow;
     }
     converged = converged && report.suggested > 0.0;  // > 0: only its displacement was too large
@@ -249,7 +249,7 @@ void Driver::count(const StepReport& report) {
 
 RunEnd Driver::after_step(const Stage& stage) {
   state_.ledger.pass();
-  for (std::string& text : bolt_watch_.look(*model_, state_))
+  for (std::string& text : bolt_watch_.new_breaks(*model_, state_))
     event(EventKind::bolt_broken, fmt::format("t = {:.6g} s, {}", seconds(state_.time), text));
   RunEnd found = check_audit(stage);
   if (found.status == RunEnd::Status::done) found = check_gain(stage, false);
@@ -265,8 +265,8 @@ RunEnd Driver::after_step(const Stage& stage) {
     if (rest.status != RunEnd::Status::done || ended_) return rest;
   }
   if (stage.subcycled())
-    if (const auto told = watch_energy(state_))
-      event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *told));
+    if (const auto text = watch_energy(state_))
+      event(EventKind::warning, fmt::format("t = {:.6g} s, stage '{}': {}", seconds(state_.time), stage.name, *text));
   check_end(stage);
   const bool over = ended_ || state_.time >= stage_end_;
   return over || steps_of_stage() % kClosureSteps == 0 ? check_closure(stage) : RunEnd();
@@ -289,13 +289,13 @@ RunEnd Driver::check_finite(const Stage& stage) {
 }
 
 void Driver::warn_of_losses(const Stage& stage, bool complete) {
-  std::vector<std::string> lines = lost_friction(*model_, state_, stats_, told_);
+  std::vector<std::string> lines = lost_friction(*model_, state_, stats_, reported_);
   if (complete && state_.ledger.passed_given() > round_off_) {
-    const std::vector<std::string> columns = large_scheme_columns(state_.ledger, told_);
+    const std::vector<std::string> columns = large_scheme_columns(state_.ledger, reported_);
     lines.insert(lines.end(), columns.begin(), columns.end());
   }
   if (damps_motion(stage)) {
-    const std::vector<std::string> spins = damped_spins(*model_, *setup_, state_, told_);
+    const std::vector<std::string> spins = damped_spins(*model_, *setup_, state_, reported_);
     lines.insert(lines.end(), spins.begin(), spins.end());
   }
   for (const std::string& line : lines)
@@ -386,7 +386,7 @@ void Driver::follow_rest(const Stage& stage, std::optional<double> ratio) {
   if (progress < 1.0 && rest_trace_.begins_part(progress)) rest_trace_.begin_part(centres());
 }
 
-void Driver::tell_unbalanced(const Stage& stage) {
+void Driver::warn_unbalanced(const Stage& stage) {
   const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *integrator_);
   if (!found.body.valid() || found.ratio <= kRested) return;
   event(EventKind::warning,
@@ -394,7 +394,7 @@ void Driver::tell_unbalanced(const Stage& stage) {
                     "N, {:.2g} of the largest force{}; let it last longer, or give rest_force",
                     seconds(state_.time), stage.name, model_->blocks[setup_->body(found.body).block.index()].name,
                     found.force, found.ratio,
-                    told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
+                    rest_text(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
 }
 
 RunEnd Driver::check_rest(const Stage& stage) {
@@ -413,7 +413,7 @@ RunEnd Driver::check_rest(const Stage& stage) {
         "({:.2g} allowed){}",
         steps_of_stage(), found.body.valid() ? block_name(setup_->body(found.body).block) : std::string(), found.force,
         found.ratio, stage.rest_force,
-        told(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back())));
+        rest_text(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back())));
   if (reason.empty()) {
     drop_velocities();  // an oscillation may be passing through equilibrium
     return {};

@@ -127,7 +127,7 @@ FrameView Observer::frame(const State& state, const RunStats& stats, bool last) 
   f.mesh = &view_;
   f.state = &state;
   f.stats = &stats;
-  f.bolts = bolts_.look(state);
+  f.bolts = bolts_.view(state);
   if (contacts_due(last)) {
     const auto begin = std::chrono::steady_clock::now();
     see_contacts(state);
@@ -204,7 +204,7 @@ HistoryView Observer::history(const State& state, const RunStats& stats) {
   h.stress = monitor_stress_;
   h.ledger = &state.ledger;
   h.stats = &stats;
-  h.bolts = bolts_.look(state);
+  h.bolts = bolts_.view(state);
   return h;
 }
 

@@ -131,7 +131,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
   const bool no_support = model.block_supports.empty() && model.point_supports.empty() && model.edge_supports.empty();
   std::vector<std::string> out;
   std::vector<BlockId> alone;
-  std::vector<std::string> told;
+  std::vector<std::string> found;
   bool all_free = true, all_thrown = true, moved = false;
   for (std::size_t g = 0; g < groups.blocks.size(); ++g) {
     const std::vector<BlockId>& blocks = groups.blocks[g];
@@ -144,11 +144,11 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
       moved = true;
       if (on_its_way || no_support) continue;
       if (held[g][static_cast<std::size_t>(1 - axis)])
-        told.push_back(half_held_text(model, blocks, axis));
+        found.push_back(half_held_text(model, blocks, axis));
       else if (blocks.size() == 1)
         alone.push_back(blocks.front());
       else
-        told.push_back(group_text(model, blocks, true));
+        found.push_back(group_text(model, blocks, true));
       break;
     }
   }
@@ -157,7 +157,7 @@ std::vector<std::string> support_warnings(const Model& model, const std::vector<
         fmt::format("nothing holds the model: the case has no [[support]], and {} moves all of it from the beginning{}",
                     model.gravity != Vec2::Zero() ? "gravity" : "a load that lasts",
                     model.viscous_edges.empty() ? "" : " (viscous edges only slow it down: the model sinks on them)"));
-  out.insert(out.end(), told.begin(), told.end());
+  out.insert(out.end(), found.begin(), found.end());
   for (std::size_t i = 0; i < alone.size() && i < kMostNames; ++i) out.push_back(group_text(model, {alone[i]}, true));
   if (alone.size() > kMostNames)
     out.push_back(fmt::format("{} more blocks touch nothing: {}", alone.size() - kMostNames,

@@ -82,7 +82,7 @@ void RestTrace::follow(double ratio) {
   if (!least.empty()) least.back() = std::min(least.back(), ratio);
 }
 
-std::string told(const RestTrace& trace, const Setup& setup, std::span<const Vec2> centres, double length) {
+std::string rest_text(const RestTrace& trace, const Setup& setup, std::span<const Vec2> centres, double length) {
   if (trace.centre.size() != 2 * RestTrace::kParts * setup.bodies().size()) return {};
   return ways(trace, setup, centres) + (std::isfinite(trace.least.back()) ? rate(trace, length) : std::string());
 }

@@ -37,7 +37,7 @@ struct RestTrace {
 ///   displacement per part   d4 in the last, d3 in the one before; slides: d4 >= 0.9 d3, stands still: d4 <= 1e-4 of
 ///                           its displacement in the stage
 /// @param centres  of the bodies at present   @param length  of the stage so far [s]
-[[nodiscard]] std::string told(const RestTrace& trace, const Setup& setup, std::span<const Vec2> centres,
-                               double length);
+[[nodiscard]] std::string rest_text(const RestTrace& trace, const Setup& setup, std::span<const Vec2> centres,
+                                    double length);
 
 }  // namespace scree::coupling

@@ -50,14 +50,14 @@ std::optional<std::string> energy_from_nowhere(const Ledger& ledger, double most
       ledger.held(), ledger.given(), where);
 }
 
-std::vector<std::string> large_scheme_columns(const Ledger& ledger, Told& told) {
+std::vector<std::string> large_scheme_columns(const Ledger& ledger, ReportedWarnings& reported) {
   std::vector<std::string> lines;
   const double passed = ledger.passed();
   for (int c = 0; c < kColumns; ++c) {
     const auto column = static_cast<Column>(c);
     if (!info(column).watched || std::abs(ledger[column]) <= kSchemeShare * passed) continue;
-    if (std::find(told.columns.begin(), told.columns.end(), c) != told.columns.end()) continue;
-    told.columns.push_back(c);
+    if (std::find(reported.columns.begin(), reported.columns.end(), c) != reported.columns.end()) continue;
+    reported.columns.push_back(c);
     const char* what = column == Column::deformation_damping
                            ? "it regularises sliding and is no property of the rock; compare with another "
                              "sliding_damping of the stage"
@@ -70,7 +70,8 @@ std::vector<std::string> large_scheme_columns(const Ledger& ledger, Told& told) 
   return lines;
 }
 
-std::vector<std::string> lost_friction(const Model& model, const State& state, RunStats& stats, Told& told) {
+std::vector<std::string> lost_friction(const Model& model, const State& state, RunStats& stats,
+                                       ReportedWarnings& reported) {
   struct Pair {
     std::pair<std::int32_t, std::int32_t> blocks;
     double ratio;
@@ -92,8 +93,8 @@ std::vector<std::string> lost_friction(const Model& model, const State& state, R
   std::vector<std::string> lines;
   for (const Pair& p : lost) {
     const std::array pair{p.blocks.first, p.blocks.second};
-    if (told.has(pair)) continue;
-    told.add(pair);
+    if (reported.has(pair)) continue;
+    reported.add(pair);
     lines.push_back(fmt::format(
         "{}: sliding, it had {:.3f} of the friction that its strength and normal force give; the block flutters or "
         "hops on its contacts, and goes too far (docs/theory/contact-law.md, \"Friction check\"): raise the "

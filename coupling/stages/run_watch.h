@@ -14,7 +14,7 @@ namespace scree::coupling {
 
 /// Warnings already given: each column, each pair of blocks and each spin once. Not part of the State, whose hash is
 /// independent of output, streams and monitors; part of the Checkpoint.
-struct Told {
+struct ReportedWarnings {
   std::vector<std::int32_t> columns;  // of the ledger
   std::vector<std::int32_t> pairs;    // two block numbers per pair, the smaller one first; equal: the block's spin
 
@@ -28,8 +28,8 @@ struct Told {
   /// As State::visit().
   template <class Visitor>
   void visit(Visitor&& see) const {
-    see("told.columns", columns);
-    see("told.pairs", pairs);
+    see("reported.columns", columns);
+    see("reported.pairs", pairs);
   }
 };
 
@@ -45,13 +45,13 @@ struct Told {
                                                              bool complete);
 
 /// A line for every watched column (ColumnInfo::watched) above kSchemeShare of the energy passed.
-/// @param told  columns already reported are left out; new ones are added
-[[nodiscard]] std::vector<std::string> large_scheme_columns(const Ledger& ledger, Told& told);
+/// @param reported  columns already reported are left out; new ones are added
+[[nodiscard]] std::vector<std::string> large_scheme_columns(const Ledger& ledger, ReportedWarnings& reported);
 
 /// A line for every pair of blocks with a contact that slid far and had less friction than by its law
 /// (FrictionCheck::kLeast), for the worst of their contacts. Puts the worst ratio of the run into the statistics.
-/// @param told  pairs already reported are left out; new ones are added
+/// @param reported  pairs already reported are left out; new ones are added
 [[nodiscard]] std::vector<std::string> lost_friction(const Model& model, const State& state, RunStats& stats,
-                                                     Told& told);
+                                                     ReportedWarnings& reported);
 
 }  // namespace scree::coupling

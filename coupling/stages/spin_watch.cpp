@@ -14,7 +14,8 @@ double spin_lost(double rate, double dt) {
   return lost / (1.0 + lost);
 }
 
-std::vector<std::string> damped_spins(const Model& model, const Setup& setup, const State& state, Told& told) {
+std::vector<std::string> damped_spins(const Model& model, const Setup& setup, const State& state,
+                                      ReportedWarnings& reported) {
   std::vector<std::string> lines;
   const double h = seconds(state.last_step);
   for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
@@ -23,7 +24,7 @@ std::vector<std::string> damped_spins(const Model& model, const Setup& setup, co
     if (!state.explicit_side.empty() && state.explicit_side[i] != 0) continue;
     const auto block = static_cast<std::int32_t>(b.block.index());
     const std::array own{block, block};
-    if (told.has(own)) continue;
+    if (reported.has(own)) continue;
     const auto pool = static_cast<std::size_t>(b.pool);
     const AffineMotion m = setup.pool_of(b)
                                .release(b.index, setup.part(std::span<const double>(state.q), pool),
@@ -32,7 +33,7 @@ std::vector<std::string> damped_spins(const Model& model, const Setup& setup, co
     const Mat2 turn = polar_rotation(m.F), gradient = m.Fdot * m.F.inverse();
     const double rate = 0.5 * std::abs(gradient(1, 0) - gradient(0, 1));
     if (spin_lost(rate, h) <= kSpinLost || std::abs(std::atan2(turn(1, 0), turn(0, 0))) < kSpinTurned) continue;
-    told.add(own);
+    reported.add(own);
     lines.push_back(fmt::format(
         "block '{}' turns by {:.3g} rad/s: implicit steps of {:.3g} s of a divided block take {:.2g} of the energy of "
         "a "

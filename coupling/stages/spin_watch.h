@@ -22,8 +22,8 @@ inline constexpr double kSpinTurned = 0.5;  // [rad]: blocks that have turned by
 
 /// A line for every block in implicit steps that has turned by kSpinTurned and loses more than kSpinLost of its spin.
 /// @pre the stage damps_motion()
-/// @param told  blocks already reported are left out; new ones are added
+/// @param reported  blocks already reported are left out; new ones are added
 [[nodiscard]] std::vector<std::string> damped_spins(const Model& model, const Setup& setup, const State& state,
-                                                    Told& told);
+                                                    ReportedWarnings& reported);
 
 }  // namespace scree::coupling

@@ -27,7 +27,7 @@ std::string told_of(const std::vector<std::array<double, 3>>& way, const std::ve
     if (!least.empty()) trace.follow(least[part]);
   }
   const std::vector<Vec2> now{{way.back()[0], 0.0}, {way.back()[1], 0.0}, {way.back()[2], 0.0}};
-  return told(trace, setup, now, 8.0);
+  return rest_text(trace, setup, now, 8.0);
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

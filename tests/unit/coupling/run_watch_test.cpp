@@ -98,20 +98,20 @@ TEST(RunWatch, numbers_that_are_not_finite_are_left_to_their_own_check) {
 
 TEST(RunWatch, large_columns_of_the_scheme_are_told_once) {
   Ledger ledger = opened(100.0);
-  Told told;
+  ReportedWarnings reported;
   for (int c = 0; c < kColumns; ++c)
     if (info(static_cast<Column>(c)).side == Side::scheme) ledger.book(static_cast<Column>(c), 0.99);
-  EXPECT_TRUE(large_scheme_columns(ledger, told).empty());
+  EXPECT_TRUE(large_scheme_columns(ledger, reported).empty());
   ledger.book(Column::contact_tributary, -2.0);
   ledger.book(Column::step_change, 50.0);  // what the shadow term changes by: no error
-  const std::vector<std::string> lines = large_scheme_columns(ledger, told);
+  const std::vector<std::string> lines = large_scheme_columns(ledger, reported);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("'contact_tributary'"), std::string::npos) << lines[0];
   ledger.book(Column::deformation_damping, 2.0);  // what regularises sliding counts among them
-  const std::vector<std::string> more = large_scheme_columns(ledger, told);
+  const std::vector<std::string> more = large_scheme_columns(ledger, reported);
   ASSERT_EQ(more.size(), 1U);
   EXPECT_NE(more[0].find("sliding_damping"), std::string::npos) << more[0];
-  EXPECT_TRUE(large_scheme_columns(ledger, told).empty());
+  EXPECT_TRUE(large_scheme_columns(ledger, reported).empty());
 }
 
 // ---------------------------------------------------------------------------------------------------------------

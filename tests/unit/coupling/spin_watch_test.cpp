@@ -64,13 +64,13 @@ TEST(SpinWatch, is_silent_without_the_cause) {
 }
 
 TEST(SpinWatch, told_spins_and_pairs_do_not_hide_each_other) {
-  Told told;
-  told.add({3, 3});
-  EXPECT_TRUE(told.has({3, 3}));
-  EXPECT_FALSE(told.has({3, 4}));
-  told.add({3, 4});
-  EXPECT_TRUE(told.has({3, 4}));
-  EXPECT_FALSE(told.has({4, 4}));
+  ReportedWarnings reported;
+  reported.add({3, 3});
+  EXPECT_TRUE(reported.has({3, 3}));
+  EXPECT_FALSE(reported.has({3, 4}));
+  reported.add({3, 4});
+  EXPECT_TRUE(reported.has({3, 4}));
+  EXPECT_FALSE(reported.has({4, 4}));
 }
 
 }  // namespace
