@@ -28,6 +28,10 @@ class Changer {
   void operator()(const char* name, std::array<T, N>& values) {
     for (T& v : values) (*this)(name, v);
   }
+  void operator()(const char* name, Vec2& x) {
+    (*this)(name, x.x());
+    (*this)(name, x.y());
+  }
   void operator()(const char* name, Mat2& m) {
     for (int i = 0; i < 4; ++i) (*this)(name, m.data()[i]);
   }
@@ -67,6 +71,7 @@ TEST(StateHash, any_changed_value_changes_it) {
   ASSERT_EQ(state_hash(state), hash);
   ASSERT_GT(all.count(), 150);
   ASSERT_FALSE(state.contacts.empty());
+  ASSERT_EQ(state.contacts.points.size(), state.contacts.memory.size());
   ASSERT_FALSE(state.rest.empty());
   for (std::int64_t k = 0; k < all.count(); ++k) {
     State other = state;
