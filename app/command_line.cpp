@@ -35,7 +35,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
     if (known.empty() || word.starts_with('-')) return {};
     if (std::find(known.begin(), known.end(), word) == known.end())
       return fmt::format("error: {} has no command \"{}\"\n  allowed: {}\n  hint: {}\n", path, word,
-                         fmt::join(known, ", "), io::did_you_mean(word, known, path + " --help says what they do"));
+                         fmt::join(known, ", "), io::did_you_mean(word, known, path + " --help explains them"));
     at = at->get_subcommand(word);
     path += " " + word;
   }
@@ -157,7 +157,7 @@ void add_run(CLI::App& app, Line& line) {
   add_live(command, o->live);
   command->add_flag(
       "--control", o->control,
-      "take commands over LCM (scree control); whoever may send to the group of the URL may then give them");
+      "take commands over LCM (scree control); anyone who can send to the group of the URL can then give them");
   add_threads(command, o->threads);
   add_until(command, o->until, "");
   add_set(command, o->set);
@@ -174,12 +174,12 @@ void add_run(CLI::App& app, Line& line) {
 
 void add_resume(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ResumeOptions>();
-  CLI::App* command = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  CLI::App* command = app.add_subcommand("resume", "continue a run that was stopped, from its last checkpoint");
   command->add_option("run", o->run, "run folder")->required();
   add_live(command, o->live);
-  command->add_option("--name", o->name, "name of the run in the stream (default: as it had)");
+  command->add_option("--name", o->name, "name of the run in the stream (default: its previous name)");
   add_threads(command, o->threads);
-  add_until(command, o->until, " (default: as the run was told)");
+  add_until(command, o->until, " (default: that of the run)");
   command->add_flag("--quiet", o->quiet, "print nothing but errors and warnings");
   add_load(command, line.libraries);
   carries_out(command, o, line.action, resume);
@@ -187,7 +187,7 @@ void add_resume(CLI::App& app, Line& line) {
 
 void add_check(CLI::App& app, Line& line) {
   const auto o = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "validate a case and say what it holds");
+  CLI::App* command = app.add_subcommand("check", "validate a case and print its contents");
   command->add_option("case", o->case_file, "case file (TOML)")->required();
   add_set(command, o->set);
   command->add_flag("--blocks", o->blocks, "a line for each block: name, material, area, centre");
@@ -212,10 +212,10 @@ void add_cases(CLI::App& app, Line& line) {
   CLI::App* cases = app.add_subcommand("cases", "the case library");
   cases->require_subcommand(1);
   const auto nothing = std::make_shared<int>();
-  prints(cases->add_subcommand("list", "the cases there are"), nothing, line.action, [](int) { return cases_list(); });
+  prints(cases->add_subcommand("list", "list the cases"), nothing, line.action, [](int) { return cases_list(); });
 
   const auto o = std::make_shared<VerifyCommand>();
-  CLI::App* command = cases->add_subcommand("verify", "run cases and compare with what they must show");
+  CLI::App* command = cases->add_subcommand("verify", "run cases and compare with the expected results");
   command->add_option("names", o->names, "cases (default: all)");
   command->add_flag_callback(
       "--quick", [] {}, "the quick tier (default)");
@@ -255,7 +255,7 @@ void add_snapshot(CLI::App& app, Line& line) {
       "start, end, handover (first frame of the last stage), a stage by name, a frame number, or a time such as 1.5s");
   command->add_option("--field", o->field,
                       "displacement, speed, sxx, syy, sxy, s1, s3, block, method, material, utilisation");
-  command->add_option("--range", o->range, "ends of the colours, in SI units (default: of the values)")
+  command->add_option("--range", o->range, "limits of the colour scale, in SI units (default: those of the values)")
       ->expected(2)
       ->type_name("LOW HIGH");
   command->add_option("--window", o->window, "what to show, in m, as the axes count (default: everything)")
@@ -264,7 +264,7 @@ void add_snapshot(CLI::App& app, Line& line) {
   CLI::Option* arrows = command->add_option("--arrows", o->arrows, "arrows on the blocks: displacement or velocity");
   command->add_flag("--labels", o->labels, "names on all blocks; small ones read better with --window")
       ->excludes(arrows);
-  command->add_flag("--elements", o->elements, "stress as it is stored, one colour an element");
+  command->add_flag("--elements", o->elements, "stress as it is stored, one colour per element");
   command->add_option("--width", o->width, "width of a PNG in pixels")->check(CLI::Range(200, 20000));
   CLI::Option* ledger = command->add_flag("--ledger", o->ledger, "draw the energy ledger over time instead");
   const CLI::Option* history =
@@ -286,7 +286,7 @@ void add_report(CLI::App& app, Line& line) {
   command->add_option("--out", o->out, "file (default: report.html in the run folder)")->type_name("FILE");
   command
       ->add_option("--size", o->megabytes,
-                   "leave out frames until the file is not above so many megabytes; 0: every frame")
+                   "leave out frames until the file has at most this many megabytes; 0: every frame")
       ->check(kNotNegative)
       ->capture_default_str()
       ->type_name("MB");
@@ -301,7 +301,7 @@ void add_gallery(CLI::App& app, Line& line) {
                    "run folders, or names of cases, which are run (default: all cases that are one run)")
       ->type_name("RUN|CASE...");
   command->add_option("--out", o->out, "folder of the page")->capture_default_str()->type_name("DIR");
-  command->add_option("--size", o->megabytes, "as of report, for each of them")
+  command->add_option("--size", o->megabytes, "as --size of report, for each run")
       ->check(kNotNegative)
       ->capture_default_str()
       ->type_name("MB");
@@ -320,7 +320,7 @@ void add_view(CLI::App& app, Line& line) {
       ->type_name("RUN2")
       ->needs(source);
   CLI::Option* live = add_live(command, o->live, "show a run that streams, on URL if one is given")->excludes(source);
-  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_option("--run", o->run, "name of the run on that URL")->type_name("NAME");
   command->add_option("--port", o->port, "port of 127.0.0.1 to serve on (default: a free one)")
       ->check(CLI::Range(1, 65535));
   CLI::Option* open = command->add_flag("--open", o->open, "open the page in the browser of the desktop (xdg-open)");
@@ -341,12 +341,12 @@ void add_watch(CLI::App& app, Line& line) {
                    "run folder, name of a run, or URL: udpm://GROUP:PORT, file://LOG (default: any run on the "
                    "default URL)")
       ->type_name("RUN|URL");
-  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_option("--run", o->run, "name of the run on that URL")->type_name("NAME");
   command->add_flag("--once", o->once, "print one screen and end");
-  command->add_option("--timeout", o->timeout, "give up after so many seconds of silence; 0: never")
+  command->add_option("--timeout", o->timeout, "give up after this many seconds without data; 0: never")
       ->check(kNotNegative)
       ->capture_default_str();
-  command->add_option("--for", o->seconds, "end after so many seconds")->check(kPositive);
+  command->add_option("--for", o->seconds, "end after this many seconds")->check(kPositive);
   carries_out(command, o, line.action, watch);
 }
 
@@ -355,13 +355,14 @@ void add_control(CLI::App& app, Line& line) {
   CLI::App* command = app.add_subcommand("control", "steer a run that was started with --live --control");
   command->add_option("run", o->target, "name of the run, or URL")->required()->type_name("RUN|URL");
   command
-      ->add_option("command", o->command,
-                   "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames a second; "
-                   "field NAME: what the frames carry, as live.field")
+      ->add_option(
+          "command", o->command,
+          "pause; resume; step N: make N steps (1), then pause; checkpoint; stop; rate HZ: frames per second; field "
+          "NAME: what the frames carry, as live.field")
       ->required()
       ->check(CLI::IsMember({"pause", "resume", "step", "checkpoint", "stop", "rate", "field"}));
   command->add_option("value", o->value, "N of step, HZ of rate, NAME of field")->type_name("[N|HZ|NAME]");
-  command->add_option("--run", o->run, "of the runs on that URL the one with this name")->type_name("NAME");
+  command->add_option("--run", o->run, "name of the run on that URL")->type_name("NAME");
   command->add_option("--timeout", o->timeout, "seconds to wait for the answer")
       ->check(kPositive)
       ->capture_default_str();
@@ -372,7 +373,7 @@ void add_replay(CLI::App& app, Line& line) {
   const auto o = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand("replay", "stream a stored run as if it were running");
   command->add_option("run", o->run, "run folder")->required();
-  command->add_option("--speed", o->speed, "simulated seconds a second; 0: as fast as frames can be read and sent")
+  command->add_option("--speed", o->speed, "simulated seconds per second; 0: as fast as frames can be read and sent")
       ->check(kNotNegative)
       ->capture_default_str();
   command->add_option("--live", o->live, "URL to stream to (default: that of run --live)")->type_name("URL");
@@ -386,15 +387,15 @@ void add_sweep_modes(CLI::App* command, SweepCommand& o) {
       command->add_option("--emit", o.emit, "write a workflow for snakemake or gnu-parallel into FILE instead")
           ->expected(2)
           ->type_name("KIND FILE");
-  CLI::Option* on = command->add_option("--on", o.on, "where the runs are made: local, or slurm as a job array")
+  CLI::Option* on = command->add_option("--on", o.on, "where the runs are executed: local, or slurm as a job array")
                         ->check(CLI::IsMember({"local", "slurm"}))
                         ->capture_default_str()
                         ->excludes(emit);
-  command->add_flag("--no-wait", o.no_wait, "end when the job is submitted; collect later")->needs(on);
-  CLI::Option* collect = command->add_flag("--collect", o.collect, "make no run, only the table of those there are")
+  command->add_flag("--no-wait", o.no_wait, "end once the job is submitted; collect later")->needs(on);
+  CLI::Option* collect = command->add_flag("--collect", o.collect, "make no run, only the table of existing runs")
                              ->excludes(emit)
                              ->excludes(on);
-  command->add_option("--only", o.only, "make one run by its number, and no table: what workflows call")
+  command->add_option("--only", o.only, "make one run by its number, and no table: called by workflows")
       ->type_name("N")
       ->excludes(emit)
       ->excludes(on)
@@ -413,7 +414,7 @@ void add_sweep(CLI::App& app, Line& line) {
           ->take_all()
           ->allow_extra_args(false)
           ->type_name("KEY=VALUES");
-  command->add_option("--table", o->table, "parameters of the runs: a heading of keys, then a row a run (CSV)")
+  command->add_option("--table", o->table, "parameters of the runs: a header row of keys, then one row per run (CSV)")
       ->type_name("FILE")
       ->excludes(param);
   command->add_option("--out", o->out, "folder of the sweep (default runs/<case folder>-sweep)")->type_name("DIR");
@@ -464,7 +465,7 @@ void add_slope(CLI::App& app, Line& line) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("FILE");
-  command->add_option("--unit", o->unit, "of records that do not say theirs: g, m/s2 or cm/s2")
+  command->add_option("--unit", o->unit, "of records that do not state it: g, m/s2 or cm/s2")
       ->check(CLI::IsMember({"g", "m/s2", "cm/s2"}));
   CLI::Option* scale = command->add_option("--scale", o->scale, "factor on the records")->check(kPositive);
   command
@@ -496,13 +497,15 @@ void add_fos(CLI::App& app, Line& line) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("LAW,...");
-  command->add_option("--method", o->method, "nmm or dda, after the stage to rest (default: as that)");
+  command->add_option("--method", o->method,
+                      "nmm or dda, after the stage to rest (default: that of the stage to rest)");
   command->add_option("--integrator", o->integrator, "explicit or implicit (default: as the stage to rest)")
       ->check(CLI::IsMember({"explicit", "implicit"}));
   command
-      ->add_option("--strength", o->strength,
-                   "peak: residual strengths are those of the peak; as-is: joints weaken as they say (default: peak, "
-                   "then as-is where that differs)")
+      ->add_option(
+          "--strength", o->strength,
+          "peak: residual strengths are those of the peak; as-is: joints weaken as defined (default: peak, then as-is "
+          "where that differs)")
       ->check(CLI::IsMember({"peak", "as-is"}));
   command->add_option("--tolerance", o->tolerance, "width of the bracket")
       ->check(CLI::Range(1e-4, 1.0))
@@ -513,13 +516,14 @@ void add_fos(CLI::App& app, Line& line) {
   command->add_option("--most", o->most, "largest factor that is tried")
       ->check(CLI::Range(1.0, 1e3))
       ->capture_default_str();
-  command->add_option("--time", o->time, "longest simulated time that a run may take to decide [s]")->check(kPositive);
-  command->add_option("--limit", o->limit, "displacement that decides [m]")->check(kPositive);
-  command->add_option("--kh", o->k_h, "pseudo-static coefficient: gravity has so much of its size along x, too")
+  command->add_option("--time", o->time, "longest simulated time of a run [s]")->check(kPositive);
+  command->add_option("--limit", o->limit, "displacement that counts as failure [m]")->check(kPositive);
+  command
+      ->add_option("--kh", o->k_h, "pseudo-static coefficient: gravity has this fraction of its size along x as well")
       ->check(CLI::Range(-10.0, 10.0));
   command
       ->add_option("--back-analysis", o->back,
-                   "phi or c: change it alone, and tell the value with which the slope just stands")
+                   "phi or c: change it alone, and print the value at which the slope is just stable")
       ->check(CLI::IsMember({"phi", "c"}));
   command->add_option("--jobs", o->jobs, "runs at a time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 4096));

@@ -24,7 +24,7 @@ std::optional<std::string> only_run(io::ControlClient& client, const std::string
   const std::vector<std::string> runs = client.heard(kListen);
   if (runs.size() == 1) return runs.front();
   if (runs.empty()) {
-    complain("error: nothing heard of any run on {}\n  does it stream? scree run CASE --live --control\n", url);
+    complain("error: no run was received on {}\n  does it stream? scree run CASE --live --control\n", url);
     return std::nullopt;
   }
   complain("error: several runs stream on {}: {}\n  name one with --run\n", url, fmt::join(runs, ", "));
@@ -44,7 +44,7 @@ double value_of(io::ControlVerb verb, const std::string& text, std::string& wron
     return field ? static_cast<double>(*field) : 0.0;
   }
   if (text.empty() && verb == ControlVerb::rate) {
-    wrong = "rate needs frames a second: scree control RUN rate HZ";
+    wrong = "rate needs frames per second: scree control RUN rate HZ";
     return 0.0;
   }
   if (text.empty()) return verb == ControlVerb::step ? 1.0 : 0.0;
@@ -108,7 +108,7 @@ int control(const ControlOptions& options) {
         complain("  what streams there: {}\n", fmt::join(runs, ", "));
       return kFiles;
     case io::ControlReply::Kind::no_end:
-      complain("error: {} has heard \"{}\", but has not carried it out within {:g} s\n", run, options.command,
+      complain("error: {} has received \"{}\", but has not executed it within {:g} s\n", run, options.command,
                options.timeout);
       return kFailed;
     case io::ControlReply::Kind::answered:

@@ -49,8 +49,8 @@ extern "C" void on_fault(int signal) {
     if (code == nullptr) continue;
     if (!code->of_hdf5) break;
     constexpr std::string_view kWhy =
-        "error: the HDF5 library failed, most likely for want of memory\n"
-        "  hint: scree resume FOLDER goes on from the last checkpoint\n";
+        "error: the HDF5 library failed, most likely for lack of memory\n  hint: scree resume FOLDER continues from "
+        "the last checkpoint\n";
     (void)!::write(STDERR_FILENO, kWhy.data(), kWhy.size());
     ::_exit(kFiles);
   }

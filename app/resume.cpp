@@ -24,8 +24,9 @@ io::Case stored_case(const io::RunRecord& run, const std::filesystem::path& fold
     io::Case c = io::read_case_text(run.case_text, run.case_path, run.overrides, methods, complain_line);
     for (std::size_t i = 0; i < run.files.size(); ++i)
       if (i >= c.files.size() || digest_of_file(c.files[i]) != run.file_digests[i])
-        throw io::FileError(i < c.files.size() ? c.files[i] : std::filesystem::path(run.files[i]),
-                            "has changed since the run in " + folder.string() + " began, which needs it as it was");
+        throw io::FileError(
+            i < c.files.size() ? c.files[i] : std::filesystem::path(run.files[i]),
+            "has changed since the run in " + folder.string() + " began; resuming requires the original file");
     return c;
   } catch (const io::CaseError& e) {
     throw io::FileError(folder, std::string("cannot resume: its case can no longer be read as it was (a file that it "
@@ -98,8 +99,8 @@ int resume(const ResumeOptions& options) {
   const coupling::State& state = from.stored.checkpoint.state;
   if (run.commit != built_from() || run.instruction_set != io::instruction_set())
     warn(fmt::format(
-        "the run was made by another build of Scree {} (commit {}, {}): its last bits may differ from those "
-        "of a run that was never stopped",
+        "the run was made by another build of Scree {} (commit {}, {}): results may differ in the last bits from "
+        "those of an uninterrupted run",
         run.version, run.commit.empty() ? "unknown" : run.commit, run.instruction_set));
   if (options.until && *options.until < seconds(state.time)) {
     complain("error: --until {:g}: the last checkpoint is at {} already\n", *options.until, place_of(state));

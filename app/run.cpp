@@ -226,10 +226,11 @@ void print(const Model& model, const SetStatistics& s) {
   const auto told = [](const Sample& drawn, const Moments1& asked, const char* unit) {
     const double error = asked.deviation / std::sqrt(static_cast<double>(std::max<std::int64_t>(drawn.n, 1)));
     const bool off = drawn.n > 0 && std::abs(drawn.mean() - asked.mean) > 2.58 * error + 1e-9 * std::abs(asked.mean);
-    return fmt::format("{:.4g} +- {:.3g} {} asked, {:.4g} +- {:.3g} in {} draws{}", asked.mean, asked.deviation, unit,
-                       drawn.mean(), drawn.deviation(), drawn.n, off ? " (off by more than 99 % of samples)" : "");
+    return fmt::format("{:.4g} +- {:.3g} {} specified, {:.4g} +- {:.3g} in {} draws{}", asked.mean, asked.deviation,
+                       unit, drawn.mean(), drawn.deviation(), drawn.n,
+                       off ? " (off by more than 99 % of samples)" : "");
   };
-  say("  joint set of '{}': {} lines, {:.4g} m; {:.4g} m/m2 asked, {:.4g} m/m2 drawn\n",
+  say("  joint set of '{}': {} lines, {:.4g} m; {:.4g} m/m2 specified, {:.4g} m/m2 drawn\n",
       model.joints[s.joint.index()].name, s.lines, s.total_length, s.asked_density(), s.density());
   const Moments1 dip =
       s.fisher_k > 0.0 ? Moments1{s.dip_deg.mean, fisher_deviation_deg(s.fisher_k)} : drawn_moments(s.dip_deg, false);
@@ -247,7 +248,7 @@ void print(const CuttingReport& r) {
   say("    dead ends: {} kept as cracks ({:.4g} m), {} shorter than {:g} m trimmed ({:.4g} m)\n", r.cracks_kept,
       r.crack_length, r.cracks_trimmed, r.least_width, r.trimmed_length);
   if (r.ends_extended > 0)
-    say("    rock bridges: {} dead ends run on to the next line ({:.4g} m)\n", r.ends_extended, r.extended_length);
+    say("    rock bridges: {} dead ends extended to the next line ({:.4g} m)\n", r.ends_extended, r.extended_length);
   say("    slivers: {} joined to a neighbour{}\n", r.slivers_joined,
       r.slivers_left > 0 ? fmt::format(", {} without a neighbour kept", r.slivers_left) : "");
   say("    least area {:.4g} m2, least edge {:.4g} m, least angle {:.4g} deg\n", r.least_area, r.least_edge,
@@ -279,7 +280,7 @@ void tell_meshes(const Model& model, const coupling::Plan& plan) {
 std::string closing_words(const coupling::Ledger& ledger) {
   const double moved = ledger.moved(), passed = ledger.passed();
   if (ledger.next_to_nothing(moved))
-    return fmt::format("ledger open by {:.1e} J, of next to nothing: {:.4g} J moved, {:.1e} J are round-off",
+    return fmt::format("ledger open by {:.1e} J, with almost no energy moved: {:.4g} J, round-off {:.1e} J",
                        ledger.closure(), moved, ledger.last_places());
   return fmt::format("ledger closes to {:.1e} of {:.4g} J moved, {:.1e} of {:.4g} J passed", ledger.relative_closure(),
                      moved, ledger.passed_closure(), passed);

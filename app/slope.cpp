@@ -35,7 +35,7 @@ std::string slope_error(const SlopeCommand& c) {
 std::string usage_error(const SlopeCommand& c) {
   if (std::string wrong = slope_error(c); !wrong.empty()) return wrong;
   if (c.records.empty() && !c.dip && !c.yield)
-    return "nothing is asked: give --dip and --friction, --yield, or --record";
+    return "no question is given: give --dip and --friction, --yield, or --record";
   if (c.records.empty() && !c.spectrum.empty()) return "--spectrum needs a --record";
   if (!c.records.empty() && c.arias) return "--arias is for regressions without a --record, which has its own";
   if (c.records.empty() && c.scale != 1.0) return "--scale needs a --record";

@@ -104,7 +104,7 @@ int snapshot(const SnapshotCommand& command) {
   const std::string name = command.ledger ? "ledger" : command.history ? "history" : command.field;
   const std::filesystem::path out = command.out.empty() ? command.run / (name + ".png") : command.out;
   if (!io::picture_format(out))
-    return refuse("out", out.string(), "is no name of a picture", "names that end in .png, .pdf or .svg");
+    return refuse("out", out.string(), "is not the name of a picture", "names that end in .png, .pdf or .svg");
   io::SnapshotOptions options;
   if (const int code = choose_looks(command, options); code != kDone) return code;
   if (command.ledger) {

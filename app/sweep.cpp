@@ -65,7 +65,7 @@ std::string usage_error(const SweepCommand& c) {
   if (!c.emit.empty() && std::find(kinds.begin(), kinds.end(), c.emit.front()) == kinds.end())
     return fmt::format("--emit: {}\n  allowed: {}\n  hint: {}", c.emit.front(), fmt::join(kinds, ", "),
                        io::did_you_mean(c.emit.front(), kinds, "give the kind, then the file"));
-  if (c.no_wait && c.on != "slurm") return "--no-wait: only a job of Slurm can be left to itself (--on slurm)";
+  if (c.no_wait && c.on != "slurm") return "--no-wait: only a Slurm job can run without waiting (--on slurm)";
   return {};
 }
 

@@ -119,7 +119,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
   const io::Dashboard& run = source.refresh();
   if (display) display->close(run);
   if (run.run.empty())
-    complain("error: nothing heard of {} on {} for {:.0f} s\n  does it stream? scree run CASE --live\n",
+    complain("error: no data from {} on {} for {:.0f} s\n  does it stream? scree run CASE --live\n",
              options.run.empty() ? "any run" : fmt::format("a run '{}'", options.run), url, run.received->waited);
   else
     complain("error: {} has been silent for {:.0f} s; it may have been killed\n", run.run, run.received->silent);

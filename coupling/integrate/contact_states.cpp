@@ -373,7 +373,7 @@ void ContactStates::check(std::span<const double> d, double unbalanced, Audit& a
     audit.check(t.fn - (t.slack ? slack_force(i) : pressed(t, gap - m.gap)), allowed,
                 [&] { return fmt::format("{}: {:.6g} N is not the force of its spring", name(), t.fn); });
     audit.check(t.slack ? std::max(0.0, pressed(t, gap - m.gap) - t.fn) : 0.0, allowed,
-                [&] { return fmt::format("{}: slack, and its spring presses more", name()); });
+                [&] { return fmt::format("{}: counted as slack, but its spring presses more", name()); });
     // A gap is accurate to the force of its spring; with the dashpot the same gap error is a larger force.
     audit_law(*setup_, m, bearing_force(i), t.ft, allowed * t.k / m.kn, audit);
     const double slip = stretch_before(i) + t.moved - t.stretch;

@@ -40,9 +40,9 @@ StepReport lost_state(const LostPlace& place, double t) {
   report.status = StepReport::Status::non_finite;
   report.body = place.body;
   report.cause = fmt::format(
-      "at t = {:.6g} s {}; likely causes: loads or impacts beyond what a linear elastic material bears (stress of the "
-      "order of Young's modulus), a step above the stable one, or a mesh too coarse for them; the last good state is "
-      "kept",
+      "at t = {:.6g} s {}; likely causes: loads or impacts beyond what a linear elastic material can carry (stress "
+      "of the order of Young's modulus), a step above the stable one, or a mesh too coarse for them; the last good "
+      "state is kept",
       t, !place.body.valid() ? "a velocity is not finite" : place.what);
   return report;
 }

@@ -285,7 +285,7 @@ void Driver::change_bodies(const Stage& stage, std::span<const MethodChange> why
           fmt::format(
               "block '{}': {} -> {}, {:.4g} J kinetic and {:.3g} J elastic to the reservoir, {}energy error {:.1e}{}",
               model_->blocks[row.block.index()].name, row.from, row.to, row.reservoir_kinetic, row.reservoir_elastic,
-              row.from == row.to ? fmt::format("{:.4g} J of {:.4g} J that the new mesh does not hold booked, ",
+              row.from == row.to ? fmt::format("{:.4g} J of {:.4g} J not represented by the new mesh and booked, ",
                                                row.booked, row.before.kinetic + row.before.elastic)
                                  : std::string(),
               row.energy_error, row.by_rule ? "; by rule: " + text(row.measures) : std::string()),
@@ -299,8 +299,8 @@ void Driver::report_construction(const Stage& stage, const TransferReport& hande
     const std::string release =
         c.release_time == 0 ? std::string("at once") : fmt::format("over {:.6g} s", seconds(c.release_time));
     event(EventKind::excavated,
-          fmt::format("stage '{}': {} excavated with {:.4g} J; {:.3g} of what it bore is released {}", stage.name,
-                      named_blocks(*model_, handed.left), energy, c.release.value_or(0.0), release));
+          fmt::format("stage '{}': {} excavated with {:.4g} J; {:.3g} of the forces that it carried is released {}",
+                      stage.name, named_blocks(*model_, handed.left), energy, c.release.value_or(0.0), release));
   }
   if (!handed.came.empty())
     event(EventKind::filled, fmt::format("stage '{}': {} filled, at rest and free of stress", stage.name,
@@ -429,8 +429,9 @@ BlockId Driver::unsupported_at_rest(const Stage& stage) {
   // Contacts of explicit steps open for an instant while blocks still vibrate: without rest_force only a warning.
   if (loose.valid() && stage.integrator == Integrator::explicit_ && stage.rest_force == 0.0) {
     event(EventKind::warning,
-          fmt::format("t = {:.6g} s, stage '{}': block '{}' touches nothing that leads to a support at its end",
-                      seconds(state_.time), stage.name, model_->blocks[loose.index()].name));
+          fmt::format(
+              "t = {:.6g} s, stage '{}': block '{}' has no chain of contacts to a support at the end of the stage",
+              seconds(state_.time), stage.name, model_->blocks[loose.index()].name));
     return {};
   }
   return loose;
@@ -557,11 +558,11 @@ void Driver::warn_idle_rules() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(state_.stage) + (over ? 1 : 0); ++i) {
     const Stage& stage = plan_->stages[i];
     if (stage.change.used && rule_changes_[kRuleKinds * i + kMethodRule] == 0)
-      event(
-          EventKind::warning,
-          fmt::format("stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` "
-                      "and docs/theory/transfer.md, \"Switching rules\", say what they measure",
-                      stage.name));
+      event(EventKind::warning,
+            fmt::format(
+                "stage '{}': its rules for methods (switch) never fired: no block changed method; `scree check` and "
+                "docs/theory/transfer.md, \"Switching rules\", explain what they measure",
+                stage.name));
     if (stage.integrator == Integrator::partitioned && stage.partition.changes() &&
         rule_changes_[kRuleKinds * i + kSideRule] == 0)
       event(

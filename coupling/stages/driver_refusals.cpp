@@ -13,9 +13,9 @@ void Driver::refuse_switching(const Stage& stage) const {
   const auto refuse = [&](const char* why) {
     throw PlanError(fmt::format("stage '{}': blocks cannot change method during it: {}", stage.name, why));
   };
-  if (stage.rest) refuse("it runs to rest, and takes the motion away that decides");
-  if (stage.kinematics == Kinematics::linear) refuse("linear kinematics cannot take back a block that has turned");
-  if (stage.newmark == NewmarkScheme::trapezoidal) refuse("the trapezoidal scheme cannot take blocks of the DDA");
+  if (stage.rest) refuse("it runs to rest, which removes the motion that the rules measure");
+  if (stage.kinematics == Kinematics::linear) refuse("linear kinematics cannot return a rotated block to the NMM");
+  if (stage.newmark == NewmarkScheme::trapezoidal) refuse("the trapezoidal scheme does not support blocks of the DDA");
 }
 
 void Driver::refuse_turned_blocks(const Stage& stage) const {
@@ -30,10 +30,10 @@ void Driver::refuse_turned_blocks(const Stage& stage) const {
                                       .motion.F);
     const double turn = std::atan2(R(1, 0), R(0, 0));
     if (std::abs(turn) <= kMost) continue;
-    throw PlanError(
-        fmt::format("t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, which takes "
-                    "rotations for strains, bears {:g} rad; use kinematics = \"corotational\"",
-                    seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
+    throw PlanError(fmt::format(
+        "t = {:.6g} s, stage '{}': block '{}' is turned by {:.3g} rad, and linear kinematics, in which rotations "
+        "cause strains, allows {:g} rad; use kinematics = \"corotational\"",
+        seconds(state_.time), stage.name, model_->blocks[b.block.index()].name, turn, kMost));
   }
 }
 
@@ -52,10 +52,10 @@ void Driver::refuse_missed_times() {
   for (const TimeFault& f : time_faults(*model_, *plan_, begins, stage_end_)) {
     if (std::any_of(known.begin(), known.end(), [&](const TimeFault& k) { return k.same(f); })) continue;
     if (f.kind == TimeFault::Kind::missed)
-      throw PlanError(fmt::format(
-          "t = {:.6g} s, stage '{}': {}{}; no stage can meet it: let it begin with a stage (start = \"{}\")",
-          seconds(state_.time), stage_name(StageId{state_.stage}), text(f, *model_),
-          now > 0 ? " because a stage before has ended early" : "", stage_name(StageId{state_.stage})));
+      throw PlanError(
+          fmt::format("t = {:.6g} s, stage '{}': {}{}; it acts in no stage: let it begin with a stage (start = \"{}\")",
+                      seconds(state_.time), stage_name(StageId{state_.stage}), text(f, *model_),
+                      now > 0 ? " because an earlier stage has ended early" : "", stage_name(StageId{state_.stage})));
     event(EventKind::warning, text(f, *model_));
   }
   const std::vector<StageId> meets = stages_met(*model_, *plan_, begins, stage_end_);
@@ -64,7 +64,8 @@ void Driver::refuse_missed_times() {
     const bool motion = i < model_->motions.size();
     event(EventKind::warning,
           fmt::format("stage '{}' has ended early: the {} '{}' begins in stage '{}', not in '{}' as planned; start = "
-                      "\"{}\" would tie it to that stage",
+                      "\"{}\" would "
+                      "make it begin with that stage",
                       plan_->stages[now - 1].name, motion ? "motion" : "function",
                       motion ? model_->motions[i].setting().name : model_->functions[i - model_->motions.size()].name,
                       stage_name(meets[i]), stage_name(met[i]), stage_name(met[i])));

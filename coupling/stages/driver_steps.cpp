@@ -76,8 +76,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
     if (m > 0 && *stage.dt > m * bound && !stage.force_dt)
       throw PlanError(fmt::format(
           "t = {:.6g} s, stage '{}': explicit steps of {:.4g} s, {} in an implicit one, are above the certified stable "
-          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them all the "
-          "same",
+          "one, {:.4g} s, bound by {}; leave substeps out, give {} or more, or force_dt = true to take them anyway",
           seconds(state_.time), stage.name, *stage.dt / m, m, bound, refused(), std::ceil(*stage.dt / bound)));
     if (m > 0 && *stage.dt > m * bound && first)
       event(EventKind::warning,
@@ -100,7 +99,7 @@ Tick Driver::largest_step(const Stage& stage, bool first) {
     if (*stage.dt > bound && !stage.force_dt)
       throw PlanError(fmt::format(
           "t = {:.6g} s, stage '{}': the explicit step {:.4g} s is above the certified stable one, {:.4g} s, bound by "
-          "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it all the same",
+          "{}; use dt = \"auto\" or a smaller step, or force_dt = true to take it anyway",
           seconds(state_.time), stage.name, *stage.dt, bound, refused()));
     if (*stage.dt > bound && first)
       event(EventKind::warning,
@@ -122,9 +121,9 @@ void Driver::check_slow_step(const Stage& stage, bool first) {
   if (*stage.dt <= most) return;
   if (!stage.force_dt)
     throw PlanError(fmt::format(
-        "t = {:.6g} s, stage '{}': internal forces of blocks that are not in explicit_blocks are met every {:.4g} s, "
-        "and {:.4g} s is allowed by {} (dt w <= 0.5); use a smaller dt, name the block there, or force_dt = true to "
-        "take it all the same",
+        "t = {:.6g} s, stage '{}': internal forces of blocks that are not in explicit_blocks are evaluated every "
+        "{:.4g} s, and {:.4g} s is allowed by {} (dt w <= 0.5); use a smaller dt, name the block there, or force_dt "
+        "= true to take it anyway",
         seconds(state_.time), stage.name, *stage.dt, most, binding));
   if (first)
     event(EventKind::warning,
@@ -282,7 +281,7 @@ RunEnd Driver::check_finite(const Stage& stage) {
     what = fmt::format("'{}' of the energy ledger is not finite", wrong);
   if (what.empty()) return {};
   const std::string reason =
-      fmt::format("t = {:.6g} s, stage '{}': {}; results from the last frame before on have no meaning",
+      fmt::format("t = {:.6g} s, stage '{}': {}; results after the last frame before this time are meaningless",
                   seconds(state_.time), stage.name, what);
   event(EventKind::not_converged, reason);
   return {RunEnd::Status::non_finite, reason};
@@ -389,12 +388,13 @@ void Driver::follow_rest(const Stage& stage, std::optional<double> ratio) {
 void Driver::warn_unbalanced(const Stage& stage) {
   const ForceBalance::Result found = ForceBalance(*setup_, state_).measure(state_, *integrator_);
   if (!found.body.valid() || found.ratio <= kRested) return;
-  event(EventKind::warning,
-        fmt::format("t = {:.6g} s, stage '{}' ends before it is at rest: block '{}' has an unbalanced force of {:.3g} "
-                    "N, {:.2g} of the largest force{}; let it last longer, or give rest_force",
-                    seconds(state_.time), stage.name, model_->blocks[setup_->body(found.body).block.index()].name,
-                    found.force, found.ratio,
-                    rest_text(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
+  event(
+      EventKind::warning,
+      fmt::format(
+          "t = {:.6g} s, stage '{}' ends before it is at rest: block '{}' has an unbalanced force of {:.3g} N, {:.2g} "
+          "of the largest force{}; make the stage longer, or give rest_force",
+          seconds(state_.time), stage.name, model_->blocks[setup_->body(found.body).block.index()].name, found.force,
+          found.ratio, rest_text(rest_trace_, *setup_, centres(), seconds(state_.time - state_.stage_begin.back()))));
 }
 
 RunEnd Driver::check_rest(const Stage& stage) {

@@ -27,8 +27,9 @@ std::optional<std::string> watch_energy(State& state) {
   if (!(made > kEnergyMade * there)) return std::nullopt;
   begin.told = 1;
   return fmt::format(
-      "the steps have made {:.3g} J of elastic energy, {:.2g} of the {:.3g} J that there are; internal forces met once "
-      "a dt may be in resonance with faster motion: take another dt, or name the blocks in explicit_blocks",
+      "the steps have created {:.3g} J of elastic energy, {:.2g} of the {:.3g} J present; internal forces "
+      "evaluated once per dt may be in resonance with faster motion: choose another dt, or name the blocks in "
+      "explicit_blocks",
       made, made / there, there);
 }
 

@@ -157,17 +157,17 @@ bool damps_much(const StageDamping& d) {
 std::string text(const StageDamping& d) {
   std::string line = fmt::format("stage '{}': implicit steps of {:.4g} s damp ", d.stage, d.dt);
   const auto loss = [](const NumericalDamping& n) {
-    return fmt::format("by {:.3g} % a second, {:.3g} % a period", 100.0 * n.per_second, 100.0 * n.per_period);
+    return fmt::format("by {:.3g} % per second, {:.3g} % per period", 100.0 * n.per_second, 100.0 * n.per_period);
   };
   if (d.driven)
     line += fmt::format("the highest driven frequency, {:.3g} Hz, {}{}", d.driven->frequency, loss(*d.driven),
                         d.wave ? "; " : "");
   if (d.wave) line += fmt::format("a wave of ten covers, {:.4g} Hz, {}", d.wave->frequency, loss(*d.wave));
   if (d.driven && d.driven->per_second > kDampsMuch)
-    line += fmt::format("; steps of {:.2g} s would damp what drives it by 5 % a second",
+    line += fmt::format("; steps of {:.2g} s would damp that frequency by 5 % per second",
                         step_that_damps(d.driven->frequency, kDampsMuch));
   if (d.divided && d.wave && d.wave->per_second > kDampsMuch)
-    line += "; a wave that crosses the border of the explicit region loses that in the implicit half";
+    line += "; a wave that enters the implicit part of the divided block loses that much there";
   return line;
 }
 

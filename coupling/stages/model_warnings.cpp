@@ -60,11 +60,10 @@ std::vector<std::string> stiffness_warnings(const Model& model) {
                         *s.bedding * length_of(model, s.span)});
   Thing least, largest;
   if (!ends_of_list(things, least, largest) || !(largest.size > kFarStiffness * least.size)) return {};
-  return {
-      fmt::format("stiffness ratio {:.2g}: the {} is {:.3g} Pa, the {} is {:.3g} Pa; implicit steps lose digits by it "
-                  "and explicit ones "
-                  "get short",
-                  largest.size / least.size, largest.name, largest.size, least.name, least.size)};
+  return {fmt::format(
+      "stiffness ratio {:.2g}: the {} is {:.3g} Pa, the {} is {:.3g} Pa; implicit steps lose accuracy and explicit "
+      "ones become short",
+      largest.size / least.size, largest.name, largest.size, least.name, least.size)};
 }
 
 std::vector<std::string> size_warnings(const Model& model) {
@@ -74,9 +73,8 @@ std::vector<std::string> size_warnings(const Model& model) {
   Thing least, largest;
   if (!ends_of_list(things, least, largest) || !(largest.size > kFarSizes * least.size)) return {};
   return {fmt::format(
-      "blocks are of very different sizes: '{}' is {:.3g} m wide, '{}' {:.3g} m (roots of areas); contacts are "
-      "searched and "
-      "springs chosen for blocks that are more alike; least_width and least_area of a domain join small ones to their "
+      "blocks are of very different sizes: '{}' is {:.3g} m wide, '{}' {:.3g} m (roots of areas); contact search "
+      "and springs assume blocks of similar size; least_width and least_area of a domain join small ones to their "
       "neighbours",
       largest.name, largest.size, least.name, least.size)};
 }
@@ -88,15 +86,15 @@ std::vector<std::string> unit_warnings(const Model& model) {
   for (const std::size_t i : used) {
     const Material& m = model.materials[i];
     if (m.density < kLightest || m.density > kHeaviest)
-      out.push_back(
-          fmt::format("the density of '{}' is {:.4g} kg/m3, and that of rock 1500 to 4500; a number in another "
-                      "unit is written with it, as \"2.6 t/m3\"",
-                      m.name, m.density));
+      out.push_back(fmt::format(
+          "the density of '{}' is {:.4g} kg/m3, and that of rock is 1500 to 4500; a number in another unit is written "
+          "with it, as \"2.6 t/m3\"",
+          m.name, m.density));
     if (m.young < kSoftest)
-      out.push_back(
-          fmt::format("Young's modulus of '{}' is {:.4g} Pa, and that of rock 1e8 to 1e11; a number in another "
-                      "unit is written with it, as \"25 GPa\"",
-                      m.name, m.young));
+      out.push_back(fmt::format(
+          "Young's modulus of '{}' is {:.4g} Pa, and that of rock is 1e8 to 1e11; a number in another unit is written "
+          "with it, as \"25 GPa\"",
+          m.name, m.young));
   }
   return out;
 }

@@ -32,10 +32,9 @@ std::optional<std::string> too_slow(const RunStats& stats, double steps, double 
   const double taken = stats.effort - stats.effort_before, of_implicit = implicit_effort(stats);
   if (!(allowed > 0.0) || !(taken > allowed * (steps + kFree) * of_implicit)) return {};
   return fmt::format(
-      "it has taken the effort of {:.3g} implicit steps for the time of {:.3g}, more than {:g} times as much "
-      "(run.max_slowdown, {:g} steps for free). Let fewer blocks be explicit, or all of them (integrator = "
-      "\"implicit\" "
-      "or \"explicit\"), or take a shorter dt, so that a step has fewer explicit ones",
+      "the stage has taken the effort of {:.3g} implicit steps for the time of {:.3g}, more than {:g} times as "
+      "much (run.max_slowdown, with an allowance of {:g} steps). Make fewer blocks explicit, or all of them "
+      "(integrator = \"implicit\" or \"explicit\"), or use a shorter dt, which contains fewer explicit steps",
       taken / of_implicit, steps, allowed, kFree);
 }
 

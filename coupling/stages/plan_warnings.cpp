@@ -179,12 +179,11 @@ std::vector<std::string> damping_warnings(const Model& model, const Plan& plan) 
     if (any && !free)
       out.push_back(fmt::format("stage '{}': its damping acts on nothing: all blocks are held", stage.name));
     else if (stage.damping > 0.0 && !stage.damp_rigid_motion && !bends)
-      out.push_back(
-          fmt::format("stage '{}': damping = {:g} acts on nothing: it spares affine motion, and blocks of the DDA and "
-                      "under onefold "
-                      "covers have no other; stiffness_damping acts on their strain, damp_rigid_motion = true on all "
-                      "of their motion",
-                      stage.name, stage.damping));
+      out.push_back(fmt::format(
+          "stage '{}': damping = {:g} acts on nothing: it does not damp affine motion, and blocks of the DDA and under "
+          "onefold covers have no other motion; stiffness_damping acts on their strain, damp_rigid_motion = true on "
+          "all of their motion",
+          stage.name, stage.damping));
   }
   return out;
 }
@@ -235,20 +234,18 @@ std::vector<std::string> sliding_warnings(const Model& model, const Plan& plan, 
     if (steepest[j] < needs.angle || law.friction < needs.angle) continue;
     rough = std::max(rough, steepest[j]);
     if (law.damping >= needs.joint_damping) continue;
-    out.push_back(
-        fmt::format("joint '{}': damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
-                    "degrees with {:.0f} "
-                    "degrees of friction blocks may hop on their contacts and slide too far, as undamped equations do; "
-                    "leave the key "
-                    "out unless that is what you study",
-                    law.name, law.damping, needs.joint_damping, steepest[j] * kDegrees, law.friction * kDegrees));
+    out.push_back(fmt::format(
+        "joint '{}': damping = {:g} is less than sliding requires, {:g}: on joints as steep as {:.0f} degrees with "
+        "{:.0f} degrees of friction blocks may hop on their contacts and slide too far, as undamped equations do; "
+        "leave the key out unless that is what you study",
+        law.name, law.damping, needs.joint_damping, steepest[j] * kDegrees, law.friction * kDegrees));
   }
   for (const Stage& s : plan.stages)
     if (rough >= 0.0 && dynamic(s) && s.sliding_damping < needs.stage_damping)
       out.push_back(fmt::format(
-          "stage '{}': sliding_damping = {:g} is less than sliding asks for, {:g}: on joints as steep as {:.0f} "
-          "degrees "
-          "blocks may vibrate, lose friction and slide too far; leave the key out unless that is what you study",
+          "stage '{}': sliding_damping = {:g} is less than sliding requires, {:g}: on joints as steep as {:.0f} "
+          "degrees blocks may vibrate, lose friction and slide too far; leave the key out unless that is what you "
+          "study",
           s.name, s.sliding_damping, needs.stage_damping, rough * kDegrees));
   return out;
 }
@@ -273,16 +270,13 @@ std::vector<std::string> arch_warnings(const Model& model, const Plan& plan, con
     std::vector<BlockId> soft;
     std::copy_if(stones.begin(), stones.end(), std::back_inserter(soft), divided);
     if (soft.empty()) continue;
-    out.push_back(
-        fmt::format("stage '{}': {} {} carried by thrust alone, as a stone of an arch, on joints with normal_stiffness "
-                    "= \"auto\" that "
-                    "the NMM divides: a hinge gives way more there than at the two points that a joint of the DDA has, "
-                    "and the limit "
-                    "of an arch moves by about 3 %; a normal_stiffness ten times the automatic one, or the DDA, comes "
-                    "nearer to rigid "
-                    "blocks",
-                    stage.name, soft.size() == 1 ? "block" : "blocks",
-                    named_blocks(model, soft) + (soft.size() == 1 ? " is" : " are")));
+    out.push_back(fmt::format(
+        "stage '{}': {} {} carried by thrust alone, as a stone of an arch, on joints with normal_stiffness = "
+        "\"auto\" that the NMM divides: a hinge is softer there than at the two points of a joint of the DDA, and "
+        "the limit of an arch changes by about 3 %; a normal_stiffness ten times the automatic one, or the DDA, is "
+        "closer to rigid blocks",
+        stage.name, soft.size() == 1 ? "block" : "blocks",
+        named_blocks(model, soft) + (soft.size() == 1 ? " is" : " are")));
     break;  // later stages would repeat the warning
   }
   return out;
@@ -338,10 +332,10 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
     }
     if (soft.empty()) continue;
     return {fmt::format(
-        "stage '{}': {} {} rock on a joint with normal_stiffness = \"auto\" that the NMM divides: its edge gives way, "
-        "so that a block rocks farther than a rigid one, by a fifth or more under a short pulse, and overturns "
-        "somewhat earlier; a normal_stiffness a hundred times the automatic one, or the DDA, comes nearer to rigid "
-        "blocks",
+        "stage '{}': {} {} rock on a joint with normal_stiffness = \"auto\" that the NMM divides: its edge is "
+        "compliant, so that a block rocks farther than a rigid one, by a fifth or more under a short pulse, and "
+        "overturns somewhat earlier; a normal_stiffness a hundred times the automatic one, or the DDA, is closer to "
+        "rigid blocks",
         stage.name, soft.size() == 1 ? "block" : "blocks", named_blocks(model, soft) + " may")};
   }
   return {};

@@ -39,14 +39,13 @@ std::optional<std::string> energy_from_nowhere(const Ledger& ledger, double most
   const Column column = largest_scheme_column(ledger);
   const std::string where =
       ledger[column] > 0.5 * gain
-          ? fmt::format("the ledger's column '{}' has {:.3g} J of it", info(column).name, ledger[column])
-          : std::string("no column of the ledger has it: the time scheme itself is unstable");
+          ? fmt::format("the ledger's column '{}' contains {:.3g} J of it", info(column).name, ledger[column])
+          : std::string("no column of the ledger contains it: the time scheme itself is unstable");
   return fmt::format(
-      "the blocks hold {:.3g} J, and {:.3g} J were given to them by motion at the start and work: energy from nowhere "
-      "({}). Either the steps are too long (force_dt, or safety above 0.95: use dt = \"auto\" and a smaller safety), "
-      "or "
-      "contacts are far stiffer than the blocks (normal_stiffness, penalty), or a force is wrong; run.max_gain sets "
-      "what is allowed",
+      "the blocks hold {:.3g} J, and {:.3g} J were given to them by initial motion and work: the rest has no "
+      "source ({}). Either the steps are too long (force_dt, or safety above 0.95: use dt = \"auto\" and a smaller "
+      "safety), or contacts are far stiffer than the blocks (normal_stiffness, penalty), or a force is wrong; "
+      "run.max_gain sets what is allowed",
       ledger.held(), ledger.given(), where);
 }
 
@@ -59,9 +58,9 @@ std::vector<std::string> large_scheme_columns(const Ledger& ledger, ReportedWarn
     if (std::find(reported.columns.begin(), reported.columns.end(), c) != reported.columns.end()) continue;
     reported.columns.push_back(c);
     const char* what = column == Column::deformation_damping
-                           ? "it regularises sliding and is no property of the rock; compare with another "
+                           ? "it regularises sliding and is not a property of the rock; compare with another "
                              "sliding_damping of the stage"
-                           : "the scheme itself gives or takes it; take shorter steps (safety, dt) and compare";
+                           : "the scheme itself adds or removes it; use shorter steps (safety, dt) and compare";
     lines.push_back(fmt::format(
         "the ledger's column '{}' ({}) has {:.3g} J, {:.2g} of the {:.3g} J that passed, more than {:g}: {}",
         info(column).name, info(column).meaning, ledger[column], std::abs(ledger[column]) / passed, passed,
@@ -96,10 +95,9 @@ std::vector<std::string> lost_friction(const Model& model, const State& state, R
     if (reported.has(pair)) continue;
     reported.add(pair);
     lines.push_back(fmt::format(
-        "{}: sliding, it had {:.3f} of the friction that its strength and normal force give; the block flutters or "
-        "hops on its contacts, and goes too far (docs/theory/contact-law.md, \"Friction check\"): raise the "
-        "joint's "
-        "damping, give the stage more damping, or take other steps, and compare",
+        "{}: sliding friction was {:.3f} of what its strength and normal force give; the block flutters or hops on "
+        "its contacts, and slides too far (docs/theory/contact-law.md, \"Friction check\"): raise the joint's "
+        "damping, give the stage more damping, or use other steps, and compare",
         contact_name(model, p.key), p.ratio));
   }
   return lines;

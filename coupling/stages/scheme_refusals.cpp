@@ -14,7 +14,7 @@ void check_subcycled(const Stage& stage, const Setup& setup, std::span<const cha
   };
   if (stage.rest) refuse("it cannot run to rest");
   if (stage.local_damping > 0.0)
-    refuse("local damping acts on the unbalanced force, which it does not have at every instant");
+    refuse("local damping acts on the unbalanced force, which is not computed in every step");
   for (const Body& b : setup.bodies())
     if (!b.driven && sides[b.block.index()] == kDivided)
       refuse(fmt::format("block '{}' lies across the border of explicit_region, and cannot be divided",
@@ -31,11 +31,11 @@ namespace {
 void check_trapezoidal(const Stage& stage, const Model& model) {
   const auto refuse = [&](const std::string& why) { refuse_implicit(stage, "the trapezoidal scheme " + why); };
   if (stage.rest || stage.dynamics != 1.0)
-    refuse("carries accelerations along and cannot drop velocities; use newmark = \"damped\"");
+    refuse("keeps accelerations from step to step and cannot set velocities to zero; use newmark = \"damped\"");
   if (stage.kinematics == Kinematics::corotational && (stage.stiffness_damping > 0.0 || !model.viscous_edges.empty()))
-    refuse("takes stiffness damping and viscous edges with kinematics = \"linear\" only");
-  if (!model.bolts.empty()) refuse("has no bolts and no liners; use newmark = \"damped\"");
-  if (!stage.construction.absent.empty()) refuse("has no excavation; use newmark = \"damped\"");
+    refuse("supports stiffness damping and viscous edges with kinematics = \"linear\" only");
+  if (!model.bolts.empty()) refuse("does not support bolts and liners; use newmark = \"damped\"");
+  if (!stage.construction.absent.empty()) refuse("does not support excavation; use newmark = \"damped\"");
   if (!model.waters.empty()) refuse("has no contacts, and so no water in joints; use newmark = \"damped\"");
 }
 

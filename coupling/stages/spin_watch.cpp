@@ -35,10 +35,9 @@ std::vector<std::string> damped_spins(const Model& model, const Setup& setup, co
     if (spin_lost(rate, h) <= kSpinLost || std::abs(std::atan2(turn(1, 0), turn(0, 0))) < kSpinTurned) continue;
     reported.add(own);
     lines.push_back(fmt::format(
-        "block '{}' turns by {:.3g} rad/s: implicit steps of {:.3g} s of a divided block take {:.2g} of the energy of "
-        "a "
-        "free spin in a second (docs/theory/time-integration.md, \"Numerical damping\"); explicit steps and blocks of "
-        "the DDA take nothing of it, shorter steps less",
+        "block '{}' turns by {:.3g} rad/s: implicit steps of {:.3g} s of a divided block remove {:.2g} of the energy "
+        "of a free spin per second (docs/theory/time-integration.md, \"Numerical damping\"); explicit steps and "
+        "blocks of the DDA remove none of it, shorter steps less",
         model.blocks[b.block.index()].name, rate, h, spin_lost(rate, h)));
   }
   return lines;

@@ -194,7 +194,7 @@ class Checker {
   }
 
   [[noreturn]] void wrong_type(const Value& value, const Key& key, const std::string& path) const {
-    std::string hint = fmt::format("{} stands here. {}", type_name(value), about(key));
+    std::string hint = fmt::format("{} was given here. {}", type_name(value), about(key));
     if (value.as<std::string>() && (key.type == Type::integer || key.type == Type::boolean))
       hint = "write it without quotation marks";
     if (key.type == Type::table_list && value.as<Table>()) hint = "write two brackets: " + header_text(key);

@@ -76,8 +76,9 @@ void shift(Value& value, int option, int columns) {
 
 [[noreturn]] void refuse(std::string_view file, const Place& place, std::string_view text) {
   throw CaseError(file, place,
-                  {"the text holds a character that a terminal would obey or that is not seen", "", in_quotes(text),
-                   "one line without control characters and marks of writing direction", "take out what is escaped"});
+                  {"the text contains a control character or an invisible character", "", in_quotes(text),
+                   "one line without control characters and marks of writing direction",
+                   "remove the characters that are shown escaped"});
 }
 
 /// Titles, names and paths are shown on terminals and in pictures. A title may have several lines.
@@ -143,7 +144,7 @@ Value parse_set_value(std::string_view value, int option, int columns) {
   }
   if (root.as<Table>()->size() != 1)
     throw moved(
-        CaseError("--set", {1, 3, true}, {"more than one value", "", "", "one TOML value", "give --set once a key"}));
+        CaseError("--set", {1, 3, true}, {"more than one value", "", "", "one TOML value", "give --set once per key"}));
   Value out = std::move(root.as<Table>()->front().value);
   shift(out, option, offset);
   return out;

@@ -69,7 +69,7 @@ DrawnLayers::DrawnLayers(const Section& root, const std::filesystem::path& folde
   } catch (const CaseError& e) {
     if (e.line > 0) throw;
     throw s.error("file", e.problem + ": " + in_quotes(path.string(), 400),
-                  "path of a DXF of text, or of a file of columns",
+                  "path of an ASCII DXF, or of a file of columns",
                   "paths start from the folder of the case file; " + e.hint);
   }
   drawing_.file = path.string();
@@ -188,7 +188,7 @@ DrawingReport DrawnLayers::report() const {
     const auto use = uses_.find(c.layer);
     out.rows.push_back({c.layer, c.entity, c.count,
                         !c.left_out.empty()  ? "left out: " + c.left_out
-                        : use == uses_.end() ? "left out: nothing of the case takes the layer"
+                        : use == uses_.end() ? "left out: no section of the case uses the layer"
                                              : use->second});
   }
   return out;

@@ -110,7 +110,7 @@ std::vector<EdgeSpan> free_edges(const Section& s, const Model& model) {
     out = blocks.empty() ? free_edges_in_box(model, box, near) : in_box_of(model, blocks, box, near);
     if (out.empty())
       throw s.error("box", "no outline lies in the box", "a box that holds parts of outlines that face no other block",
-                    "name the blocks to mean joints as well; `scree check --blocks` lists where blocks are");
+                    "name the blocks to include joints; `scree check --blocks` lists where blocks are");
     return out;
   }
   const Ring line = s.ring("on");
@@ -134,8 +134,7 @@ std::vector<EdgeSpan> free_edges(const Section& s, const Model& model) {
               line[i].x(), line[i].y(), line[i + 1].x(), line[i + 1].y()),
           fmt::format("a line within {:.3g} m of outlines", near),
           fmt::format(
-              "the edge that comes nearest to holding it is up to {:.4g} m away; name the blocks to mean joints "
-              "as well",
+              "the edge that comes nearest to holding it is up to {:.4g} m away; name the blocks to include joints",
               least));
     }
     out.insert(out.end(), part.begin(), part.end());
@@ -146,7 +145,7 @@ std::vector<EdgeSpan> free_edges(const Section& s, const Model& model) {
 std::vector<EdgeSpan> chosen_edges(const Section& s, const Section& root, const Model& model, BlockId block) {
   if (s.has("on") == s.has("edge"))
     throw s.error(s.has("on") ? "edge" : "on",
-                  s.has("on") ? "on and edge are both given" : "nothing says which part of the outline is meant",
+                  s.has("on") ? "on and edge are both given" : "the part of the outline is not given",
                   "either on or edge", "write on = [[x, y], [x, y]], the ends of a straight line");
   return s.has("on") ? on_line(s, model, block) : by_number(s, root, model, block);
 }

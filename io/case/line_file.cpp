@@ -30,7 +30,7 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
   const auto close = [&] {
     if (open && lines.back().points.size() < 2)
       throw CaseError(name, {lines.back().rows.front(), 1},
-                      {"the line has one point only", "", "", "at least two points a line",
+                      {"the line has one point only", "", "", "at least two points per line",
                        "blank lines separate lines; remove this one, or the point"});
     open = false;
   };
@@ -53,7 +53,7 @@ std::vector<FileLine> read_lines(const std::filesystem::path& file) {
     if (!x) fail(fields[0], "this is not a number", kForm, "decimals have a point; comments begin with #");
     if (fields.size() < 2 || fields.size() > 3)
       fail(fields[fields.size() < 2 ? 0 : 3], fmt::format("the row has {} columns", fields.size()), kForm,
-           "decimals have a point, not a comma; keep one point a row");
+           "decimals have a point, not a comma; write one point per row");
     const std::optional<double> y = number_of_text(fields[1].text);
     if (!y) fail(fields[1], "this is not a number", kForm, "decimals have a point; comments begin with #");
     const Vec2 p(*x, *y);

@@ -64,7 +64,7 @@ class Override {
         fail(1, "the key has too many parts", "at most 64", "no key needs more than four");
       if (option_[i] == '=') break;
       if (option_[i] != '.')
-        fail(static_cast<int>(i) + 1, "a dot or an equals sign is wanted here", kOverrideForm,
+        fail(static_cast<int>(i) + 1, "a dot or an equals sign is expected here", kOverrideForm,
              "quote names that hold dots");
       ++i;
     }

@@ -16,7 +16,7 @@ std::vector<JointId> edge_laws(const Section& s, std::size_t corners, const std:
   if (names.size() != corners)
     throw s.error("edge_joints", fmt::format("{} joints for {} edges", names.size(), corners),
                   fmt::format("a list of {} names, or none", corners),
-                  "give one name an edge, \"\" where the joint of the block holds");
+                  "give one name per edge, \"\" where the joint of the block applies");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty()) laws[i] = JointId{find_name(s, "edge_joints", i, "joint", joints)};
   return laws;

@@ -30,13 +30,13 @@ void read_bond(const Section& s, double spacing, Bolt& bolt) {
                     fmt::format("at most {:.6g} m", bolt.length()), "shorten the bond, or lengthen the bolt");
     if (!s.has("bond_stiffness"))
       throw s.error("bond_stiffness", "the bond has no stiffness", "a number > 0 [N/m2]",
-                    "give the force a length and a slip of the grout");
+                    "give the force per length and slip of the grout");
     bolt.bond_stiffness = s.number("bond_stiffness") / spacing;
     bolt.bond_strength = limit(s, "bond_strength") / spacing;
     if (s.has("segment")) bolt.segment = s.number("segment");
   }
   if (!bolt.plate && bolt.bond_length < (1.0 - 1e-6) * bolt.length())
-    throw s.error("plate", "the free length of the bolt is held by nothing", "true, or a bond all along the bolt",
+    throw s.error("plate", "the free length of the bolt is held by nothing", "true, or a bond along the whole bolt",
                   "remove plate = false, or make bond_length the length of the bolt");
 }
 

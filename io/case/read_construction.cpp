@@ -80,7 +80,7 @@ class Reader {
     if (first)
       for (const char* key : kKeys)
         if (s.has(key))
-          throw s.error(key, "the first stage begins with the blocks as they are: nothing presses on them yet",
+          throw s.error(key, "the first stage begins with the blocks as they are, without forces between them",
                         "the key in a later stage",
                         "add a stage with rest = true before it; for blocks that are never there, remove the blocks");
     const std::vector<BlockId> left = change(s, "excavate", "excavate_in", 0), came = change(s, "fill", "fill_in", 1);
@@ -99,8 +99,8 @@ class Reader {
                     "leave the rock in place");
     release(s, !left.empty(), stage);
     if (stage.newmark == coupling::NewmarkScheme::trapezoidal && !c.absent.empty())
-      throw s.error("newmark", "the trapezoidal scheme takes whole models only, and blocks are not there in this stage",
-                    "\"damped\" where blocks leave or come", "use newmark = \"damped\"");
+      throw s.error("newmark", "the trapezoidal scheme needs all blocks, and some are absent in this stage",
+                    "\"damped\" where blocks are excavated or filled", "use newmark = \"damped\"");
   }
 
  private:
@@ -124,7 +124,7 @@ class Reader {
     }
     if (!all.empty() && out.empty())
       throw error_at(s, all.front(),
-                     there == 0 ? "all of these blocks are gone already" : "all of these blocks are there already",
+                     there == 0 ? "all of these blocks are excavated already" : "all of these blocks are there already",
                      there == 0 ? "blocks that are there as the stage begins" : "blocks that are not there yet",
                      "choose other blocks, or remove the key");
     std::sort(out.begin(), out.end());
@@ -179,7 +179,7 @@ void check_bolts(const Section& s, std::size_t index, const Model& model, const 
                     fmt::format("bolt {} holds block {}, which is not there in this stage", in_quotes(bolt.name),
                                 in_quotes(model.blocks[b.index()].name)),
                     "bolts in blocks that are there from the bolt's stage to the end",
-                    "end the bolt in rock that stays, or install it in a stage after the block has come");
+                    "end the bolt in rock that stays, or install it in a stage after the block is filled");
     };
     for (const Bolt::Node& n : bolt.nodes) refuse(n.block);
     for (const Bolt::Crossing& c : bolt.crossings) {

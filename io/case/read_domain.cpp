@@ -191,7 +191,7 @@ class DomainReader {
       throw s.error(deviation, fmt::format("half the width of the distribution is more than {} itself", key),
                     fmt::format("0 <= value <= {:g}", out.mean), "values must be positive");
     if (out.varies() && !(out.mean > 0.0))
-      throw s.error(key, fmt::format("{} varies about nothing", key), "number [m], > 0",
+      throw s.error(key, fmt::format("{} varies, but has no mean value", key), "number [m], > 0",
                     fmt::format("give {}, or remove its deviation and distribution", key));
     return out;
   }
@@ -220,7 +220,7 @@ class DomainReader {
       const double p = s.number("persistence");
       set.gap.mean = set.length->mean * (1.0 - p) / p;
       if (set.gap.varies() && !(set.gap.mean > 0.0))
-        throw s.error("persistence", "gaps vary about nothing", "a value below 1", "remove their deviation");
+        throw s.error("persistence", "gaps vary, but have no mean value", "a value below 1", "remove their deviation");
     }
     if (s.has("dip_fisher_k")) {
       if (set.dip_deg.varies())

@@ -45,13 +45,13 @@ Base base_of(const Section& s, const Section& root, const Model& model) {
   for (const BlockSupport& b : model.block_supports) add({b.motion, true, 1.0});
   if (found.empty())
     throw s.error("motion",
-                  motion.valid() ? "no base follows this motion" : "the model has no base that a motion drives",
+                  motion.valid() ? "no base is driven by this motion" : "the model has no base that a motion drives",
                   "the motion of a viscous edge (a compliant base), or of blocks that are held whole",
                   "add [[viscous_edge]] with motion below the model, or motion to the [[support]] of its base");
   if (found.size() > 1)
     throw s.error("motion", fmt::format("the model has {} bases that motions drive, each in its own way", found.size()),
                   "the name of the motion of one of them, which drives that one only",
-                  "say with motion which of them goes on below the ground beside the model");
+                  "name with motion the one that continues below the ground beside the model");
   return found.front();
 }
 
@@ -62,7 +62,7 @@ std::vector<EdgeSpan> sides(const Section& s, const Section& root, const Model& 
     spans = chosen_edges(s, root, model, block_of(s, model));
   } else {
     if (!s.has("on"))
-      throw s.error("on", "nothing says which outlines are meant", "on, or block and edge",
+      throw s.error("on", "the outlines are not given", "on, or block and edge",
                     "write on = [[x, y], [x, y]], the ends of the side");
     spans = free_edges(s, model);
   }
@@ -180,7 +180,7 @@ void check_absorbs_once(const Section& s, const EdgeSpan& span, const Model& mod
     const double common = std::min(o.s1, span.s1) - std::max(o.s0, span.s0);
     if (o.block != span.block || o.edge != span.edge || common <= kTouching) continue;
     throw s.error(s.has("on") ? "on" : "edge", "a part of this stretch is viscous already",
-                  "stretches that do not overlap", "it would absorb twice: remove one, or shorten it");
+                  "stretches that do not overlap", "waves would be absorbed twice: remove one, or shorten it");
   }
 }
 

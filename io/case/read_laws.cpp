@@ -70,8 +70,8 @@ void read_dilation(const Section& s, JointLaw& law) {
                   fmt::format("0 <= value <= {:.4g}, the least friction angle while it dilates",
                               least * 180.0 / std::numbers::pi),
                   law.residual_friction || law.friction_law != nullptr
-                      ? "give a smaller dilation_deg, or a dilation_slip that ends it before the "
-                        "friction has fallen so far"
+                      ? "give a smaller dilation_deg, or a dilation_slip that ends dilation before the friction has "
+                        "fallen that far"
                       : "dilation angles of rock joints are below their friction angle: give a "
                         "smaller one");
 }
@@ -89,7 +89,7 @@ void read_friction_law(const Section& s, JointLaw& law) {
     law.friction_law = &known;
     for (const NumberKey& key : known.keys) law.friction_constants.push_back(table.number(key.name));
     if (const std::string wrong = known.fault(std::tan(law.friction), law.friction_constants); !wrong.empty())
-      throw s.error(known.name, wrong, known.meaning, "`scree schema` tells what each key means");
+      throw s.error(known.name, wrong, known.meaning, "`scree schema` explains each key");
   }
 }
 
@@ -124,7 +124,7 @@ InitialStress initial_stress(const Section& s) {
   InitialStress stress{tensor(""), tensor("gradient_"), 0.0};
   const bool grows = stress.gradient != Mat2::Zero();
   if (grows && !s.has("level"))
-    throw s.error("level", "the stress grows with depth, and nothing says from where", "number [m]",
+    throw s.error("level", "the stress grows with depth, but the level of zero depth is missing", "number [m]",
                   "add level = ..., the y at which the stress is xx, yy, xy");
   if (!grows && s.has("level"))
     throw s.error("level", "the stress is constant: it has no level", "a level beside a gradient",
@@ -145,7 +145,7 @@ MohrCoulombStrength mohr_coulomb(const Section& s) {
   if (tension > apex * (1.0 + 1e-12))
     throw s.error("tension", "the envelope of cohesion and friction_deg ends before the tension",
                   fmt::format("0 <= value <= {:g}, cohesion / tan(friction_deg) [Pa]", apex),
-                  "leave it out to have that value");
+                  "leave it out to use that value");
   return {cohesion, std::atan(tan_friction), std::min(tension, apex)};
 }
 
@@ -160,7 +160,7 @@ RockStrength rock_strength(const Section& s) {
     throw s.error(hoek, "the rock has a strength of Mohr-Coulomb and one of Hoek and Brown", "one of the two",
                   "keep cohesion, friction_deg and tension, or ucs, gsi, mi and d");
   if (mohr == nullptr && hoek == nullptr)
-    throw s.error("cohesion", "the rock_strength says nothing", "cohesion and friction_deg, or ucs, gsi and mi",
+    throw s.error("cohesion", "the rock_strength is empty", "cohesion and friction_deg, or ucs, gsi and mi",
                   "add cohesion = ... and friction_deg = ...");
   if (mohr != nullptr) return mohr_coulomb(s);
   for (const char* key : {"ucs", "gsi", "mi"})

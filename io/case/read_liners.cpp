@@ -52,7 +52,7 @@ void check_blocks(const Section& s, const Model& model, const std::vector<coupli
                       fmt::format("block {}, which it is glued to, is not there in stage {}",
                                   in_quotes(model.blocks[n.block.index()].name), in_quotes(stages[i].name)),
                       "a line on blocks that are there from the liner's stage to the end",
-                      "end the liner before that block, or install it in a stage after it has come");
+                      "end the liner before that block, or install it in a stage after the block is filled");
   }
   const auto held = [&](const Bolt::Node& n) { return model.support_of(n.block) != nullptr; };
   if (std::all_of(liner.nodes.begin(), liner.nodes.end(), held))

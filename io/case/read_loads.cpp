@@ -64,7 +64,7 @@ void read_point_load(const Section& s, const Section& root, std::size_t index, M
 std::vector<EdgeSpan> loaded_edges(const Section& s, const Section& root, const Model& model) {
   if (s.has("block")) return chosen_edges(s, root, model, free_block(s, model, "the traction"));
   if (s.has("edge") || !s.has("on"))
-    throw s.error(s.has("edge") ? "block" : "on", "nothing says which outlines are meant", "block and edge, or on",
+    throw s.error(s.has("edge") ? "block" : "on", "the outlines are not given", "block and edge, or on",
                   "write on = [[x, y], [x, y]], the ends of a straight line");
   std::vector<EdgeSpan> spans = free_edges(s, model);
   std::erase_if(spans, [&](const EdgeSpan& e) { return model.support_of(e.block) != nullptr; });
@@ -110,7 +110,7 @@ std::vector<BlockId> accelerated(const Section& s, const Model& model) {
     }
   if (blocks.empty())
     throw s.error("blocks", patterns.empty() ? "the list of blocks is empty" : "all of these blocks are held whole",
-                  "names of blocks that are free", "name the blocks, or remove the key: then all are meant");
+                  "names of blocks that are free", "name the blocks, or remove the key to use all");
   std::sort(blocks.begin(), blocks.end());
   blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   return blocks;

@@ -30,10 +30,10 @@ double unit_factor(const Section& s, const Record& record) {
   if (!record.unit.empty()) {
     if (!s.has("unit")) s.settle("unit", record.unit);
     if (s.text("unit") != record.unit)
-      throw s.error("unit", fmt::format("the file says that its accelerations are in {}", record.unit),
+      throw s.error("unit", fmt::format("the file states that its accelerations are in {}", record.unit),
                     fmt::format("\"{}\"", record.unit), "remove the unit here, or correct the header of the file");
   } else if (!s.has("unit")) {
-    throw s.error("unit", "the file does not say its unit, and no unit is given", "\"m/s2\", \"g\" or \"cm/s2\"",
+    throw s.error("unit", "the file does not state its unit, and no unit is given", "\"m/s2\", \"g\" or \"cm/s2\"",
                   "add unit = \"g\" if the accelerations are in g");
   }
   const std::string& unit = s.text("unit");
@@ -127,7 +127,7 @@ void read_motions(const Section& root, const std::filesystem::path& folder, Mode
     const MotionFacts facts = motion.facts();
     for (const double fact : {facts.pga, facts.pgv, facts.final_displacement, facts.arias})
       if (!std::isfinite(fact))
-        throw s.error("file", "the motion is not finite once integrated", "accelerations of an earthquake",
+        throw s.error("file", "the motion is not finite after integration", "accelerations of an earthquake",
                       "check unit, scale and pga");
     model.motions.push_back(std::move(motion));
   }

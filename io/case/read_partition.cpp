@@ -67,7 +67,7 @@ Partition::Band read_band(const Section& s, const std::string& up, const std::st
   Partition::Band band;
   if (!s.has(up)) {
     if (s.has(down))
-      throw s.error(down, fmt::format("nothing says above which one a block is explicit"),
+      throw s.error(down, fmt::format("the limit above which a block becomes explicit is missing"),
                     fmt::format("the key beside {}", up), fmt::format("add {}, or remove the key", up));
     return band;
   }
@@ -75,7 +75,7 @@ Partition::Band read_band(const Section& s, const std::string& up, const std::st
   if (!s.has(down)) s.settle(down, 0.5 * band.up);
   band.down = s.number(down);
   if (band.down >= band.up)
-    throw s.error(down, "a block would change sides again as soon as it has done so",
+    throw s.error(down, "a block would change back as soon as it has changed",
                   fmt::format("number [{}], below {} = {:g}", unit, up, band.up),
                   fmt::format("half of {} is a start: leave the key out", up));
   return band;
@@ -132,7 +132,7 @@ void read_partition(const Section& s, const Model& model, coupling::Stage& stage
   }
   if (std::none_of(std::begin(kRules), std::end(kRules), [&](const char* key) { return s.has(key); }))
     throw s.error(
-        "explicit_blocks", "nothing says which blocks take explicit steps",
+        "explicit_blocks", "no key selects the blocks that take explicit steps",
         "one or more of explicit_blocks, explicit_region, explicit_area, explicit_speed, explicit_strain_rate",
         "add explicit_blocks = [\"NAME\"], for example, or set integrator = \"implicit\"");
   Partition& p = stage.partition;

@@ -157,8 +157,8 @@ void read_constants(const Section& root, coupling::Plan& plan) {
       values.push_back(given ? root.table("method").table(m.name).number(key.name)
                              : std::strtod(key.fallback.c_str(), nullptr));
     if (const std::string wrong = m.fault ? m.fault(values) : std::string(); !wrong.empty()) {
-      if (!given) throw std::logic_error(fmt::format("method '{}': its defaults are wrong: {}", m.name, wrong));
-      throw root.table("method").error(m.name, wrong, m.meaning, "`scree schema` tells what each key means");
+      if (!given) throw std::logic_error(fmt::format("method '{}': its defaults are invalid: {}", m.name, wrong));
+      throw root.table("method").error(m.name, wrong, m.meaning, "`scree schema` explains each key");
     }
   }
 }

@@ -89,7 +89,7 @@ std::vector<Stage> rest_stages(const Section& r, const Section& root, const coup
   }
   Stage& last = out.back();
   if (last.integrator == Integrator::partitioned)
-    throw root.list("stage").front().error("rest", "a stage to rest is of one kind", "explicit or implicit", "");
+    throw root.list("stage").front().error("rest", "a stage to rest cannot be partitioned", "explicit or implicit", "");
   if (r.has("rest_integrator"))
     for (Stage& s : out)
       integrate(s, r.text("rest_integrator") == "implicit" ? Integrator::implicit : Integrator::explicit_, dt);

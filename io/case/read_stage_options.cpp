@@ -22,13 +22,12 @@ void read_formulation(const Section& s, bool nmm, coupling::Stage& stage) {
   stage.kinematics = kinematics == "linear" ? Kinematics::linear : Kinematics::corotational;
   const bool wants_none = s.has("cracks") && !s.boolean("cracks");
   stage.cracks = !wants_none;
-  refuse(
-      s, "mass", partitioned && !stage.subcycled() && (mass == "consistent" || mass == "affine-exact"),
-      fmt::format("the {} mass is one of {} steps only, and this stage has both kinds", mass,
-                  mass == "consistent" ? "implicit" : "explicit"),
-      "\"auto\" or \"lumped\"",
-      "leave mass out: explicit blocks then take affine-exact, implicit ones consistent, which agree in mass, momenta "
-      "and inertia");
+  refuse(s, "mass", partitioned && !stage.subcycled() && (mass == "consistent" || mass == "affine-exact"),
+         fmt::format("the {} mass is one of {} steps only, and this stage has both kinds", mass,
+                     mass == "consistent" ? "implicit" : "explicit"),
+         "\"auto\" or \"lumped\"",
+         "leave mass out: explicit blocks then use affine-exact, implicit ones consistent, which agree in mass, "
+         "momenta and inertia");
   refuse(s, "mass", implicit && mass == "affine-exact",
          "the affine-exact mass is full in each block, and an implicit step needs a sparse one",
          "\"auto\", \"consistent\" or \"lumped\"", "the consistent mass is exact as well: leave mass out");
@@ -70,13 +69,13 @@ void read_damping(const Section& s, coupling::Stage& stage) {
   stage.stiffness_damping = s.number("stiffness_damping");
   stage.local_damping = s.number("local_damping");
   stage.sliding_damping = s.number("sliding_damping");
-  refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to act on it",
+  refuse(s, "damp_rigid_motion", stage.damp_rigid_motion && stage.damping == 0.0, "there is no damping to apply to it",
          "true beside damping", "give damping = ... [1/s], or remove the key");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.subcycled(),
-         "local damping acts on the unbalanced force, which slow_blocks = \"explicit\" does not have in every step",
+         "local damping acts on the unbalanced force, which slow_blocks = \"explicit\" does not compute in every step",
          "0", "use damping, or slow_blocks = \"implicit\"");
   refuse(s, "local_damping", stage.local_damping > 0.0 && stage.integrator == Integrator::implicit,
-         "local damping is one of explicit steps", "0 in implicit stages",
+         "local damping is for explicit steps only", "0 in implicit stages",
          "for a static solution by implicit steps set rest = true, or dynamics below 1");
 }
 
@@ -90,7 +89,7 @@ void read_newmark(const Section& s, coupling::Stage& stage) {
       s.text("newmark") == "trapezoidal" ? coupling::NewmarkScheme::trapezoidal : coupling::NewmarkScheme::damped;
   if (stage.rest) {
     refuse(s, "dynamics", s.has("dynamics") && s.number("dynamics") > 0.0,
-           "rest = true takes all velocity out after every step", "0, or no dynamics, in stages with rest",
+           "rest = true sets all velocities to zero after every step", "0, or no dynamics, in stages with rest",
            "remove one of the two");
   } else if (!s.has("dynamics")) {
     s.settle("dynamics", 1.0);
@@ -98,7 +97,7 @@ void read_newmark(const Section& s, coupling::Stage& stage) {
   if (s.has("dynamics")) stage.dynamics = s.number("dynamics");
   if (stage.integrator != Integrator::partitioned) return;
   refuse(s, "newmark", stage.newmark != coupling::NewmarkScheme::damped,
-         "the trapezoidal scheme has no contacts, through which the two kinds of blocks meet", "\"damped\"",
+         "the trapezoidal scheme has no contacts, which connect the two kinds of blocks", "\"damped\"",
          "remove the key, or set integrator = \"implicit\"");
   refuse(s, "dynamics", stage.dynamics < 1.0, "explicit blocks keep all of their velocity", "1, or no dynamics",
          "remove the key, or set integrator = \"implicit\"");
@@ -109,7 +108,7 @@ void read_step(const Section& s, coupling::Stage& stage) {
   refuse(s, "force_dt",
          stage.force_dt && stage.integrator == Integrator::partitioned && !stage.subcycled() &&
              stage.partition.substeps == 0,
-         "substeps are as many as the certified bound asks for, and there is nothing to force", "true beside substeps",
+         "substeps are as many as the certified bound requires, and there is nothing to force", "true beside substeps",
          "remove the key, or give substeps");
   refuse(s, "force_dt", stage.force_dt && (stage.integrator == Integrator::implicit || !stage.dt),
          "there is no explicit dt to force", "true beside a number for dt in explicit stages",
@@ -133,12 +132,13 @@ void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
   refuse(s, "rest", stage.rest && stage.integrator == Integrator::partitioned,
-         "steps of two kinds come to rest in ways of their own", "false in partitioned stages",
+         "explicit and implicit steps are brought to rest in different ways", "false in partitioned stages",
          "bring the model to rest in a stage before, with integrator = \"implicit\" or \"explicit\"");
   refuse(s, "rest_force", s.has("rest_force") && !stage.rest, "the stage is not brought to rest",
          "rest_force beside rest = true", "add rest = true, or remove rest_force");
-  refuse(s, "rest_steps", s.has("rest_steps") && !s.has("rest_force"), "nothing says when the model is at rest",
-         "rest_steps beside rest_force", "add rest_force = 1e-4, for example");
+  refuse(s, "rest_steps", s.has("rest_steps") && !s.has("rest_force"),
+         "rest_force, which defines when the model is at rest, is missing", "rest_steps beside rest_force",
+         "add rest_force = 1e-4, for example");
   if (s.has("rest_force")) stage.rest_force = s.number("rest_force");
   if (s.has("rest_steps")) stage.rest_steps = s.integer("rest_steps");
 }

@@ -21,7 +21,7 @@ void read_end(const Section& s, coupling::Stage& stage) {
   end.slip = number("slip");
   end.displacement = number("displacement");
   if (!end.used())
-    throw e.error("slip", "nothing says when the stage ends before its duration is over",
+    throw e.error("slip", "no rule to end the stage before its duration is given",
                   "one or more of kinetic_below, force_below, slip, displacement",
                   "add slip = 0.05, for example, or remove end");
   if (e.has("hold")) {
@@ -32,7 +32,7 @@ void read_end(const Section& s, coupling::Stage& stage) {
   }
   for (const char* key : {"kinetic_below", "force_below"})
     if (stage.rest && e.has(key))
-      throw e.error(key, "a stage with rest = true takes the motion away", "slip or displacement in stages with rest",
+      throw e.error(key, "a stage with rest = true removes the motion", "slip or displacement in stages with rest",
                     "give rest_force = 1e-4 to the stage, for example, or remove rest");
   if (stage.dynamics == 0.0 && e.has("kinetic_below"))
     throw e.error("kinetic_below", "dynamics = 0 leaves no kinetic energy", "the key beside dynamics above 0",
@@ -42,7 +42,7 @@ void read_end(const Section& s, coupling::Stage& stage) {
 void read_strength(const Section& s, const Model& model, coupling::Stage& stage) {
   if (!s.has("strength")) return;
   if (stage.integrator == coupling::Integrator::partitioned)
-    throw s.error("strength", "partitioned stages have the strengths of the model",
+    throw s.error("strength", "partitioned stages cannot change the strengths of the model",
                   "strength in explicit and implicit stages", "remove it, or set another integrator");
   const Section r = s.table("strength");
   stage.strength.to = r.number("factor");
@@ -106,12 +106,12 @@ void read_switch(const Section& s, const Model& model, coupling::Stage& stage) {
   const auto refuse = [&](bool wrong, const char* problem, const char* allowed, const char* hint) {
     if (wrong) throw s.error("switch", problem, allowed, hint);
   };
-  refuse(stage.rest, "a stage with rest = true takes the motion away that decides", "switch in stages without rest",
-         "remove one of the two");
-  refuse(stage.kinematics == Kinematics::linear, "linear kinematics cannot take back a block that has turned",
+  refuse(stage.rest, "a stage with rest = true removes the motion that the rules measure",
+         "switch in stages without rest", "remove one of the two");
+  refuse(stage.kinematics == Kinematics::linear, "linear kinematics cannot return a rotated block to the NMM",
          "switch beside kinematics = \"corotational\"", "remove one of the two");
   refuse(stage.newmark == coupling::NewmarkScheme::trapezoidal,
-         "the trapezoidal scheme cannot take blocks of the DDA, which turn", "switch beside newmark = \"damped\"",
+         "the trapezoidal scheme does not support blocks of the DDA, which turn", "switch beside newmark = \"damped\"",
          "remove one of the two");
   const Section r = s.table("switch");
   SwitchRules& rules = stage.change;
@@ -126,7 +126,7 @@ void read_switch(const Section& s, const Model& model, coupling::Stage& stage) {
   const auto number = [&](const char* key) { return b.has(key) ? b.number(key) : 0.0; };
   rules.back = {number("strain_rate"), number("stress"), number("acceleration")};
   if (!rules.back.used())
-    throw b.error("strain_rate", "nothing says when a block of the DDA goes on by the NMM",
+    throw b.error("strain_rate", "no rule for a block of the DDA to change to the NMM is given",
                   "one or more of strain_rate, stress, acceleration",
                   "add strain_rate = 0.1, for example, or remove back");
 }

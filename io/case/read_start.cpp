@@ -39,15 +39,16 @@ void check_rest(const Section& root, const Model& model) {
       if (!stages[i].boolean("rest") || first >= begins[i + 1] || last <= begins[i]) continue;
       const auto next = std::find_if(stages.begin() + static_cast<std::ptrdiff_t>(i), stages.end(),
                                      [](const Section& s) { return !s.boolean("rest"); });
-      throw stages[i].error(
-          "rest",
-          fmt::format("the motion '{}' moves the base from {:g} s to {:g} s, while this stage, from {:g} s to {:g} s, "
-                      "takes all motion out",
-                      motion.name, first, last, begins[i], begins[i + 1]),
-          "false, or a motion at another time",
-          next == stages.end() ? "add a stage without rest for the motion"
-                               : fmt::format("let the motion begin later: start = \"{}\" in [motion.{}]",
-                                             next->text("name"), motion.name));
+      throw stages[i].error("rest",
+                            fmt::format("the motion '{}' moves the base from {:g} s to {:g} s, while this stage, from "
+                                        "{:g} s to {:g} s, removes all "
+                                        "motion",
+                                        motion.name, first, last, begins[i], begins[i + 1]),
+                            "false, or a motion at another time",
+                            next == stages.end()
+                                ? "add a stage without rest for the motion"
+                                : fmt::format("let the motion begin later: start = \"{}\" in [motion.{}]",
+                                              next->text("name"), motion.name));
     }
   }
 }
@@ -75,7 +76,7 @@ void check_times(const Section& root, const Model& model, const coupling::Plan& 
   for (const coupling::TimeFault& f : coupling::time_faults(model, plan)) {
     if (f.kind != coupling::TimeFault::Kind::missed) continue;  // the run warns about it
     const Section& s = f.motion ? motions[f.index].section : functions[f.index];
-    throw s.error("start", coupling::text(f, model) + ": no stage can meet it",
+    throw s.error("start", coupling::text(f, model) + ": it acts in no stage",
                   fmt::format("the name of a stage, or a time before {:g} s", f.run_end),
                   fmt::format("write start = \"{}\", or make a stage last longer", plan.stages.back().name));
   }

@@ -44,7 +44,7 @@ void check_naming(const Section& s) {
   if (edges && s.has("point"))
     throw s.error("point", "a point and a line are both given", "either point, or on or box", "write two supports");
   if (!edges && s.has("bedding"))
-    throw s.error("bedding", "only edges are bedded", "beside on or box", "a point has stiffness");
+    throw s.error("bedding", "only edges have a bedding", "beside on or box", "a point has stiffness");
   if (!edges && s.text("fix") == "normal")
     throw s.error("fix", "only an edge has a normal", "\"all\", \"x\" or \"y\"", "give the edge by on or box");
 }
@@ -52,7 +52,7 @@ void check_naming(const Section& s) {
 void hold_point(const Section& s, Model& model) {
   if (s.has("blocks"))
     throw s.error("point", "a point belongs to one block", "block = \"NAME\" beside point",
-                  "write one support a block");
+                  "write one support per block");
   if (s.has("motion"))
     throw s.error("motion", "a point cannot follow a motion", "a motion for a whole block", "remove point, or motion");
   const std::string& fix = s.text("fix");
@@ -77,7 +77,7 @@ std::vector<EdgeSpan> held_edges(const Section& s, const Model& model) {
 void hold_edges(const Section& s, Model& model) {
   if (s.has("motion"))
     throw s.error("motion", "an edge cannot follow a motion", "a motion for a whole block",
-                  "let a block that is held whole follow it, and the others stand on that");
+                  "let a block that is held whole follow it, and place the others on it");
   if (s.number_or_auto("stiffness"))
     throw s.error("stiffness", "an edge has no single spring", "a bedding, in Pa/m", "write bedding = \"1 GPa/m\"");
   const std::string& fix = s.text("fix");

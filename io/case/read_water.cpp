@@ -61,14 +61,13 @@ std::vector<JointId> filled_joints(const Section& s, const Model& model) {
   if (!s.has("joints")) {
     for (std::size_t j = 0; j < known.size(); ++j)
       (void)take(JointId{static_cast<std::int32_t>(j)}, [&](std::string problem) {
-        return s.error("joints", std::move(problem), once, "without the key all joints are meant: name them");
+        return s.error("joints", std::move(problem), once, "without the key all joints are filled: name them");
       });
     return joints;
   }
   const std::size_t count = s.texts("joints").size();
   if (count == 0)
-    throw s.error("joints", "the list of joints is empty", listed(known),
-                  "name joints, or remove the key: then all are meant");
+    throw s.error("joints", "the list of joints is empty", listed(known), "name joints, or remove the key to fill all");
   for (std::size_t i = 0; i < count; ++i)
     for (const std::int32_t j : find_names(s, "joints", i, "joint", known))
       joints.push_back(take(JointId{j}, [&](std::string problem) {
@@ -85,7 +84,7 @@ std::vector<JointWater::Level> levels_of(const Section& s, const Section& root) 
   for (const Section& l : s.list("level")) {
     const StageId stage{find_name(l, "stage", "stage", stages)};
     if (!out.empty() && stage.value <= out.back().stage.value)
-      throw l.error("stage", "a level before it begins with the same stage or a later one", "stages in their order",
+      throw l.error("stage", "an earlier level begins with the same stage or a later one", "stages in their order",
                     "sort the levels by their stages");
     out.push_back({stage, rising(l)});
   }
@@ -102,8 +101,8 @@ std::vector<EdgeSpan> reservoir_faces(const Section& s, const Model& model) {
   std::vector<EdgeSpan> out = outer_faces(model, 1e-6 * (all.hi - all.lo).maxCoeff());
   std::erase_if(out, [&](const EdgeSpan& e) { return model.support_of(e.block) != nullptr; });
   if (out.empty())
-    throw s.error("reservoir", "the model has no face that water before it could press on",
-                  "outlines of free blocks that look out", "remove the key");
+    throw s.error("reservoir", "the model has no face on which water in front of it could act",
+                  "outlines of free blocks that face outside", "remove the key");
   return out;
 }
 

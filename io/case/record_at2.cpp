@@ -74,7 +74,8 @@ class At2 {
       read_unit(*line);
     }
     fail({first, 1, 0}, "the file has no header with NPTS and DT", kHeaderForms,
-         "add the header that the record had; two columns with time are read from a file that is not called .AT2");
+         "add the header that the record had; two columns with time are read from a file whose name does not end in "
+         ".AT2");
   }
 
   /// Reads the unit from a line of title, if the line contains it.
@@ -175,7 +176,7 @@ class At2 {
     if (!std::isfinite(value)) fail(at, "the acceleration is not finite", "a finite number", "get the file again");
     if (record_.acceleration.size() == count_)
       fail(at, fmt::format("the file goes on after the {} values that the header announces", count_),
-           fmt::format("the end of the file; NPTS stands in line {}", count_spot_.line),
+           fmt::format("the end of the file; NPTS is in line {}", count_spot_.line),
            "the file was edited, or two were joined: get it again, or correct NPTS");
     record_.time.push_back(static_cast<double>(record_.time.size()) * dt_);
     record_.acceleration.push_back(value);

@@ -47,9 +47,10 @@ void refuse_gaps(const std::string& name, const std::vector<double>& time, const
     fail(name, stamps[i].line, stamps[i].field,
          fmt::format("the step from {} s to {} s is not the {:.6g} s of the other rows", time[i - 1], time[i], regular),
          fmt::format("{:.9g}, within {:.2g} s", time[i - 1] + regular, tolerance),
-         fmt::format("fill the gap, split the record there into two files, or give the motion resample = {:.6g} to run "
-                     "straight across",
-                     regular));
+         fmt::format(
+             "fill the gap, split the record there into two files, or give the motion resample = {:.6g} to interpolate "
+             "linearly",
+             regular));
   }
 }
 
@@ -71,17 +72,17 @@ Record read_columns(std::string_view text, const std::string& name, Gaps gaps, s
     if (heading) continue;
     if (!t)
       fail(name, line, fields[0], "this is not a number", form,
-           "decimals have a point; comments begin with #; a PEER record is to be called .AT2");
+           "decimals have a point; comments begin with #; the name of a PEER record must end in .AT2");
     if (fields.size() != 2)
       fail(name, line, fields.size() < 2 ? fields[0] : fields[2], fmt::format("the row has {} columns", fields.size()),
-           form, "decimals have a point, not a comma; keep one row a line");
+           form, "decimals have a point, not a comma; write one row per line");
     const std::optional<double> a = number_of_text(fields[1].text);
     if (!a) fail(name, line, fields[1], "this is not a number", form, "decimals have a point; comments begin with #");
     if (!std::isfinite(*t))
       fail(name, line, fields[0], "the time is not finite", "a finite number [s]", "remove the row");
     if (!std::isfinite(*a))
       fail(name, line, fields[1], fmt::format("the {} is not finite", quantity), "a finite number",
-           "find out what stood there; a record with a hole is not to be filled by guess");
+           "find the missing value; do not fill gaps of a record by guess");
     if (!record.time.empty() && !(*t > record.time.back()))
       fail(name, line, fields[0],
            fmt::format("the time does not increase: {} s comes after {} s", *t, record.time.back()),

@@ -145,7 +145,7 @@ std::variant<double, UnitFault> in_unit(std::string_view text, std::string_view 
   const std::string plain = base.empty()
                                 ? "write a plain number, without quotation marks"
                                 : fmt::format("write a plain number [{}], or a text such as \"1 {}\"", base, base);
-  if (base.empty()) return UnitFault{"a number is wanted here, not a text", plain};
+  if (base.empty()) return UnitFault{"a number is expected here, not a text", plain};
   std::string_view rest = trimmed(text);
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0.0;
@@ -167,7 +167,7 @@ std::variant<double, UnitFault> in_unit(std::string_view text, std::string_view 
   if (wanted)
     if (auto fault = weight_for_mass(digits, name, *unit, *wanted, base)) return *fault;
   if (!wanted || unit->power != wanted->power)
-    return UnitFault{fmt::format("the unit {} does not measure what this key holds", in_quotes(name)), plain};
+    return UnitFault{fmt::format("the unit {} does not fit the quantity of this key", in_quotes(name)), plain};
   value = shifted(digits, unit->exponent - wanted->exponent);
   if (unit->ratio != wanted->ratio) value *= unit->ratio / wanted->ratio;
   if (!std::isfinite(value)) return UnitFault{"the number is out of the range of double precision", plain};

@@ -63,7 +63,7 @@ expect 2 'rate needs' two_stages rate
 expect 2 'whole number' two_stages step 1.5
 expect 2 'takes no value' two_stages pause 3
 expect 2 'udpm:// only' memq:// pause
-expect 5 'nothing heard of any run' udpm:// pause --timeout 1
+expect 5 'no run was received' udpm:// pause --timeout 1
 "$scree" run "$case_file" --quiet --control --out "$work/usage" 2> "$work/err.txt"
 code=$?
 [ $code = 2 ] && [ ! -e "$work/usage" ] || fail "--control without --live: $code: $(cat "$work/err.txt")"

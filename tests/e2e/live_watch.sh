@@ -39,7 +39,7 @@ wait_for() {
 "$scree" watch --timeout 0.5 > "$work/none.txt" 2>&1
 code=$?
 [ $code = 5 ] || fail "exit code $code where nothing streams: $(cat "$work/none.txt")"
-grep -q 'nothing heard of any run' "$work/none.txt" || fail "it does not say why: $(cat "$work/none.txt")"
+grep -q 'no data from any run' "$work/none.txt" || fail "it does not say why: $(cat "$work/none.txt")"
 "$scree" watch tcpq://127.0.0.1:7700 > /dev/null 2>&1
 code=$?
 [ $code = 2 ] || fail "exit code $code for a URL that is not accepted"

@@ -126,7 +126,7 @@ def main():
                     print(f"{what}: {len(blocks)} blocks, code {run.code}, {run.cpu:.2f} s, twin {twin:.2f} s {run.err[:150]!r}", flush=True)
                     if run.code not in (0, 4):
                         fault(f"{what}: exit code {run.code} after {run.cpu:.1f} s: {run.err[:300]}")
-                    elif run.code == 4 and ("audit" in run.err or "energy from nowhere" in run.err):
+                    elif run.code == 4 and ("audit" in run.err or "the rest has no source" in run.err):
                         fault(f"{what}: {run.err[:300]}")
                     if run.code == 0 and (FULL or k == first):
                         for threads in (2, 3):

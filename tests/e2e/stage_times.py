@@ -66,7 +66,7 @@ def motions(folder):
     struck(folder, "an offset of 0.04 s", 0.04, 0.03)
     code, out, err = run(folder, "motion.quake.start=2.0")
     expect("a motion on the clock that an early rest leaves behind is refused by the run", code == 3 and
-           "the motion 'quake' begins at 2 s, but the run is over at" in err and "no stage can meet it" in err and
+           "the motion 'quake' begins at 2 s, but the run is over at" in err and "it acts in no stage" in err and
            'start = "shaking"' in err, (code, err))
     code, out, err = run(folder, "motion.quake.start=2.0", "stage.2.duration=4", "stage.2.dt=0.02")
     expect("one that now strikes another stage is warned of", code == 0 and
@@ -77,7 +77,7 @@ def motions(folder):
         expect(f"scree {command} refuses the name of no stage", code == 3 and "no stage of that name" in err and
                'did you mean "shaking"' in err, (code, err))
         code, _, err = scree(command, CASE, "--set", "motion.quake.start=9", *options)
-        expect(f"scree {command} refuses a motion after the end", code == 3 and "no stage can meet it" in err, (code, err))
+        expect(f"scree {command} refuses a motion after the end", code == 3 and "it acts in no stage" in err, (code, err))
     code, out, err = scree("check", CASE, "--set", "stage.1.duration=0.03", "--set", "stage.2.duration=0.02")
     expect("scree check warns of a motion that outlasts the run", code == 0 and
            "warning: the motion 'quake' goes on until 2.06 s, but the run is over at 2.05 s" in out, (code, out, err))

@@ -92,8 +92,8 @@ TEST(StageTimes, motion_that_is_no_more_met_after_an_early_end_is_refused) {
     FAIL() << "it ran";
   } catch (const PlanError& e) {
     const std::string said = e.what();
-    for (const char* part : {"the motion 'quake' begins at 3 s", "a stage before has ended early",
-                             "no stage can meet it", "start = \"shaking\""})
+    for (const char* part : {"the motion 'quake' begins at 3 s", "an earlier stage has ended early",
+                             "it acts in no stage", "start = \"shaking\""})
       EXPECT_NE(said.find(part), std::string::npos) << said;
   }
 }

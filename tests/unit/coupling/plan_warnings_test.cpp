@@ -138,15 +138,15 @@ Scene on_slope(double degrees, double friction_deg, double damping) {
 
 TEST(Warnings, sliding_with_less_damping_than_it_asks_for) {
   const double usual = JointLaw{}.damping;
-  expect_one(on_slope(35, 34, 0.5 * usual), "less than sliding asks for");
-  expect_one(on_slope(35, 37, 0.0), "less than sliding asks for");
+  expect_one(on_slope(35, 34, 0.5 * usual), "less than sliding requires");
+  expect_one(on_slope(35, 37, 0.0), "less than sliding requires");
   EXPECT_TRUE(warned(on_slope(35, 34, usual)).empty());
   EXPECT_TRUE(warned(on_slope(35, 34, 1.0)).empty());
   EXPECT_TRUE(warned(on_slope(15, 34, 0.0)).empty());  // not steep
   EXPECT_TRUE(warned(on_slope(35, 5, 0.0)).empty());   // hardly any friction
   Scene bare = on_slope(35, 34, usual);
   bare.plan.stages[0].sliding_damping = 0.0;
-  expect_one(bare, "sliding_damping = 0 is less than sliding asks for, 1");
+  expect_one(bare, "sliding_damping = 0 is less than sliding requires, 1");
   bare.plan.stages[0].sliding_damping = 1.0;
   EXPECT_TRUE(warned(bare).empty());
   bare.plan.stages[0].sliding_damping = 0.0, bare.plan.stages[0].rest = true;
@@ -160,7 +160,7 @@ TEST(Warnings, sliding_with_less_damping_than_it_asks_for) {
   Scene grown = on_slope(35, 37, 0.0);  // gravity as a body acceleration does
   grown.model.body_accelerations.push_back({{}, grown.model.gravity, {}});
   grown.model.gravity.setZero();
-  expect_one(grown, "less than sliding asks for");
+  expect_one(grown, "less than sliding requires");
   Scene weightless = on_slope(35, 37, 0.0);
   weightless.model.gravity.setZero();
   EXPECT_TRUE(warned(weightless).empty());

@@ -40,11 +40,11 @@ struct Dropped {
 TEST(StageWarnings, block_in_flight_at_the_end_of_a_stage_to_rest) {
   const Dropped flies(0.5, 0.05), stands(0.0, 1.0);
   EXPECT_EQ(flies.end.status, RunEnd::Status::done);
-  const std::string told = flies.warnings.of("touches nothing that leads to a support at its end");
+  const std::string told = flies.warnings.of("has no chain of contacts to a support at the end of the stage");
   EXPECT_NE(told.find("block 'stone'"), std::string::npos) << told;
   EXPECT_NE(told.find("t = 0.05 s, stage 'dda0'"), std::string::npos) << told;
   EXPECT_EQ(stands.end.status, RunEnd::Status::done);
-  EXPECT_EQ(stands.warnings.of("touches nothing"), "");
+  EXPECT_EQ(stands.warnings.of("no chain of contacts"), "");
 }
 
 TEST(StageWarnings, stage_that_ends_before_it_is_at_rest) {
@@ -52,7 +52,7 @@ TEST(StageWarnings, stage_that_ends_before_it_is_at_rest) {
   EXPECT_EQ(early.end.status, RunEnd::Status::done);
   const std::string told = early.warnings.of("ends before it is at rest");
   EXPECT_NE(told.find("block 'stone' has an unbalanced force of"), std::string::npos) << told;
-  EXPECT_NE(told.find("let it last longer, or give rest_force"), std::string::npos) << told;
+  EXPECT_NE(told.find("make the stage longer, or give rest_force"), std::string::npos) << told;
   EXPECT_EQ(rests.end.status, RunEnd::Status::done);
   EXPECT_EQ(rests.warnings.of("ends before"), "");
 }

@@ -125,7 +125,7 @@ TEST(Bolts, wrong_ones_are_refused_with_what_to_change) {
       {"bond_strength = 1e5\n", "bolt.0.bond_strength", "nothing without bond_length", "beside bond_length", "remove"},
       {"bond_length = 5.0\nbond_stiffness = 1e9\n", "bolt.0.bond_length", "1.8 m long", "at most 1.8 m", "shorten"},
       {"bond_length = 1.0\n", "bolt.0.bond_stiffness", "no stiffness", "> 0", "slip"},
-      {"plate = false\n", "bolt.0.plate", "held by nothing", "bond all along", "bond_length"},
+      {"plate = false\n", "bolt.0.plate", "held by nothing", "bond along the whole", "bond_length"},
       {"rupture_strain = 0.1\n", "bolt.0.rupture_strain", "nothing without yield", "beside yield", "remove"},
       {"shear_strength = 1e5\n", "bolt.0.shear_strength", "without shear_stiffness", "beside", "remove"},
       {"yield = 1e5\npretension = 1e5\n", "bolt.0.pretension", "yields before", "less than yield", "lower"},
@@ -192,7 +192,7 @@ TEST(RockStrengthKeys, are_refused_where_they_do_not_fit) {
   EXPECT_TRUE(holds(told("ucs = 1e6, gsi = 40"), "needs ucs, gsi and mi"));
   EXPECT_TRUE(holds(told("cohesion = 1e6, friction_deg = 30, ucs = 1e6"), "one of the two"));
   EXPECT_TRUE(holds(told("cohesion = 1e6, friction_deg = 45, tension = 2e6"), "ends before the tension"));
-  EXPECT_TRUE(holds(told("d = 0.5"), "says nothing"));
+  EXPECT_TRUE(holds(told("d = 0.5"), "is empty"));
   EXPECT_TRUE(holds(told("ucs = 1e6, gsi = 101, mi = 10"), "gsi"));
 }
 

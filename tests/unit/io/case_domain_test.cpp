@@ -136,7 +136,7 @@ TEST(Domain, joint_sets_that_make_no_sense_are_refused_at_the_key) {
   } wrong[] = {
       {"domain.joint_set.0.spacing_distribution=\"exponential\"", "domain.joint_set.0.spacing_deviation",
        "has no deviation of its own"},
-      {"domain.joint_set.0.gap=0", "domain.joint_set.0.gap", "varies about nothing"},
+      {"domain.joint_set.0.gap=0", "domain.joint_set.0.gap", "varies, but has no mean value"},
       {"domain.joint_set.1={joint=\"rough\", dip_deg=90, spacing=2, gap=1}", "domain.joint_set.1.gap", "no traces"},
       {"domain.joint_set.0.dip_deg=181", "domain.joint_set.0.dip_deg", "out of range"},
       {"domain.joint_set.1={joint=\"rough\", dip_deg=90, spacing=2, spacing_deviation=3, "

@@ -63,7 +63,7 @@ TEST(CaseDrawing, a_slope_is_cut_from_the_layers_of_a_drawing) {
   std::set<std::string> fates;
   for (const DrawingRow& r : c.drawing->rows) fates.insert(r.layer + " " + r.entity + ": " + r.fate);
   EXPECT_TRUE(fates.count("TUNNEL LWPOLYLINE: domain.holes"));
-  EXPECT_TRUE(fates.count("BOLTS LINE: left out: nothing of the case takes the layer"));
+  EXPECT_TRUE(fates.count("BOLTS LINE: left out: no section of the case uses the layer"));
   EXPECT_TRUE(fates.count("NOTES TEXT: left out: this kind is not read"));
 }
 

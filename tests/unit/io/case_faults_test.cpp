@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"joint_dilation_beyond_friction.toml", 10, 16, "joint.plane.dilation_deg", "35", "more than its friction",
               "0 <= value <= 30", "smaller one"},
         Wrong{"joint_dilation_beyond_residual.toml", 11, 16, "joint.plane.dilation_deg", "15", "more than its friction",
-              "0 <= value <= 10", "a dilation_slip that ends it"},
+              "0 <= value <= 10", "a dilation_slip that ends dilation"},
         Wrong{"joint_dilation_slip_alone.toml", 10, 17, "joint.plane.dilation_slip", "0.01", "without a dilation_deg",
               "beside dilation_deg", "add dilation_deg"},
         Wrong{"water_backwards.toml", 26, 27, "water.0.line.2", "[2.0, 1.0]", "x = 2 m comes after x = 3 m", "x > 3 m",
@@ -254,7 +254,7 @@ TEST_P(WrongChange, is_refused_at_the_key) {
 INSTANTIATE_TEST_SUITE_P(
     Case, WrongChange,
     testing::Values(
-        Change{"young = \"1 GPa\"", "young = \"1 GN\"", "material.rock.young", "does not measure"},
+        Change{"young = \"1 GPa\"", "young = \"1 GN\"", "material.rock.young", "does not fit the quantity"},
         Change{"young = \"1 GPa\"", "young = \"1 Gpa\"", "material.rock.young", "not known"},
         Change{"young = \"1 GPa\"", "young = \"1e9\"", "material.rock.young", "no unit"},
         Change{"young = \"1 GPa\"", "young = \"stiff\"", "material.rock.young", "begin with a number"},
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"young = \"1 GPa\"", "young = \"1e300 GPa\"", "material.rock.young", "range of double"},
         Change{"young = \"1 GPa\"", "young = 1979-05-27", "material.rock.young", "wrong type"},
         Change{"poisson = 0.25", "poisson = 0.5", "material.rock.poisson", "out of range"},
-        Change{"poisson = 0.25", "poisson = \"0.25\"", "material.rock.poisson", "number is wanted"},
+        Change{"poisson = 0.25", "poisson = \"0.25\"", "material.rock.poisson", "number is expected"},
         Change{"friction_deg = \"12 deg\"", "friction_deg = 90", "joint.plane.friction_deg", "out of range"},
         Change{"contact_length = 0.5", "contact_length = 0", "joint.plane.contact_length", "out of range"},
         Change{"penalty = \"1 GN/m\"", "penalty = \"automatic\"", "joint.plane.penalty", "begin with a number"},

@@ -331,7 +331,7 @@ TEST(CaseErrors, range_hint_says_which_way_and_what_the_key_holds) {
       {"material.rock.poisson=0.5", "give a smaller value. poisson: Poisson's ratio."},
       {"material.rock.poisson=-0.1", "give a larger value. poisson: Poisson's ratio."},
       {"run.threads=5000",
-       "give a smaller value. threads: Threads; 0 takes as many as the machine has. Results do not depend on it."}};
+       "give a smaller value. threads: Threads; 0: as many as the machine has. Results do not depend on it."}};
   for (const auto& [option, hint] : wrong)
     EXPECT_EQ(error_of_file(kFolder + "good_case.toml", {option}).hint, hint) << option;
 }

@@ -124,13 +124,13 @@ TEST_P(WrongSides, are_refused_at_the_key) {
 INSTANTIATE_TEST_SUITE_P(
     Case, WrongSides,
     testing::Values(
-        WrongSide{"{block=\"slider\", motion=\"pulse\"}", "free_field.0.on", "nothing says"},
+        WrongSide{"{block=\"slider\", motion=\"pulse\"}", "free_field.0.on", "outlines are not given"},
         WrongSide{"{block=\"slider\", edge=2, motion=\"pulse\"}", "free_field.0.edge", "leans by 90 degrees"},
         WrongSide{"{block=\"wall\", edge=1, motion=\"pulse\"}", "free_field.0.edge", "held whole"},
         WrongSide{"{block=\"slider\", edge=1}", "free_field.0.motion", "2 bases"},
         WrongSide{"{block=\"slider\", edge=1, motion=\"upward\"}",
                   "free_field.0.motion",
-                  "no base follows",
+                  "no base is driven",
                   {"viscous_edge=[]"}},
         WrongSide{"{block=\"slider\", edge=1}",
                   "free_field.0.motion",
