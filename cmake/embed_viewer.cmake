@@ -1,5 +1,5 @@
 # Writes the built page of the viewer as a source file: cmake -DFROM=io/viewer/dist -DTO=bundle.cpp -P embed_viewer.cmake
-# The built files are ASCII (io/viewer/build.mjs sees to it) and none holds the delimiter of the raw strings.
+# The built files are ASCII (io/viewer/build.mjs ensures that) and none holds the delimiter of the raw strings.
 set(source "// Made from io/viewer/dist by cmake/embed_viewer.cmake.\n#include \"io/viewer/bundle.h\"\n\nnamespace scree::io {\n\n")
 foreach(part script=viewer.js style=viewer.css body=body.html licences=LICENCES.txt)
   string(REPLACE "=" ";" part ${part})

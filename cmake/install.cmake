@@ -14,7 +14,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/scree-config-version.cmak
 install(FILES ${PROJECT_BINARY_DIR}/scree-config.cmake ${PROJECT_BINARY_DIR}/scree-config-version.cmake cmake/packages.cmake
         DESTINATION ${scree_cmake_dir})
 
-# Headers say "model/model.h": the folder that holds them is on the include path of whoever links.
+# Headers are included as "model/model.h": programs that link Scree get their parent folder as an include path.
 install(DIRECTORY model nmm dda coupling io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scree)
 install(DIRECTORY io/lcmtypes DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN "*.lcm")
@@ -23,7 +23,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "*.1" EXCLUD
 install(FILES docs/scree.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
-# cpack -G DEB. One package: the command with what it reads, and the libraries to link with.
+# cpack -G DEB. One package: the command with the files it reads, and the libraries for other programs.
 set(CPACK_GENERATOR DEB)
 set(CPACK_SCREE_NATIVE ${SCREE_NATIVE})
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/portable-packages.cmake)
@@ -35,6 +35,6 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the libraries of the command, from what it is linked with
-# What a program that links Scree needs, from packages.txt.
+# Packages that a program linking Scree requires, from packages.txt.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, pkg-config, libeigen3-dev, libbullet-dev, libsuitesparse-dev, libopenblas0-pthread, libhdf5-dev, liblcm-dev, libglib2.0-dev, libgeos-dev, libtomlplusplus-dev, libfmt-dev, libspdlog-dev, libcairo2-dev, libdxflib-dev, zlib1g-dev, libdeflate-dev, libssl-dev")
 include(CPack)

@@ -22,19 +22,20 @@ target_include_directories(scree_options INTERFACE $<BUILD_INTERFACE:${PROJECT_S
                                                    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/scree>)
 target_compile_features(scree_options INTERFACE cxx_std_20)
 # Results must not depend on how the compiler contracts a*b+c: hashes are compared between runs and thread counts.
-# Nobody reads errno after sqrt, and loops with a call in them do not vectorise; values are the same.
+# errno is not read after sqrt, and loops that contain a call are not vectorised; values are the same.
 target_compile_options(scree_options INTERFACE -ffp-contract=off -fno-math-errno
                        "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>"
                        # False alarms of GCC 12 in its own headers (AVX-512 intrinsics: bugs 105593, 107461; strings: 105651).
-                       # Clang's warning of the same name is an error in clang-tidy's run. A source that is compiled with
-                       # others (unity.cmake) may give its class a member of an unnamed namespace all the same.
+                       # Clang's warning of the same name is an error in clang-tidy's run. In a unity build
+                       # (unity.cmake) a class of a source may still have a member whose type is in an unnamed
+                       # namespace.
                        "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overread;-Wno-stringop-overflow;-Wno-subobject-linkage>>")
 if(SCREE_WERROR)
   target_compile_options(scree_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(SCREE_NATIVE)
-  # Not for those who link the libraries. What they see must lie in memory as in the libraries all the same: Eigen aligns
-  # small matrices, and what it allocates, to the vectors of the processor it is compiled for.
+  # Not for programs that link the libraries. Their objects must still have the same memory layout: Eigen aligns
+  # small matrices, and memory that it allocates, to the vector size of the processor it is compiled for.
   target_compile_options(scree_options INTERFACE $<BUILD_INTERFACE:-march=native>)
   include(cmake/eigen_alignment.cmake)
   target_compile_definitions(scree_options INTERFACE
@@ -47,7 +48,8 @@ endif()
 if(SCREE_SANITIZE)
   target_compile_options(scree_options INTERFACE -fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer)
   if(SCREE_SANITIZE MATCHES undefined)
-    # Half of the compiler's time, for little: null pointers show in the address sanitizer, and Eigen asserts alignment.
+    # These checks take half of the compiler's time for little gain: the address sanitizer detects null pointers, Eigen
+    # asserts alignment.
     target_compile_options(scree_options INTERFACE -fno-sanitize=null,alignment)
   endif()
   target_link_options(scree_options INTERFACE -fsanitize=${SCREE_SANITIZE})

@@ -1,5 +1,6 @@
 # Every library that Scree uses, as an imported target. Debian packages: packages.txt. Installed beside scree-config.cmake,
-# which sets SCREE_INSTALLED: programs that link Scree need what its libraries need, not what only builds them.
+# which sets SCREE_INSTALLED: programs that link Scree require the dependencies of its libraries, not those needed only
+# to build them.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)

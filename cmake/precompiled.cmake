@@ -1,5 +1,7 @@
-# Headers of other projects that most sources include, compiled once: half of the compiler's time for a small source.
-# Sources include what they use all the same; clang-tidy and a build with SCREE_PRECOMPILE=OFF see them without.
+# Headers of other projects that most sources include, compiled once: this saves half of the compiler's time for a small
+# source.
+# Sources still include all headers they use; clang-tidy and a build with SCREE_PRECOMPILE=OFF compile without
+# precompiled headers.
 option(SCREE_PRECOMPILE "Compile common headers once" ON)
 set(scree_common_headers
     <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <numeric> <optional> <span> <string>

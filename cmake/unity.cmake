@@ -1,5 +1,6 @@
-# Sources of one folder compiled together, some at a time: what their headers hold is read once a group. Names in unnamed
-# namespaces are one per folder then. A build with SCREE_UNITY=OFF compiles every source by itself, as clang-tidy sees them.
+# Sources of one folder are compiled together in groups: their headers are read once per group. Names in unnamed
+# namespaces must then be unique within a folder. A build with SCREE_UNITY=OFF compiles every source by itself, as
+# clang-tidy does.
 option(SCREE_UNITY "Compile the sources of a folder together" ON)
 set(scree_unity_group 8)
 

@@ -38,7 +38,7 @@ def lead(name):
 
 
 def tiers(expected):
-    """Whether each quantity is of the full tier: its own, or that of a variant that it takes."""
+    """Whether each quantity belongs to the full tier, by its own tier or that of a variant that it uses."""
     full = {v["name"] for v in expected.get("variant", []) if v.get("tier") == "full"}
     first = expected.get("variant", [{}])[0].get("name", "case")
     for q in expected["quantity"]:
@@ -106,7 +106,7 @@ def page():
     for name in names:
         expected = tomllib.loads((ROOT / "cases" / name / "expected.toml").read_text())
         out += [f'### <a id="{name}"></a>{name}', "", lead(name), "", f"Case, reference and account: `cases/{name}`.", ""]
-        if (ROOT / "cases" / name / "picture.png").exists():  # HTML: it lies outside docs/; tools/docs_site.sh brings it along
+        if (ROOT / "cases" / name / "picture.png").exists():  # HTML, since the picture is outside docs/; tools/docs_site.sh copies it
             out += [f'<img src="../cases/{name}/picture.png" alt="{name}" width="720">', ""]
         out += ["| quantity | wanted | found | tier | why this bound |", "|---|---|---|---|---|"]
         for q, tier in tiers(expected):
@@ -139,7 +139,7 @@ def run(arguments):
                 plots[file] = title
                 shutil.copy(os.path.join(folder, file), IMAGES / file)
         rows = {k: r for k, r in rows.items() if k[0] != name} | new
-        # After each case: a run that is stopped loses nothing.
+        # Written after each case, so that an interrupted command loses nothing.
         write_rows(FOUND, ["case", "quantity", "wanted", "found", "verdict"], (rows[k] for k in sorted(rows)))
         write_rows(PLOTS, ["file", "title"], ({"file": f, "title": plots[f]} for f in sorted(plots, key=lambda f: (f.rpartition("-")[0], int(f.rpartition("-")[2][:-4])))))
 

@@ -16,7 +16,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Cases and how much of them. Those without a case file are studies.
+# Cases that are run only up to this time [s]. Folders without a case file are studies.
 UNTIL = {"jinping": 0.1, "collapse": 0.02, "staged-slope": 0.45}
 SCENES = ["divided", "kept", "motion", "rules", "sides", "staged"]
 EXACT = {"step", "stage", "open", "slip", "stick"}
@@ -37,7 +37,7 @@ def digest(scree, case, until, threads):
 
 
 def differences(before, after):
-    """Of two digests: whether steps or contact states differ, and the largest relative difference of a number."""
+    """Compares two digests: whether steps or contact states differ, and the largest relative difference of a number."""
     a, b = (list(csv.DictReader(text.splitlines())) for text in (before, after))
     if len(a) != len(b) or (a and a[0].keys() != b[0].keys()):
         return True, float("inf")

@@ -30,7 +30,7 @@ katex=/usr/share/javascript/katex
 cp -L "$katex/katex.min.css" "$katex/katex.min.js" build/site/katex/
 cp -L "$katex/contrib/mathtex-script-type.js" build/site/katex/contrib/
 cp -rL "$katex/fonts" build/site/katex/
-# Pictures of cases lie beside the cases.
+# Pictures of cases are in the folders of the cases.
 for picture in cases/*/picture.png; do
   name=$(basename "$(dirname "$picture")")
   cp "$picture" "build/site/images/case-$name.png"

@@ -36,7 +36,7 @@ def functions(name):
     i = 0
     while i < len(lines):
         first = i
-        if lines[i].endswith("{") and re.match(r" {3,}", lines[i]):  # the last line of a head that began above
+        if lines[i].endswith("{") and re.match(r" {3,}", lines[i]):  # the last line of a function head that began on an earlier line
             while first > 0 and re.match(r" {3,}", lines[first]):
                 first -= 1
         head = re.match(r"^( {0,2})\S", lines[first])
@@ -50,7 +50,7 @@ def functions(name):
 
 
 def dangling():
-    """Comments that name a file which is not there."""
+    """Comments that name a file that does not exist."""
     known = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
     tails = {"/".join(pathlib.PurePath(f).parts[-n:]) for f in known for n in range(1, 6)}
     written = {"case.toml", "cases.md", "lcm_udpm.c", "read_live.py"}
@@ -64,7 +64,7 @@ def dangling():
 
 
 def untested():
-    """Sources of the numerics without a test of their name, and without a mutant that a test of another name kills."""
+    """Numerical sources without a test of the same name, and without a mutant that a test of another name kills."""
     tests = {pathlib.PurePath(name).stem for name in sources() if name.startswith("tests/")}
     mutated = {m["file"] for records in sorted(ROOT.glob("tests/mutation/*.toml")) for m in tomllib.loads(records.read_text())["mutant"]}
     for name in sources():

@@ -1,9 +1,9 @@
 # shellcheck shell=bash
 # Installs what packages.txt lists. To be sourced; the caller has set `root` to the top of the project.
 #
-#   packages_install SECTION...    0: all there; 2: takes rights that we lack, the line to type is printed; else apt's code
+#   packages_install SECTION...    0: all installed; 2: needs missing rights, prints the command; else apt's code
 
-# Packages of the given sections, one a line, without those whose command is there already from elsewhere.
+# Packages of the given sections, one per line, without those whose command is already installed from another source.
 packages_list() {
   local package command
   packages_entries "$@" | while read -r package command; do
@@ -19,7 +19,7 @@ packages_entries() {
     END { if (!any) { print "packages.txt has no section" wanted > "/dev/stderr"; exit 1 } }' "${root:?}/packages.txt"
 }
 
-# Those of the given packages that are not installed.
+# Those among the given packages that are not installed.
 packages_missing() {
   comm -23 <(printf '%s\n' "$@" | sort -u) \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' | sort -u)

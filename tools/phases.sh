@@ -1,9 +1,9 @@
 # shellcheck shell=bash
-# Phases of a script: a title before, the time after. To be sourced by bash scripts.
+# Phases of a script: prints a title before each phase and its time afterwards. To be sourced by bash scripts.
 #
 #   phase NAME COMMAND...   runs the command; returns its code. Within it, use `|| return`: bash ignores set -e there.
-#   quietly COMMAND...      output to a log, of which the end is shown if the command fails
-#   phase_times             one line a phase, with its time
+#   quietly COMMAND...      output to a log; the end of the log is shown if the command fails
+#   phase_times             one line per phase, with its time
 
 phase_rows=()
 

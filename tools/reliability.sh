@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The tests behind docs/reliability.md, and what each found, a line a test.
-#   tools/reliability.sh [--full] [BUILD]      quick form, or the whole (hours); build/release if no folder is given
+# Runs the tests behind docs/reliability.md and prints the findings of each, one line per test.
+#   tools/reliability.sh [--full] [BUILD]      quick form, or the full form (hours); build/release if no folder is given
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,7 +20,7 @@ for name in "${names[@]}"; do
   output=$(ctest --test-dir "$build" -R "^${name//./\\.}\$" -V 2>&1) || code=$?
   result=$(sed -n 's/^ *1\/1 Test.* \(Passed\|.*Failed\|\*\*\*.*\) *\([0-9.]* sec\).*/\1, \2/p' <<<"$output")
   printf '%s: %s\n' "$name" "${result:-did not run}"
-  # What a test says of itself, without what ctest says around it; all of it where it failed.
+  # The output of a test without ctest's own lines; the whole output of a test that failed.
   told=$(sed -n 's/^[0-9]*: //p' <<<"$output" | grep -vE '^(Test command|Working Directory|Environment variables|Test timeout| *[A-Z_]*=)' || true)
   if [ "$code" = 0 ]; then tail -n 8 <<<"$told" | sed 's/^/    /'; else sed 's/^/    /' <<<"$told"; failed=1; fi
 done

@@ -1,4 +1,4 @@
-"""Synthetic ground motions of the case library: sines under an envelope, their phases from a generator of Lehmer's."""
+"""Synthetic ground motions of the case library: sines under an envelope, with phases from a Lehmer generator."""
 import math
 
 
@@ -17,6 +17,6 @@ def sines(frequencies, seed, step, duration, envelope):
 
 
 def scaled(samples, peak):
-    """The same with this largest magnitude, to six decimals."""
+    """The samples scaled to this largest magnitude, rounded to six decimals."""
     largest = max(map(abs, samples))
     return [round(peak * x / largest, 6) + 0.0 for x in samples]

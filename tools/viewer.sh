@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the page of `scree report` anew: io/viewer/src -> io/viewer/dist. Takes Node 18 or later and npm.
+# Builds the page of `scree report` anew: io/viewer/src -> io/viewer/dist. Requires Node 18 or later and npm.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

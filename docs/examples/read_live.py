@@ -116,7 +116,7 @@ class Decoder:
 
 
 class Run:
-    """The newest of everything of one session: the latest of those that talk."""
+    """The newest messages of one session: the latest session that sends."""
 
     def __init__(self, decoder):
         self.decoder, self.session, self.heard, self.malformed, self.frames = decoder, -1, 0, 0, 0
@@ -127,13 +127,13 @@ class Run:
         self.events, self.mesh_chunks, self.state_chunks, self.hist_parts = {}, {}, {}, {}
 
     def take(self, kind, data):
-        """True when a message was taken."""
+        """True if a message was accepted."""
         try:
             message = self.decoder.message(f"{kind.lower()}_v1_t", data)
             header = message["header"]
             now = int(time.time() * 1e6)
             if header["session"] > now + 60_000_000 or header["sequence"] > now - header["session"] + 60_000_000:
-                raise Malformed("from the future")  # it would shut out all that is right after it
+                raise Malformed("from the future")  # all correct messages after it would be rejected
             going_on = not self.info or self.info["status"] in ("running", "paused")
             if header["session"] < self.session and not (going_on and now - self.heard > 3_000_000):
                 return False
@@ -155,7 +155,7 @@ class Run:
         self.energy = message
 
     def take_event(self, message, header):
-        self.events.setdefault(header["sequence"], message)  # known ones come again
+        self.events.setdefault(header["sequence"], message)  # known events are sent again
 
     def take_hist(self, message, header):
         if self.history and header["sequence"] <= self.history["sequence"]:
@@ -174,14 +174,15 @@ class Run:
     def take_topo(self, message, header):
         if self.mesh and self.mesh["id"] == header["topology_id"]:
             return
-        chunks = self.mesh_chunks.setdefault(header["topology_id"], {})  # the same bytes each time it is sent
+        chunks = self.mesh_chunks.setdefault(header["topology_id"], {})  # a mesh is sent repeatedly with the same bytes
         chunks[message["chunk"]] = message["data"]
         if len(chunks) < message["chunks"]:
             return
         self.mesh_chunks.clear()
         whole = bytes(b"".join(bytes(chunks[k]) for k in range(message["chunks"])))
         mesh = self.decoder.message("mesh_v1_t", whole)
-        # Bodies: the blocks as their first cells come; a point belongs to the body of the first cell that has it.
+        # Bodies: the blocks in the order of their first cells; a point belongs to the body of the first cell that
+        # contains it.
         bodies, owner, at = {}, {}, 0
         for corners, block in zip(mesh["corners"], mesh["block"]):
             body = bodies.setdefault(block, len(bodies))
@@ -196,7 +197,7 @@ class Run:
 
     def take_state(self, message, header):
         if not self.mesh or self.mesh["id"] != header["topology_id"]:
-            return  # its mesh comes within a second
+            return  # its mesh arrives within a second
         if self.frame and header["sequence"] <= self.frame["sequence"]:
             return
         for old in [k for k in self.state_chunks if k < header["sequence"]]:
@@ -244,7 +245,7 @@ def listen(group, port):
 
 def take_apart(datagram):
     """Channel and data of an LCM datagram: "LC02", the number of the message, the channel ended by a zero, the data.
-    (Messages above 64 kB come in pieces, "LC03"; those of Scree never do.)"""
+    (Messages above 64 kB are split, "LC03"; those of Scree never are.)"""
     if datagram[:4] != b"LC02" or b"\0" not in datagram[8:72]:
         return None, None
     end = datagram.index(b"\0", 8)

@@ -1,4 +1,4 @@
-// Explicit steps take no memory from the third on: every operator new of this program is counted.
+// Explicit steps allocate no memory from the third on: every operator new of this program is counted.
 #include <gtest/gtest.h>
 
 #include "tests/allocation/counting_new.h"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace coupling;
 
-/// Allocations in steps 3 to 200; `closed` tells whether contacts took part.
+/// Allocations in steps 3 to 200; `closed`: whether contacts take part.
 std::int64_t allocations(const Scene& scene, const ExplicitDamping& damping, bool closed = false) {
   ByHand hand(scene.model, scene.plan.stages[0]);
   CentralDifference integrator(*hand.setup, {.max_displacement = 0.02}, 0.05, damping);
@@ -62,7 +62,7 @@ TEST_P(Allocation, of_sliding_blocks_is_none) {
   scene.add("other", turned(rectangle(2.05, 0.001, 3, 0.8)));
   scene.model.initial_velocities.push_back({BlockId{1}, rotation(-0.5) * Vec2(2.0, 0.0), 0.0});
   scene.stage(GetParam(), Integrator::explicit_, 1.0, std::nullopt, 0.5);
-  EXPECT_LE(allocations(scene, {}, true), 1);  // the first window of the friction check
+  EXPECT_LE(allocations(scene, {}, true), 1);  // an allocation by the first window of the friction check
 }
 INSTANTIATE_TEST_SUITE_P(methods, Allocation, testing::Values("nmm", "dda"));
 

@@ -14,7 +14,7 @@ ALLOWED = {
     "io": {"model", "coupling"},
     "app": {"model", "nmm", "dda", "coupling", "io"},
 }
-# The rooms of coupling from the ground up: each may include from those before it only.
+# The subfolders ("rooms") of coupling from bottom to top: each may include only from those before it.
 ROOMS = ["coupling/ledger", "coupling/linear", "coupling", "coupling/bodies", "coupling/bolts", "coupling/contact/law", "coupling/contact/geometry",
          "coupling/contact/search", "coupling/contact/table", "coupling/contact/audit", "coupling/contact", "coupling/onefold",
          "coupling/unknowns", "coupling/interface", "coupling/integrate", "coupling/transfer", "coupling/stages"]
@@ -34,7 +34,7 @@ INSIDE = {
 }
 # Folders that no layer may include from.
 OUTSIDE = {"tests", "cases", "docs", "tools"}
-# The methods link the model and the compile options, nothing else: a third method needs no more.
+# The methods link the model and the compile options only: a third method requires no more.
 ONLY_LINKS = {"nmm": {"scree::model", "scree_options"}, "dda": {"scree::model", "scree_options"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
@@ -43,7 +43,8 @@ KEYWORDS = {"PUBLIC", "PRIVATE", "INTERFACE"}
 
 
 def source_of(root, file, name):
-    """The top folder and the first two that `#include "name"` in `file` takes its file from; None for a library's header."""
+    """The top folder, and the first two folders, of the file that `#include "name"` in `file` refers to; None for a
+    library's header."""
     beside = (file.parent / name).resolve()
     path = beside if beside.is_file() else (root / name).resolve()
     if not path.is_relative_to(root):
@@ -89,7 +90,7 @@ def folder_includes(root):
 
 
 def room_violations(root):
-    """Includes from a room above, and rooms that ROOMS does not name."""
+    """Includes from a higher room, and rooms that ROOMS does not list."""
     found = []
     for file, number, here, there in folder_includes(root):
         if here.split("/")[0] != "coupling" or there.split("/")[0] != "coupling":
@@ -103,7 +104,7 @@ def room_violations(root):
 
 
 def circles(root):
-    """Folders that include each other, by whatever way: tuples of their names."""
+    """Folders that include each other, directly or indirectly: tuples of their names."""
     to = {}
     for _, _, here, there in folder_includes(root):
         to.setdefault(here, set()).add(there)
@@ -148,7 +149,7 @@ def main():
         print(f"no includes in {root}: not the top of the project?", file=sys.stderr)
         return 2
     found += link_violations(root) + room_violations(root)
-    if not found:  # a forbidden include is named by itself
+    if not found:  # a forbidden include is reported by itself
         found += ["folders that include each other: " + ", ".join(circle) for circle in circles(root)]
     print(*found, sep="\n", end="\n" if found else "")
     print(f"{files} files, {includes} includes, {len(found)} violations")

@@ -12,7 +12,7 @@ import unittest
 CHECK = pathlib.Path(__file__).with_name("check_arrows.py")
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 LAYERS = ["model", "nmm", "dda", "coupling", "io", "app"]
-# Written out, not taken from the checker: a mistake in its table must show.
+# Written out, not taken from the checker, so that a mistake in its table is detected.
 FORBIDDEN = {
     "model": ["nmm", "dda", "coupling", "io", "app", "tests"],
     "nmm": ["dda", "coupling", "io", "app", "tests"],

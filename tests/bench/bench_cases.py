@@ -1,7 +1,7 @@
 """Cases of the bench: walls of blocks in running bond, a block with a mesh, two blocks."""
 import math
 
-SETTLED = 0.4  # [s]: static steps of 20 ms; what is measured comes after
+SETTLED = 0.4  # [s]: static steps of 20 ms; measurements begin afterwards
 
 HEAD = """
 title = "bench"

@@ -1,4 +1,4 @@
-"""Growth plots of the bench as SVG: logarithmic axes, a line a series, the slope of its last two points beside it."""
+"""Growth plots of the bench as SVG: logarithmic axes, one line per series, labelled with the slope of its last two points."""
 import math
 import pathlib
 

@@ -1,10 +1,10 @@
-// The walls of the bench in Box2D, a solver for games, as a peer: the same blocks in running bond on a base that is
-// held or shaken, friction of 31 degrees, no restitution, no sleeping; 8 velocity and 3 position iterations, as its
-// manual recommends. It has no elasticity, no ledger and no balance to a tolerance: what it tells is how fast contacts
-// of blocks are found and pushed apart at all.
+// The walls of the bench in Box2D, a solver for games, for comparison: the same blocks in running bond on a base that
+// is held or shaken, friction of 31 degrees, no restitution, no sleeping; 8 velocity and 3 position iterations, as its
+// manual recommends. It has no elasticity, no ledger and no equilibrium to a tolerance: it shows how fast contacts of
+// blocks can be found and resolved at all.
 //
 //   usage: bench_box2d_wall COURSES STEPS SECONDS_A_STEP rest|shaken
-// Prints the processor time of a step in ms, after half a second of settling.
+// Prints the processor time per step in ms, after half a second of settling.
 #include <box2d/box2d.h>
 
 #include <cmath>

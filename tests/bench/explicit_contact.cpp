@@ -1,6 +1,6 @@
 // Cost of contact in explicit steps: whole steps of DDA brick walls at rest and shaken, by number of contact points.
-// Prints processor time a step and a contact point, and what a step costs without contacts; a hash of the last state,
-// to be compared between two programs and between numbers of threads.
+// Prints processor time per step and per contact point, and the cost of a step without contacts; a hash of the last
+// state, to be compared between two programs and between numbers of threads.
 //
 //   usage: bench_explicit_contact [steps] [threads] [blocks ...]
 #include <fmt/format.h>
@@ -19,8 +19,8 @@ namespace {
 double cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Bricks of 2 m x 1 m in a bond, 30 in a course, on a course that is held.
-/// @param apart  gaps between bricks [m]: nothing touches where they are wide
+/// Bricks of 2 m x 1 m in running bond, 30 per course, on a course that is held.
+/// @param apart  gaps between bricks [m]: with wide gaps nothing touches
 test::Scene bricks(int blocks, double apart) {
   test::Scene scene{5e9, 0.2, 2500.0};
   scene.model.joints[0].friction = 0.6;
@@ -35,11 +35,11 @@ test::Scene bricks(int blocks, double apart) {
 }
 
 struct Cost {
-  double points = 0.0, cpu = 0.0, wall = 0.0;  // a step [s]
+  double points = 0.0, cpu = 0.0, wall = 0.0;  // points; times per step [s]
   std::uint64_t hash = 0;
 };
 
-/// @param speed  of the bricks at first, each its own way [m/s]
+/// @param speed  initial speed of the bricks, each in its own direction [m/s]
 Cost measure(int blocks, double apart, double speed, int steps) {
   const test::Scene scene = bricks(blocks, apart);
   test::ByHand hand(scene.model, scene.plan.stages[0]);

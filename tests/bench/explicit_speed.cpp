@@ -1,5 +1,5 @@
 // Speed of explicit NMM steps: Scree's whole step against a plain loop, interleaved in one run, and against itself on
-// two cores. Prints element steps a second, ratios and memory; exit code 1 where a hash differs between thread counts.
+// two cores. Prints element steps per second, ratios and memory; exit code 1 if a hash differs between thread counts.
 //
 //   usage: bench_explicit_speed [seconds a size]
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-/// One square block with everything that a run has: gravity, damping, affine-exact mass, books, a watch over contacts.
+/// One square block with all parts of a run: gravity, damping, affine-exact mass, ledger, detection of contacts.
 struct Run {
   test::Scene scene{1e9, 0.25, 2000.0};
   std::unique_ptr<test::ByHand> hand;
@@ -40,12 +40,12 @@ struct Run {
   Tick h = 0;
   std::int64_t elements = 0;
   int threads;
-  static constexpr int kOutput = 100;  // steps between two looks at the ledger
+  static constexpr int kOutput = 100;  // steps between two updates of the ledger
 
   Run(double side, int thread_count) : threads(thread_count) {
     omp_set_num_threads(threads);
     const BlockId id = scene.add("block", test::rectangle(0.0, 0.0, side, side));
-    scene.model.gravity = Vec2(0.0, -1e-6);  // there, but it must not carry the block away in a million steps
+    scene.model.gravity = Vec2(0.0, -1e-6);  // so small that the block hardly moves in a million steps
     scene.model.initial_velocities.push_back({id, {0.01, 0.0}, 1e-3});
     coupling::Stage& stage = scene.stage("nmm", coupling::Integrator::explicit_, 1.0, std::nullopt, 1.0);
     hand = std::make_unique<test::ByHand>(scene.model, stage);
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
   fmt::print("{:>9} {:>10} {:>10} {:>8} {:>10} {:>8} {:>8} {:>10}\n", "elements", "plain", "Scree 1", "ratio",
              "Scree 2", "speed-up", "hash", "B/element");
   bool same = true;
-  // Sides in cover sizes that give about as many elements as the plain mesh; the largest first, for its peak of memory.
+  // Sides in cover sizes that give about as many elements as the plain mesh; the largest first, for the peak of memory.
   for (const auto& [n, side] : {std::pair{707, 656.8}, {100, 92.1}, {18, 15.8}})
     same = scree::bench::compare(n, side, seconds) && same;
   return same ? 0 : 1;

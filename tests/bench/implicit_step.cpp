@@ -1,4 +1,4 @@
-// An implicit NMM step with 100,000 unknowns, its analysis reused: time, numbers in the factor, memory.
+// An implicit NMM step with 100,000 unknowns and a reused symbolic analysis: time, numbers in the factor, memory.
 //
 //   usage: bench_implicit_step [side in cover sizes]
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
-// Implicit steps of a wall of DDA blocks in running bond, at rest and on a base that shakes: processor time a step, and
-// what it is made of: passes of the open-close iteration, solutions, factors, cuts.
+// Implicit steps of a wall of DDA blocks in running bond, at rest and on a base that shakes: processor time per step,
+// and its contributions: passes of the open-close iteration, solutions, factors, cuts.
 //
 //   usage: bench_implicit_wall [courses [steps [settling steps [dt in s [positions]]]]]
 // Courses of n + 1 and n blocks of 1 x 0.5 m in turn, n courses: 915 blocks are 30 courses, 10,050 are 100 and 100,014
 // are 316. The wall settles in static steps of 20 ms first; the same settled state is then stepped at rest and shaken
-// (2 Hz, 4 m/s2 horizontally). With a name for `positions` those of the ends are written there, in binary, to compare
-// runs.
+// (2 Hz, 4 m/s2 horizontally). If a file name is given as `positions`, the final positions are written there in binary
+// form, to compare runs.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,12 +21,12 @@
 namespace scree::bench {
 namespace {
 
-/// Processor time: what a step takes on one core, whatever else the machine does.
+/// Processor time [s]: independent of other processes.
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr double kSettlingStep = 0.02;
 
-/// @param shaken  the base moves, from the end of the settling on
+/// @param shaken  the base moves after the settling
 test::Scene wall(int courses, int settling, bool shaken) {
   test::Scene scene{5e9, 0.2, 2500.0, 31.0};
   scene.add("base", test::rectangle(-3.0, -2.0, courses + 4.0, 0.0));

@@ -1,5 +1,5 @@
 // Open-close iteration of a wall of DDA blocks that falls on its base: passes, switches, updates, factorisations and
-// time a step, with rank updates of the factor and with a new one every pass, step by step in one run.
+// time per step, with rank updates of the factor and with a new factor in every pass, step by step in one run.
 //
 //   usage: bench_open_close [steps]
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace scree::bench {
 namespace {
 
-/// Processor time: what it takes on one core, whatever else the machine does.
+/// Processor time [s]: independent of other processes.
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double median(std::vector<double> x) {
@@ -24,7 +24,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-/// Rows of blocks in running bond, each a little away from its place, above a base that is held.
+/// Rows of blocks in running bond, each slightly displaced from its place, above a base that is held.
 struct Wall {
   test::Scene scene{1e9, 0.2, 2500.0};
   coupling::StepControl control;
@@ -52,7 +52,7 @@ struct Side {
   int cut = 0;
   double seconds = 0.0;
   std::map<int, std::vector<double>> pass,
-      bringing;  // by the number of points that switched before it: all, its factor
+      bringing;  // [s] by number of switches before a pass: whole pass, its factor
 
   Side(Wall& wall, coupling::OpenClose::Factor factor)
       : hand(wall.scene.model, wall.scene.plan.stages[0]),

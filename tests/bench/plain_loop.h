@@ -1,5 +1,5 @@
-// The yardstick: a plain scalar loop over constant-strain triangles, co-rotational, gather and scatter, with nothing
-// that a simulator needs beside it (no damping, no books, no exact inertia, no contacts).
+// The reference for speed: a plain scalar loop over constant-strain triangles, co-rotational, gather and scatter,
+// without the other parts of a simulator (no damping, no ledger, no exact inertia, no contacts).
 #pragma once
 
 #include <algorithm>
@@ -80,7 +80,7 @@ class PlainLoop {
       u_[2 * i + 1] += dt * v_[2 * i + 1];
     }
   }
-  /// So that nothing is optimised away.
+  /// Sum of the results, so that the compiler does not optimise the loop away.
   [[nodiscard]] double sum() const {
     double s = 0.0;
     for (const double x : u_) s += x;

@@ -1,5 +1,5 @@
-// Cost of the contact search: Search::update and ContactFinder::find a step, for a brick wall at rest and one whose
-// bricks all move, by number of edges. Prints microseconds a step and how the cost grows against linear.
+// Cost of the contact search: Search::update and ContactFinder::find per step, for a brick wall at rest and one whose
+// bricks all move, by number of edges. Prints microseconds per step and the growth of the cost relative to linear.
 //
 //   usage: bench_search_cost [steps]
 #include <fmt/format.h>
@@ -15,15 +15,15 @@
 namespace scree::bench {
 namespace {
 
-/// Processor time [s]: what else runs on the machine does not count.
+/// Processor time [s]: independent of other processes.
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Cost {
   double edges = 0.0, points = 0.0;
-  double search = 0.0, find = 0.0;  // [s] a step
+  double search = 0.0, find = 0.0;  // [s] per step
 };
 
-/// @param speed  of the bricks, each in its own direction, in detection distances a step
+/// @param speed  of the bricks, each in its own direction, in detection distances per step
 Cost measure(int edges, double speed, int steps) {
   test::Scene scene;
   const int bricks = edges / 4, columns = static_cast<int>(std::sqrt(bricks));
@@ -41,7 +41,7 @@ Cost measure(int edges, double speed, int steps) {
   IndexedVector<coupling::OutlineNode, Vec2> x(hand.setup->outlines().nodes.size());
   Cost cost{4.0 * bricks, 0.0, 0.0, 0.0};
   for (int step = -3; step < steps; ++step) {
-    // To and fro on a line of its own, ten steps each way: a pile that shakes and stays together.
+    // Each brick moves back and forth on its own line, ten steps each way: a pile that shakes and stays together.
     const double way = speed * detection * (((step + 30) / 10) % 2 == 0 ? 1.0 : -1.0);
     for (const coupling::Body& b : hand.setup->bodies()) {
       const double angle = 2.4 * static_cast<double>(b.block.value);

@@ -1,9 +1,9 @@
-// A pile of DDA blocks of unequal sizes, settled under gravity: time a step, and how it grows with the number of
+// A pile of DDA blocks of unequal sizes, settled under gravity: time per step, and its growth with the number of
 // blocks.
 //
 //   usage: bench_settled_pile [steps] [courses[xlength] ...]
-// A pile is twice as long as it has courses unless its length is given [m]. The time that a high pile takes to settle
-// grows with the square of its height; long ones of one height show what the number of blocks costs.
+// By default the length of a pile [m] is twice its number of courses. The time that a high pile takes to settle grows
+// with the square of its height; piles of one height and different lengths show the cost of the number of blocks.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,14 +18,14 @@
 namespace scree::bench {
 namespace {
 
-/// Processor time: what a step takes on one core, whatever else the machine does.
+/// Processor time [s]: independent of other processes.
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Courses of blocks of unequal widths on a base that is held, each a little narrower than the one below.
 struct Size {
   int courses = 0, length = 0;
 };
 
+/// Courses of blocks of unequal widths on a base that is held, each a little narrower than the one below.
 test::Scene pile(const Size& size) {
   const int rows = size.courses;
   test::Scene scene{1e9, 0.2, 2500.0};
@@ -34,7 +34,7 @@ test::Scene pile(const Size& size) {
   scene.model.joints[0].friction = 0.6;
   const double below = size.length;
   scene.add("base", test::rectangle(-2.0, -1.0, below + 2.0, 0.0), true);
-  double y = 0.0, end = below;  // of the course below, on the right
+  double y = 0.0, end = below;  // top of the course below, and its right end
   for (int j = 0; j < rows; ++j) {
     const double top = y + height(random);
     const double room = end - 0.3;
@@ -52,7 +52,7 @@ test::Scene pile(const Size& size) {
 
 struct Timing {
   int blocks = 0;
-  double ms = 0.0;  // median of a step
+  double ms = 0.0;  // median time per step
 };
 
 Timing settled(const Size& size, int steps) {

@@ -43,9 +43,9 @@ class Program:
         self.scratch.mkdir()
 
     def __call__(self, *arguments, threads=1):
-        """CPU seconds and wall seconds of a command that must end well.
+        """CPU seconds and wall seconds of a command that must succeed.
 
-        By way of a shell: a process that Python starts itself begins with the peak memory of Python, and its summary would tell that.
+        It runs in a shell: a process that Python starts itself begins with the peak memory of Python, and its summary would report that.
         """
         environment = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS=str(threads))
         command = [str(self.path), *map(str, arguments)]
@@ -59,13 +59,13 @@ class Program:
         return used.ru_utime + used.ru_stime, (datetime.datetime.now() - begin).total_seconds()
 
     def run(self, case, name, *arguments, threads=1):
-        """A run from the start: its use, and its summary."""
+        """A run from the start: its CPU and wall seconds, and its summary."""
         out = self.scratch / name
         use = self("run", case, "--out", out, "--overwrite", "--quiet", "--threads", threads, *arguments, threads=threads)
         return use, json.loads((out / "summary.json").read_text())
 
     def resumed(self, prepared, until, threads=1):
-        """The same of a copy of a run that goes on until a time."""
+        """Seconds and summary of a copy of a run that continues until a time."""
         out = self.scratch / "resumed"
         shutil.rmtree(out, ignore_errors=True)
         shutil.copytree(self.scratch / prepared, out)
@@ -74,7 +74,7 @@ class Program:
 
 
 class Figure:
-    """What a row came to, by program: a value a round."""
+    """Results of a row by program: one value per round."""
 
     def __init__(self, row, unit, must=None, higher=False):
         self.row, self.unit, self.must, self.higher, self.values = row, unit, must, higher, {}
@@ -101,7 +101,7 @@ class Table:
         return self.figures.setdefault(row, Figure(row, unit, must, higher))
 
     def grow(self, plot, series, n, value):
-        """A point of a growth plot."""
+        """Adds a point to a growth plot."""
         self.growth[plot][2].setdefault(series, []).append((n, value))
 
     def case(self, name, text):
@@ -110,13 +110,13 @@ class Table:
         return path
 
     def rounds(self, measure):
-        """Programs in turns; what a round adds, `measure(program)` adds."""
+        """Runs the programs in turns; `measure(program)` adds the values of a round."""
         for k in range(self.repeats):
             for program in self.programs if k % 2 == 0 else self.programs[::-1]:
                 measure(program)
 
     def steps(self, prepared, at, short, long, add, threads=1):
-        """Rounds of steps after a prepared run: add(program, CPU s a step, summary)."""
+        """Rounds of steps after a prepared run: add(program, CPU s per step, summary)."""
         def measure(program):
             (a, _), first = program.resumed(prepared, at + short, threads)
             (b, _), second = program.resumed(prepared, at + long, threads)
@@ -128,7 +128,7 @@ class Table:
 
 
 def explicit_wall(table, courses=30):
-    """Explicit steps of a settled wall of DDA blocks: a step, and a closed contact point."""
+    """Explicit steps of a settled wall of DDA blocks: cost per step, and per closed contact point."""
     blocks = bench_cases.wall_blocks(courses)
     case = table.case(f"explicit-{courses}", bench_cases.wall(courses, "explicit"))
     for program in table.programs:
@@ -147,7 +147,7 @@ def explicit_wall(table, courses=30):
 
 
 def explicit_points(table):
-    """Growth of the cost of a contact point."""
+    """Growth of the cost per contact point."""
     for courses in (10, 60) + ((100,) if table.full else ()):
         explicit_wall(table, courses)
 
@@ -210,7 +210,7 @@ def partitioned(table):
 
 
 def jinping(table):
-    """Whole-process CPU of the staged run, and the part of it that output takes: the same run without frames less."""
+    """Whole-process CPU of the staged run, and the share of output: the difference to the same run without frames."""
     case = ROOT / "cases/jinping/case.toml"
     whole = table.figure("jinping, staged: whole process", "s")
     share = table.figure("jinping: output, of the whole process", "%", 8)
@@ -228,7 +228,7 @@ def jinping(table):
 
 
 def two_blocks(table):
-    """A hundred frames of two blocks: what the run leaves."""
+    """A hundred frames of two blocks: size of the output, CPU."""
     case = table.case("two-blocks", bench_cases.TWO_BLOCKS)
     size = table.figure("two blocks, 101 frames: run.vtkhdf", "kB", 300)
     folder = table.figure("two blocks, 101 frames: run.vtkhdf and run.xmf", "kB")
@@ -255,7 +255,7 @@ def memory(table):
                 case = table.case(f"{kind}-{courses}", bench_cases.wall(courses, "explicit", apart=kind == "apart", settle=False))
                 _, summary = program.run(case, "memory", "--until", 1e-4, "--set", "output.contacts=true")
                 points.append((n, summary["peak_memory_bytes"]))
-                if kind == "touching":  # points watched, open ones too
+                if kind == "touching":  # all contact points in the list, open ones too
                     with h5py.File(program.scratch / "memory/run.vtkhdf") as file:
                         contacts.append(int(file["contacts/frames/count"][-1]))
         for cover in (0.5, 0.25, 0.125) + ((0.0625,) if table.full else ()):
@@ -290,7 +290,7 @@ def threads(table):
 
 
 def large(table):
-    """100,000 blocks: check, the way to the first step, one implicit step; memory."""
+    """100,000 blocks: check, set-up up to the first step, one implicit step; memory."""
     if not table.full:
         return
     courses = 316

@@ -1,4 +1,4 @@
-// The law of one bolt by itself: balance of the bar, tangent, dissipation; its shape against finite differences.
+// The law of a single bolt: balance of the bar, dissipation; tangent and shape against finite differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -87,11 +87,11 @@ TEST(BoltLaw, bar_balances_at_every_node_whatever_yields) {
         EXPECT_LE(std::abs(after.bond[i]), law.bolt.bond_strength * length * (1.0 + 1e-12));
         const double left =
             after.bond[i] + (i > 0 ? after.force[i - 1] : 0.0) - (i + 1 < law.bolt.nodes.size() ? after.force[i] : 0.0);
-        EXPECT_LT(std::abs(left), 1e-7) << i;  // of 90 kN
+        EXPECT_LT(std::abs(left), 1e-7) << i;  // [N]
         if (after.slipped[i] != before.slipped[i]) ++slipped;
       }
       EXPECT_GE(after.dissipated, before.dissipated);
-      // Work of the rock = elastic change + dissipation + what implicit Euler damps; shear apart.
+      // Work of the rock = elastic change + dissipation + damping of implicit Euler; shear separately.
       const double shear_work = after.shear[0] * (after.shear[0] - before.shear[0]) / law.bolt.shear_stiffness +
                                 after.shear[0] * (after.sheared[0] - before.sheared[0]);
       EXPECT_NEAR(
@@ -134,7 +134,7 @@ TEST(BoltLaw, tangent_is_the_derivative_of_the_forces) {
         ASSERT_TRUE(response.solve(before, plus, shears, up));
         ASSERT_TRUE(response.solve(before, minus, shears, down));
         for (std::size_t j = 0; j < at.size(); ++j) {
-          // Where a law has a corner between the two, neither slope is the derivative.
+          // With a kink of the law between the two states, neither slope is the derivative.
           const double right = (up.force[j] - after.force[j]) / kStep, left = (after.force[j] - down.force[j]) / kStep;
           if (std::abs(right - left) > 1e-4 * largest) continue;
           EXPECT_NEAR(0.5 * (right + left), tangent(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(m)),
@@ -148,7 +148,7 @@ TEST(BoltLaw, tangent_is_the_derivative_of_the_forces) {
   }
 }
 
-/// Three blocks with one free length through two joints, so that two crossings share a segment.
+/// Three blocks; the free length passes two joints, so that two crossings share a segment.
 struct Crossed : Bolted {
   Crossed() {
     model.gravity = {0.0, 0.0};

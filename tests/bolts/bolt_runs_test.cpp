@@ -1,4 +1,4 @@
-// Bolts through a whole run: going on from a checkpoint, stages of other methods, partitioned stages, the step bound.
+// Bolts in complete runs: restart from a checkpoint, momenta, change of method, partitioned stages, the step bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ TEST_P(BoltRuns, goes_on_from_a_checkpoint_to_the_same_bits) {
 
 TEST_P(BoltRuns, ledger_closes_and_momentum_goes_to_the_wall_alone) {
   Thrown scene;
-  scene.model.block_supports.clear();  // all three free: momenta stay
+  scene.model.block_supports.clear();  // all three blocks free: momenta are conserved
   scene.go(GetParam(), 0.05, 5e-4);
   scene.run();
   scene.expect_closed();
@@ -71,7 +71,7 @@ TEST_P(BoltRuns, ledger_closes_and_momentum_goes_to_the_wall_alone) {
   const Vec2 first = mass * Vec2(0.4, 0.2);
   const double first_turn = cross(Vec2(1.75, 1.0), first) + inertia * 0.05;
   EXPECT_LT((momentum - first).norm(), 1e-9 * first.norm());
-  // Implicit steps take the directions of their start: moments to first order in the step.
+  // Implicit steps use the directions at their start: the angular momentum is kept to first order in the step.
   EXPECT_NEAR(turn / first_turn, 1.0, GetParam().is_explicit() ? 1e-9 : 2e-3);
 }
 
@@ -116,7 +116,7 @@ TEST(BoltStages, bolt_is_installed_with_its_stage_where_blocks_are_then) {
   EXPECT_EQ(scene.driver->state().ledger[Column::bolt_tension], 0.0);
 }
 
-/// One side of the bolt explicit, the other implicit, both, or none: the same motion.
+/// One of the blocks explicit, the other, both or none: the motion is the same.
 TEST(BoltStages, partitioned_stage_moves_as_others_do) {
   std::vector<double> moved;
   for (const int sides : {0, 1, 2, 3}) {

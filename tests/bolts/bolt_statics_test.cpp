@@ -1,4 +1,4 @@
-// Bolts against statics, in both methods, explicit and implicit.
+// Bolts against closed-form statics, by both methods, explicit and implicit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace coupling;
 
-constexpr double kPart = 5e-3;  // of statics
+constexpr double kPart = 5e-3;  // relative, of the forces and displacements of statics
 
 class Bolts : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(All, Bolts,
@@ -38,7 +38,7 @@ struct Pull : Bolted {
     b.segment = 0.05;
     return b;
   }
-  /// How much farther the head is from the wall than in the model.
+  /// Displacement of the head away from the wall since the model.
   [[nodiscard]] double head_moved() const {
     return position(bolt_rows(driver->setup(), driver->state(), 0).row[0], driver->state().q).x() - 1.5;
   }
@@ -67,7 +67,7 @@ TEST_P(Bolts, bonded_bar_is_pulled_by_what_its_grout_gives) {
   const double lambda = std::sqrt(b.stiffness / b.bond_stiffness);
   const double expected = 80e3 / b.stiffness * (2.5 + lambda / std::tanh(2.0 / lambda));
   EXPECT_NEAR(scene.head_moved() / expected, 1.0, kPart);
-  // The bond hands over F sinh((L - x)/lambda)/sinh(L/lambda): a metre in, half way.
+  // Force of the bar in the bond F sinh((L - x)/lambda)/sinh(L/lambda), compared half way, at a depth of 1 m.
   std::size_t middle = 0;
   while (scene.model.bolts[0].nodes[middle].at < 3.5) ++middle;
   const double at = scene.model.bolts[0].nodes[middle - 1].at + 0.025 - 2.5;
@@ -79,14 +79,14 @@ TEST_P(Bolts, bonded_bar_is_pulled_by_what_its_grout_gives) {
 TEST_P(Bolts, bond_pulls_out_at_its_strength_times_its_length) {
   Pull holds, slides;
   Bolt b = Pull::grouted();
-  b.bond_strength = 50e3;  // 100 kN in all
+  b.bond_strength = 50e3;  // 100 kN over the whole bond
   for (Pull* scene : {&holds, &slides}) scene->bolt(b);
   holds.pull(99e3);
   holds.rest(GetParam(), 3.0);
   holds.run();
   EXPECT_NEAR(holds.memory().force[0] / 99e3, 1.0, kPart);
   EXPECT_LT(holds.head_moved(), 0.02);
-  // A pull that grows to half as much again: what the bond holds is the rest of m a.
+  // A pull of one and a half times the bond's strength.
   slides.pull(150e3);
   slides.go(GetParam(), 0.3);
   const Driver& run = slides.run();
@@ -98,7 +98,7 @@ TEST_P(Bolts, bond_pulls_out_at_its_strength_times_its_length) {
 }
 
 TEST_P(Bolts, bar_yields_at_its_strength_and_keeps_its_stretch) {
-  // Thrown away from the wall: 1/2 m v^2 = Ny^2/(2k) + Ny p where it turns.
+  // Thrown away from the wall: 1/2 m v^2 = Ny^2/(2k) + Ny p at the turning point.
   Pull scene;
   Bolt b = bar({1.5, 0.5}, {-1.5, 0.5});
   b.yield = 80e3;
@@ -120,7 +120,7 @@ TEST_P(Bolts, pull_beyond_the_yield_accelerates_by_the_difference) {
   b.pretension = 79.9999e3;
   scene.bolt(b);
   scene.pull(100e3);
-  // The pretension is a fifth of the pull short of balance: what is left is 20 kN on 5.2 t.
+  // The pretension balances the pull but for a fifth: the net force is 20 kN on 5.2 t.
   scene.go(GetParam(), 0.05, 1e-4);
   scene.run();
   EXPECT_NEAR(totals_of(*scene.driver, scene.block).momentum.x() / 0.05 / 20e3, 1.0, kPart);
@@ -163,7 +163,7 @@ TEST_P(Bolts, joint_is_held_by_the_shear_stiffness_of_the_bar) {
 TEST_P(Bolts, shear_beyond_the_strength_accelerates_by_the_difference) {
   Sheared scene;
   Bolt b = Sheared::dowel();
-  b.stiffness = 1e4;  // no tension as the bar is bent: the dowel alone
+  b.stiffness = 1e4;  // no tension by the bent bar: the dowel alone acts
   b.segment = 0.1;
   b.shear_strength = 8e3;
   b.shear_stiffness = 5e9;
@@ -202,9 +202,9 @@ TEST_P(Bolts, pretension_presses_a_joint_and_loses_what_the_joint_gives) {
 }
 
 TEST_P(Bolts, pretension_decides_whether_a_block_holds_on_a_slope) {
-  // T, at the angle b below the slope's own direction upward: it slides while
+  // The bolt force T acts at the angle b below the upslope direction; the block slides while
   //   W sin a - T cos b > (W cos a + T sin b) tan phi.
-  // The bar is so soft that its force hardly follows the block: an active force.
+  // The bar is so soft that its force hardly changes with the displacement of the block: an active force.
   const double a = 35.0 * kDegree, phi = 25.0, b = 50.0 * kDegree, weight = 2600.0 * 9.81;
   const double limit = weight * (std::sin(a) - std::cos(a) * std::tan(phi * kDegree)) /
                        (std::cos(b) + std::sin(b) * std::tan(phi * kDegree));
@@ -213,7 +213,7 @@ TEST_P(Bolts, pretension_decides_whether_a_block_holds_on_a_slope) {
     Bolted scene(phi);
     scene.add("base", transformed(rectangle(-3, -8, 8, 0), {0.0, 0.0}, rotation(a)), true);
     const BlockId block = scene.add("block", transformed(rectangle(0, 0, 1, 1), {0.0, 0.0}, rotation(a)));
-    // From the middle of the base of the block, about which its weight has the moment that keeps it flat.
+    // The bolt starts above the middle of the base of the block, about which the weight keeps the block flat.
     const Vec2 head = 0.5 * up + 0.5 * out, toe = head + 5.0 * (std::cos(b) * up - std::sin(b) * out);
     Bolt bolt = bar(head, toe);
     bolt.stiffness = 2e4;
@@ -222,7 +222,7 @@ TEST_P(Bolts, pretension_decides_whether_a_block_holds_on_a_slope) {
     scene.go(GetParam(), 0.5, 1e-3);
     const Driver& run = scene.run();
     const double slid = -(centre_of(run, block) - (0.5 * up + 0.5 * out)).dot(up);
-    // 2 % of the limit on the block: 5e-3 m/s2 or so, over 0.5 s.
+    // 2 % of the limit on the block: about 0.04 m/s2, 5 mm in 0.5 s.
     const double rate = (1.0 - part) * limit * (std::cos(b) + std::sin(b) * std::tan(phi * kDegree)) / 2600.0;
     if (part > 1.0)
       EXPECT_LT(std::abs(slid), 2e-4);

@@ -1,4 +1,5 @@
-// A column on a compliant base: what goes up comes out twice at the free top, and leaves through the base for good.
+// A column on a compliant base: the velocity of an upgoing wave doubles at the free top, and the reflected wave leaves
+// through the base.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,8 +28,8 @@ GroundMotion pulse(const Vec2& direction, double factor) {
   return {t, a, direction, setting};
 }
 
-/// Without Poisson's effect a vertical motion is a pressure wave of sqrt(E/rho) between free sides; a horizontal one,
-/// on rollers that hold the sides down, a shear wave of sqrt(E/2 rho).
+/// With Poisson's ratio 0 a vertical motion between free sides is a pressure wave of speed sqrt(E/rho); a horizontal
+/// motion, with rollers that hold the sides vertically, is a shear wave of speed sqrt(E/2 rho).
 class CompliantBase : public testing::TestWithParam<std::tuple<Integrator, bool, bool>> {};
 INSTANTIATE_TEST_SUITE_P(waves, CompliantBase,
                          testing::Combine(testing::Values(Integrator::explicit_, Integrator::implicit), testing::Bool(),
@@ -75,7 +76,7 @@ TEST_P(CompliantBase, wave_doubles_at_the_free_top_and_leaves_through_the_base) 
   EXPECT_LT(look.left, 0.02 * kSpeed);
   const Ledger& ledger = run.state().ledger;
   EXPECT_LT(std::abs(ledger.closure()), 1e-9 * ledger.moved());
-  // The incoming wave brings rho c v^2 an area and a second; it has all gone out again.
+  // The incoming wave brings rho c v^2 per area and second; all of it has left again.
   const double brought = kDensity * speed * kSpeed * kSpeed * 0.375 * kPulse * kWidth;
   std::printf("top %.4f middle %.4f left %.5f of the upgoing wave; energy left %.2e of %.3f J\n", look.top / kSpeed,
               look.middle / kSpeed, look.left / kSpeed, ledger.held() / brought, brought);

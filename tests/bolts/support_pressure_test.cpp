@@ -1,4 +1,4 @@
-// A hole whose support pressure is released step by step: the wall against the solution of Lame for the same annulus.
+// The support pressure of a hole is released in steps: displacement of the wall against Lame for the same annulus.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(SupportPressure, wall_moves_in_as_lame_says_at_every_part_released) {
       scene.model.tractions.push_back(
           {{rock, {ring, e}, 0.0, 1.0}, -kStress * outward, ring == 0 ? FunctionId{} : FunctionId{0}});
     }
-  // No reaction: what keeps it from floating, and from turning away under loads that keep their direction.
+  // Supports without reaction: they prevent drift, and rotation under loads of fixed direction.
   scene.model.point_supports.push_back({rock, {-2.0, 0.0}, false, true, 1e9});
   scene.model.point_supports.push_back({rock, {2.0, 0.0}, false, true, 1e9});
   scene.model.point_supports.push_back({rock, {0.0, 2.0}, true, false, 1e9});

@@ -1,4 +1,5 @@
-// Shi's first-order rotation: what it does to a free spin, to energies and stresses, and to a block that changes over.
+// Shi's first-order rotation: edges and energy of a free spin against the analytic growth, stress at rest against the
+// exact rotation, and changes between the forms of rotation.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -37,7 +38,7 @@ std::vector<Vec2> corners(const Driver& run) {
   return out;
 }
 
-/// Largest difference of the ratio of an edge to its first length from what is expected, relative.
+/// Largest relative error of the ratio of an edge's length to its initial length against the expected ratio.
 double edge_error(const Driver& run, const Model& model, double expected) {
   const std::vector<Vec2> now = corners(run);
   const Ring& ring = model.blocks[0].polygon.ring(0);
@@ -56,7 +57,7 @@ void expect_closed(const Driver& run) {
   EXPECT_LT(std::abs(ledger.closure()), 1e-11 * ledger.moved() + ledger.last_places()) << ledger.moved();
 }
 
-// The keynote's growth: sqrt(1 + r0^2) a step, here r0 = w dt; `exact` keeps the edges.
+// Growth stated in the keynote: sqrt(1 + r0^2) per step, here r0 = w dt; `exact` keeps the lengths of the edges.
 TEST(FirstOrderRotation, edges_of_a_free_spin_grow_by_the_secant_and_those_of_exact_stay) {
   for (const int steps : {50, 200}) {
     const Scene scene = spinning(BlockRotation::first_order, steps);
@@ -74,9 +75,9 @@ TEST(FirstOrderRotation, edges_of_a_free_spin_grow_by_the_secant_and_those_of_ex
   }
 }
 
-// The inertia tr S grows by 1 + r0^2 a step while the spin stays: the kinetic energy of the spin and the angular
-// momentum grow alike. The ledger tells of it in the column of the geometry update, and closes; no stress comes of the
-// growth.
+// The inertia tr S grows by 1 + r0^2 per step while the spin stays: the kinetic energy of the spin and the angular
+// momentum grow by the same factor. The ledger books this in the column of the geometry update, and closes; the growth
+// causes no stress.
 TEST(FirstOrderRotation, what_it_adds_to_a_spin_is_kinetic_energy_of_the_update) {
   const int steps = 100;
   const Scene scene = spinning(BlockRotation::first_order, steps);
@@ -97,7 +98,7 @@ TEST(FirstOrderRotation, what_it_adds_to_a_spin_is_kinetic_energy_of_the_update)
   expect_closed(run);
 }
 
-/// A soft block with in-situ stress that stands on a floor and is pressed from above.
+/// A soft block with in-situ stress on a floor, loaded from above.
 Scene pressed(std::initializer_list<BlockRotation> rotations) {
   Scene scene(5e7, 0.25, 2500.0);
   scene.model.materials[0].initial_stress = InitialStress{};
@@ -122,20 +123,20 @@ std::vector<double> stress_at_end(const Driver& run) {
   return cells;
 }
 
-// Without turning the two updates differ by products of strains alone.
+// Without rotation the two updates differ only by products of strains.
 TEST(FirstOrderRotation, a_block_at_rest_has_the_stress_of_exact_but_for_products_of_strains) {
   const Scene one = pressed({BlockRotation::first_order}), other = pressed({BlockRotation::exact});
   Driver run(one.model, one.plan, methods()), exact(other.model, other.plan, methods());
   run_to_end(run);
   run_to_end(exact);
   const std::vector<double> a = stress_at_end(run), b = stress_at_end(exact);
-  const double strain = 1e5 / 5e7;  // of the load and the stress, at most
+  const double strain = 1e5 / 5e7;  // upper bound of the strain by load and in-situ stress
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 2.0 * strain * 1e5) << k;
   EXPECT_LT((centre_of(run, BlockId{1}) - centre_of(exact, BlockId{1})).norm(), 2.0 * strain * strain);
   expect_closed(run);
 }
 
-// In and out of the first-order form: outline, momenta and energies go on, whatever stress and growth there is.
+// Changes into and out of the first-order form keep outline, momenta and energies, with stress and growth present.
 TEST(FirstOrderRotation, a_change_of_rotation_keeps_shape_momenta_and_energies) {
   Scene scene = spinning(BlockRotation::exact, 40);
   scene.model.materials[0].young = 5e6;

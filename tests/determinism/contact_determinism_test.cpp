@@ -1,4 +1,4 @@
-// Explicit contact of many blocks: the same bits for any number of threads, as points come, slide and go.
+// Explicit contact of many blocks: bitwise equal states for any number of threads while points close, slide and open.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -17,7 +17,7 @@ using namespace coupling;
 
 constexpr int kRows = 36, kColumns = 32;
 
-/// Bricks in a bond, each with a velocity of its own, on a course that is held.
+/// Bricks in running bond, each with a velocity of its own, on a course that is held.
 Scene shaken_wall(double speed) {
   Scene scene(1e9, 0.2, 2500.0);
   scene.model.joints[0].friction = 0.4;
@@ -38,7 +38,7 @@ struct Outcome {
   double seconds = 0.0;
   std::size_t points = 0;
   std::int64_t open = 0, slipping = 0;
-  double closure = 0.0;  // of the ledger, of what moved
+  double closure = 0.0;  // of the ledger, over the energy moved
 };
 
 Outcome run(const Scene& scene, int threads, int steps) {

@@ -1,4 +1,4 @@
-// The same bits for any number of threads, and from a copy of the state.
+// Bitwise equal states for any number of threads, and when a run continues from a copy of the state.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace coupling;
 
-/// A block of some 20,000 elements dropped on a base, by hand, for a number of steps.
+/// A block of some 20,000 elements dropped on a base, stepped without the driver.
 struct Big {
   Scene scene{1e9, 0.25, 2500.0, 20.0};
   Methods methods = standard_methods();
@@ -86,14 +86,14 @@ TEST(Copies, of_a_state_run_twice_give_the_same_end) {
 }
 
 TEST(Copies, new_integrators_on_a_copied_state_continue_bit_for_bit) {
-  // As a restart does: the state alone, everything else made anew.
+  // As in a restart: the state is copied, and all else is created anew.
   for (const bool implicit : {false, true}) {
     Scene scene(1e8, 0.2, 2000.0, 20.0);
     scene.add("base", transformed(rectangle(-2, -1, 8, 0), {0, 0}, rotation(-0.5)), true);
     scene.add("block", transformed(rectangle(0, 0, 1, 1), {0, 0}, rotation(-0.5)));
     scene.add("upper", transformed(rectangle(0.1, 1, 0.9, 1.4), {0, 0}, rotation(-0.5)));
     scene.stage("dda", implicit ? Integrator::implicit : Integrator::explicit_, 1.0, 1e-4);
-    // Damping lags half a step behind: what it lags on is part of the state.
+    // Damping uses the velocity of half a step before, which is part of the state.
     if (!implicit) scene.model.viscous_edges.push_back({{BlockId{2}, {0, 2}, 0.0, 1.0}});
     const Methods methods = standard_methods();
     ByHand hand(scene.model, scene.plan.stages[0]);
@@ -116,7 +116,7 @@ TEST(Copies, new_integrators_on_a_copied_state_continue_bit_for_bit) {
     auto second = make();
     const Tick last = copy.last_step;
     second->enter(copy);
-    copy.last_step = last;  // enter() begins a stage; a restart goes on within one
+    copy.last_step = last;  // enter() begins a stage; a restart continues within one
     advance(*second, copy, 300);
     EXPECT_EQ(state_hash(copy), state_hash(state)) << (implicit ? "implicit" : "explicit");
   }

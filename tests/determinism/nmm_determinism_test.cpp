@@ -1,4 +1,4 @@
-// The NMM with everything on: the same bits for any number of threads, and from a copy of the state.
+// The NMM with all features: bitwise equal states for any number of threads, and from a copy of the state.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace coupling;
 
-/// A cracked block on a base with a small one on top, loaded in every way; more than 4096 covers at cover size 1.
+/// A cracked block on a base with a small one on top, with every kind of load; more than 4096 covers at cover size 1.
 Scene loaded(bool cracks, bool stressed) {
   Scene scene(1e8, 0.25, 2200.0, 25.0);
   scene.add("base", rectangle(-20, -5, 100, 0), true);
@@ -113,7 +113,7 @@ TEST_P(NmmBits, continue_from_a_copy_of_the_state) {
   auto second = make();
   const Tick last = copy.last_step;
   second->enter(copy);
-  copy.last_step = last;  // enter() begins a stage; a restart goes on within one
+  copy.last_step = last;  // enter() begins a stage; a restart continues within one
   advance(*second, copy, half);
   EXPECT_EQ(state_hash(copy), state_hash(state));
 }

@@ -31,7 +31,7 @@ def without_code(text):
 
 
 def slug(heading):
-    """The anchor of a heading, as GitHub and MkDocs make it for plain words."""
+    """The anchor of a heading, as GitHub and MkDocs generate it for plain words."""
     text = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", lambda m: m[1] or "", heading).strip().lower()
     return re.sub(r"[\s]+", "-", re.sub(r"[^\w\s-]", "", text))
 

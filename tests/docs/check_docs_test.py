@@ -25,7 +25,7 @@ class CheckDocs(unittest.TestCase):
             if file.endswith(".md"):
                 shutil.copyfile(file, to)
             else:
-                pathlib.Path(to).touch()  # that it is there is enough
+                pathlib.Path(to).touch()  # only its existence matters
         cited = "\n".join(page.read_text(encoding="utf-8") for page in (ROOT / "docs").rglob("*.md"))
 
         def left_out(where, names):
@@ -39,7 +39,7 @@ class CheckDocs(unittest.TestCase):
         return done.returncode, done.stdout.splitlines()[:-1]
 
     def planted(self, name, text):
-        """What is said of a file that holds this text."""
+        """Faults reported for a file that contains this text."""
         path = self.root / name
         self.assertFalse(path.exists())
         path.write_text(text, encoding="utf-8")

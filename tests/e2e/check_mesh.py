@@ -1,4 +1,4 @@
-"""The reader of docs/examples/read_mesh.py against the windows that ParaView sees, every frame: check_mesh.py RUN"""
+"""Compares docs/examples/read_mesh.py with the arrays of /xdmf that ParaView reads, every frame: check_mesh.py RUN"""
 import pathlib
 import sys
 

@@ -28,7 +28,7 @@ def expect(holds, what):
 
 
 def stored_frame(file, k):
-    """Frame k from /VTKHDF itself: what run.xmf must show, though it goes by way of /xdmf."""
+    """Frame k from /VTKHDF itself; run.xmf must show the same values, although it refers to /xdmf."""
     vtk, steps = file["VTKHDF"], file["VTKHDF/Steps"]
     part = int(steps["PartOffsets"][k])
     points, cells, ids = (int(vtk[n][part]) for n in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"))
@@ -46,7 +46,7 @@ def stored_frame(file, k):
 
 
 def compare(where, shown, frame):
-    """One frame of a reader with the stored one, bit for bit."""
+    """Compares one frame of a reader with the stored one, bit for bit."""
     if not expect(shown.GetClassName() == "vtkUnstructuredGrid", f"{where} is a {shown.GetClassName()}"):
         return
     cells = len(frame["offsets"]) - 1
@@ -81,11 +81,11 @@ def check_reader(name, xmf, times, frames):
     for k, time in enumerate(steps):
         reader.UpdatePipeline(time)
         compare(f"{name}, frame {k}", servermanager.Fetch(reader), frames[k])
-    # Back and forth: a reader must not keep the mesh of the frame before.
+    # Forward and backward in time: a reader must not keep the mesh of the previous frame.
     for k in (0, len(steps) - 1, 0):
         reader.UpdatePipeline(steps[k])
         compare(f"{name}, frame {k} again", servermanager.Fetch(reader), frames[k])
-    # Asked for the time of the hand-over itself: the new bodies.
+    # At the time of the hand-over itself the reader must return the new bodies.
     for k in np.flatnonzero(double):
         reader.UpdatePipeline(times[k])
         compare(f"{name}, hand-over", servermanager.Fetch(reader), frames[k + 1])

@@ -32,7 +32,7 @@ def expect(holds, what):
 
 
 def attempt(check, *arguments):
-    """What a check needs and does not find is a fault, too, and the other checks go on."""
+    """Missing data that a check requires is a fault, too; the other checks continue."""
     try:
         check(*arguments)
     except (KeyError, IndexError, ValueError, OSError) as error:
@@ -44,7 +44,7 @@ def texts(dataset):
 
 
 def check_labels(file):
-    """Every dataset, those that VTKHDF imposes included, has units and a name: there is no exception.
+    """Every dataset has units and a name, without exception, also those that VTKHDF prescribes.
 
     All but windows (virtual datasets, which hold nothing) have chunks of at most 128 KiB, small ones of what the case
     lets expect, but no smaller than 128 bytes, shuffle and deflate.
@@ -71,7 +71,8 @@ def check_labels(file):
 
 
 def check_windows(file):
-    """Each window of /xdmf shows rows of the dataset of its name in /VTKHDF, of this same file, under its units."""
+    """Each virtual dataset of /xdmf shows rows of the dataset with the same name in /VTKHDF of this file, with the same
+    units."""
     for kind in ("Points", "PointData", "CellData"):
         fields = []
         if kind in file["xdmf"]:
@@ -87,7 +88,8 @@ def check_windows(file):
 
 
 def check_arrays(folder, file):
-    """Every frame of run.xmf has every array: a window that is there, or at most 100 numbers, which are those of /VTKHDF."""
+    """Every frame of run.xmf has every array: an existing dataset of /xdmf, or at most 100 numbers that equal those of
+    /VTKHDF."""
     vtk, steps = file["VTKHDF"], file["VTKHDF/Steps"]
     frames = xml.etree.ElementTree.parse(folder / "run.xmf").getroot().findall("./Domain/Grid/Grid")
     expect(len(frames) == len(steps["Values"]), f"run.xmf has {len(frames)} frames, not {len(steps['Values'])}")
@@ -115,7 +117,7 @@ def check_arrays(folder, file):
 
 
 def check_frames(file):
-    """Offsets of every frame point at rows that exist and fit together (VTKHDF 2.0)."""
+    """Offsets of every frame point to existing, consistent rows (VTKHDF 2.0)."""
     vtk, steps = file["VTKHDF"], file["VTKHDF/Steps"]
     expect(vtk.attrs["Type"] == b"UnstructuredGrid", "Type is not UnstructuredGrid")
     expect(list(vtk.attrs["Version"]) == [2, 0], "Version is not 2, 0")
@@ -160,7 +162,7 @@ def check_frames(file):
         expect(position.shape == (points, 3) and np.all(position[:, 2] == 0.0), f"frame {k}: points are not in the plane")
         expect(fields["block_id"].min() >= 0 and fields["block_id"].max() < blocks, f"frame {k}: a block is not in /blocks")
         expect(fields["method"].min() >= 0 and fields["method"].max() < methods, f"frame {k}: a method is not in /methods")
-        scheme = int(file["frames/integrator"][k])  # 2: each block has its own, with all its cells
+        scheme = int(file["frames/integrator"][k])  # 2: each block has its own integrator, the same for all its cells
         schemes = fields["integrator"]
         if scheme == 2:
             pairs = set(zip(fields["block_id"].tolist(), schemes.tolist()))
@@ -177,7 +179,7 @@ def check_frames(file):
 
 
 def check_ledger(file):
-    """The columns, by their sides, add up to the closure that the run itself computed."""
+    """The columns, each with the sign of its side, add up to the closure that the run itself computed."""
     energy = file["energy"]
     columns = {name: item for name, item in energy.items() if "side" in item.attrs}
     expect(len(columns) > 0, "no ledger columns")
@@ -188,7 +190,7 @@ def check_ledger(file):
     expect(np.all(np.diff(energy["time"][...]) >= 0.0), "times of the ledger go back")
     held = sum(c[...] for c in columns.values() if c.attrs["side"] == "energy")
     moved = energy["moved"][...]
-    rounding = 1e-13 * (moved + np.abs(held) + 1.0)  # of sums of some twenty terms
+    rounding = 1e-13 * (moved + np.abs(held) + 1.0)  # round-off of sums of some twenty terms
     expect(np.all(np.abs(held - energy["energy"][...]) <= rounding), "energy is not the sum of its columns")
     total = sum(SIGN[c.attrs["side"]] * c[...] for c in columns.values())
     change = total - energy["closure"][...]  # E_0, a constant
@@ -204,7 +206,7 @@ def check_histories(file, last):
         for field, width in (("position", 2), ("displacement", 2), ("velocity", 2), ("stress", 3)):
             expect(monitor[field].shape == (len(time), width), f"monitor {name}: {field} has another shape")
         shift = monitor["position"][...] - monitor["displacement"][...]
-        shift = shift[np.isfinite(shift[:, 0])]  # its block may not be there all the time
+        shift = shift[np.isfinite(shift[:, 0])]  # its block may exist during a part of the run only
         expect(len(shift) == 0 or np.allclose(shift, shift[0], atol=1e-9), f"monitor {name}: position less displacement varies")
 
 
@@ -213,7 +215,7 @@ CONTACT_WIDTHS = {"corner": 4, "edge": 3, "joint": 1, "state": 1, "facing": 1, "
 
 
 def check_contacts(file):
-    """The rows of /contacts belong to the frames, frame after frame, and say what a contact law allows."""
+    """The rows of /contacts are sorted by frame, and their values satisfy the contact law."""
     group, frames = file["contacts"], len(file["VTKHDF/Steps/Values"])
     first, count = group["frames/first"][...], group["frames/count"][...]
     expect(len(first) == len(count) == frames, "/contacts/frames has not a row a frame")

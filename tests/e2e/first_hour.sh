@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a new user types wrong, and what is said; what a run leaves for whoever asks later how it was made.
+# Frequent mistakes of new users and the messages they get; the record that a run keeps of how it was made.
 # usage: first_hour.sh SCREE SOURCE
 set -euo pipefail
 scree=$1 source=$2
@@ -7,7 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 fail() { echo "first_hour.sh: $*" >&2; exit 1; }
-# says CODE TEXT COMMAND...: ends with the code, and prints the text
+# says CODE TEXT COMMAND...: the command must end with this exit code and print this text
 says() {
   local code=$1 text=$2 found=0
   shift 2
@@ -15,7 +15,7 @@ says() {
   [ $found = "$code" ] || { cat said; fail "'${*:2}' ends with $found, not $code"; }
   grep -qF -- "$text" said || { cat said; fail "'${*:2}' does not say: $text"; }
 }
-# once PATTERN: the last output has it on one line only
+# once PATTERN: exactly one line of the last output matches
 once() { [ "$(grep -c -- "$1" said)" = 1 ] || { cat said; fail "not once: $1"; }; }
 
 cat >fall.toml <<'END'
@@ -46,17 +46,17 @@ says 3 'multiply by g' "$scree" check fall.toml --set 'water=[{line=[[0,1],[4,1]
 says 0 fine "$scree" check fall.toml --set 'material.rock.young="0.001 TPa"'
 says 0 "warning: the density of 'rock' is 2.6 kg/m3" "$scree" check fall.toml --set material.rock.density=2.6
 says 0 "warning: Young's modulus of 'rock' is 25 Pa" "$scree" check fall.toml --set material.rock.young=25
-# what a case holds
+# contents of a case
 says 0 'base, box-1 to box-3' "$scree" check fall.toml
 says 0 'box-2' "$scree" check fall.toml --blocks
 grep -q '2.5 .*1.5 .*rock' said || fail 'check --blocks has no centre'
-# an explicit stage: its step, and which block binds it; one that the run would refuse is refused
+# an explicit stage: its step, and the block that limits it; check refuses a step that the run would refuse
 explicit=(--set 'stage.rest.integrator="explicit"')
 says 0 "0.8 of the certified bound, set by block 'box-" "$scree" check fall.toml "${explicit[@]}" --set 'stage.rest.dt="auto"'
 says 3 'above the certified stable one' "$scree" check fall.toml "${explicit[@]}" --set stage.rest.dt=0.01
 says 0 'is forced above' "$scree" check fall.toml "${explicit[@]}" --set stage.rest.dt=0.01 --set stage.rest.force_dt=true
 
-# a warning: said by check, by the run, with --quiet too, in run.log and in summary.json
+# a warning: printed by check and by the run, also with --quiet; contained in run.log and in summary.json
 loose='block.box-3.polygon=[[3.1,1.1],[4,1.1],[4,2.1],[3.1,2.1]]'
 says 0 "warning: block 'box-3' touches nothing" "$scree" check fall.toml --set "$loose"
 once "touches nothing"
@@ -88,7 +88,7 @@ says 0 'results in' "$scree" run fall.toml --out runs/c --live="file://$work/c.l
 tr -c '[:print:]' '\n' <c.log >names
 grep -q SCREE_second_INFO names || fail '--name does not name the stream'
 
-# a run that goes on keeps what it was warned of
+# a resumed run keeps its earlier warnings
 says 0 'results in' "$scree" run fall.toml --set "$loose" --out runs/d --until 0.005
 says 0 'going on with' "$scree" resume runs/d --until 0.01
 grep -qvE '^[0-9]{4}-[0-9]{2}-[0-9]{2} ' runs/d/run.log && fail 'the log of a resumed run has lines of another pattern'

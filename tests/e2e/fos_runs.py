@@ -1,4 +1,5 @@
-"""`scree fos` against limit equilibrium (tests/support/limit_analysis.py): factors, modes, and what it says where there is no factor.
+"""`scree fos` against limit equilibrium (tests/support/limit_analysis.py): factors, modes, and the answers where no
+factor exists.
 
 usage: fos_runs.py SCREE GROUP [WORK]     groups: quick, bolts, rock, jointed, modes, answers, resume, full (a table of every closed form by DDA and NMM, implicit and explicit steps)
 """
@@ -94,7 +95,7 @@ HOWS = (("dda", "implicit"), ("dda", "explicit"), ("nmm", "implicit"), ("nmm", "
 
 
 def closed_part(name):
-    """Part of the joint's length that is closed where the slope fails: an elastic tip lifts, and an open joint has no cohesion."""
+    """Closed fraction of the joint's length at failure: an elastic tip lifts off, and an open joint has no cohesion."""
     import h5py
 
     answer = json.load(open(os.path.join(work, name, "fos", "result.json")))
@@ -105,7 +106,8 @@ def closed_part(name):
 
 
 def table(hows):
-    """Every closed form by these methods and integrators, a row each; written to fos-table.md in the work folder, or where SCREE_FOS_TABLE says."""
+    """Every closed form by these methods and integrators, one row each; written to fos-table.md in the work folder, or
+    where SCREE_FOS_TABLE says."""
     rows = []
     for method, integrator in hows:
         for title, make, keys in closed_forms():
@@ -120,7 +122,7 @@ def table(hows):
             if "Goodman" in title and method == "nmm":
                 bound, note = 0.03, "covers 4 m, E 50 GPa"
             elif method == "nmm" and "sharp tip" in title:
-                # F of friction alone plus that of cohesion, which is proportional to the length that is closed
+                # F of friction alone plus F of cohesion, which is proportional to the closed length
                 friction = math.tan(limit_analysis.rad(how["phi"])) / math.tan(limit_analysis.rad(how.get("dip", 35.0)))
                 part = closed_part(name)
                 closed = friction + (reference - friction) * part
@@ -157,9 +159,9 @@ def bolts():
 
 
 def answers():
-    # below one: it fails as it is
+    # below one: the slope fails with its actual strength
     near("weaker than it needs", fos_cases.plane_slope(phi=30.0), 0.01)
-    # strength does not govern: a block that topples whatever its friction; k_h = tan(dip) - b/h makes it stand
+    # strength does not govern: a block that topples regardless of friction; it stands for k_h = tan(dip) - b/h
     text, _ = fos_cases.block_on_plane(1.0, 3.0, 30.0, 40.0)
     a = fos("topples whatever its friction", text, "--strength", "peak")
     expect(a.get("status") == "fails at the least factor", "no bracket: %s" % a.get("status"))
@@ -170,11 +172,12 @@ def answers():
     text, _ = fos_cases.block_on_plane(2.0, 1.0, 0.0, 30.0)
     a = fos("block on level ground", text, "--strength", "peak")
     expect(a.get("status") == "stable at the largest factor" and a.get("stands") == 10.0, "stable at F_max: %s" % a.get("status"))
-    # undecided: on a flat plane, 8 degrees, a margin of 2 % accelerates too little for 0.3 (1 - F_s) g, and the time is too short to go the limit
+    # undecided: on a flat plane, 8 degrees, a margin of 2 % accelerates less than 0.3 (1 - F_s) g, and the time is too
+    # short to reach the displacement limit
     text, _ = fos_cases.block_on_plane(2.0, 1.0, 8.0, 20.0)
     a = fos("too little time", text, "--strength", "peak", "--time", "0.02", "--limit", "0.05", code=4)
     expect(a.get("status") == "undecided", "undecided: %s" % a.get("status"))
-    # back-analysis: friction with which a slope just stands
+    # back-analysis: friction at which a slope just stands
     a = fos("back-analysis", fos_cases.plane_slope(phi=40.0)[0], "--strength", "peak", "--back-analysis", "phi")
     phi = a["joints"][0].get("at_limit", {}).get("friction_deg", 0.0)
     expect(abs(phi - 35.0) <= 0.2, "back-analysis: phi %.2f, by hand 35" % phi)
@@ -185,7 +188,8 @@ def answers():
 
 
 def rock():
-    """Stress against the strength of the rock, by hand. A block of height h on smooth level ground has the mean stress s1 = 0, s3 = -rho g h/2 in the DDA."""
+    """Stress against the strength of the rock, computed by hand. A block of height h on smooth level ground has the
+    mean stress s1 = 0, s3 = -rho g h/2 in the DDA."""
     text, _ = fos_cases.block_on_plane(4.0, 10.0, 0.0, 1e-3)
     s3 = fos_cases.DENSITY * fos_cases.GRAVITY * 5.0
     c, phi = 20e3, limit_analysis.rad(30.0)
@@ -230,7 +234,8 @@ def resume():
 
 
 def jointed():
-    """A slope of 70 blocks with two joint sets, at default settings: found, in time, by a search that is killed half way; its two ends open in ParaView."""
+    """A slope of 70 blocks with two joint sets, at default settings: found, in time, by a search that is killed half
+    way; its two final runs open in ParaView."""
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "examples", "jointed-slope.toml")
     out = os.path.join(work, "jointed")
     command = [SCREE, "fos", path, "--out", out, "--strength", "peak", "--json", "-", "--quiet"]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Characters that steer a terminal, in whatever a command is given: they never leave it raw.
+"""Terminal control characters in every input of a command: the output never contains them unescaped.
 
 Usage: hostile_text.py SCREE
 """
@@ -17,7 +17,7 @@ CASE = (pathlib.Path(__file__).resolve().parent / "resume/motion.toml").read_tex
 PULSE = pathlib.Path(__file__).resolve().parent / "resume/pulse.csv"
 # ESC, BEL, CR, CSI as one C1 character and as a raw byte, right-to-left override, isolate, a mark of direction.
 EVIL = b"x\x1b[31m\x07\r\xc2\x9b1m\x9b2m\xe2\x80\xae\xe2\x81\xa6\xe2\x80\x8f\xd8\x9cy"
-EVIL_UTF8 = EVIL.replace(b"\x9b2m", b"")  # TOML takes nothing else
+EVIL_UTF8 = EVIL.replace(b"\x9b2m", b"")  # TOML accepts valid UTF-8 only
 ESCAPED = "x\\u001b[31m\\u0007\\r\\u009b1m\\u202e\\u2066\\u200f\\u061cy"
 RAW = re.compile(b"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xd8\x9c|\xe2\x80[\x8e\x8f\xa8-\xae]|\xe2\x81[\xa6-\xa9]")
 faults = []
@@ -51,7 +51,7 @@ def scree(*words, code=None, **options):
 def test(scratch):
     os.chdir(scratch)
     shutil.copy(PULSE, "pulse.csv")
-    # In a case: refused, with the place.
+    # In a case file: refused, with line and column.
     for k, (old, new) in enumerate([
             ('title = "Resume: ground motion"', f'title = "{ESCAPED}"'),
             ('name = "low"', f'name = "{ESCAPED}"'), ('name = "high"', f'name = "{ESCAPED}"'),
@@ -76,7 +76,7 @@ def test(scratch):
     pathlib.Path("pulse.csv").write_bytes(EVIL + b"," + EVIL + b"\n0,0\n" + EVIL + b",1\n")
     scree("check", "case.toml", code=3)
     shutil.copy(PULSE, "pulse.csv")
-    # As names of files and folders, of runs, and as any word of the command line.
+    # In names of files, folders and runs, and in any word of the command line.
     folder = b"run" + EVIL
     shutil.copy("case.toml", EVIL + b".toml")
     scree("check", EVIL + b".toml", code=0)
@@ -103,9 +103,9 @@ def test(scratch):
                   ["control", EVIL + b"://", "stop"], ["control", "x", EVIL], ["check", "case.toml", "--" + "y", EVIL],
                   ["run", "case.toml", b"--live=" + EVIL], ["run", "case.toml", "--threads", EVIL]):
         scree(*words)
-    # A stored run of another program: names and texts of any kind in the file.
+    # A stored run of another program, with arbitrary names and texts in the file.
     names(folder)
-    # The library of cases in a folder of such a name.
+    # The case library in a folder with such a name.
     library = pathlib.Path(os.fsdecode(b"lib" + EVIL), os.fsdecode(EVIL))
     library.mkdir(parents=True)
     shutil.copy("case.toml", library / "case.toml")

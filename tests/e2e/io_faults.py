@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""One write, fsync, truncation or rename of a run fails, is cut short, or the program dies there; the run is resumed.
+"""One write, fsync, truncation or rename of a run fails, is cut short, or the program is killed at it; the run is
+resumed.
 
 Usage: io_faults.py SCREE LIBRARY        (failing_io.cc, built as a module)
 A small staged run with a hand-over and checkpoints: some of its calls by default, each of them with SCREE_FULL=1. A call
-that fails must end the run with code 5 and name a file of the folder; the resumed run must be that which never stopped:
+that fails must end the run with code 5 and name a file of the folder; the resumed run must equal the uninterrupted one:
 every dataset and attribute, every table, the hash of its state. Then larger staged runs (resume/: a hand-over, a partitioned
-stage, a switch) are killed inside the checkpoints that are written as stages change, and beside them. Exit code 77: cannot
-be done here.
+stage, a switch) are killed while they write checkpoints at changes of stage, and at other instants. Exit code 77: not
+possible on this machine.
 """
 import os
 import pathlib
@@ -73,7 +74,7 @@ def run(scree, library, folder, *arguments, at=0, kind="", trace=None):
 
 
 def calls_of(scree, library, folder, ask, scratch):
-    """Names of the files of a run's calls, in their order."""
+    """File names of the intercepted calls of a run, in order."""
     trace = scratch / "trace"
     code, err = run(scree, library, folder, *ask, trace=trace)
     names = trace.read_text().splitlines() if trace.exists() else []
@@ -84,7 +85,7 @@ def calls_of(scree, library, folder, ask, scratch):
 
 
 def try_at(scree, library, folder, ask, whole, at, kind, what, tally):
-    """One fault, and the run that goes on."""
+    """Runs with one fault, then resumes the run."""
     code, err = run(scree, library, folder, *ask, "--overwrite", at=at, kind=kind)
     tally[kind, code] = tally.get((kind, code), 0) + 1
     if kind.startswith("kill"):
@@ -115,7 +116,7 @@ def main():
         for line in resume_runs.differences(folder, whole):
             fault(f"no fault: {line}")
         for kind in ("eio", "enospc", "short", "kill", "killed"):
-            last = calls - (kind == "short")  # the last call brings the folder to the disk: it has no half, and no call after it
+            last = calls - (kind == "short")  # the last call syncs the folder: it cannot be cut short, and no call follows it
             for at in range(1, last + 1) if FULL else sorted(rng.sample(range(1, last + 1), 4)):
                 try_at(scree, library, folder, ask, whole, at, kind, f"{kind} at call {at} of {calls}", tally)
         print(f"{calls} calls; by kind and exit code: {tally}", flush=True)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # A run is paused, stepped, slowed and stopped from outside: every command is answered, the results are bitwise those of
-# a run that was left alone, and only a run that was asked to has a socket that receives.
+# an undisturbed run, and only a run with --control has a receiving socket.
 # usage: live_control.sh SCREE
 set -u
 [ $# = 1 ] || { echo "usage: $0 SCREE"; exit 2; }
@@ -24,14 +24,14 @@ receivers() {
   done
   echo $count
 }
-# begin NAME OPTIONS...: a run that lasts, in the background
+# begin NAME OPTIONS...: starts a long run in the background
 begin() {
   local name=$1
   shift
   "$scree" run "$case_file" --quiet --live --name two_stages --out "$work/$name" "$@" > "$work/$name.out" 2> "$work/$name.err" &
   run=$!
 }
-# expect CODE TEXT COMMAND...: exit code and a text on either stream
+# expect CODE TEXT COMMAND...: the required exit code, and a text that stdout or stderr must contain
 expect() {
   local code=$1 text=$2 got
   shift 2
@@ -43,7 +43,7 @@ expect() {
 hash() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$1/summary.json"; }
 field() { sed -nE "s/.* at step ([0-9]+), ([-0-9.e+]+) s.*/\\$1/p" "$work/answer.txt"; }
 
-# --- without --control: no socket that receives, and nobody answers
+# --- without --control: no receiving socket, and no answer to commands
 begin deaf --set stage.runout.duration=100
 for _ in $(seq 100); do
   [ "$(tail -n +2 /proc/net/udp | wc -l)" -ge 1 ] && break
@@ -71,7 +71,7 @@ code=$?
 code=$?
 [ $code = 2 ] && [ ! -e "$work/usage" ] || fail "--control with a log: $code: $(cat "$work/err.txt")"
 
-# --- a run left alone, and one that is held again and again
+# --- an undisturbed run, and one that is paused repeatedly
 duration=40  # several seconds of computing, and more: time to be found, stopped and found again
 "$scree" run "$case_file" --quiet --set stage.runout.duration=$duration --out "$work/alone" || fail "the run left alone"
 begin held --control --set stage.runout.duration=$duration
@@ -104,7 +104,7 @@ done
 grep -q 'control: step 100: done' "$work/held/run.log" || fail "run.log does not tell of commands: $(cat "$work/held/run.log")"
 echo "ok: state $(hash "$work/alone") held and alone"
 
-# --- what must be refused, by hand; then stop
+# --- commands that must be refused, sent directly; then stop
 begin stopped --control --set stage.runout.duration=1000
 python3 "$here/live/forged_commands.py" two_stages || fail "forged commands, above"
 expect 0 'stop done' two_stages stop
@@ -115,7 +115,7 @@ run=
 grep -q 'interrupted' "$work/stopped/summary.json" || fail "the stopped run has no summary that says so"
 grep 'control: .* messages' "$work/stopped/run.log" || fail "run.log has no counts: $(cat "$work/stopped/run.log")"
 
-# --- a paused run takes signals; Ctrl-C ends it
+# --- a paused run reacts to signals; Ctrl-C ends it
 begin signalled --control --set stage.runout.duration=1000
 expect 0 'pause done' two_stages pause
 kill -INT $run
@@ -124,7 +124,7 @@ code=$?
 run=
 [ $code = 130 ] || fail "a paused run ended with $code on Ctrl-C"
 
-# --- no network: one warning (beside what a run warns of anyway), and the run goes on
+# --- no network: one warning (besides those of the undisturbed run), and the run continues
 ip route del 224.0.0.0/4
 "$scree" run "$case_file" --quiet --live --control --out "$work/noroute" 2> "$work/noroute.err" || fail "the run without a route"
 [ "$(grep -c 'live streaming' "$work/noroute.err")" = 1 ] && [ "$(grep -c 'control over' "$work/noroute.err")" = 1 ] &&

@@ -1,12 +1,14 @@
 #!/bin/bash
-# What streaming costs: 2,000 blocks of the DDA that slide, explicit, every step (one in 10 to 20 ms) stored and offered as a frame, streamed at 30 Hz with a
-# viewer beside it. Runs with and without streaming take turns. Prints ratios of the medians: wall time; processor time of
-# the thread that computes; and that of the whole program, with the thread that encodes and sends. Ends with 1 when
-# streaming costs more than a hundredth of the wall time: by the wall itself, and by what the computing thread used more,
-# as a share of the wall (on a busy machine the first is noise).
-# By hand, on a machine with nothing else to do: SCREE_FULL=1 live_cost.sh SCREE [TURNS [no-viewer|pages]]. Without a viewer it
-# is what streaming takes by itself, as when the viewer is elsewhere: one beside it works as hard as the encoding thread.
-# pages: `scree view --live` hands the stream on to ten WebSockets, in place of `scree watch`.
+# Cost of streaming: 2,000 sliding DDA blocks, explicit; every step (10 to 20 ms of wall time) is stored and offered as
+# a frame, and frames are streamed at 30 Hz to a viewer on the same machine. Runs with and without streaming alternate.
+# Prints ratios of the medians: wall time; processor time of the computing thread; processor time of the whole program,
+# which includes the thread that encodes and sends. Exit code 1 if streaming costs more than 1 % of the wall time, by
+# every measure: the wall time itself (shortest runs, medians), and the additional processor time of the computing
+# thread divided by the wall time (on a busy machine wall times are noise).
+# Run by hand, on an idle machine: SCREE_FULL=1 live_cost.sh SCREE [TURNS [no-viewer|pages]]. Without a viewer the test
+# measures streaming alone, as when the viewer runs on another machine: a viewer uses as much time as the encoding
+# thread.
+# pages: `scree view --live` passes the stream on to ten WebSockets, in place of `scree watch`.
 set -u
 [ $# -ge 1 ] || { echo "usage: SCREE_FULL=1 $0 SCREE [TURNS]"; exit 2; }
 [ "${SCREE_FULL:-}" = 1 ] || { echo "SKIPPED: set SCREE_FULL=1; it takes minutes"; exit 77; }
@@ -66,7 +68,7 @@ if [ "$viewers" = pages ]; then
   pages=$!
 fi
 watch
-# timed NAME OPTIONS...: a run; what its first thread used of a processor [ns] goes to NAME.ns
+# timed NAME OPTIONS...: a run; writes the processor time of its first thread [ns] to NAME.ns
 timed() {
   local name=$1
   shift
@@ -103,7 +105,7 @@ if os.path.exists(f"{work}/pages"):
     frames = int(re.search(r"(\d+) to \d+ frames each", open(f"{work}/pages").read())[1])
     stepping = sum(s["wall_seconds"][k] for s in kinds["on"] for k in ("explicit", "output"))
     print(f"{frames / stepping:.1f} frames a second to each page in {stepping:.1f} s of steps and output")
-# A busy host makes runs longer, never shorter: the shortest of each kind are nearest to what they take by themselves.
+# A busy host makes runs longer, never shorter: the shortest run of each kind is nearest to its undisturbed time.
 least = [min(s["wall_seconds"]["total"] for s in kinds[k]) for k in ("off", "on")]
 print(f"shortest wall {least[0]:.2f} s without, {least[1]:.2f} s with streaming: ratio {least[1] / least[0]:.4f}")
 share = (thread[1] - thread[0]) / wall[1]

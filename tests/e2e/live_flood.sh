@@ -1,7 +1,7 @@
 #!/bin/bash
-# Malformed datagrams against a viewer and a run that takes commands: both stay alive and count what they drop, the viewer
-# follows the run to its end, and the run's results are those of one that was left alone.
-# 2,000 datagrams; 100,000 with SCREE_FULL=1. Meant for the asan preset too.
+# Malformed datagrams are sent to a viewer and to a run with --control: both stay alive and count the datagrams that
+# they drop, the viewer follows the run to its end, and the results equal those of an undisturbed run.
+# 2,000 datagrams; 100,000 with SCREE_FULL=1. Also used with the asan preset.
 # usage: live_flood.sh SCREE
 set -u
 [ $# = 1 ] || { echo "usage: $0 SCREE"; exit 2; }
@@ -20,7 +20,7 @@ run=
 viewer=
 trap 'for p in $run $viewer; do kill -9 "$p" 2> /dev/null; done; rm -rf "$work"' EXIT
 hash() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$1/summary.json"; }
-# ask COMMAND...: a flood may fill the socket at the moment of a command, so it is sent again
+# ask COMMAND...: repeats the command, since the flood may fill the socket when it is sent
 ask() {
   for _ in 1 2 3 4 5; do
     "$scree" control two_stages "$@" --timeout 10 > "$work/answer.txt" 2>&1 && return
@@ -51,7 +51,7 @@ viewer=
 grep -qE '^scree watch  two_stages +done$' "$work/watch.txt" || fail "the viewer missed the end: $(cat "$work/watch.txt")"
 foot=$(tail -n 1 "$work/watch.txt")
 malformed=$(sed -nE 's/.* ([0-9]+) malformed.*/\1/p' <<< "$foot")
-# A twelfth is replayed chunks, right as they stand, and parts of what was forged hit numbers only.
+# One datagram in twelve is a valid chunk sent again, and a part of the forged ones differs in numbers only.
 [ "${malformed:-0}" -ge $((count / 4)) ] || fail "the viewer counted ${malformed:-0} of $count: $foot"
 grep 'control: .* messages' "$work/run/run.log" || fail "the run counted nothing"
 "$scree" run "$case_file" --quiet --set stage.runout.duration=16 --out "$work/alone" || fail "the run left alone"

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154 # the caller sets `arguments`
-# To be sourced: runs the calling script again inside a network namespace of its own, where nothing can reach another
-# machine. Exit code 77 (skipped) where that is not possible.
+# To be sourced: runs the calling script again inside a network namespace of its own, from which no other
+# machine can be reached. Exit code 77 (skipped) where that is not possible.
 
 skip() {
   echo "SKIPPED: $*"

@@ -1,6 +1,6 @@
 #!/bin/bash
 # A run streams over real multicast, in a network namespace: a logger of LCM itself receives all six kinds of message,
-# none above 60 kB; the run opens no socket that receives, and computes what it computes without.
+# none above 60 kB; the run opens no receiving socket, and its results equal those without streaming.
 # usage: live_netns.sh SCREE CASE
 set -u
 [ $# = 2 ] || { echo "usage: $0 SCREE CASE"; exit 2; }
@@ -32,7 +32,7 @@ samples=0
 while kill -0 "$run" 2> /dev/null; do
   listening=$(grep -c "$port" /proc/net/udp)
   [ "$listening" -le 1 ] || fail "$listening sockets listen on port 7667; only the logger should"
-  # The socket that sends is there: this look was taken while the run was streaming.
+  # The sending socket exists: the list was taken while the run was streaming.
   [ "$(tail -n +2 /proc/net/udp | wc -l)" -ge 2 ] && samples=$((samples + 1))
   sleep 0.01
 done

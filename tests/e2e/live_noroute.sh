@@ -1,5 +1,5 @@
 #!/bin/bash
-# A run that is asked to stream where no multicast route exists: one warning, results as without streaming.
+# A run with --live where no multicast route exists: one warning, and the same results as without streaming.
 # usage: live_noroute.sh SCREE CASE
 set -u
 [ $# = 2 ] || { echo "usage: $0 SCREE CASE"; exit 2; }
@@ -17,7 +17,7 @@ trap 'rm -rf "$work"' EXIT
 "$scree" run "$case_file" --live --until 0.05 --out "$work/on" > "$work/on.txt" 2> "$work/on.err" ||
   fail "the run with streaming: $(cat "$work/on.err")"
 
-# Everything on stderr counts: the library's own complaints too.
+# Every line on stderr counts, also messages of the LCM library.
 lines=$(diff "$work/off.err" "$work/on.err" | grep -c '^>')
 [ "$lines" = 1 ] || fail "$lines lines of warning instead of one: $(cat "$work/on.err")"
 grep -q 'no multicast route' "$work/on.err" || fail "the warning does not say why: $(cat "$work/on.err")"

@@ -1,6 +1,7 @@
 #!/bin/bash
-# A stored run on the network again, by `scree replay` and by LCM's own player from a log of the stream: to `scree watch`
-# both end as the live run did, line for line but for the foot (messages counted) and the rate (that of the replay).
+# A stored run is sent again by `scree replay`, and a log of the stream by LCM's own player: the last screen of
+# `scree watch` equals that of the live run line for line, except the foot (number of messages) and the rate (that of
+# the replay).
 # usage: live_replay.sh SCREE
 set -u
 [ $# = 1 ] || { echo "usage: $0 SCREE"; exit 2; }
@@ -16,7 +17,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/live" "$work/log"
 
-# watch NAME: a viewer in the background, whose last screen goes to NAME.txt
+# watch NAME: a viewer in the background; its last screen is written to NAME.txt
 watch() {
   python3 "$here/live/terminal.py" "$scree" watch --timeout 30 > "$work/$1.txt" &
   viewer=$!
@@ -45,7 +46,7 @@ lcm-logplayer --lcm-url="$url" "$work/stream.log" > /dev/null || fail "lcm-logpl
 seen player
 python3 "$here/live/terminal.py" "$scree" watch "file://$work/stream.log" > "$work/from-log.txt" || fail "watch of the log"
 
-# The foot counts messages; the rate is that of whoever plays.
+# The foot counts messages; the rate is that of the player.
 same() { sed -E 's/ +rate [-0-9.e+]+ s\/s, [-0-9.e+]+ steps\/s$//; $d' "$work/$1.txt"; }
 lines=$(same live | wc -l)
 [ "$lines" -ge 20 ] || fail "the screen of the live run has $lines lines: $(cat "$work/live.txt")"
@@ -55,7 +56,7 @@ for who in replay replay-at-once player from-log; do
 done
 cat "$work/replay.txt"
 
-# What cannot be replayed.
+# Files that cannot be replayed.
 "$scree" replay "$work" > /dev/null 2> "$work/err.txt"
 code=$?
 [ $code = 5 ] || fail "exit code $code for a folder that is no run: $(cat "$work/err.txt")"

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Viewers of one run: early ones, late ones, one that is stopped dead, one that is killed. All that live end in the state
-# of the file, the screens of `scree watch` are the same line for line, and the run neither waits nor changes.
+# Viewers of one run: early ones, late ones, one that is stopped (SIGSTOP), one that is killed. All others end in the
+# state of the file, the screens of `scree watch` are the same line for line, and the run neither waits nor changes.
 # usage: live_viewers.sh SCREE
 set -u
 [ $# = 1 ] || { echo "usage: $0 SCREE"; exit 2; }
@@ -12,7 +12,7 @@ arguments=("$@")  # for the second start, inside the namespace
 ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback interface"
 
 scree=$1 here=$(dirname "$0")
-# It lasts seconds: time enough to be found and held.
+# It lasts some seconds: long enough to be found and paused.
 case=("$here/live/two_stages.toml" --set stage.runout.duration=16)
 reader=$here/../../docs/examples/read_live.py
 work=$(mktemp -d)
@@ -26,7 +26,7 @@ print(d)' "$@"; }
 "$scree" run "${case[@]}" --quiet --live --out "$work/unseen/two_stages" || fail "the run that nobody watches"
 
 declare -A viewer
-# look NAME COMMAND...: in the background
+# look NAME COMMAND...: starts a viewer in the background
 look() {
   local name=$1
   shift
@@ -49,7 +49,7 @@ kill -STOP "${viewer[stalled]}"
 "$scree" run "${case[@]}" --quiet --live --control --out "$work/watched/two_stages" 2> "$work/run.err" &
 run=$!
 pids+=($run)
-# Held, so that the late ones come to a run that has begun long ago.
+# Paused, so that the late viewers join a run that began long before.
 "$scree" control two_stages pause --timeout 20 > "$work/control.txt" 2>&1 || fail "$(cat "$work/control.txt")"
 kill -9 "${viewer[killed]}"
 look late-reader python3 "$reader" --timeout 60 --state "$work/late-reader.json"
@@ -70,14 +70,14 @@ echo "ok: one state without streaming, with nobody there, and with five viewers"
 /usr/bin/python3 "$here/live/same_state.py" "$work/watched/two_stages" "$work"/{early,late}-reader.json || fail "states, above"
 
 "$scree" watch "$work/watched/two_stages" > "$work/stored.txt" || fail "watch of the stored run"
-# But for the foot, the rate, and the width.
+# All lines except the foot, the rate, and the width.
 same() { sed -E 's/ +rate [-0-9.e+]+ s\/s, [-0-9.e+]+ steps\/s$//; $d' "$work/$1.txt" | sed -E 's/[#.]{5,}|#+$//; s/ +/ /g; s/~$//' | cut -c 1-70; }
 for name in late-screen stored; do
   diff <(same early-screen) <(same $name) || fail "$name (right) ends otherwise than the early screen (left)"
   echo "ok: $name shows what the early screen shows, $(same $name | wc -l) lines"
 done
 
-# A viewer that stands still holds up nobody, 2 s for the start of programs aside.
+# A stopped viewer does not delay the run; 2 s are allowed for the start of programs.
 "$scree" run "${case[@]}" --quiet --live --out "$work/again/two_stages" || fail "the run with a stalled viewer"
 [ "$(value "$work/again/two_stages/summary.json" state_hash)" = "$(value "$work/absent/two_stages/summary.json" state_hash)" ] ||
   fail "a stalled viewer changed the state"

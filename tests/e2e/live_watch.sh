@@ -1,6 +1,6 @@
 #!/bin/bash
-# `scree watch` as a user sees it, on a terminal, in a network namespace: it waits for a run, follows it, counts what is
-# malformed, and puts the terminal back; viewers that come late get the mesh within 2 s; exit codes.
+# `scree watch` as a user sees it, on a terminal, in a network namespace: it waits for a run, follows it, counts
+# malformed messages, and restores the terminal; viewers that start late receive the mesh within 2 s; exit codes.
 # usage: live_watch.sh SCREE CASE
 set -u
 [ $# = 2 ] || { echo "usage: $0 SCREE CASE"; exit 2; }
@@ -25,7 +25,7 @@ cleanup() {
 trap cleanup EXIT
 
 screen() { terminal capture-pane -p -t "$1"; }
-# wait_for PANE TEXT: until the pane shows it, 20 s at most
+# wait_for PANE TEXT: waits until the pane shows the text, 20 s at most
 wait_for() {
   for _ in $(seq 100); do
     screen "$1" | grep -qF -- "$2" && return
@@ -47,7 +47,7 @@ code=$?
 code=$?
 [ $code = 5 ] || fail "exit code $code for a folder that is not there"
 
-# A viewer that waits; somebody else's bytes on one of our channels.
+# A waiting viewer; bytes of a foreign program on one of Scree's channels.
 terminal new-session -d -s early -x 80 -y 24 "echo text before; '$scree' watch --timeout 60; echo exit code \$?; sleep 600" ||
   skip "tmux cannot make a terminal here"
 wait_for early 'waiting for a run'
@@ -61,11 +61,11 @@ wait_for early '1 malformed'
 
 lcm-logger --quiet --lcm-url="$url" "$work/log" > "$work/logger.txt" 2>&1 &
 logger=$!
-# A finer mesh: a run that outlasts all that follows.
+# A finer mesh: the run lasts longer than all following checks.
 "$scree" run "$case_file" --set stage.settle.cover_size=0.7 --live --quiet --out "$work/run" > "$work/out.txt" 2> "$work/err.txt" &
 run=$!
 
-# simulated_time PANE: as the screen has it, empty where there is none
+# simulated_time PANE: the time shown on the screen; empty if none is shown
 simulated_time() { screen "$1" | sed -nE 's/.*%  ([0-9.]+) of [0-9.]+ s.*/\1/p' | head -1; }
 advances=0 last=
 for _ in $(seq 300); do
@@ -81,7 +81,8 @@ done
 echo "ok: the simulated time on the screen advanced $advances times, to $last s"
 screen early
 
-# Late viewers, at several moments between two sendings. The time counts from the start of the program.
+# Late viewers, at several instants between two transmissions of the mesh. The time is measured from the start of the
+# program.
 for pause in 0 0.5 0.4 0.7; do
   sleep $pause
   kill -0 "$run" 2> /dev/null || fail "the run ended before every late viewer had looked"
@@ -95,7 +96,7 @@ for section in 'ENERGY [J]' 'MONITORS' 'EVENTS' 'stage start'; do
   grep -qF "$section" "$work/late.txt" || fail "a late viewer has no $section: $(cat "$work/late.txt")"
 done
 
-# A terminal of another size is put back as it was by Ctrl-C.
+# Ctrl-C restores a terminal of another size.
 terminal new-session -d -s large -x 120 -y 40 "echo text before; '$scree' watch; echo exit code \$?; sleep 600"
 wait_for large 'MONITORS'
 [ "$(terminal display-message -p -t large '#{alternate_on} #{cursor_flag}')" = '1 0' ] || fail "no screen of its own"
@@ -104,7 +105,7 @@ terminal send-keys -t large C-c
 wait_for large 'exit code 130'
 [ "$(terminal display-message -p -t large '#{alternate_on} #{cursor_flag}')" = '0 1' ] || fail "the terminal is not put back"
 
-# The run is asked to stop: the viewer shows that and ends.
+# The run receives the command to stop: the viewer shows that and ends.
 kill -INT "$run" || fail "the run was over before it was asked to stop"
 wait "$run"
 code=$?

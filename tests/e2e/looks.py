@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Whoever looks, and however often, a run is the same: the hash of its last state does not depend on [output], on [live], on
-checkpoints, on --audit, or on how it is cut into pieces by --until and `scree resume`.
+"""A run is independent of output, streams and pieces: the hash of its last state does not depend on [output], on
+[live], on checkpoints, on --audit, or on its division into pieces by --until and `scree resume`.
 
 Usage: looks.py SCREE [CASE ...]
-Every one of 40 settings once, shared out among the cases; SCREE_FULL=1 in the environment tries all of them with every case.
+Each of 40 settings is used once, distributed over the cases; with SCREE_FULL=1 in the environment every case runs with
+all 40.
 """
 import json
 import os
@@ -17,7 +18,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 FULL = bool(os.environ.get("SCREE_FULL"))
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
-# What each case is there for.
+# The feature that each case covers.
 CASES = {
     "resume/staged": "rest, explicit, implicit NMM, cut implicit DDA, onefold, explicit DDA",
     "resume/kept": "implicit DDA, implicit rest to a balance of forces",
@@ -31,7 +32,7 @@ CASES = {
 
 
 def settings():
-    """40 ways to look: what to --set, and the number of pieces."""
+    """40 settings: values of --set, and the number of pieces."""
     rng = random.Random(7)
     out = [
         dict(set=["output.every=1e-3", "output.history_every=1e-3"]),
@@ -78,7 +79,7 @@ def result(run):
 
 
 def looked_at(program, case, how, folder, end, seed):
-    """The end of a run that is looked at in one of the ways."""
+    """The end of a run with one of the settings."""
     shutil.rmtree(folder, ignore_errors=True)
     rng = random.Random(seed)
     stops = sorted(rng.uniform(0.0, end) for _ in range(how.get("pieces", 1) - 1))
@@ -87,7 +88,7 @@ def looked_at(program, case, how, folder, end, seed):
     scree(program, "run", HERE / f"{case}.toml", "--out", folder, *options, *first)
     for stop in [f"{s:.9g}" for s in stops[1:]] + (["1e6"] if stops else []):
         if json.loads((folder / "summary.json").read_text())["final_time"] > float(stop):
-            continue  # the step before went past it
+            continue  # the previous step has already passed this time
         scree(program, "resume", folder, "--until", stop)
     return result(folder)
 

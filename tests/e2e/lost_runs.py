@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs that cannot go on, as a user meets them: what the error says, the exit code, and what the results still hold.
+"""Runs that cannot continue: the error message, the exit code, and the results stored until then.
 
 Usage: lost_runs.py SCREE
 """
@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 PLACE = r"element \d+ near \(-?[\d.e+-]+, -?[\d.e+-]+\)"
-# case: exit code, status in the results, what the error must say, and the time of the last good frame
+# case: exit code, status in the results, required text of the error, and time of the last good frame
 RUNS = {
     "inverted_explicit": (4, "non_finite", ["block 'victim'", PLACE + " is turned inside out", "likely causes: loads"], None),
     "inverted_implicit": (4, "not_converged", ["block 'victim'", PLACE + " is turned inside out", "likely causes: loads"], None),

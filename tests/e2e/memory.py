@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Resident memory of a long run with output must grow by less than 1 % once every dataset has its first chunk, which takes half of this
-run: until then buffers fill up, and each chunked dataset brings HDF5's index of its chunks. What is held between two writings to the file
-comes and goes. So of the time after the first frame, the median from 65 to 82 % is compared with the median of the rest.
-The two are 70,000 steps and 700 frames apart: 1 % is 7 bytes a step or 700 bytes a frame.
-A frame costs 50 to 100 bytes for good (HDF5's list of free space): 10,000 frames are up to 1 MB.
+run: until then buffers fill, and each chunked dataset adds HDF5's index of its chunks. Memory held between two writes
+to the file is temporary. Of the time after the first frame, the median of the memory from 65 to 82 % is therefore
+compared with the median of the rest.
+The two are 70,000 steps and 700 frames apart: 1 % is 7 bytes per step or 700 bytes per frame.
+A frame keeps 50 to 100 bytes permanently (HDF5's list of free space): 10,000 frames are up to 1 MB.
 
 usage: memory.py SCREE [STEPS]   (default 400000; 2000000 if SCREE_FULL is set)
 """

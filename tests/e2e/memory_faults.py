@@ -18,7 +18,7 @@ import time
 SKIPPED = 77
 E2E = pathlib.Path(__file__).resolve().parent
 CASES = E2E.parent.parent / "cases"
-# What a case is about, and what makes it short: under valgrind a run takes some fifty times as long.
+# Feature that a case covers, and the settings that shorten it: under valgrind a run takes some fifty times as long.
 RUNS = {
     "a region through a resting block": (E2E / "memory/resting.toml", {}),
     "a region through a held block, shared contacts": (E2E / "memory/held.toml", {}),
@@ -44,7 +44,7 @@ def build(project, preset):
 
 
 def tool(kind, project):
-    """Words before a command, and its environment."""
+    """Words that precede a command, and its environment."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive")
     if kind == "valgrind":
         return ["valgrind", "--quiet", "--error-exitcode=99", "--exit-on-first-error=no",

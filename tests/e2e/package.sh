@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the build into a folder, and uses it from there as others would: the command with its cases, a program that
+# Installs the build into a folder and uses it as an installed product: the command with its cases, a program that
 # finds the libraries by CMake, completions that the shells accept, a manual that names every command.
 # usage: package.sh BUILD SOURCE
 set -euo pipefail
@@ -39,7 +39,7 @@ ls "$work"/usr/share/scree/lcmtypes/*.lcm >/dev/null || fail 'the types of the l
 python3 "$work/usr/share/doc/scree/examples/read_live.py" --timeout 0.2 >live.log 2>&1 || true
 grep -q 'FileNotFound\|KeyError\|Traceback' live.log && { cat live.log; fail 'the installed read_live.py does not find its types'; }
 
-# Whoever links the libraries compiles for any machine, and so are packages.
+# Programs that link the libraries, and packages, are compiled for any machine, without -march=native.
 grep -rq -- '-march' "$work"/usr/lib/*/cmake/scree "$work"/usr/lib/cmake/scree 2>/dev/null && fail 'the exported targets carry -march'
 if grep -q '^SCREE_NATIVE:BOOL=ON' "$build/CMakeCache.txt"; then
   if (cd "$build" && cpack -G DEB -B "$work/cpack" >"$work/cpack.log" 2>&1); then fail 'cpack packs a build for one machine'; fi
@@ -55,7 +55,8 @@ cmake -G Ninja -S embed -B embed/build -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_B
   { cat embed.log; fail 'find_package(scree) fails'; }
 cmake --build embed/build >>embed.log 2>&1 || { cat embed.log; fail 'the example does not build'; }
 
-# A method from a shared library, with a key of its own: it runs, resumes, is told of by schema, and wrong ones are refused.
+# A method from a shared library, with a key of its own: it runs and resumes, `scree schema` lists it, and wrong
+# libraries are refused.
 load=(--load embed/build/librigid_method.so)
 "$scree" schema "${load[@]}" | grep 'inertia_factor' >/dev/null || fail 'schema does not tell the keys of a loaded method'
 "$scree" check embed/rigid.toml "${load[@]}" | grep "stage 'fall': rigid" >/dev/null || fail 'check does not know a loaded method'
@@ -65,7 +66,8 @@ for factor in 1 2; do
 done
 python3 - <<'END' || fail 'the constant of a loaded method does not act'
 import json
-# What spins with 1 rad/s has I/2 more: I = m a^2/6 of a square, 2500 kg, 1 m; the fall adds the same to both.
+# The block that spins with 1 rad/s has a kinetic energy larger by I/2: I = m a^2/6 of a square, 2500 kg, 1 m; the fall
+# adds the same to both.
 energy = [json.load(open(f"rigid.{n}/summary.json"))["ledger"]["columns"]["energy"]["kinetic"] for n in (1, 2)]
 assert abs(energy[1] - energy[0] - 2500.0 / 12.0) < 1e-6 * energy[0], energy
 END

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Random jointed rock, by explicit, implicit and partitioned steps: no stage may creep on without an end.
+"""Random jointed rock, by explicit, implicit and partitioned steps: no stage may continue endlessly with tiny steps.
 
 Usage: progress_runs.py SCREE [MODELS [FIRST]]
-A run may take 20 times the processor time of its implicit twin (and 5 s); one that takes more must have ended with its
-cause. The audit stays silent, and no energy comes from nowhere; 1, 2 and 3 threads give the same bits. Models: 200 with
-SCREE_FULL=1, else the first and those in which faults were seen.
+A run may take 20 times the processor time of its implicit twin (and 5 s); one that takes more must have ended with an
+error that states the cause. The audit reports nothing, and no energy is created; 1, 2 and 3 threads give the same bits.
+Models: 200 with SCREE_FULL=1, else the first ones and those that showed faults.
 """
 import json
 import os
@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 FULL = bool(os.environ.get("SCREE_FULL"))
-# A slight friction force where nothing presses; a thin wedge whose tip was let through.
+# A small friction force without a normal force; a thin wedge whose tip was allowed to penetrate.
 SEEN = (67, 84)
 FLOOR = 5.0  # processor time that every run may take [s]
 TIMES = 20.0
@@ -68,7 +68,7 @@ def fault(text):
 
 
 def model(rng):
-    """What does not depend on the scheme."""
+    """The part of the case that does not depend on the scheme."""
     width, height = rng.uniform(8, 16), rng.uniform(4, 9)
     outline = [[0, 0], [width, 0], [width, 1], [width - rng.uniform(0, 0.4) * width, height], [0, height]]
     sets = "".join(SET.format(dip=dip % 180, deviation=rng.uniform(0, 5), spacing=rng.uniform(1.2, 3.0), spread=rng.uniform(0, 0.4))

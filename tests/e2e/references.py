@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The reference programs of the case library check themselves and print the tables that are stored beside them: the same
-numbers to 1e-9 of the largest of their column (the last places of sines differ between processors).
+"""The reference programs of the case library check themselves and must print the tables stored next to them: the same
+numbers to 1e-9 of the largest number of their column (the last digits of sines differ between processors).
 
 usage: references.py SOURCE_FOLDER
 """

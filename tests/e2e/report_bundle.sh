@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The committed bundle of the page (io/viewer/dist) is what its sources give, and the sources have no faults of types.
+# The committed bundle of the page (io/viewer/dist) equals the bundle built from its sources, and the sources pass the
+# type check.
 # Usage: report_bundle.sh SOURCE BUILD
 set -euo pipefail
 source=$1 build=$2

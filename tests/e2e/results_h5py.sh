@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A run as h5py sees it.   Usage: results_h5py.sh RUN
+# Reads a run with h5py.   Usage: results_h5py.sh RUN
 set -euo pipefail
 python=/usr/bin/python3  # Debian's: the one that python3-h5py is for
 "$python" -c 'import h5py' || { echo "results_h5py: FAILED: no h5py; install python3-h5py" >&2; exit 1; }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the run that the other results tests read: the staged case past its hand-overs from DDA to NMM and back; the shaking is cut short.
+# Makes the run that the other results tests read: the staged case, until after its hand-overs from DDA to NMM and back,
+# with a shortened shaking.
 # Usage: results_run.sh SCREE CASE OUT
 set -euo pipefail
 out=$3

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""A hundred frames of two blocks: what a small run leaves, and that the files of a run do not depend on when they were brought out.
+"""A hundred frames of two blocks: the size of the files of a small run; files do not depend on the instants at which
+they were flushed.
 
 Usage: results_small.py SCREE SCRATCH
 """
@@ -34,7 +35,7 @@ def main():
     case = scratch / "case.toml"
     case.write_text(CASE)
     runs = {}
-    # A checkpoint brings everything out: at every step, and with the command left alone.
+    # A checkpoint flushes all files: with one at every step, and with none by steps.
     for name, every in (("alone", 0), ("often", 1)):
         runs[name] = scratch / name
         subprocess.run([scree, "run", case, "--out", runs[name], "--quiet", "--set", f"output.checkpoint_steps={every}"], check=True)

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Runs that are killed, stopped or left without room, and resumed: they must end as the run that never stopped.
+"""Runs that are killed, stopped or run out of disk space, and are resumed: their results must equal those of the
+uninterrupted run.
 
 Usage: resume_runs.py SCREE kill|stop|files [CASE ...]
-Small numbers by default; SCREE_FULL=1 in the environment makes it the long form. Exit code 77: not possible here.
+Few interruptions by default; SCREE_FULL=1 in the environment: long form. Exit code 77: not possible on this machine.
 """
 import functools
 import json
@@ -25,11 +26,12 @@ HERE = pathlib.Path(__file__).resolve().parent / "resume"
 FULL = bool(os.environ.get("SCREE_FULL"))
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
 SKIPPED = 77
-# Of a summary: what depends on the machine and its clock, or on how the run was asked for.
+# Entries of a summary that depend on the machine and its clock, or on the command line of the run.
 OF_THE_CLOCK = {"wall_seconds", "cpu_seconds", "cpu_seconds_of", "peak_memory_bytes", "element_steps_per_second", "threads",
                 "command_line", "set"}
 
-# Instants at which a run was once cut and went on otherwise: here the incomplete factor has just taken the place of the complete one.
+# Instants of interruption after which a resumed run once differed: here the incomplete factor has just replaced the
+# complete one.
 CUTS = {"rules": ("0.0596", "0.0605", "0.0615")}
 
 faults = []
@@ -54,7 +56,7 @@ def datasets(path, written):
                 return
             if isinstance(item, h5py.Dataset):
                 out[name] = item[...]
-            if not name.startswith("xdmf/"):  # thousands of windows, which have the labels of what they show
+            if not name.startswith("xdmf/"):  # thousands of virtual datasets, with the labels of their sources
                 for key, value in item.attrs.items():
                     out[f"{name}@{key}"] = np.asarray(value)
         file.visititems(visit)
@@ -62,7 +64,7 @@ def datasets(path, written):
 
 
 def differences(run, whole):
-    """What two finished runs differ in."""
+    """Differences between two finished runs."""
     found = []
     a, b = summary(run), summary(whole)
     found += [f"summary.json: {k} is {a.get(k)!r:.60}, not {b.get(k)!r:.60}"
@@ -71,14 +73,14 @@ def differences(run, whole):
         if (run / name).read_bytes() != (whole / name).read_bytes():
             found.append(f"{name} differs")
     if list(run.glob("run.damaged*")):
-        return found  # run.vtkhdf begins where the run went on
+        return found  # run.vtkhdf begins where the run was resumed
     if (run / "run.xmf").read_bytes() != (whole / "run.xmf").read_bytes():
         found.append("run.xmf differs")
     a, b = (datasets(path, path.stat().st_mtime_ns) for path in (run / "run.vtkhdf", whole / "run.vtkhdf"))
     for name in sorted(set(a) | set(b)):
         if name not in a or name not in b or a[name].shape != b[name].shape or a[name].tobytes() != b[name].tobytes():
             if name in a and name in b and a[name].dtype == object and list(a[name]) == list(b[name]):
-                continue  # texts are compared as such
+                continue  # texts are compared as texts
             found.append(f"/{name} differs")
     return found
 
@@ -101,13 +103,13 @@ class Scree:
 
 
 def cpu_seconds(process):
-    """Processor time of a process that was not waited for yet [s]."""
+    """Processor time of a process that has not been waited for yet [s]."""
     fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def cpu_of_children():
-    """Processor time of all that were waited for [s]."""
+    """Processor time of all child processes that have been waited for [s]."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -117,7 +119,7 @@ def checkpoints(run):
 
 
 def finish(scree, run, again, what):
-    """Resumes until the run is done; one that has no checkpoint yet must say so, and is started again."""
+    """Resumes until the run is done; a run without a checkpoint must report that, and is started again."""
     code, _, err = scree("resume", run, "--quiet")
     if code == 5 and not checkpoints(run) and ("there is no checkpoint in it" in err or "no such run folder" in err):
         code, _, err = scree(*again, "--overwrite")
@@ -142,7 +144,7 @@ def kill(scree, case, scratch, rng):
     for k in range(count):
         run = scratch / "run"
         shutil.rmtree(run, ignore_errors=True)
-        # A checkpoint every 10 steps takes most of the time, every 100 little.
+        # Checkpoints take most of the time if written every 10 steps, and little if written every 100.
         steps = 10 if k % 3 == 0 else 100
         ask = ["run", HERE / f"{case}.toml", "--out", run, "--quiet", "--set", f"output.checkpoint_steps={steps}"]
         if k == 0:
@@ -191,7 +193,7 @@ def stop(scree, case, scratch, rng):
         begin = cpu_of_children() + cpu_seconds(process)
         process.send_signal(rng.choice((signal.SIGTERM, signal.SIGINT)))
         _, err = process.communicate(timeout=60)
-        took = cpu_of_children() - begin  # processor time: others use the machine, too
+        took = cpu_of_children() - begin  # processor time, since other programs use the machine, too
         if process.returncode == 0:
             continue  # it was done already
         stopped += 1
@@ -214,7 +216,7 @@ def stop(scree, case, scratch, rng):
             fault(f"{case}, cut at {cut} s: exit code {code}: {err.strip()}")
         if summary(run)["state_hash"] != summary(whole)["state_hash"] or summary(run)["corrections"] != summary(whole)["corrections"]:
             fault(f"{case}, cut at {cut} s: ends otherwise than the unbroken run")
-    # Every checkpoint of a run, newest damaged: the one before is used, and said so.
+    # For every checkpoint of a run: if the newest is damaged, the previous one is used, with a message.
     run = scratch / "run"
     shutil.rmtree(run, ignore_errors=True)
     scree("run", HERE / f"{case}.toml", "--out", run, "--quiet", "--set", "output.checkpoint_steps=40")
@@ -225,7 +227,7 @@ def stop(scree, case, scratch, rng):
         fault(f"{case}, damaged newest checkpoint: exit code {code}: {err.strip()}")
     for line in differences(run, whole):
         fault(f"{case}, damaged newest checkpoint: {line}")
-    # run.vtkhdf lost: the state is not.
+    # run.vtkhdf is lost: the state is still resumed.
     (run / "run.vtkhdf").write_bytes(b"nothing")
     (run / "history.csv").write_bytes(b"less")
     code, _, err = scree("resume", run, "--quiet")
@@ -236,7 +238,7 @@ def stop(scree, case, scratch, rng):
     code, _, err = scree("resume", run, "--quiet")
     if code != 0 or "is missing" not in err or summary(run)["state_hash"] != summary(whole)["state_hash"]:
         fault(f"{case}, lost run.vtkhdf: exit code {code}: {err.strip()}")
-    # Two at once, and two signals.
+    # Two runs at once, and two signals.
     process = scree.start("run", HERE / f"{case}.toml", "--out", scratch / "two", "--quiet")
     while not checkpoints(scratch / "two"):
         time.sleep(0.002)
@@ -266,7 +268,7 @@ def stop(scree, case, scratch, rng):
 
 
 def went_on(scree, case, run, whole, ask, what, outcome, reason, tally):
-    """A run that could not write: what it says, and that it goes on once it can."""
+    """A run that could not write: its message, and its continuation once writing is possible."""
     code, _, err = outcome
     if code == 0:
         fault(f"{what}: exit code 0")
@@ -304,7 +306,7 @@ def files(scree, case, scratch, rng):
     ask = ["run", HERE / f"{case}.toml", "--quiet", "--set", "output.checkpoint_steps=50", "--out"]
     tally = dict(limits=0, disks=0, resumed=0, damaged=0)
 
-    # The limit on the size of a file comes at another write each time: of the beginning, where files grow, ...
+    # The limit on the file size is reached at a different write each time: at the beginning, where files grow, ...
     begin = time.time()
     assert scree(*ask, scratch / "timed")[0] == 0
     slow = time.time() - begin
@@ -326,11 +328,11 @@ def files(scree, case, scratch, rng):
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
         out, err = process.communicate()
         if process.returncode == 0:
-            continue  # it was done, or nothing was to be written any more
+            continue  # the run was done, or there was nothing more to write
         tally["limits"] += 1
         went_on(scree, case, run, whole, ask, f"{case}, limit {k}", (process.returncode, out, err), "File too large", tally)
 
-    # A disk that is full from the start, and one that somebody else fills while the run goes on. Then room is made.
+    # A disk that is full from the start, and one that another program fills during the run. Then space is freed.
     disk = scratch / "disk"
     disk.mkdir()
     run = disk / "run"
@@ -356,7 +358,7 @@ def files(scree, case, scratch, rng):
                     "No space left", tally)
         subprocess.run(["umount", disk], check=True)
 
-    # Places where nothing can be written: before the first step.
+    # Folders without write access: refused before the first step.
     disk = scratch / "readonly"
     disk.mkdir()
     subprocess.run(["mount", "-t", "tmpfs", "-o", "ro", "tmpfs", disk], check=True)

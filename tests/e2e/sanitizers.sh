@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Whole runs under sanitizers, in builds of their own.
+# Complete runs under sanitizers, in separate builds.
 #   sanitizers.sh SOURCE cases      all quick cases of the library by `scree`, addresses and undefined behaviour (preset asan)
-#   sanitizers.sh SOURCE threads    steps on several threads and everything live, data races (preset tsan; needs clang-14)
+#   sanitizers.sh SOURCE threads    steps on several threads and all live features, races (preset tsan; needs clang-14)
 set -euo pipefail
 
 root=$1 what=$2
@@ -17,7 +17,7 @@ build() {
   cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@" >"$log" 2>&1 || { tail -n 30 "$log"; exit 1; }
 }
 
-# Runs a program; what a sanitizer says of it is shown.
+# Runs a program and shows the messages of the sanitizer.
 run() {
   local code=0
   "$@" >"$log" 2>&1 || code=$?

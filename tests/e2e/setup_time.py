@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""How the time to set a model up grows: `scree check` of n, 2n and 4n parallel lines, blocks between crossing lines,
+"""Growth of the setup time of a model: `scree check` of n, 2n and 4n parallel lines, blocks between crossing lines,
 cracks and vertices, by processor time.
 
 Usage: setup_time.py SCREE [--most EXPONENT]
 
-Prints seconds and exponents, and fails where one from n to 4n is above `--most` (1.3; 1.6 in a build's tests: processor
-times on a busy machine differ). The time of a case of two lines is taken off. All have 0.9 to 1.25.
+Prints seconds and exponents, and fails where an exponent from n to 4n exceeds `--most` (1.3; 1.6 in a build's tests:
+processor times on a busy machine vary). The time of a case with two lines is subtracted. Measured exponents: 0.9 to
+1.25.
 """
 import argparse
 import math

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Threads that wait give way: two on cores that others use too take little more processor time than one.
+"""Waiting threads yield: on cores shared with other programs two threads take little more processor time than one.
 
 Usage: shared_cores.py SCREE
-OpenMP's own default is to spin, which costs tens of times as much wherever something else computes on the machine.
+By default OpenMP threads spin, which takes tens of times as much processor time where other programs compute on the
+machine.
 """
 import os
 import subprocess
@@ -25,7 +26,7 @@ def seconds(scree, threads):
 
 
 def busy(cores):
-    """Share of the time of these cores that something computes on them."""
+    """Fraction of the time in which these cores are busy."""
     def used():
         with open("/proc/stat", encoding="ascii") as stat:
             lines = [line.split() for line in stat if line.startswith(tuple(f"cpu{core} " for core in cores))]
@@ -43,7 +44,7 @@ def main():
         print("SKIPPED: one core only")
         sys.exit(SKIPPED)
     os.sched_setaffinity(0, cores)
-    for _ in range(30):  # with more programs than those below, what threads take says nothing
+    for _ in range(30):  # if more programs run than those below, the time of the threads means nothing
         share = busy(cores)
         if share < 0.25:
             break
@@ -55,7 +56,7 @@ def main():
     try:
         one = seconds(sys.argv[1], 1)
         two = seconds(sys.argv[1], 2)
-        for _ in range(4):  # what else computes on the machine shows in single tries; threads that spin never come near
+        for _ in range(4):  # other load disturbs single attempts; spinning threads never stay within the limit
             if two > MOST * one:
                 two = min(two, seconds(sys.argv[1], 2))
     finally:

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""What ends a run from outside: signals, a closed terminal, output that nobody reads. Each must leave a checkpoint,
-closed results and exit code 130, within 2 s. Other commands end quietly where nobody reads.
+"""External events that end a run: signals, a closed terminal, output that no program reads. Each must leave a
+checkpoint, closed results and exit code 130, within 2 s. Other commands end without a message where their output is not
+read.
 
 Usage: signals.py SCREE
 """
@@ -19,7 +20,7 @@ import h5py
 
 CASE = pathlib.Path(__file__).resolve().parent / "resume/motion.toml"
 LONG = ["--set", "stage.0.duration=1000.0"]
-MOST, MOST_WALL = 2.0, 30.0  # s of processor time; of the clock, on a machine that does other things too
+MOST, MOST_WALL = 2.0, 30.0  # s of processor time; s of wall time, on a busy machine
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
 SCREE = sys.argv[1]
 faults = []
@@ -36,7 +37,7 @@ def start(command, run, **streams):
 
 
 def wait_for_steps(run, process, before=0):
-    """Until the results hold an instant later than those there were."""
+    """Waits until the results contain a later instant than before."""
     until = time.monotonic() + 60
     while not (run / "energy.csv").exists() or len((run / "energy.csv").read_bytes().splitlines()) <= before + 3:
         if process.poll() is not None or time.monotonic() > until:
@@ -45,13 +46,13 @@ def wait_for_steps(run, process, before=0):
 
 
 def cpu_seconds(process):
-    """Processor time of a process that was not waited for yet."""
+    """Processor time of a process that has not been waited for yet."""
     fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def cpu_of_children():
-    """Processor time of all that were waited for."""
+    """Processor time of all child processes that have been waited for."""
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
     return spent.ru_utime + spent.ru_stime
 
@@ -108,7 +109,7 @@ def signals(scratch):
     began = time.monotonic()
     process.send_signal(signal.SIGHUP)
     stopped("SIGHUP of resume", run, process, began)
-    # Two at once, as timeout(1) and systemd send them, are one.
+    # Two signals at once, as timeout(1) and systemd send them, count as one.
     run = scratch / "both"
     process = start("run", run, **null)
     wait_for_steps(run, process)
@@ -117,7 +118,7 @@ def signals(scratch):
         process.send_signal(name)
         time.sleep(0.002)
     stopped("two at once", run, process, began)
-    # nohup: SIGHUP is ignored before the program begins, and stays so.
+    # nohup: SIGHUP is ignored before the program starts, and remains ignored.
     run = scratch / "nohup"
     process = start("run", run, **null, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
     wait_for_steps(run, process)
@@ -130,7 +131,7 @@ def signals(scratch):
 
 
 def closed_terminal(scratch):
-    """The terminal of a session goes away: its leader, the run, gets SIGHUP, and writes fail."""
+    """The terminal of a session is closed: its leader, the run, receives SIGHUP, and writes fail."""
     for how in ("a session's", "another's"):
         run = scratch / ("terminal of " + how)
         master, slave = pty.openpty()
@@ -197,7 +198,7 @@ def broken_output(scratch):
 def other_commands(scratch):
     for words in (["schema"], ["schema", "--markdown"], ["cases", "list"], ["completion", "bash"], ["--help"],
                   ["check", str(CASE), "--blocks"], ["watch", str(scratch / "SIGHUP"), "--once"]):
-        for ignored in (False, True):  # as some programs start others
+        for ignored in (False, True):  # some programs start others with signals ignored
             reader, writer = os.pipe()
             os.close(reader)
             process = subprocess.Popen([SCREE, *words], stdout=writer, stderr=subprocess.PIPE, text=True,

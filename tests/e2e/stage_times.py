@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Time belongs to stages, as a user meets it: the earthquake strikes the stage that it should though rest came early, what no stage can
-meet is refused, and a stage that does not come to rest tells why.
+"""Times relative to stages: the earthquake acts in its stage although the previous one came to rest early, times that
+no stage can reach are refused, and a stage that does not come to rest reports why.
 
 Usage: stage_times.py SCREE
 """
@@ -46,10 +46,11 @@ def stage_begins(folder):
 
 
 def struck(folder, what, after, length):
-    """Work of the moving base begins after a time, and within so long."""
+    """Work of the moving base begins after the given time, and within the given interval."""
     begins = stage_begins(folder)
     work = [(float(r["time"]), abs(float(r["prescribed_motion"]))) for r in rows(folder, "energy.csv")]
-    # The base that only holds the block does no work but what its own settling takes: compare with the end of rest.
+    # A base that only supports the block does no work except during its settling: compare with the end of the rest
+    # stage.
     at_rest = max(w for t, w in work if t <= begins["shaking"])
     first = min((t for t, w in work if w > at_rest + 0.1), default=float("inf"))
     expect(f"{what}: rest ends at {begins['shaking']:.4g} s of 2, work of the base from {first:.4g} s on, "
@@ -93,7 +94,7 @@ def rests(folder):
                (code, out, err))
         expect(f"{method}: and how the unbalanced force falls", "the least unbalanced force was" in err, err)
         expect(f"{method}: once", (out + err).count("not at rest after") == 1, out + err)
-    # Told by its message: kinetic damping needs 0.1 s and more.
+    # The message states the reason: kinetic damping needs 0.1 s and more.
     short = ["stage.0.duration=0.004", "motion.quake.start=0.004"]
     text = CASE.read_text().replace("rest_force = 1e-3\n", "")
     case = folder.parent / "short.toml"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A slope near (0, 0), and the same one where a survey has it: the same physics, and results that say where they count from.
+"""A slope near (0, 0), and the same one in survey coordinates: the same physics, and results that state their origin.
 
 Usage: survey_coordinates.py SCREE
 """
@@ -97,7 +97,7 @@ contacts = true
 """
 
 
-# A block that a load turns inside out: the message names the place.
+# A block that a load inverts: the message states the place.
 BROKEN = """[model]
 gravity = [0, 0]
 [material.soft]
@@ -150,7 +150,7 @@ def compare(what, near, far, scale):
 
 
 def contact_forces(file):
-    """x, y of what contacts and their water do to each block, a frame [N]."""
+    """x, y of the force of contacts and their water on each block, per frame [N]."""
     contacts = file["contacts"]
     block_p, block_e = contacts["corner"][:, 0], contacts["edge"][:, 0]
     normal = contacts["normal"][...]

@@ -56,7 +56,7 @@ def same(a, b):
     def equal(x, y):
         if not isinstance(x, tuple):
             return repr(x) == repr(y)
-        # assert_equal takes nan for nan.
+        # assert_equal treats nan as equal to nan.
         return (x[0] is None) == (y[0] is None) and repr(x[1]) == repr(y[1]) and (x[0] is None or np.testing.assert_equal(x[0], y[0]) is None)
 
     try:
@@ -77,7 +77,8 @@ def begin(folder):
 
 
 def half_way(process, folder, checkpoints):
-    """Waits until three runs have ended and another has so many checkpoints of its eight: it has most of its way before it."""
+    """Waits until three runs have ended and another has this number of its eight checkpoints, so that most of it is
+    still to run."""
     until = time.monotonic() + 60
     while time.monotonic() < until and process.poll() is None:
         ended = set(summaries(folder))
@@ -183,7 +184,7 @@ def workflows(work):
     expect("a short sweep is done", code == 0, err)
     table = (work / "local" / "sweep.csv").read_bytes()
     bin = f"{work / 'bin'}:{os.environ['PATH']}"
-    # These stand in for GNU parallel and Slurm: one run after the other.
+    # Substitutes for GNU parallel and Slurm: they start one run after the other.
     program(work / "bin", "parallel", '#!/bin/sh\nshift 3\nwhile read -r n; do "$1" "$2" "$n" || exit; done\n')
     program(work / "bin", "sbatch", """#!/bin/sh
 for script; do :; done

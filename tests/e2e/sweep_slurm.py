@@ -52,7 +52,7 @@ def free_port():
 
 
 class Cluster:
-    """munged, slurmctld and slurmd; they end with it."""
+    """Runs munged, slurmctld and slurmd; they are stopped at the end."""
 
     def __init__(self, home):
         self.home, self.daemons = home, []

@@ -1,4 +1,5 @@
-"""Toppling or sliding of a block on a plane: the four regimes of dynamics, by runs. Width over height d, slope a, friction phi:
+"""Toppling or sliding of a block on a plane: the four dynamic regimes, by runs. Width over height d, slope a, friction
+phi:
 
     stands | slides         phi = a                (d above tan a)
     stands | topples        d = tan a              (phi large)
@@ -6,7 +7,7 @@
     topples | both          tan phi = [3d + (1 + 4d^2) tan a]/[3d tan a + 4 + d^2]
 
 The last two are where dynamics puts them, not statics: a block that slides is pushed less, and one that turns about its toe presses less on it. A run half a degree on
-either side of a border has to show the regime of that side.
+either side of a border must show the regime of that side.
 
 usage: topple_chart.py SCREE quick|full [WORK]
 """
@@ -26,9 +27,9 @@ import fos_cases  # noqa: E402
 SCREE = os.path.abspath(sys.argv[1])
 HEIGHT = 2.0  # of the block [m]
 TIME = 0.4  # of a run [s]
-SMALL = 2e-4  # slip [m] and turn times width [m]: what half a degree brings in that time is ten times as much, elastic settling a hundredth
-EARLY = 5e-3  # the regime is that of the beginning: a slender block that has turned far slides after all [m]
-PART = 0.02  # of the larger of the two, above which the smaller one counts; half a degree brings 0.05 and more
+SMALL = 2e-4  # slip [m] and turn times width [m]: half a degree causes ten times as much in that time, elastic settling a hundredth of it
+EARLY = 5e-3  # the regime is that of the beginning, since a slender block that has turned far finally slides [m]
+PART = 0.02  # fraction of the larger of the two above which the smaller one counts; half a degree causes 0.05 and more
 
 
 def critical_phi(d, a):
@@ -47,7 +48,7 @@ def regime(d, a, phi):
 
 
 def run(work, d, a, phi, method="dda"):
-    """What a block does from rest, in TIME."""
+    """Motion of a block from rest, in TIME."""
     width = d * HEIGHT
     text, _ = fos_cases.block_on_plane(width, HEIGHT, a, phi, young="50 GPa")
     text = text[: text.index("[[stage]]")]

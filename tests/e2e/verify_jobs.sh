@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `scree cases verify --jobs`: the same table as without, whatever fails.
+# `scree cases verify --jobs`: the same table as without --jobs, also when cases fail.
 # Usage: verify_jobs.sh SCREE SOURCE
 set -euo pipefail
 scree=$1 source=$2
@@ -9,7 +9,7 @@ fail() { echo "verify_jobs: FAILED: $*" >&2; exit 1; }
 export TMPDIR=$out/tmp SCREE_CASES=$out/cases OMP_NUM_THREADS=2
 mkdir -p "$out/tmp" "$out/cases"
 for name in toppling sdof onefold tunnels-staged compound-surface; do cp -r "$source/cases/$name" "$out/cases/$name"; done
-# One that needs cores to itself, so that it comes last, and one whose case cannot be read.
+# A study that requires cores of its own and therefore runs last, and one whose case cannot be read.
 sed -i '1i cores = 2' "$out/cases/onefold/expected.toml"
 cp -r "$out/cases/tunnels-staged" "$out/cases/broken"
 echo 'nonsense = 1' >>"$out/cases/broken/case.toml"
@@ -35,7 +35,7 @@ code=0
 "$scree" cases verify --jobs 0 sdof >/dev/null 2>"$out/usage.txt" || code=$?
 [ $code = 2 ] || fail "exit code $code for no jobs"
 
-# SIGTERM ends all of it.
+# SIGTERM ends the command and all its runs.
 "$scree" cases verify compound-surface tunnels-staged --jobs 2 >/dev/null 2>&1 &
 pid=$!
 sleep 0.5

@@ -1,6 +1,6 @@
-"""`scree view` attacked as a page, a program or a guest of this machine could: foreign Host and Origin, paths that climb,
-damaged requests by the ten thousand, WebSocket frames that break the protocol. The program must refuse each, give nothing
-of the file system away, and serve the next honest request.
+"""`scree view` under attacks that a web page, a program or another user of this machine could make: foreign Host and
+Origin, paths with `..`, tens of thousands of damaged requests, WebSocket frames that violate the protocol. The program
+must refuse each, disclose no file of the file system, and serve the next valid request.
 Usage: view_attack.py SCREE SOURCE [REQUESTS]    REQUESTS: damaged ones of each server, 10000
 """
 
@@ -17,7 +17,7 @@ import time
 
 SCREE, SOURCE = sys.argv[1:3]
 REQUESTS = int(sys.argv[3]) if len(sys.argv) > 3 else 10000
-SECRET = "root:x:0:0:"  # begins /etc/passwd, which no reply may hold
+SECRET = "root:x:0:0:"  # beginning of /etc/passwd, which no reply may contain
 GET = "GET {path} HTTP/1.1\r\nHost: {host}\r\n{more}\r\n"
 KEY = "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
 
@@ -29,7 +29,7 @@ def fail(text):
 
 
 class Server:
-    """`scree view` with the port that it prints."""
+    """A running `scree view`, with the port that it prints."""
 
     def __init__(self, *words):
         self.program = subprocess.Popen([SCREE, "view", *words], stdout=subprocess.PIPE, text=True)
@@ -56,7 +56,8 @@ class Server:
         return self.get(path, more=f"Upgrade: websocket\r\nConnection: Upgrade\r\n{KEY}{self.origin if origin is None else origin}")
 
     def ask(self, request, wait=3.0):
-        """Sends bytes, says that no more come, and gives all that is answered until the connection ends or time is up."""
+        """Sends bytes, closes the sending side, and returns the whole answer until the connection ends or the time
+        limit is reached."""
         if isinstance(request, str):
             request = request.encode("latin-1")
         with socket.create_connection(("127.0.0.1", self.port), timeout=wait) as s:
@@ -70,7 +71,8 @@ class Server:
 
     @staticmethod
     def rest(s, bytes_):
-        """Sends bytes, says that no more come, and gives what arrives until the connection ends or time is up."""
+        """Sends bytes, closes the sending side, and returns the received data until the connection ends or the time
+        limit is reached."""
         out = b""
         try:
             s.sendall(bytes_)
@@ -106,7 +108,7 @@ def code_of(reply):
 
 
 def frame(payload, opcode=1, masked=True, last=True, length=None, reserved=0):
-    """A WebSocket frame of a client, or what is none."""
+    """A WebSocket frame of a client, valid or not."""
     if isinstance(payload, str):
         payload = payload.encode()
     size = len(payload) if length is None else length
@@ -159,7 +161,7 @@ def attack_paths(server):
 
 
 def attack_socket(server):
-    """Frames that break the protocol or the rules: the connection ends; the server goes on."""
+    """Frames that violate the protocol or the limits: the connection is closed; the server continues."""
     cases = {
         "unmasked": frame("n", masked=False), "reserved bits": frame("n", reserved=7), "reserved opcode": frame("n", opcode=5), "text that is no UTF-8": frame(b"\xff\xfe\xfd"),
         "a message of 64 kB": frame("n" * 65000), "a claim of 2^62 bytes": frame("n", length=1 << 62), "a claim of 2^64 - 1 bytes": frame("n", length=(1 << 64) - 1),
@@ -238,7 +240,8 @@ def attack_random(server, count, has_socket):
 
 
 def attack_crowd(server):
-    """More connections than the server keeps, all silent; they are refused or left to wait, and the next page comes when they have gone."""
+    """More connections than the server keeps, all idle; they are refused or wait, and the next page is served when they
+    are closed."""
     crowd = [socket.create_connection(("127.0.0.1", server.port), timeout=5) for _ in range(400)]
     for s in crowd[::2]:
         s.sendall(b"GET / HT")
@@ -247,7 +250,7 @@ def attack_crowd(server):
         fail("the server ended in a crowd")
     for s in crowd:
         s.close()
-    for _ in range(50):  # the server sees one after the other that they have gone
+    for _ in range(50):  # the server detects one closed connection after the other
         if code_of(server.ask(server.get(more="Connection: close\r\n"))) == 200:
             break
         time.sleep(0.05)
@@ -262,7 +265,7 @@ def attack(server, has_socket):
         attack_socket(server)
     attack_random(server, REQUESTS, has_socket)
     attack_crowd(server)
-    # 127.0.0.1 alone: no other address of this machine is listened on.
+    # The server listens on 127.0.0.1 only, on no other address of this machine.
     listening = [line.split()[1] for table in ("tcp", "tcp6") for line in open(f"/proc/{server.program.pid}/net/{table}").readlines()[1:] if line.split()[3] == "0A"]
     mine = [a for a in listening if int(a.split(":")[1], 16) == server.port]
     if mine != [f"0100007F:{server.port:04X}"]:

@@ -1,5 +1,5 @@
 #!/bin/bash
-# `scree view --live` in a browser without a window, in a network namespace: nothing can reach another machine.
+# `scree view --live` in a browser without a window, in a network namespace from which no other machine can be reached.
 # Usage: view_live.sh SCREE SOURCE BUILD
 set -u
 [ $# = 3 ] || { echo "usage: $0 SCREE SOURCE BUILD"; exit 2; }
@@ -8,7 +8,7 @@ arguments=("$@")  # for the second start, inside the namespace
 scree=$1 source=$2 build=$3
 chromium=$(command -v chromium || command -v chromium-browser || true)
 [ -n "$chromium" ] || { echo "skipped: no Chromium here"; exit 77; }
-# Before the namespace: the packages may have to be fetched.
+# Before the namespace is entered, since the packages may have to be downloaded.
 # shellcheck source=tests/e2e/report_modules.sh
 . "$(dirname "$0")/report_modules.sh"
 viewer_modules "$source" "$build"

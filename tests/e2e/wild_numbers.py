@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""Wild but legal numbers: every number of sound small cases, one at a time, times powers of ten and at its bounds.
+"""Extreme but legal numbers: every number of valid small cases, one at a time, is multiplied by powers of ten and set
+to its bounds.
 
 Usage: wild_numbers.py SCREE [--full] [--case NAME] [--key TEXT] [--jobs N]
 
-Each run has to end with 0, 3 or 4 within the time and the memory below, an error of 3 with file:line:column and the key
-or with the time and the stage. A run that goes on has said how many steps it will take. Prints a table of those that do
-not. --full, or SCREE_FULL=1 in the environment: every power from 1e-9 to 1e9; otherwise one of them for every key, in turn, and the ends of cover_size.
+Each run must end with 0, 3 or 4 within the time and the memory below, an error of 3 with file:line:column and the key
+or with the time and the stage. A run that takes longer must have reported how many steps it will take. Prints a table
+of the runs that violate this. --full, or SCREE_FULL=1 in the environment: every power from 1e-9 to 1e9; otherwise one
+of them for every key, in turn, and the ends of cover_size.
 """
 import argparse
 import concurrent.futures
@@ -20,15 +22,15 @@ import time
 import tomllib
 
 MEMORY = 2 << 30       # bytes of address space
-TIME = 10.0            # s, in which a run has ended or has said what it does
-PATIENCE = 1.0         # s, after which one that has said so is stopped
+TIME = 10.0            # s, within which a run must have ended or reported its number of steps
+PATIENCE = 1.0         # s, after which a run that has reported it is stopped
 CASES = pathlib.Path(__file__).parent / "wild"
 BAD_CASE, NOT_CONVERGED = 3, 4
 SAID = re.compile(r"draw about \S+ lines|\d+ steps  \S+ steps/s|about \S+ of them|about \S+ elements")
 
 
 def numbers(tree, path=""):
-    """Keys of a case with the numbers they hold, as --set names them."""
+    """Keys of a case with their numbers, as --set names them."""
     items = tree.items() if isinstance(tree, dict) else enumerate(tree)
     for name, value in items:
         key = f"{path}.{name}" if path else str(name)
@@ -89,7 +91,7 @@ def limit():
 
 
 def attempt(scree, case, key, value, work):
-    """What is wrong with the run; empty: nothing."""
+    """Fault of the run; empty if there is none."""
     out = pathlib.Path(tempfile.mkdtemp(dir=work))
     log = out / "said"
     with open(log, "w") as said:

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Wrong case files as a user meets them: exit code 3, one error with place, allowed and hint, nothing written.
+# Wrong case files: exit code 3, one error with its place, the allowed values and a hint; nothing is written.
 # usage: wrong_cases.sh SCREE SOURCE_DIR
 set -u
 scree=$1

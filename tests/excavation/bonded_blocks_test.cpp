@@ -1,4 +1,5 @@
-// A disc is excavated from a ring of bonded blocks: the wall comes to the solution of Lame as the joints get stiffer.
+// A disc is excavated from a ring of bonded blocks: the displacement of the wall converges to the solution of Lame with
+// stiffer joints and smaller blocks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,10 +15,10 @@ namespace {
 using namespace coupling;
 
 constexpr double kIn = 1.0, kOut = 3.0, kStress = 1e5, kYoung = 2e9, kPoisson = 0.25;
-/// How the ring is cut. Triangles: quadrilaterals of one strain that are tied at both ends of every side lock.
+/// How the ring is cut. Triangles, since quadrilaterals of uniform strain tied at both ends of every side lock.
 struct Cut {
   int sectors, rings;
-  /// d, of the blocks at the wall [m].
+  /// Size d of the blocks at the wall [m].
   [[nodiscard]] double size() const { return 2.0 * std::numbers::pi * kIn / sectors; }
 };
 
@@ -28,7 +29,7 @@ Vec2 polar(const Cut& cut, double radius, int sector) {
   return r * Vec2(std::cos(angle), std::sin(angle));
 }
 
-/// Inward displacement of the wall by the excavation, of Lame's, for a stiffness k_n d/E of the joints.
+/// Inward displacement of the wall by the excavation over that of Lame, for joints of dimensionless stiffness k_n d/E.
 double wall_over_lame(const Cut& cut, double ratio) {
   Scene scene(kYoung, kPoisson, 2600.0);
   scene.model.gravity = {0.0, 0.0};
@@ -61,7 +62,7 @@ double wall_over_lame(const Cut& cut, double ratio) {
         }
       }
     }
-  // Two points of the outside that symmetry lets move straight in only.
+  // Points of the outer edge that move only radially by symmetry.
   const auto hold = [&](int s, bool fix_x) {
     for (std::size_t b = 1; b < scene.model.blocks.size(); ++b)
       for (const Vec2& x : scene.model.blocks[b].polygon.outer)
@@ -105,8 +106,8 @@ double wall_over_lame(const Cut& cut, double ratio) {
 }
 
 TEST(Excavation, bonded_blocks_come_to_lame_as_their_joints_get_stiffer) {
-  // A joint gives way by p/k_n where the blocks of either side do by p d/E: u = u_limit + c E/(k_n d). The limit is
-  // that of elements of constant strain, which comes to Lame as they get smaller.
+  // A joint closes by p/k_n where its blocks shorten by p d/E: u = u_limit + c E/(k_n d). The limit is that of elements
+  // of constant strain, which converges to Lame with smaller elements.
   const Cut coarse{24, 8}, fine{48, 16};
   const std::vector<double> ratios = {3.0, 10.0, 30.0, 100.0, 300.0};
   std::vector<double> found;
@@ -120,7 +121,7 @@ TEST(Excavation, bonded_blocks_come_to_lame_as_their_joints_get_stiffer) {
   std::printf("  limit  %.4f; %.4f of %d blocks\n", of_coarse, of_fine, 2 * fine.sectors * fine.rings + 1);
   EXPECT_GT(slope, 0.0);
   EXPECT_NEAR(found[2], of_coarse + slope / ratios[2], 1e-3);
-  EXPECT_NEAR(found[1], of_coarse + slope / ratios[1], 5e-3);  // the next power of E/(k_n d) begins to show
+  EXPECT_NEAR(found[1], of_coarse + slope / ratios[1], 5e-3);  // the next power of E/(k_n d) contributes
   EXPECT_NEAR(of_fine, 1.0, 0.01);
   EXPECT_LT(std::abs(of_fine - 1.0), 0.5 * std::abs(of_coarse - 1.0));
 }

@@ -1,4 +1,5 @@
-// A column under its weight: the block that held it gives way to a compliant base, and its reaction is kept.
+// A column under its weight: a compliant base replaces the block that held it, whose reaction is kept. The column must
+// neither sink nor reflect waves at its base, and its top must have twice the upgoing velocity (theory of the rod).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,11 +28,11 @@ GroundMotion pulse(double factor) {
   return {t, a, Vec2(0.0, 1.0), setting};
 }
 
-/// Without Poisson's effect a vertical motion is a pressure wave of sqrt(E/rho) between free sides.
+/// With Poisson's ratio 0 a vertical motion between free sides is a pressure wave of speed sqrt(E/rho).
 class KeptReactions : public testing::TestWithParam<Integrator> {
  protected:
   struct Found {
-    double settled = 0.0, top = 0.0, left = 0.0, sunk = 0.0;  // of the top: [m], [m/s], [m/s], [m]
+    double settled = 0.0, top = 0.0, left = 0.0, sunk = 0.0;  // of the top [m], [m/s], [m/s], [m]
   };
   struct Look final : Sink {
     void history(const HistoryView& h) override {
@@ -47,7 +48,7 @@ class KeptReactions : public testing::TestWithParam<Integrator> {
     double begin = 0.0, over = 0.0;
     Found found;
   };
-  /// @param factor  of the pulse
+  /// @param factor  scale of the pulse
   Found run(double factor) const {
     Scene scene(kYoung, 0.0, kDensity);
     scene.model.gravity = {0.0, -9.81};
@@ -81,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Excavation, KeptReactions, testing::Values(Integrator::
 
 TEST_P(KeptReactions, column_neither_sinks_nor_reflects_and_its_top_has_twice_the_upgoing_velocity) {
   const Found still = run(0.0), shaken = run(1.0);
-  const double weight = kDensity * 9.81 * kHeight,  // sinks on dashpots alone at weight over rho c
+  const double weight = kDensity * 9.81 * kHeight,  // on dashpots alone it sinks at weight over rho c
       sinks = weight / std::sqrt(kYoung * kDensity) * (2.0 * kHeight / std::sqrt(kYoung / kDensity) + 1.6 * kPulse);
   std::printf("sunk %.2e m of %.3f m on dashpots alone; top %.4f of the upgoing wave, left %.5f\n", still.sunk, sinks,
               shaken.top / kSpeed, shaken.left / kSpeed);

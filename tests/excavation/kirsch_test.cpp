@@ -1,4 +1,5 @@
-// A disc is excavated from a square under in-situ stress of two principal values: against the solution of Kirsch.
+// A disc is excavated from a square with unequal principal in-situ stresses: displacements and stresses against the
+// solution of Kirsch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +18,7 @@ using namespace coupling;
 constexpr double kRadius = 1.0, kHalf = 20.0, kStress = 4e6, kRatio = 0.5, kYoung = 10e9, kPoisson = 0.25;
 constexpr int kCorners = 64;
 
-/// Displacement that an excavation brings to a point, plane strain, p upright and K p level, angle from the level:
+/// Displacement of a point by the excavation, plane strain, p vertical and K p horizontal, angle from the horizontal:
 ///   u_r = -p a^2/(4 G r) [(1 + K) - (1 - K)(4 (1 - nu) - a^2/r^2) cos 2t],
 ///   u_t = -p a^2/(4 G r) (1 - K)(2 (1 - 2 nu) + a^2/r^2) sin 2t.
 /// @source [Timoshenko1951], chapter 4 (Kirsch), less the displacements without the hole
@@ -29,7 +30,7 @@ Vec2 kirsch(const Vec2& x) {
   return ur * x / r + ut * quarter_turn() * x / r;
 }
 
-/// Stress at a point of an axis: along it, and across it.
+/// Stress at a point of an axis: component along the axis (radial) and across it (hoop).
 Vec2 kirsch_stress(double r, bool upright) {
   const double a2 = kRadius * kRadius / (r * r), c = upright ? -1.0 : 1.0;  // cos 2t
   const double mean = 0.5 * kStress * (1.0 + kRatio), half = 0.5 * kStress * (1.0 - kRatio);
@@ -52,7 +53,7 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
   InitialStress in_situ;
   in_situ.stress = Vec2(-kRatio * kStress, -kStress).asDiagonal();
   scene.model.materials[0].initial_stress = in_situ;
-  JointLaw& joint = scene.model.joints[0];  // the disc has grown into the rock
+  JointLaw& joint = scene.model.joints[0];  // the disc is bonded to the rock
   joint.normal_stiffness = 1000.0 * kYoung / kRadius;
   joint.cohesion = joint.residual_cohesion = joint.tensile_strength = 1e12;
   const BlockId rock =
@@ -63,7 +64,7 @@ TEST(Excavation, circle_in_a_square_under_two_stresses_moves_and_bears_as_kirsch
     const Vec2 d = (outer[static_cast<std::size_t>(e + 1) % 4] - outer[static_cast<std::size_t>(e)]).normalized();
     scene.model.tractions.push_back({{rock, {0, e}, 0.0, 1.0}, in_situ.stress * Vec2(d.y(), -d.x()), FunctionId{}});
   }
-  // Points that symmetry keeps in place: they carry nothing.
+  // Supports where symmetry prevents the motion anyway: they carry no force.
   scene.model.point_supports.push_back({rock, {0.0, kHalf}, true, false, 1e9});
   scene.model.point_supports.push_back({rock, {0.0, -kHalf}, true, false, 1e9});
   scene.model.point_supports.push_back({rock, {kHalf, 0.0}, false, true, 1e9});

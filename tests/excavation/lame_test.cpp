@@ -1,4 +1,4 @@
-// A disc is excavated from a ring under in-situ stress: the wall against the solution of Lame for the same ring.
+// A disc is excavated from a ring under in-situ stress: displacement of the wall against the solution of Lame.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,16 +25,15 @@ struct Look final : Sink {
       const Vec2 x(h.position[2 * k], h.position[2 * k + 1]), u(h.displacement[2 * k], h.displacement[2 * k + 1]);
       sum -= u.dot((x - u).normalized()) / 8.0;
     }
-    inward[std::lround(h.time)] = sum;  // a stage that ends and the next that begins have one each
+    inward[std::lround(h.time)] = sum;  // one entry for the end of a stage and the start of the next
   }
   std::map<long, double> inward;  // by time [s]
 };
 
 TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_released) {
-  // In-situ stress -p everywhere, p on the outside; the disc leaves, and (1 - lambda) of what it bore stands in:
+  // In-situ stress -p everywhere, pressure p outside; the disc is removed and (1 - lambda) of its force is kept:
   //   u(a) = -lambda p_i a (1 + nu)/E [(1 - 2 nu) a^2 + b^2]/(b^2 - a^2), plane strain.
-  // The joint between them, of stiffness k_n a = 1000 E, has given way under p before that by p/k_n: p_i is 1e-3 less
-  // than p.
+  // The joint between disc and rock, of stiffness k_n a = 1000 E, has closed before by p/k_n: p_i is 1e-3 less than p.
   Scene scene(kYoung, kPoisson, 2600.0);
   scene.model.gravity = {0.0, 0.0};
   InitialStress in_situ;
@@ -49,7 +48,7 @@ TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_
     const Vec2 d = (r[(i + 1) % r.size()] - r[i]).normalized();
     scene.model.tractions.push_back({{rock, {0, e}, 0.0, 1.0}, -kStress * Vec2(d.y(), -d.x()), FunctionId{}});
   }
-  // No reaction: what keeps it from floating, and from turning away under loads that keep their direction.
+  // Supports without reaction: they prevent drift, and rotation under loads of fixed direction.
   scene.model.point_supports.push_back({rock, {-2.0, 0.0}, false, true, 1e9});
   scene.model.point_supports.push_back({rock, {2.0, 0.0}, false, true, 1e9});
   scene.model.point_supports.push_back({rock, {0.0, 2.0}, true, false, 1e9});
@@ -57,7 +56,7 @@ TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_
     const double angle = std::numbers::pi / 4.0 * k + 0.1;
     scene.model.monitors.push_back({"wall", rock, 1.0005 * kIn * Vec2(std::cos(angle), std::sin(angle))});
   }
-  // What each stage has released where it ends; -1: the disc is there.
+  // Fraction released at the end of each stage; -1: the disc is present.
   const std::vector<double> released = {-1.0, 0.0, 0.5, 1.0};
   for (const double part : released) {
     Stage& stage = scene.stage("nmm", Integrator::implicit, 3.0, 0.5, kCover);
@@ -80,7 +79,7 @@ TEST(Excavation, wall_of_a_disc_that_leaves_moves_in_as_lame_says_at_every_part_
   std::printf("inward before %.3e, held %.3e, half %.6f, whole %.6f of %.6f m: %.4f %.4f of Lame\n", before,
               at_end(1) - before, at_end(2) - before, at_end(3) - before, whole, (at_end(2) - before) / (0.5 * whole),
               (at_end(3) - before) / whole);
-  EXPECT_LT(std::abs(at_end(1) - before), 1e-6 * whole);  // the forces that stand in are those of the contacts
+  EXPECT_LT(std::abs(at_end(1) - before), 1e-6 * whole);  // the kept forces equal those of the contacts
   EXPECT_NEAR((at_end(2) - before) / (0.5 * whole), 1.0, 0.01);
   EXPECT_NEAR((at_end(3) - before) / whole, 1.0, 0.01);
   const Ledger& ledger = run.state().ledger;

@@ -1,4 +1,4 @@
-// What a floor bears while a surcharge leaves and comes, by every scheme.
+// Load of a floor while a surcharge is removed, released and placed again, by every scheme: against the weights.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ double borne(const State& state, BlockId floor) {
   return sum;
 }
 
-/// What the floor bears where each stage ends.
+/// Load of the floor at the end of each stage.
 struct AtEnds final : Sink {
   explicit AtEnds(const Driver& run, BlockId floor) : run_(&run), floor_(floor) {}
   void event(const Event& e) override {
@@ -89,7 +89,7 @@ TEST_P(Construct, floor_bears_what_is_there_and_what_is_not_released) {
 }
 
 TEST(ConstructSupports, support_of_a_block_that_comes_back_is_free_of_force) {
-  // A hand-over has moved the anchor of the support, so that its force stayed.
+  // The transfer from NMM to DDA has moved the anchor of the support so that its force was kept.
   Scene scene(1e7, 0.2, kDensity);
   scene.model.gravity = {0.0, -kGravity};
   scene.add("floor", rectangle(-1.0, -1.0, 3.0, 0.0), true);
@@ -110,7 +110,7 @@ TEST(ConstructSupports, support_of_a_block_that_comes_back_is_free_of_force) {
     void history(const HistoryView& h) override {
       held[std::lround(h.time)].push_back((*h.ledger)[Column::support_springs]);
     }
-    std::map<long, std::vector<double>> held;  // by time [s]: before and after what changes between stages
+    std::map<long, std::vector<double>> held;  // by time [s]: before and after the changes between stages
   } look;
   Driver run(scene.model, scene.plan, methods());
   run.add_sink(look);

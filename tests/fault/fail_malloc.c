@@ -1,6 +1,5 @@
-/* Preloaded: the allocation of number FAIL_MALLOC_AT, counted from 1, fails; and all that follow where FAIL_MALLOC_ALL
-   is set. FAIL_MALLOC_COUNT names a file that takes how many there were; with FAIL_MALLOC_TRACE standard error has the
-   calls that lead to the one that fails. */
+/* Preloaded: the allocation of number FAIL_MALLOC_AT, counted from 1, fails. FAIL_MALLOC_COUNT names a file for the number of allocations; with FAIL_MALLOC_TRACE the calls that lead
+   to the failing allocation are written to standard error. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -21,7 +20,7 @@ __attribute__((constructor)) static void begin(void) {
   const char* text = getenv("FAIL_MALLOC_AT");
   trace = getenv("FAIL_MALLOC_TRACE") != NULL;
   void* here[1];
-  if (trace) backtrace(here, 1); /* loads what it needs */
+  if (trace) backtrace(here, 1); /* loads the library that backtrace() needs */
   atomic_store(&made, 0);
   atomic_store(&at, text ? atol(text) : 0);
 }

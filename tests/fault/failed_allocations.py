@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""One allocation of a run fails, another one each time: the run must end with exit code 1 or 5, or with whole results.
+"""One allocation fails in each run: the run must end with exit code 1 or 5, or with 0 and complete results.
 
 Usage: failed_allocations.py SCREE [--full | --at N [N ...]]
-A sample over the whole run by default; --full takes each of the first 2,000 and 500 later ones.
+The default tests a sample of allocations of the whole run; --full tests each of the first 2,000 and 500 later ones.
 """
 import collections
 import os

@@ -1,4 +1,4 @@
-// Sides beside level ground: waves from below go up undistorted next to them, and what a slope scatters leaves.
+// Free-field sides against level ground: waves from below rise undistorted along them, scattered waves leave.
 #include "model/free_field.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ GroundMotion pulse(bool shear) {
   return {t, a, shear ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0), setting};
 }
 
-/// Ground from y = 0 up, its surface at the heights of its left and right sides, a slope between them.
+/// Ground above y = 0; its surface is level at the heights of the left and right sides, with a slope between them.
 struct Ground {
   double width = 8.0, left = 8.0, right = 8.0, toe = 0.0, crest = 0.0;
   [[nodiscard]] Polygon polygon() const {
@@ -81,7 +81,7 @@ struct Shaken : Scene {
   void monitor(double x, double y) {
     model.monitors.push_back({"m" + std::to_string(model.monitors.size()), block, {x, y}});
   }
-  /// The last stage, and the ground beside its sides if they have some.
+  /// Adds the last stage, and the free field beside the sides if they have one.
   void go(Integrator integrator, double duration, double cover = 0.5, bool rigid = false) {
     Stage& s = stage("nmm", integrator, duration, std::nullopt, cover);
     const auto last = static_cast<std::int32_t>(model.blocks[0].polygon.outer.size()) - 1;
@@ -94,8 +94,8 @@ struct Shaken : Scene {
   }
 };
 
-/// The largest difference of a monitor's velocity from that of a free surface at its height, as a part of the largest
-/// of that; and the same of the largest velocity alone.
+/// Largest difference of each monitor's velocity from that of a free surface at its height, over the largest velocity
+/// of that surface; and the largest velocity of each monitor over the same.
 struct Look final : Sink {
   explicit Look(const Shaken& of, std::vector<double> heights, double until = 1e9)
       : shaken(&of), height(std::move(heights)), end(until), error(height.size(), 0.0), peak(height.size(), 0.0) {}
@@ -130,7 +130,7 @@ const char* name_of(Sides sides) {
   return "free field";
 }
 
-/// Level ground: over the surface from the side to the middle.
+/// Results for level ground: extremes over the monitors on the surface, from the sides to the middle.
 struct Level {
   double error = 0.0, low = 1.0, high = 0.0, closure = 0.0;
 };
@@ -172,7 +172,7 @@ TEST_P(FreeFieldLevel, wave_goes_up_undistorted_up_to_the_sides) {
   EXPECT_LT(found.closure, 1e-12);
 }
 
-// The left half by explicit steps, the right one by implicit ones: a block that is divided.
+// A divided block: its left half takes explicit steps, its right half implicit steps.
 TEST(FreeFieldPartitioned, wave_goes_up_undistorted_on_both_sides) {
   const Ground ground;
   Shaken shaken(ground, true, Sides::ground);
@@ -202,7 +202,7 @@ TEST_P(FreeFieldWaves, sides_without_the_ground_beside_them_distort_it) {
   EXPECT_GT(level(Integrator::explicit_, GetParam(), Sides::viscous, 0.5).error, 0.2);
 }
 
-// At a step so small that the half step by which explicit dashpots lag does not count.
+// The step is so small that the lag of explicit dashpots, half a step, is negligible.
 TEST_P(FreeFieldWaves, error_falls_with_the_square_of_the_covers) {
   const double coarse = level(Integrator::explicit_, GetParam(), Sides::ground, 1.0, 1e-5).error,
                fine = level(Integrator::explicit_, GetParam(), Sides::ground, 0.5, 1e-5).error;
@@ -210,10 +210,10 @@ TEST_P(FreeFieldWaves, error_falls_with_the_square_of_the_covers) {
   EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
 
-/// A slope of 3 m: far from it both sides move as level ground does until what it scatters arrives.
+/// A slope of 3 m: far from it both sides move as level ground does until the scattered waves arrive.
 struct Slope {
   std::vector<double> far;  // largest difference at the left and the right side
-  double left_over = 0.0;   // energy held at the end, of what the wave brought
+  double left_over = 0.0;   // energy held at the end over the energy that the wave brought
   double closure = 0.0;
 };
 Slope slope(Integrator integrator, Sides sides, double duration) {
@@ -222,7 +222,7 @@ Slope slope(Integrator integrator, Sides sides, double duration) {
   shaken.monitor(0.0, ground.left);
   shaken.monitor(ground.width, ground.right);
   shaken.go(integrator, duration, 0.6);
-  // The toe is reached after left/c_s, and pressure waves from it come to the sides not before this.
+  // The wave reaches the toe after left/c_s; pressure waves from the toe reach the sides at this time or later.
   const double scattered = ground.left / wave_speed(true) + ground.toe / wave_speed(false);
   Look look(shaken, {ground.left, ground.right}, scattered);
   Driver run(shaken.model, shaken.plan, methods());
@@ -245,7 +245,7 @@ TEST(FreeFieldSlope, sides_move_as_level_ground_and_scattered_waves_leave) {
   EXPECT_LT(open.left_over, 0.2 * held.left_over);
 }
 
-/// A slope with weight, at rest between blocks that are held; they leave as the wave begins, and their reactions stay.
+/// A slope with weight, at rest between held blocks that are removed as the wave begins; their reactions are kept.
 struct Heavy {
   double still = 0.0, far = 0.0, closure = 0.0;
 };
@@ -333,7 +333,7 @@ TEST_P(FreeFieldBits, go_on_from_a_checkpoint_and_do_not_depend_on_threads) {
   EXPECT_EQ(hash[0], hash[1]);
 }
 
-/// Level ground bonded to a block that is shaken: the ground beside it stands on a rigid base.
+/// Level ground bonded to a shaken block: the free field beside it stands on a rigid base.
 TEST(FreeFieldRigidBase, ground_moves_as_the_layer_beside_it_through_reflections) {
   const Ground ground;
   for (const Sides sides : {Sides::ground, Sides::viscous}) {
@@ -344,13 +344,13 @@ TEST(FreeFieldRigidBase, ground_moves_as_the_layer_beside_it_through_reflections
     JointLaw& law = shaken.model.joints[0];
     law.cohesion = 1e9;
     law.tensile_strength = 1e9;
-    law.normal_stiffness = law.shear_stiffness = 1e11;  // 500 times a cover of ground
+    law.normal_stiffness = law.shear_stiffness = 1e11;  // 500 times the stiffness of a cover of ground
     for (const double x : {0.0, 4.0, 8.0}) shaken.monitor(x, ground.left);
     const double travel = ground.left / wave_speed(true);
     shaken.go(Integrator::implicit, 5.0 * travel + kPulse, 0.5, true);
     struct Reflections final : Sink {
       void history(const HistoryView& h) override {
-        // The free top: twice the wave that comes up, and what the base sends back of it with the other sign.
+        // Velocity of the free top: twice the upgoing wave, then its reflections at the base with alternating sign.
         double free = 0.0, sign = 2.0;
         for (int k = 0; k < 4; ++k, sign = -sign) free += sign * pulse_at(h.time - (2 * k + 1) * travel);
         for (std::size_t k = 0; k < 3; ++k)

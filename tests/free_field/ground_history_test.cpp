@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDensity = 2000.0, kHeight = 8.0, kBottom = -3.0, kStart = 0.07;
 
-/// A record of a swell and a ripple, 100 samples a second, which ends at rest no more than it has to.
+/// A slow and a fast oscillation, 100 samples per second; the acceleration ends at zero, the velocity need not.
 GroundMotion record(const Vec2& direction, Between between = Between::linear) {
   std::vector<double> t, a;
   for (int i = 0; i <= 30; ++i) {
@@ -36,7 +36,7 @@ Scene ground(const GroundMotion& motion) {
   return scene;
 }
 
-/// A string of cells: what goes up and down moves on by one cell in the time of a wave through it, unchanged.
+/// A string of cells: upgoing and downgoing waves advance unchanged by one cell per travel time through a cell.
 struct String {
   static constexpr int kCells = 96;
   const GroundMotion* motion;
@@ -122,7 +122,7 @@ TEST(FreeFieldSides, have_dashpots_and_tractions_over_their_whole_length) {
     EXPECT_LE(scene.model.functions[t.function.index()].end(), kStart + 0.9);
     length += t.span.s1 - t.span.s0;
   }
-  EXPECT_NEAR(length, 4.0, 1e-12);  // velocity and stress, of x and of y
+  EXPECT_NEAR(length, 4.0, 1e-12);  // velocity and stress, along x and y
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Case files: text to model and plan, through cutting, checks and estimates of meshes.
+// Case files: from text to model and plan, including cutting, checks and estimates of meshes.
 #include "io/case/read_case.h"
 #include "tests/fuzz/harness.h"
 

@@ -1,4 +1,4 @@
-// Checkpoints: what stands between their head and their digest, which are put right around every input.
+// Checkpoints: the input is the data between head and digest; both are corrected for every input.
 #include <unistd.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ constexpr std::string_view kMagic = "SCREE-CP";  // checkpoint_file.h
 constexpr std::size_t kHead = kMagic.size() + 4 + 4 + 8, kDigest = 64;
 
 std::filesystem::path scratch() {
-  const std::filesystem::path memory = "/dev/shm";  // where the machine has that
+  const std::filesystem::path memory = "/dev/shm";  // where the machine has it
   return (std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) /
          ("scree-fuzz-checkpoint-" + std::to_string(getpid()));
 }

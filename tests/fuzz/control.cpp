@@ -1,4 +1,4 @@
-// The gate of control: commands one after another, their CRCs put right, while the clocks go on.
+// The gate of control: commands one after another, with corrected CRCs, while the clocks advance.
 #include <cstdlib>
 #include <cstring>
 
@@ -11,7 +11,7 @@ namespace scree::fuzz {
 namespace {
 
 constexpr std::int64_t kSession = 1000, kNow = 2'000'000'000;
-constexpr std::size_t kHead = 4;  // of a command in an input: CRC put right or not, time since the last [0.1 s], length
+constexpr std::size_t kHead = 4;  // of a command in an input: CRC corrected or not, time since the last [0.1 s], length
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void take(std::span<const std::uint8_t> input) {
     if (input[0] % 8 != 7 && bytes.size() >= 4) io::write_crc(bytes);
     input = input.subspan(kHead + size);
     const auto verdict = gate.take(bytes, kNow + static_cast<std::int64_t>(1e6 * now), now);
-    // What is let through is a command that may be carried out, and twice is not once.
+    // An accepted command must be valid, and the gate must not accept it twice.
     if (verdict.command) {
       if (!io::control_value_error(verdict.command->verb, verdict.command->value).empty()) std::abort();
       const auto again = gate.take(bytes, kNow + static_cast<std::int64_t>(1e6 * now), now);

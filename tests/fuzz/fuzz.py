@@ -18,7 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 BUILD = ROOT / "build/fuzz/tests/fuzz"
 ALL = ["control", "live", "checkpoint", "records", "case"]
-LONGEST = {"records": 4096, "case": 8192}  # bytes of an input; 65,536 of the others
+LONGEST = {"records": 4096, "case": 8192}  # bytes of an input; 65,536 for the other harnesses
 
 
 def main():

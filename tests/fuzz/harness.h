@@ -1,5 +1,5 @@
-// What every harness of this folder gives: one input after another, and inputs to begin with. replay.cpp and libFuzzer
-// (preset fuzz) drive them.
+// Interface of every harness of this folder: it processes one input at a time and provides seeds. replay.cpp and
+// libFuzzer (preset fuzz) drive the harnesses.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@ namespace scree::fuzz {
 
 using Input = std::vector<std::uint8_t>;
 
-/// Gives an input to what is tried. Returns where it was read or refused as its interface says; anything else (another
-/// exception, a signal, a sanitizer) is a fault.
+/// Passes an input to the code under test. Returns if the input was read, or refused as the interface documents;
+/// anything else (another exception, a signal, a sanitizer) is a fault.
 void take(std::span<const std::uint8_t> input);
 
-/// Sound inputs, made by the program of today.
+/// Valid inputs, made by the current program.
 [[nodiscard]] std::vector<Input> seeds();
 
-/// Files of a folder of the project and those below it, with one of these endings.
+/// Contents of the files with one of these endings in a folder of the project and its subfolders.
 [[nodiscard]] std::vector<Input> files_of(const std::string& folder, const std::vector<std::string>& endings);
 
-/// A message as it stands in an input of several: two bytes for the harness, its length (16 bits, low byte first),
-/// itself.
+/// A message in the format of an input that contains several: two bytes for the harness, the length of the message
+/// (16 bits, low byte first), the message.
 [[nodiscard]] inline Input message(std::uint8_t first, std::uint8_t second, std::span<const std::uint8_t> bytes) {
   Input out = {first, second, static_cast<std::uint8_t>(bytes.size() & 0xFFU),
                static_cast<std::uint8_t>(bytes.size() >> 8U)};

@@ -1,5 +1,5 @@
-// libFuzzer's side of a harness (preset fuzz). With SCREE_SEEDS=FOLDER in the environment: writes the seeds there and
-// ends.
+// libFuzzer's side of a harness (preset fuzz). With SCREE_SEEDS=FOLDER in the environment it writes the seeds
+// there and ends.
 #include <cstdlib>
 #include <fstream>
 

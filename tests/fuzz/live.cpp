@@ -1,4 +1,4 @@
-// What a viewer hears: messages one after another, their CRCs put right so that the decoders see them.
+// Messages that a viewer receives, one after another, with corrected CRCs so that they reach the decoders.
 #include "io/live/channel.h"
 #include "io/live/decode.h"
 #include "tests/fuzz/harness.h"
@@ -8,7 +8,7 @@ namespace scree::fuzz {
 namespace {
 
 constexpr std::int64_t kNow = 1'800'000'000'000'000;  // [us since 1970]
-constexpr std::size_t kHead = 4;                      // of a message in an input: kind, CRC put right or not, length
+constexpr std::size_t kHead = 4;                      // of a message in an input: kind, CRC corrected or not, length
 
 }  // namespace
 

@@ -12,13 +12,13 @@
 namespace scree::fuzz {
 namespace {
 
-/// In memory where the machine has that.
+/// A folder in memory where the machine has one.
 std::filesystem::path folder() {
   const std::filesystem::path memory = "/dev/shm";
   return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
 }
 
-/// A file of this process.
+/// A scratch file of this process.
 const std::filesystem::path& scratch() {
   struct File {
     std::filesystem::path path = folder() / ("scree-fuzz-" + std::to_string(getpid()));

@@ -1,5 +1,5 @@
 // A harness without libFuzzer, for every compiler: the seeds, the kept corpus, and changes of them for some seconds.
-// An input that ends the program, or takes longer than 20 s, is written to fuzz-fault before it does.
+// An input that crashes the program, or takes longer than 20 s, is written to fuzz-fault first.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ extern "C" void write_input(int signal) {
   std::raise(signal);
 }
 
-/// Small changes of one input, or one with a piece of another.
+/// Small changes of one input, or an input that contains a piece of another.
 class Mutator {
  public:
   Mutator(const std::vector<Input>& seeds, std::uint64_t start) : seeds_(seeds), random_(start) {}
@@ -65,12 +65,12 @@ class Mutator {
       case 2:
         x.erase(x.begin() + a, x.begin() + std::min<std::ptrdiff_t>(b, a + 64));
         break;
-      case 3: {  // a piece once more, elsewhere
+      case 3: {  // a copy of a piece at another place
         const Input piece(x.begin() + a, x.begin() + std::min<std::ptrdiff_t>(b, a + 256));
         x.insert(x.begin() + at(), piece.begin(), piece.end());
         break;
       }
-      case 4: {  // a piece of another
+      case 4: {  // a piece of another input
         const Input& other = seeds_[below(seeds_.size())];
         const auto from = static_cast<std::ptrdiff_t>(below(other.size() + 1)),
                    to = std::min<std::ptrdiff_t>(std::ssize(other), from + 1 + static_cast<std::ptrdiff_t>(below(256)));
@@ -82,14 +82,14 @@ class Mutator {
         x.insert(x.begin() + a, text.begin(), text.end());
         break;
       }
-      case 6: {  // a number of text becomes another
+      case 6: {  // a number in text is replaced by another
         const auto digit = [](std::uint8_t c) { return c >= '0' && c <= '9'; };
         const auto first = std::find_if(x.begin() + a, x.end(), digit), last = std::find_if_not(first, x.end(), digit);
         const std::string_view text = kTexts[below(6)];
         if (first != x.end()) x.insert(x.erase(first, last), text.begin(), text.end());
         break;
       }
-      case 7: {  // a number of bytes becomes another
+      case 7: {  // a binary number is replaced by another
         const std::size_t size = std::size_t{1} << below(4);
         const std::int64_t value = kNumbers[below(kNumbers.size())];
         if (x.size() >= size) std::memcpy(x.data() + below(x.size() - size + 1), &value, size);

@@ -1,4 +1,4 @@
-// A liner by itself: its forms and tangent against finite differences, what moves with it, what it pushes.
+// The law of a single liner: forms and tangent against finite differences, rigid motions, balance of its forces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct Wall {
   }
 };
 
-/// Moves every number of the bodies by as much as told.
+/// Changes every unknown of the bodies at random, by at most `most`.
 void shake(State& state, Random& random, double most) {
   for (double& x : state.q) x += draw(random, most);
 }
@@ -78,7 +78,7 @@ TEST(LinerLaw, forms_of_lengths_and_turns_are_their_derivatives) {
   }
 }
 
-/// Elastic energy of the liner where bodies are at q, installed as it was in `memory`.
+/// Elastic energy of the liner with the bodies at q, from the state `memory` of its installation.
 double energy_at(const Model& model, const BoltRows& rows, const BoltMemory& memory, std::span<const double> q,
                  BoltMemory* out = nullptr) {
   BoltShape shape;
@@ -224,7 +224,7 @@ TEST(LinerLaw, a_broken_bar_bears_neither_thrust_nor_moment_and_its_plastic_work
   for (std::size_t s = 0; s < lengths.size(); ++s) EXPECT_EQ(broken.broken[s], s == 4 ? 1 : 0);
   EXPECT_EQ(broken.force[4], 0.0);
   for (std::size_t c = 0; c < shears.size(); ++c)
-    EXPECT_EQ(broken.shear[c] == 0.0, c == 3 || c == 4) << c;  // at either end of it
+    EXPECT_EQ(broken.shear[c] == 0.0, c == 3 || c == 4) << c;  // at both ends of the broken bar
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Liners through a whole run: momenta, energies, going on from a checkpoint, partitioned stages, rupture, the bound.
+// Liners in complete runs: momenta, energies, restart from a checkpoint, partitioned stages, rupture, the step bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST_P(LinerRuns, momenta_stay_and_the_ledger_closes) {
   std::printf("%s: momentum off by %.1e, angular by %.1e\n", GetParam().name().c_str(),
               (momentum - first).norm() / first.norm(), turn / first_turn - 1.0);
   EXPECT_LT((momentum - first).norm(), 1e-9 * first.norm());
-  // Implicit steps take the directions of their start: moments to first order in the step.
+  // Implicit steps use the directions at their start: the angular momentum is kept to first order in the step.
   EXPECT_NEAR(turn / first_turn, 1.0, GetParam().is_explicit() ? 1e-9 : 2e-3);
   EXPECT_GT(scene.memory().energy, 0.0);
 }
@@ -87,7 +87,7 @@ TEST_P(LinerRuns, tears_where_it_crosses_the_joint_and_tells) {
   scene.expect_closed();
 }
 
-/// One block explicit, the other implicit, both, or none: the same motion.
+/// One of the blocks explicit, the other, both or none: the motion is the same.
 TEST(LinerStages, partitioned_stage_moves_as_others_do) {
   std::vector<double> moved;
   for (const int sides : {0, 1, 2, 3}) {
@@ -118,7 +118,7 @@ TEST(LinerStages, thrust_and_moments_stay_where_blocks_change_method) {
   scene.expect_closed();
 }
 
-/// Steps of explicit stages that the bound chooses stay below the limit, in bending alone and in stretch.
+/// Explicit steps chosen by the bound stay below the limit of stability, for bending alone and for stretch.
 TEST(LinerBound, counts_stretch_and_bending) {
   const auto step_of = [](double stiffness, double bending) {
     Lined scene(30.0, 1e7);

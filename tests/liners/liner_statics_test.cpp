@@ -1,4 +1,4 @@
-// Liners against statics: a bar, a beam, a lined hole, a block that hangs.
+// Liners against closed-form statics: a bar, a beam, a lined hole, a hanging block.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,18 +13,18 @@ namespace {
 
 using namespace coupling;
 
-constexpr double kPart = 5e-3;  // of statics: runs to rest, rock that is stiff but not rigid
+constexpr double kPart = 5e-3;  // relative to statics: runs to rest, and rock that is stiff but not rigid
 
 class Liners : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(All, Liners, testing::ValuesIn(kWays), [](const auto& of) { return of.param.name(); });
 
-/// Where the liner has a node now.
+/// Current position of a node of the liner.
 Vec2 node_at(const Driver& run, std::size_t node) {
   return position(bolt_rows(run.setup(), run.state(), 0).row[node], run.state().q);
 }
 
 TEST_P(Liners, two_blocks_joined_by_a_liner_part_by_its_stretch) {
-  // Pulled along the liner: N over EA/h of the one bar between the blocks.
+  // Pull along the liner: the blocks part by N/(EA/h), the stretch of the one bar between them.
   Lined scene;
   scene.model.gravity = {0.0, 0.0};
   scene.add("wall", rectangle(-2, 0, 0, 1), true);
@@ -33,7 +33,7 @@ TEST_P(Liners, two_blocks_joined_by_a_liner_part_by_its_stretch) {
   scene.model.point_loads.push_back({block, {1.5, 1.0}, {force, 0.0}, FunctionId{}});
   const Bolt b = lining({{-1.0, 1.0}, {2.0, 1.0}}, 0.5);
   scene.line(b);
-  scene.rest(GetParam(), GetParam().is_explicit() ? 5.0 : 50.0, 1.0);  // it rocks at 16 rad/s
+  scene.rest(GetParam(), GetParam().is_explicit() ? 5.0 : 50.0, 1.0);  // the block rocks at 16 rad/s
   const Driver& run = scene.run();
   EXPECT_NEAR(scene.memory().force[2] / force, 1.0, kPart);
   EXPECT_NEAR((node_at(run, 3).x() - 0.5) / (force * 0.5 / b.stiffness), 1.0, kPart);
@@ -41,8 +41,8 @@ TEST_P(Liners, two_blocks_joined_by_a_liner_part_by_its_stretch) {
 }
 
 TEST_P(Liners, block_hung_from_a_roof_by_shotcrete_sinks_by_the_bending_of_its_bars) {
-  // Under a roof with a gap in it hangs a block on a liner along the underside. A bar of length h crosses each side of
-  // it, with turns of stiffness EI/h at both of its ends: U = 2 EI/h (s/h)^2 for a sinking s, W = 4 EI s/h^3.
+  // A block hangs in the gap of a roof on a liner along the underside. A bar of length h crosses each of its sides,
+  // with rotational springs EI/h at both ends: U = 2 EI/h (s/h)^2 for a settlement s, W = 4 EI s/h^3.
   Lined scene(0.0);
   const BlockId block = scene.add("key", rectangle(-0.5, 1.0, 0.5, 2.0));
   scene.add("left", rectangle(-2.0, 1.0, -0.6, 2.0), true);
@@ -55,8 +55,8 @@ TEST_P(Liners, block_hung_from_a_roof_by_shotcrete_sinks_by_the_bending_of_its_b
   const double weight = 2600.0 * 9.81, sinking = weight * 0.027 / (4.0 * b.bending);
   const double sunk = 1.0 - node_at(run, 3).y();
   std::printf("%s: sinks by %.5e m, expected %.5e\n", GetParam().name().c_str(), sunk, sinking);
-  EXPECT_NEAR(sunk / sinking, 1.0, 0.02);  // the rock gives way a little, the mesh where nodes push it
-  // Half of the weight on either side, W/2 = 2 M/h: to the right at the roof, to the left at the block.
+  EXPECT_NEAR(sunk / sinking, 1.0, 0.02);  // the rock deforms a little, the mesh near the nodes that load it
+  // Half of the weight on each side, W/2 = 2 M/h: turn to the right at the roof, to the left at the block.
   EXPECT_NEAR(scene.memory().shear[0] / (0.25 * weight * 0.3), -1.0, kPart);
   EXPECT_NEAR(scene.memory().shear[1] / (0.25 * weight * 0.3), 1.0, kPart);
   EXPECT_LT(std::abs(totals_of(run, block).momentum.y()), 1e-3 * totals_of(run, block).mass);
@@ -84,7 +84,7 @@ struct Beam : Lined {
   [[nodiscard]] double sag(int n) const { return -node_at(*driver, static_cast<std::size_t>(n / 2)).y(); }
 };
 
-/// The chain's own statics by unit loads: sum of M m h/EI over inner nodes, M and m triangles.
+/// Sag of the chain of bars by the unit-load method: sum of M m h/EI over inner nodes, M and m triangular diagrams.
 double sag_of_chain(int n, const Bolt& liner) {
   const double h = Beam::kSpan / n;
   double sum = 0.0;
@@ -131,20 +131,20 @@ TEST_P(Liners, sag_of_a_beam_of_four_bars) {
 constexpr double kIn = 1.0, kOut = 3.0, kStress = 2e6, kYoung = 2e9, kPoisson = 0.25;
 constexpr int kCorners = 72;
 
-/// Radial displacement of the wall of a ring, by pressure inside and outside: Lame, plane strain.
+/// Radial displacement of the wall of a ring under inner and outer pressure: Lame, plane strain.
 double wall_moves(double inner, double outer) {
   const double a = kIn * kIn, b = kOut * kOut;
   return (1.0 + kPoisson) / kYoung *
          ((1.0 - 2.0 * kPoisson) * (inner * a - outer * b) / (b - a) * kIn + (inner - outer) * b / (b - a) * kIn);
 }
 
-/// Thrust of a liner EA in it where the outer pressure and a relief of the wall act: u(a) = -p a^2/EA, N = -p a.
+/// Thrust of a liner EA on the wall under the outer pressure and a relief of the wall: u(a) = -p a^2/EA, N = -p a.
 double thrust(double relief, double outer, double stiffness) {
   const double free = wall_moves(-relief, outer), unit = wall_moves(1.0, 0.0);
   return free / (unit + kIn * kIn / stiffness) * kIn;  // negative: inward
 }
 
-/// A ring of rock with a liner on its wall, held against floating alone.
+/// A ring of rock with a liner on its wall; its supports only prevent drift.
 struct Hole : Lined {
   BlockId rock;
   Hole() : Lined(30.0, kYoung) {
@@ -163,13 +163,13 @@ struct Hole : Lined {
       model.tractions.push_back({{rock, {0, e}, 0.0, 1.0}, -pressure * Vec2(d.y(), -d.x()), FunctionId{}});
     }
   }
-  /// Round the wall, node by corner.
+  /// A closed liner along the wall, with a node at every corner.
   static Bolt ring() {
     Ring along = circle(kIn, kCorners, false);
     along.push_back(along.front());
     return lining(along, 1.0, 0.15);
   }
-  /// The mean thrust against the one expected.   @return the largest difference of a bar from it
+  /// Checks the mean thrust against the expected one.   @return largest relative difference of a bar from it
   double expect_thrust(double expected) const {
     double mean = 0.0, bend = 0.0, apart = 0.0;
     for (const double N : memory().force) mean += N / static_cast<double>(memory().force.size());
@@ -183,7 +183,7 @@ struct Hole : Lined {
 };
 
 TEST(LinedHole, liner_of_a_ring_under_outer_pressure_has_the_thrust_of_lame) {
-  // Bar by bar the thrust follows the strain of the elements at the wall, which is constant in each.
+  // The thrust of each bar follows the strain of the elements at the wall, which is constant in each element.
   double last = 1.0;
   for (const double cover : {0.24, 0.12, 0.06}) {
     Hole hole;
@@ -200,8 +200,8 @@ TEST(LinedHole, liner_of_a_ring_under_outer_pressure_has_the_thrust_of_lame) {
 }
 
 TEST(LinedHole, liner_that_comes_when_half_is_released_takes_its_part_of_the_other_half) {
-  // In-situ stress -p; the disc leaves and half of what it bore goes, the liner comes, the rest goes: it is loaded by
-  // the second half alone.
+  // In-situ stress -p; the disc is removed and half of its force released, the liner is installed, then the rest is
+  // released: only the second half loads the liner.
   Hole hole;
   InitialStress in_situ;
   in_situ.stress = -kStress * Mat2::Identity();

@@ -1,4 +1,4 @@
-// Bending frequencies of a free-free bar against Timoshenko's beam.
+// Bending frequencies of a free-free bar against Timoshenko's beam, and their order of convergence.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ double free_free(const Bar& bar, double w) {
   D(2, 1) = -rho * I * w * w;
   D(2, 3) = -1.0;
   D(3, 0) = -rho * A * w * w;
-  // In units in which all four numbers are alike, so that the determinant does not drown.
+  // Scaled so that the four components are of one magnitude and the determinant is not lost in round-off.
   const Eigen::Vector4d unit(1.0, 1.0 / bar.length, E * I / std::pow(bar.length, 2), E * I / std::pow(bar.length, 3));
   const Eigen::Matrix4d scaled = unit.cwiseInverse().asDiagonal() * D * unit.asDiagonal() * bar.length;
   const Eigen::Matrix4d T = scaled.exp();
@@ -82,7 +82,7 @@ std::vector<double> block_frequencies(const NmmBlock& block, double guess, int c
   Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, m);
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(m);
   for (int it = 0; it < 60; ++it) {
-    // The shift uses the plain row sums, a preconditioner of the corrected mass: iterate on it, then Rayleigh and Ritz.
+    // The shift uses the plain row sums as a preconditioner of the corrected mass: iterate, then Rayleigh-Ritz.
     Eigen::MatrixXd Y(n, m);
     for (int j = 0; j < m; ++j) Y.col(j) = solver.solve(mass(X.col(j)));
     Eigen::MatrixXd MY(n, m);

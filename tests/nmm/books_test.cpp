@@ -8,7 +8,7 @@ namespace {
 
 using namespace coupling;
 
-/// Blocks on a slope in a stress that balances their weight.
+/// Blocks on a slope, with an in-situ stress that balances their weight.
 Scene slope(bool stressed) {
   Scene scene(5e8, 0.25, 2500.0, 15.0);
   Model& m = scene.model;

@@ -1,4 +1,4 @@
-// What a stage chooses for a block: cover size, onefold cover, mass, kinematics, and what they conserve.
+// Choices of a stage for a block (cover size, onefold cover, mass, kinematics), and the quantities they conserve.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -29,8 +29,8 @@ TEST(Choices, cover_size_of_rule_block_and_stage_in_this_order) {
   EXPECT_LT(setup.bodies()[1].nodes, setup.bodies()[2].nodes);
 }
 
-/// A free block that spins, by each mass, on a mesh and on one cover, whose mass is exact whatever is asked for: row
-/// sums would be those of an arbitrary triangle.
+/// A free spinning block, with each mass, on a mesh and on one cover. The mass of one cover is exact for every choice:
+/// row sums would be those of an arbitrary triangle.
 TEST(Choices, spin_is_kept_and_its_momentum_is_the_blocks_but_for_row_sums) {
   const double spin = 3.0;
   for (const bool onefold : {false, true})
@@ -57,7 +57,7 @@ TEST(Choices, spin_is_kept_and_its_momentum_is_the_blocks_but_for_row_sums) {
       EXPECT_NEAR((t.momentum - t.mass * Vec2(0.4, -0.1)).norm(), 0.0, 1e-9 * t.mass);
       EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
       if (mass == MassKind::lumped && !onefold) {
-        EXPECT_GT(about_centre, 1.0001 * inertia * spin);  // row sums turn harder
+        EXPECT_GT(about_centre, 1.0001 * inertia * spin);  // row sums have a larger inertia
       } else {
         EXPECT_NEAR(about_centre, inertia * spin, (implicit ? 1e-4 : 1e-9) * inertia * spin);
       }
@@ -65,7 +65,7 @@ TEST(Choices, spin_is_kept_and_its_momentum_is_the_blocks_but_for_row_sums) {
 }
 
 TEST(Choices, linear_kinematics_after_a_turn_is_refused) {
-  // A block turned by half a radian in another stage has no strain, but linear kinematics would give it one.
+  // A block turned by half a radian in an earlier stage has no strain, but linear kinematics would give it one.
   for (const char* before : {"dda", "nmm"}) {
     SCOPED_TRACE(before);
     Scene scene(1e8, 0.2, 2000.0);

@@ -1,5 +1,5 @@
-// Manufactured solution on a block that the mesh cuts anyhow: tractions on the outline, orders of displacement and
-// stress.
+// Manufactured solution on a block in general position on the mesh: body force and tractions on the outline, orders of
+// convergence of displacement and stress.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace scree::test::convergence_test {
 namespace {
 
-/// u = (sin(2x + 1) cos(1.5 y), cos(x) sin(2 y) + x y) times a small number, and what follows from it.
+/// u = (sin(2x + 1) cos(1.5 y), cos(x) sin(2 y) + x y) times a small number, with its strain, stress and body force.
 struct Manufactured {
   Elasticity law;
   static constexpr double kSize = 1e-6;
@@ -61,7 +61,7 @@ Errors solve(const Polygon& polygon, double h) {
   std::vector<double> recovered(3 * q.size() / 2);
   block.pool.recovered_stress(q, recovered);
 
-  // Rigid motions are free: the least-squares one is taken off.
+  // Rigid motions are arbitrary: the one of least squares is subtracted.
   const auto found = [&](std::size_t e, const Vec2& x) {
     const auto w = block.mesh().weights(e, x - block.centre());
     Vec2 sum = Vec2::Zero();

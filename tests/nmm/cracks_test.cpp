@@ -1,4 +1,4 @@
-// Blocks with cracks: several physical covers a star, parts that fall apart, and the opening of a crack.
+// Blocks with cracks: several physical covers per star, separation into parts, opening of a crack against Westergaard.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ TEST(Cracks, stars_on_a_crack_have_two_covers_and_the_area_stays) {
   double area = 0.0;
   for (const double a : cut.mesh().area) area += a;
   EXPECT_NEAR(area, 4.0, 1e-13);
-  // What does not cut is what ends within triangles: less than a triangle's height at either tip.
+  // Only the crack ends within triangles do not cut: less than a triangle's height at each tip.
   const double length = std::hypot(1.0, 0.15);
   EXPECT_NEAR(cut.mesh().crack_length + cut.mesh().trimmed_length, length, 1e-12);
   EXPECT_GT(cut.mesh().trimmed_length, 0.0);
@@ -49,7 +49,8 @@ TEST(Cracks, along_mesh_lines_cut_too) {
   EXPECT_EQ(cut.mesh().components, 2);
 }
 
-/// Cracks that run through: a force on one part moves it as a free body and leaves the others, bit for bit, alone.
+/// Cracks right through the block: a force on one part moves it as a free body; the other parts stay the same, bit for
+/// bit.
 TEST(Cracks, block_cut_through_falls_apart_without_ties) {
   for (const double h : {0.15, 0.4, 0.9}) {
     const NmmBlock block = cracked(h, {crack({-1.0, -0.3}, {1.0, 0.2}), crack({0.1, 1.0}, {0.15, -0.2})});
@@ -77,7 +78,7 @@ TEST(Cracks, block_cut_through_falls_apart_without_ties) {
         }
       }
       EXPECT_GT(moved, 1.0);
-      // Momentum of the part: none from inside.
+      // Internal forces give the part no momentum.
       Vec2 sum = Vec2::Zero();
       double size = 0.0;
       for (std::size_t c = 0; c < block.mesh().star.size(); ++c) {
@@ -118,7 +119,7 @@ struct Westergaard {
 };
 
 TEST(Cracks, centre_crack_opens_as_westergaard_has_it) {
-  // The square carries the infinite plate's tractions on its outline, so that its size does not matter.
+  // The outline of the square carries the tractions of the infinite plate, so that its size has no influence.
   const double a = 0.5, s = 1e3, half = 0.7;
   const Polygon square{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}};
   const Westergaard exact{a, s};
@@ -130,7 +131,7 @@ TEST(Cracks, centre_crack_opens_as_westergaard_has_it) {
     std::vector<double> f(block.q.size(), 0.0);
     block.add_traction([&](const Vec2& x, const Vec2& normal) -> Vec2 { return exact.stress(x) * normal; }, f);
     const std::vector<double> u = block.spread(solve_free(block, block.folded(f)));
-    // Opening: the jump of the displacement across the crack, element by element along it.
+    // Opening: jump of the displacement across the crack, at points along it.
     double worst = 0.0, middle = 0.0;
     for (const double x : {0.0, 0.25 * a, 0.5 * a, 0.75 * a}) {
       double jump = 0.0;

@@ -1,4 +1,4 @@
-// Small cuts must not cost the time step (docs/theory/kinematics-and-nmm.md, "Ties"): 1000 random placements.
+// Small cuts must not shorten the time step (docs/theory/kinematics-and-nmm.md, "Ties"): 1000 random placements.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace scree::test::small_cuts_test {
 namespace {
 
-/// Highest eigenvalue of M~^-1 K on the free covers: a dense solution, no bound and no iteration that stops early.
+/// Highest eigenvalue of M~^-1 K on the free covers, by a dense solution: no bound, no truncated iteration.
 double highest(const NmmBlock& block) {
   const Eigen::MatrixXd K(block.stiffness());
   const auto n = K.rows();
@@ -38,8 +38,8 @@ double highest(const NmmBlock& block) {
   return symmetric_eigenvalues(A)(n - 1);
 }
 
-/// Patch test: tractions of a constant stress must give the linear displacement, rigid motions aside. Largest error
-/// over the largest displacement.
+/// Patch test: tractions of a constant stress must give the linear displacement up to a rigid motion. Returns the
+/// largest error over the largest displacement.
 double patch_error(const NmmBlock& block) {
   Mat2 e;
   e << 1.0, 0.4, 0.4, -0.6;
@@ -56,7 +56,7 @@ double patch_error(const NmmBlock& block) {
     exact.segment<2>(of[c]) = e * X;
     rigid.block<2, 3>(of[c], 0) << 1, 0, -X.y(), 0, 1, X.x();
   }
-  // Rigid motions are stiffened, by as much as the block itself: tractions in balance do not move them.
+  // Rigid motions get a stiffness like that of the block; balanced tractions do not excite them.
   const Eigen::MatrixXd K(block.stiffness());
   const Eigen::Matrix3d L = cholesky_factor(rigid.transpose() * rigid);
   const Eigen::MatrixXd Q = rigid * L.inverse().transpose();  // orthonormal
@@ -80,7 +80,7 @@ TEST(SmallCuts, thousand_placements_keep_the_step_the_mass_and_the_patch) {
   Spread real, certified;
   double worst_patch = 0.0, worst_mass = 0.0, worst_inertia = 0.0;
   for (int k = 0; k < 1000; ++k) {
-    // Widths from 1.5 to 6 cover sizes, lengths from there to 8.
+    // Widths from 1.5 to 6 cover sizes, lengths from the width to 8 cover sizes.
     const double width = 1.5 + 4.5 * u(generator), length = width + (8.0 - width) * u(generator);
     const Polygon box{
         {{-length / 2, -width / 2}, {length / 2, -width / 2}, {length / 2, width / 2}, {-length / 2, width / 2}}, {}};

@@ -1,4 +1,4 @@
-// A free block that spins a hundred turns: area and energy stay, where the classical incremental update grows.
+// A free block spins for a hundred turns: area and energy stay constant, the classical incremental update grows.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Slope of the least-squares line through values, times their number: the change over all of them.
+/// Slope of the least-squares line through the values, times their number, over their mean: relative total change.
 double trend(const std::vector<double>& y) {
   const auto n = static_cast<double>(y.size());
   double sum = 0.0, moment = 0.0, square = 0.0;
@@ -29,7 +29,7 @@ double trend(const std::vector<double>& y) {
 
 /// Means over each turn of samples at equal steps.
 struct TurnMeans {
-  std::size_t samples;  // a turn
+  std::size_t samples;  // per turn
   double sum = 0.0;
   std::size_t count = 0;
   std::vector<double> means;
@@ -42,7 +42,7 @@ struct TurnMeans {
   }
 };
 
-constexpr double kSpin = 2.0 * pi;  // a turn a second
+constexpr double kSpin = 2.0 * pi;  // one turn per second
 constexpr int kTurns = 100;
 
 TEST(Spin, hundred_turns_keep_area_and_energy) {
@@ -69,7 +69,7 @@ TEST(Spin, hundred_turns_keep_area_and_energy) {
       }
     if (frame.tick == 0) return;
     area.add(sum);
-    const coupling::Ledger& ledger = frame.state->ledger;  // what central difference conserves
+    const coupling::Ledger& ledger = frame.state->ledger;  // the energy that central difference conserves
     energy.add(ledger[coupling::Column::kinetic] + ledger[coupling::Column::elastic] +
                ledger[coupling::Column::shadow]);
   };
@@ -81,11 +81,11 @@ TEST(Spin, hundred_turns_keep_area_and_energy) {
               trend(area.means), trend(energy.means), area.means[0] - 1.0);
   EXPECT_LT(std::abs(trend(area.means)), 1e-8);
   EXPECT_LT(std::abs(trend(energy.means)), 1e-8);
-  EXPECT_GT(area.means[0] - 1.0, 1e-6);  // it is stretched, not rigid
+  EXPECT_GT(area.means[0] - 1.0, 1e-6);  // the block is stretched, not rigid
 }
 
-/// The classical update ([Qu2013] 2.4): small strains of each step's displacement added up in fixed axes, the
-/// mesh moved with it. Stresses do not turn with the rock, and each step takes its rotation for a stretch.
+/// The classical update ([Qu2013] 2.4) sums the small strains of each step in fixed axes and moves the mesh. Stresses
+/// do not rotate with the rock, and the rotation of each step counts as a stretch.
 TEST(Spin, classical_incremental_update_grows) {
   const NmmBlock block(rectangle(-0.5, -0.5, 0.5, 0.5), {.mass = MassKind::lumped, .cover_size = 0.3},
                        {"rock", 2000.0, 4e6, 0.25});
@@ -106,7 +106,7 @@ TEST(Spin, classical_incremental_update_grows) {
     std::fill(f.begin(), f.end(), 0.0);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const Mat2 F = elements.gradient(e, q);
-      const nmm::Gradients now = F.inverse().transpose() * elements.gradients(e);  // on the mesh as it lies
+      const nmm::Gradients now = F.inverse().transpose() * elements.gradients(e);  // on the current mesh
       for (int k = 0; k < 3; ++k) {
         const Vec2 force = elements.area(e) * F.determinant() * stress[e] * now.col(k);
         const auto i = 2 * static_cast<std::size_t>(elements.cover(e)[static_cast<std::size_t>(k)]);

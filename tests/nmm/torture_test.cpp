@@ -1,4 +1,4 @@
-// Blocks, cracks and holes laid to hurt: through stars and along mesh lines, crossing, touching, at random.
+// Blocks, cracks and holes in adverse positions: through stars, along mesh lines, crossing, touching, at random.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ void expect_sound(const NmmBlock& b, const std::string& what) {
         kRock.density * mesh.area[e];
   for (std::size_t p = 0; p < mass.size(); ++p) EXPECT_NEAR(mass[p], wanted[p], 1e-9 * wanted[p]) << "part " << p;
 
-  // An affine motion of the whole block is exact in mass and has one stress everywhere; the interior sees no force.
+  // An affine motion of the whole block has exact momenta and a uniform stress; interior covers have no force.
   AffineMotion m;
   m.c = whole.centroid;
   m.F << 1.001, 2e-4, -3e-4, 0.9995;
@@ -111,8 +111,8 @@ void expect_sound(const NmmBlock& b, const std::string& what) {
   }
   for (const Vec2& s : sum) EXPECT_LT(s.norm(), 1e-9 * total);
 
-  // Patch test: traction of that stress on the outline and the crack faces balances the internal force. With no cracks
-  // the outline alone carries it.
+  // Patch test: tractions of this stress on outline and crack faces balance the internal force; without cracks the
+  // outline alone carries them.
   if (b.model.cracks.empty()) {
     Mat2 P;
     const ElasticResponse r = elastic_response(b.law(), m.F, Mat2::Zero());
@@ -126,7 +126,7 @@ void expect_sound(const NmmBlock& b, const std::string& what) {
   for (const Row& row : b.pool.boundary(0).nodes) {
     ASSERT_NEAR(row.w[0] + row.w[1] + row.w[2], 1.0, 1e-9);
   }
-  // Recovered stress of a constant one is that one.
+  // A constant stress is recovered exactly.
   std::vector<double> nodes(3 * n);
   b.pool.recovered_stress(q, nodes);
   for (std::size_t c = 0; c < n; ++c)
@@ -169,7 +169,7 @@ TEST(Torture, crack_through_stars_and_along_mesh_lines) {
       EXPECT_NEAR(part_areas(b)[0] + part_areas(b)[1], 4.0, 1e-11);
       EXPECT_GT(length, 0.0);
     }
-  // From star to star inside, along a mesh line and across.
+  // Between two stars inside the block, along mesh lines and across them.
   for (const auto& [i, j] : {std::pair(3, 0), std::pair(0, 3), std::pair(-3, 3), std::pair(1, 2)}) {
     const NmmBlock b = make(square, h, {crack(star(h, 0, 0), star(h, i, j))});
     expect_sound(b, "from star to star");
@@ -232,7 +232,7 @@ TEST(Torture, random_cracks_fall_apart_as_geos_polygonises_them) {
     const double h = uniform(0.08, 0.6);
     std::vector<Crack> cracks;
     std::vector<CutLine> lines;
-    // Through cracks only cut as GEOS has it at any mesh; ends inside are trimmed by less than a mesh size.
+    // Only through cracks must cut as in GEOS at any mesh; crack ends inside are trimmed by less than a mesh size.
     for (int k = 0; k < (trial < 6 ? 50 : 12); ++k) {
       Vec2 a(uniform(-1, 1), uniform(-1, 1)), b(uniform(-1, 1), uniform(-1, 1));
       if (trial >= 6) {
@@ -268,7 +268,7 @@ TEST(Torture, random_cracks_fall_apart_as_geos_polygonises_them) {
 
 TEST(Torture, blocks_that_fit_the_lattice_exactly) {
   const double h = 0.25;
-  // A parallelogram of mesh lines about the centre of mass; offset 0: its centre at a star.
+  // A parallelogram of mesh lines around the centre of mass; with offset 0 its centre is at a star.
   const Vec2 u(4.0 * h, 0.0), w(2.0 * h, 4.0 * kRow * h);
   const Ring ring{-0.5 * u - 0.5 * w, 0.5 * u - 0.5 * w, 0.5 * u + 0.5 * w, -0.5 * u + 0.5 * w};
   const NmmBlock aligned = make({ring, {}}, h, {}, 0.0, 0.0);

@@ -1,5 +1,5 @@
-// Partitions wherever their borders lie: through blocks that rest, are held, fly or are cracked, with damped contacts,
-// and stages in which no block is explicit yet. No number may be lost, and the books must close.
+// Partitions with borders anywhere: through blocks that rest, are held, fly or are cracked, with damped contacts, and
+// stages in which no block is explicit yet. All numbers must stay finite, and the ledger must close.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Rested rested(const Scene& scene) {
 }
 
 TEST(PartitionPlaces, a_region_through_a_block_that_rests_on_damped_contacts) {
-  // What is damped there belongs to both halves: as in explicit steps of the whole block.
+  // Contact damping acts on both halves, as it does in explicit steps of the whole block.
   Scene whole = resting_block(1e-4), divided = whole, other = whole;
   whole.stage("nmm", Integrator::explicit_, 0.05, 2e-5, 0.25);
   divided.stage("nmm", Integrator::partitioned, 0.05, 2e-5, 0.25).partition.explicit_region = band(-9.0, 1.03);
@@ -61,7 +61,7 @@ TEST(PartitionPlaces, a_region_through_a_block_that_rests_on_damped_contacts) {
 }
 
 TEST(PartitionPlaces, a_region_whose_border_crosses_a_held_block) {
-  // What is held takes no steps and is not divided: base and free blocks beside the border are as they were.
+  // A held block takes no steps and is not divided: base and free blocks beside the border are as they were.
   for (const Ring& region : {band(0.5, 9.0), band(1.0, 2.5), Ring{{-0.2, -0.2}, {0.7, -0.2}, {0.7, 0.7}, {-0.2, 0.7}},
                              Ring{{-0.8, -0.3}, {2.8, -0.3}, {2.8, 2.0}, {-0.8, 2.0}}}) {
     Scene scene = resting_block();
@@ -82,7 +82,7 @@ TEST(PartitionPlaces, a_stage_without_an_explicit_block_after_one_to_rest) {
   }
 }
 
-/// Blocks that rest, lean, fly, are cracked or held, in a stage of which a random region is explicit.
+/// Blocks that rest, lean, fly, are cracked or held, in a stage with a random explicit region.
 Scene anything(std::mt19937_64& random) {
   const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
   const auto one_in = [&](int n) { return std::uniform_int_distribution<int>(1, n)(random) == 1; };
@@ -95,7 +95,7 @@ Scene anything(std::mt19937_64& random) {
   scene.add("lower", rectangle(0.0, 0.0, width, height));
   if (one_in(2)) scene.add("upper", rectangle(0.1, height, uniform(0.9, 1.6), height + uniform(0.4, 0.8)));
   if (one_in(2)) {
-    scene.add("held", rectangle(width + 0.03, 0.0, width + 0.8, 0.9), true);  // no wedge
+    scene.add("held", rectangle(width + 0.03, 0.0, width + 0.8, 0.9), true);  // a gap: no wedging
   }
   const BlockId flying =
       scene.add("flying", transformed(rectangle(-0.4, -0.3, 0.4, 0.3), Vec2(uniform(0.2, 2.5), uniform(2.4, 2.8)),
@@ -107,7 +107,7 @@ Scene anything(std::mt19937_64& random) {
   const double cover = uniform(0.22, 0.4);
   if (one_in(2)) scene.stage("nmm", Integrator::implicit, 0.01, 1e-3, cover);
   Stage& stage = scene.stage("nmm", Integrator::partitioned, 0.1, std::pow(10.0, uniform(-3.7, -3.0)), cover);
-  // A corner of a turned rectangle, or a band across all.
+  // A corner of a rotated rectangle, or a band across the model.
   const Mat2 R = rotation(uniform(0.0, 6.28));
   const double x = uniform(-0.3, 0.3), y = one_in(2) ? 9.0 : uniform(-0.3, 0.3);
   const Vec2 at(uniform(0.2, width), uniform(0.1, 1.1 * height));
@@ -119,7 +119,7 @@ Scene anything(std::mt19937_64& random) {
   return scene;
 }
 
-/// Runs it; false where a half would be too small for the mesh, which is refused.
+/// Runs the scene; false if it is refused because a half would be too small for the mesh.
 bool run_anything(const Scene& scene, double& closure) {
   Driver run(scene.model, scene.plan, methods());
   RunEnd end;
@@ -135,7 +135,7 @@ bool run_anything(const Scene& scene, double& closure) {
   EXPECT_EQ(ledger.not_finite(), "");
   EXPECT_LT(ledger.relative_closure(), 1e-9);
   closure = std::max(closure, ledger.relative_closure());
-  // Nothing is made: what is held now came from gravity, or was there.
+  // No energy is created: the stored energy comes from gravity or was there at the start.
   double first = 0.0;
   for (const InitialVelocity& v : scene.model.initial_velocities) {
     const ReferenceShape shape = reference_shape(scene.model, v.block);
@@ -147,7 +147,7 @@ bool run_anything(const Scene& scene, double& closure) {
 }
 
 TEST(PartitionPlaces, random_regions_run_and_close) {
-  // SCREE_FULL=1: a hundred; SCREE_PARTITIONS: so many.
+  // Number of partitions: 100 with SCREE_FULL=1, or the value of SCREE_PARTITIONS.
   const char* asked = std::getenv("SCREE_PARTITIONS");
   const int wanted = asked != nullptr ? std::atoi(asked) : std::getenv("SCREE_FULL") != nullptr ? 100 : 3;
   const char* first = std::getenv("SCREE_SEED");

@@ -43,14 +43,14 @@ struct Watched : coupling::Sink {
 
 struct Bolted : Scene {
   explicit Bolted(double friction_deg = 30.0, double young = 50e9) : Scene(young, 0.2, 2600.0, friction_deg) {}
-  /// A stage to rest: implicit by static steps, explicit by kinetic damping.
+  /// Adds a stage to rest: implicit by static steps, explicit by kinetic damping.
   void rest(const Way& way, double duration, double dt = 1e-2, double cover_size = 1.0) {
     coupling::Stage& s =
         stage(way.method, way.integrator, duration, way.is_explicit() ? std::nullopt : std::optional(dt), cover_size);
     s.rest = true;
     s.rest_force = 1e-6;
   }
-  /// A stage of motion.
+  /// Adds a stage of motion.
   void go(const Way& way, double duration, double dt = 1e-3, double cover_size = 1.0) {
     stage(way.method, way.integrator, duration, way.is_explicit() ? std::nullopt : std::optional(dt), cover_size);
   }

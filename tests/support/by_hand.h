@@ -22,12 +22,12 @@ struct ByHand {
       place(i.block.index(), i.velocity, i.spin * quarter_turn());
     state.ledger.open(std::array{kinetic()});
   }
-  /// Puts a body where the model has it, with an affine velocity; the ledger begins anew.
+  /// Puts a body at its place in the model, with an affine velocity; the ledger begins anew.
   void move(std::size_t body, const Vec2& velocity, const Mat2& gradient) {
     place(body, velocity, gradient);
     state.ledger.open(std::array{kinetic()});
   }
-  /// The same without the ledger.
+  /// As move(), without a change of the ledger.
   void place(std::size_t body, const Vec2& velocity, const Mat2& gradient) {
     const coupling::Body& b = setup->bodies()[body];
     AffineMotion m;

@@ -9,7 +9,7 @@
 namespace scree::test {
 
 /// A regular ring of the same area as the circle about the origin.
-/// @param turn  of the first corner from the x axis, of an angle between corners
+/// @param turn  angle of the first corner from the x axis, over the angle between corners
 [[nodiscard]] inline Ring circle(double radius, int corners, bool clockwise, double turn = 0.0) {
   const double step = 2.0 * std::numbers::pi / corners, r = radius * std::sqrt(step / std::sin(step));
   Ring ring;

@@ -15,7 +15,7 @@ def ring(corners):
 
 
 def case(title, base, blocks, joints, method="dda", integrator="implicit", cover=None, young="50 GPa", extra="", dt="5 ms"):
-    """@param base  corners of what is held     @param blocks  (name, corners) of free blocks     @param joints  name: keys of the law; the first
+    """@param base  corners of the held block     @param blocks  (name, corners) of free blocks     @param joints  name: keys of the law; the first
     is the default"""
     lines = ['title = "%s"' % title, "[model]", 'default_joint = "%s"' % next(iter(joints))]
     if cover:
@@ -54,7 +54,7 @@ def anchored_plane(phi=30.0, dip=35.0, pull=1e6, active=True, **how):
     text, _ = plane_slope(phi=phi, dip=dip, **how)
     x, y, angle, reach = 9.0, 9.0 * math.tan(la.rad(60.0)), dip - 50.0, 22.0
     toe = (x + reach * math.cos(la.rad(angle)), y + reach * math.sin(la.rad(angle)))
-    # a pull per slip: small for the anchor, so that it keeps its pull; large for the bar, so that it yields before the slope has gone the limit
+    # stiffness (pull per slip): small for the anchor, so that it keeps its pull; large for the bar, so that it yields before the slope has moved by the limit
     stiff = 2e8 if active else 8e9
     text += '[[bolt]]\nname = "anchor"\nhead = [%.10g, %.10g]\ntoe = [%.10g, %.10g]\naxial_stiffness = %g\n' % (x, y, toe[0], toe[1], stiff)
     text += ("pretension = %g\n" % pull if active else "") + "yield = %.10g\n" % (pull * 1.000001)
@@ -77,7 +77,7 @@ def block_on_plane(width, height, dip, phi, c=0.0, **how):
 
 
 def excavated_toe(dip=30.0, phi=45.0, width=4.0, height=2.0):
-    """A block on a plane against a toe that is held, and that a stage to rest excavates. @return case, factor"""
+    """A block on a plane against a held toe, which a stage to rest excavates. @return case, factor"""
     s, k = math.sin(la.rad(dip)), math.cos(la.rad(dip))
     at = lambda a, b: (a * k - b * s, a * s + b * k)  # up the plane, out of it
     base = [at(-width, -2.0), at(2 * width, -2.0), at(2 * width, 0.0), at(-width, 0.0)]

@@ -63,8 +63,8 @@ def culmann_height(c, phi, gamma, face):
 
 def two_wedge_factor(w1, dip1, phi1, w2, dip2, phi2, phi12, interface=90.0, l1=0.0, c1=0.0, l2=0.0, c2=0.0, l12=0.0, c12=0.0):
     """Blocks 1 (above, on a plane at dip1) and 2 (below, at dip2 < dip1), which slide towards +x; the joint between them dips
-    `interface` degrees (90: upright), measured like the planes. Friction is at its limit on all three: Coulomb's limits over F.
-    Unknown are the normal forces n1, n2, n12 and F; with four equations."""
+    `interface` degrees (90: upright), measured like the planes. Friction is at its limit, divided by F, on all three planes.
+    The unknowns are the normal forces n1, n2, n12 and F; four equations."""
     t1, t2, t12 = (math.tan(rad(p)) for p in (phi1, phi2, phi12))
     a1, a2, b = rad(dip1), rad(dip2), rad(interface)
     # unit normals of the planes, out of the rock below; of the joint, from block 1 to block 2
@@ -80,7 +80,7 @@ def two_wedge_factor(w1, dip1, phi1, w2, dip2, phi2, phi12, interface=90.0, l1=0
         det = m[0][0] * m[1][1] - m[0][1] * m[1][0]
         n12 = (m[0][0] * r[1] - m[1][0] * r[0]) / det
         if det <= 0.0 or n12 < 0.0 or t1 / f >= math.tan(a1):
-            n12 = 0.0  # block 1 stands by itself
+            n12 = 0.0  # block 1 stands without block 2
         push = [n12 * across[i] - (t12 * n12 + c12 * l12) / f * along[i] for i in (0, 1)]  # on block 2
         n2 = -(push[0] * up2[0] + (push[1] - w2) * up2[1])
         drive = push[0] * down2[0] + (push[1] - w2) * down2[1]
@@ -91,7 +91,7 @@ def two_wedge_factor(w1, dip1, phi1, w2, dip2, phi2, phi12, interface=90.0, l1=0
 
 def goodman_bray(heights, first_crest, width, a1, a2, dip, phi_deg=None, weight=25e3, tan_phi=None):
     """Columns 1 (toe) to n on a base that steps up towards the crest. first_crest: number of the column at the crest; `dip` of the
-    base; a1, a2, as in the source. The force P_0 [N] that has to hold column 1, and which columns topple, slide or stand."""
+    base; a1, a2, as in the source. Returns the force P_0 [N] that has to hold column 1, and which columns topple, slide or stand."""
     t = math.tan(rad(phi_deg)) if tan_phi is None else tan_phi
     s, k = math.sin(rad(dip)), math.cos(rad(dip))
     p, modes = 0.0, {}
@@ -105,7 +105,7 @@ def goodman_bray(heights, first_crest, width, a1, a2, dip, phi_deg=None, weight=
         else:
             m_arm, l_arm = y - a2, y
         if n == 1:
-            l_arm = y  # the force that is asked for acts there
+            l_arm = y  # P_0 acts there
         topple = (p * (m_arm - width * t) + 0.5 * w * (y * s - width * k)) / l_arm if l_arm > 0.0 else -math.inf
         slide = p - w * (k * t - s) / (1.0 - t * t)
         p = max(topple, slide, 0.0)
@@ -123,7 +123,7 @@ def published_columns():
 
 
 def goodman_bray_factor(tan_phi, **geometry):
-    """P_0 falls with friction: the F at which what is left just holds."""
+    """P_0 decreases with friction: the F at which the reduced friction just holds the columns."""
     return bisect(lambda f: 1e-6 - goodman_bray(tan_phi=tan_phi / f, **geometry)[0], tan_phi / 0.999, 10.0)  # the form of the slide needs tan phi < 1
 
 
@@ -161,7 +161,7 @@ def stands(blocks, contacts, tan_phi):
     A pressure of any shape on a contact has its resultant between the ends, so two forces stand for all of them.
     @param blocks  (weight along x, weight along y, x, y of the centroid) [N, m]
     @param contacts  (pushed block, other block or None for the ground, x, y, unit normal into the pushed block, edges of the cone n + e tan(phi) t,
-    t = n turned to the left: (1, -1), or one of them where the way of the slip is known)"""
+    t = n turned to the left: (1, -1), or one of them if the direction of the slip is known)"""
     scale = max(math.hypot(b[0], b[1]) for b in blocks)
     arm = max(max(abs(b[2]), abs(b[3])) for b in blocks)
     columns = []
@@ -179,9 +179,9 @@ def stands(blocks, contacts, tan_phi):
 
 
 def columns_factor(tan_phi, heights, width, step, dip, topple=(), weight=25e3):
-    """Factor of the columns of `goodman_bray` by `stands`. Axes: u up the base, v out of it; column 1 is that at the toe, u = 0.
-    A joint that slips without dilation breaks the theorem of limit analysis: forces that would hold the columns exist, which their motion does not
-    raise. So the motion has to be said: columns that topple rest on their lower corner, lean on the next one at the highest point
+    """Factor of the columns of `goodman_bray` by `stands`. Axes: u up the base, v out of it; column 1 is at the toe, u = 0.
+    A joint that slips without dilation violates the theorem of limit analysis: forces that would hold the columns exist, but their motion does not
+    mobilise them. So the motion has to be given: columns that topple rest on their lower corner, lean on the next one at the highest point
     they share, and slip there at Coulomb's limit. Base and joints of all others, and those below the lowest that topples, are free within their cones.
     @param topple  numbers of these columns; none: the bound of the static theorem"""
     s, k, both = math.sin(rad(dip)), math.cos(rad(dip)), (1.0, -1.0)
@@ -226,10 +226,10 @@ def check():
     p0, modes = goodman_bray(tan_phi=0.7855, **g)
     assert p0 < 2e3, p0
     assert [modes[n] for n in (16, 15, 14)] == ["stands"] * 3 and all(modes[n] == "topples" for n in range(4, 14)), modes
-    assert all(modes[n] == "slides" for n in (2, 3)), modes  # column 1 as well, on which nothing is left
+    assert all(modes[n] == "slides" for n in (2, 3)), modes  # column 1 as well, with no force on it
     assert abs(goodman_bray_factor(0.7855, **g) - 1.0) < 0.002
     check_stands()
-    # the sequence of columns against the programme, which assumes no point of application in base and toe, and moves other columns as well
+    # the sequence of columns against the linear programme, which assumes no point of application in base and toe, and lets other columns move as well
     for tan_phi in (0.7855, math.tan(rad(43.0))):
         by_sequence, by_programme = goodman_bray_factor(tan_phi, **g), columns_factor(tan_phi, heights, 10.0, b, 30.0, range(4, 14))
         assert abs(by_sequence - by_programme) < 2e-5, (by_sequence, by_programme)
@@ -239,7 +239,7 @@ def check():
 
 
 def check_stands():
-    """The programme on a block on a plane, which slides or topples, and on one that another one props."""
+    """The linear programme for a block on a plane, which slides or topples, and for one that is propped by another."""
     def factor(blocks, contacts, phi):
         return bisect(lambda f: 0.5 if stands(blocks, contacts, math.tan(rad(phi)) / f) else -0.5, 0.5, 10.0, 1e-7)
 

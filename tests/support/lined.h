@@ -7,7 +7,7 @@ namespace scree::test {
 
 inline constexpr double kLinerYoung = 30e9;  // [Pa], poisson 0
 
-/// Along a line, of shotcrete 0.1 m thick unless told.
+/// A liner along a line, by default of shotcrete 0.1 m thick.
 inline Bolt lining(std::vector<Vec2> along, double spacing, double thickness = 0.1) {
   Bolt b;
   b.name = "liner";

@@ -1,4 +1,4 @@
-// One block discretised by the NMM, and its dense or sparse operators, for tests that look behind the time schemes.
+// One block discretised by the NMM, and its dense or sparse operators, for tests that do not use the time schemes.
 #pragma once
 
 #include <Eigen/Dense>
@@ -26,7 +26,7 @@ struct NmmBlock {
   Model model;
   nmm::NmmPool pool;
   ReferenceShape shape;
-  std::vector<double> q, v;  // at rest where the model has the block
+  std::vector<double> q, v;  // at rest, in the block's place in the model
 
   NmmBlock(const Polygon& polygon, const Formulation& form, const Material& material, Plane plane = Plane::strain,
            std::vector<Crack> cracks = {}, std::vector<EdgeSupport> supports = {}) {
@@ -52,7 +52,7 @@ struct NmmBlock {
   [[nodiscard]] Elasticity law() const { return model.elasticity_of(BlockId{0}); }
   [[nodiscard]] Vec2 centre() const { return moments(model.blocks[0].polygon).centroid; }
 
-  /// Unknowns: two a free cover, in their order; -1 for tied covers.
+  /// Unknowns: two per free cover, in the order of the covers; -1 for tied covers.
   [[nodiscard]] std::vector<int> unknowns(int* count) const {
     std::vector<int> of(static_cast<std::size_t>(pool.first_node(1)), -1);
     *count = 0;
@@ -115,7 +115,7 @@ struct NmmBlock {
               s.w * u[of[static_cast<std::size_t>(s.cover)] + d];
     return out;
   }
-  /// f += integral of w t over the outline; t(x, n) in the frame of the model, by two Gauss points a segment.
+  /// f += integral of w t over the outline; t(x, n) in the frame of the model, by two Gauss points per segment.
   template <class Traction>
   void add_traction(Traction&& t, std::vector<double>& f) const {
     const Polygon& p = model.blocks[0].polygon;
@@ -160,7 +160,7 @@ struct NmmBlock {
 inline Eigen::VectorXd solve_free(const NmmBlock& block, const Eigen::VectorXd& b) {
   const Eigen::SparseMatrix<double> K = block.stiffness();
   const auto n = static_cast<int>(K.rows());
-  // Rigid modes as extra rows and columns make the matrix regular: K + s sum r r^T through an arrow form.
+  // Rigid modes as extra rows and columns make the matrix regular: [K sR; sR^T 0].
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < n; ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it; ++it) entries.emplace_back(it.row(), j, it.value());

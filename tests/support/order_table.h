@@ -1,4 +1,4 @@
-// Errors over refinements and the orders they show; the program prints all of its tables at the end.
+// Errors over refinements and their orders; the program prints all of its tables at the end.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace scree::test {
 
 struct OrderRow {
-  std::string what;                 // error, and over what it is refined
+  std::string what;                 // name of the error, and of the refined quantity
   std::vector<double> size, error;  // from coarse to fine
   double least = 0.0;               // order that must hold between the two finest
   [[nodiscard]] double order(std::size_t i) const {
@@ -48,8 +48,8 @@ inline void expect_order(OrderRow row) {
   OrderTable::rows().push_back(std::move(row));
 }
 
-/// Keeps a row for the table and checks that its two finest orders are the theory's, within a tenth: a higher one would
-/// say that the errors are not those of the scheme.
+/// Keeps a row for the table and checks that its two finest orders are the theoretical ones within a tenth: a higher
+/// order would mean that the errors are not those of the scheme.
 inline void expect_order_of(OrderRow row, double order) {
   constexpr double kWithin = 0.1;
   for (std::size_t i = row.error.size() - 2; i < row.error.size(); ++i)

@@ -1,4 +1,4 @@
-// Where the outlines of a run's blocks are, and how deep they lie in each other.
+// Current outlines of a run's blocks, and the depth of their overlap.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace scree::test {
 
-/// Outline of a block now.
+/// Current outline of a block.
 inline Ring outline_of(const coupling::Driver& run, BlockId id) {
   const coupling::Setup& setup = run.setup();
   const coupling::Outlines& o = setup.outlines();
@@ -20,7 +20,7 @@ inline Ring outline_of(const coupling::Driver& run, BlockId id) {
   return ring;
 }
 
-/// How deep a corner of one convex ring lies in another; 0 if none does.
+/// Largest depth of a corner of one convex ring in another; 0 if no corner lies in it.
 inline double depth_in(const Ring& of, const Ring& in) {
   double deepest = 0.0;
   for (const Vec2& x : of) {

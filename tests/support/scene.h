@@ -1,4 +1,4 @@
-// Small models built in code, and a run of them.
+// Small models built in code, and their runs.
 #pragma once
 
 #include <cmath>
@@ -66,7 +66,7 @@ inline BodyTotals totals_of(const coupling::Driver& run, BlockId id) {
   return totals_of(run.setup(), run.state(), run.setup().bodies()[id.index()]);
 }
 
-/// Centroid of a block at the state that a run has reached.
+/// Centroid of a block in the current state of a run.
 inline Vec2 centre_of(const coupling::Driver& run, BlockId id) { return totals_of(run, id).centre; }
 
 }  // namespace scree::test

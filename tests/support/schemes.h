@@ -1,4 +1,4 @@
-// A method with a time scheme, for tests that hold for several, looks at the frames of a run, one of its checkpoints.
+// Methods with time schemes for parametrised tests; sinks that observe steps and frames of a run or keep a checkpoint.
 #pragma once
 
 #include <functional>
@@ -29,13 +29,13 @@ inline constexpr Scheme kAllSchemes[] = {{"nmm", "nmm", coupling::Integrator::ex
                                          {"nmm_implicit", "nmm", coupling::Integrator::implicit},
                                          {"dda_implicit", "dda", coupling::Integrator::implicit}};
 
-/// Shows the time of every step of a run to a function.
+/// Calls a function with the time of every step of a run.
 struct EveryStep final : coupling::Sink {
   std::function<void(double)> see;
   void step(double time, const coupling::RunStats&, const coupling::Ledger&) override { see(time); }
 };
 
-/// Shows every frame of a run to a function.
+/// Calls a function with every frame of a run.
 struct Watch final : coupling::Sink {
   std::function<void(const coupling::FrameView&)> see;
   void frame(const coupling::FrameView& view) override { see(view); }

@@ -1,3 +1,4 @@
+// A third method (rigid blocks) coupled with NMM and DDA: sums of forces, energies and results known by hand.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -49,7 +50,7 @@ TEST(ThirdMethod, rigid_block_on_nmm_and_dda_carries_its_weight_into_both) {
   coupling::Driver run(scene.model, scene.plan, methods);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const double load = weight(scene, 3.0 * 0.8);
-  // Four contact points: how they share the load depends on the stiffness of the blocks below, its sum does not.
+  // Four contact points: the shares of the load depend on the stiffness of the blocks below, their sum does not.
   const double left = normal_force_on(run, BlockId{3}, BlockId{1}),
                right = normal_force_on(run, BlockId{3}, BlockId{2});
   EXPECT_NEAR((left + right) / load, 1.0, 1e-3);
@@ -84,7 +85,7 @@ TEST(ThirdMethod, staged_run_goes_from_explicit_to_implicit_and_is_written_to_re
   std::filesystem::remove_all(out);
 }
 
-/// Pushes its first block by a force that no ledger hears of.
+/// Accelerates its first block by a force that is not booked in the ledger.
 class HidesAForce final : public RigidPool {
  public:
   void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override {
@@ -111,7 +112,7 @@ TEST(ThirdMethod, run_ends_where_a_force_is_hidden_from_the_ledger) {
   EXPECT_EQ(open.status, coupling::RunEnd::Status::not_converged);
   EXPECT_NE(open.reason.find("the energy ledger is open by"), std::string::npos) << open.reason;
   EXPECT_NE(open.reason.find("run.max_closure"), std::string::npos) << open.reason;
-  EXPECT_EQ(end_of(true, 0.0).status, coupling::RunEnd::Status::done);  // nobody looks
+  EXPECT_EQ(end_of(true, 0.0).status, coupling::RunEnd::Status::done);  // a limit of 0 switches the check off
 }
 
 TEST(ThirdMethod, rigid_spin_keeps_edges_and_rate) {
@@ -124,7 +125,7 @@ TEST(ThirdMethod, rigid_spin_keeps_edges_and_rate) {
   coupling::Driver run(scene.model, scene.plan, methods);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const BodyTotals t = totals_of(run, id);
-  EXPECT_NEAR(t.kinetic, 0.5 * 2600.0 * 2.0 * (4.0 + 1.0) / 12.0 * 9.0, 1e-8);  // 1e-12 of it
+  EXPECT_NEAR(t.kinetic, 0.5 * 2600.0 * 2.0 * (4.0 + 1.0) / 12.0 * 9.0, 1e-8);  // 1e-12 relative
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The audit: it finds what is wrong with a contact, and nothing wrong in runs of many steps.
+// The audit of contacts: it must report planted faults (gap, stretch, forces beyond the law, an overlap without a
+// contact) and must pass in runs of at least 500 steps.
 #include "coupling/contact/audit/audit.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ Scene heap(int count) {
   return scene;
 }
 
-/// Two blocks on a slope, one bonded to it, that the shaking of their base breaks loose.
+/// Two blocks on a slope, one bonded to it; the shaking of their base breaks them loose.
 Scene shaken() {
   Scene scene(1e9, 0.2, 2500.0, 30.0);
   scene.model.joints[0].cohesion = 2e4;
@@ -70,7 +71,7 @@ TEST_P(AuditedRun, every_step_passes) {
   coupling::Partition& sides =
       scene.stage(r.method, r.integrator, r.duration, r.dt > 0.0 ? std::optional<double>(r.dt) : std::nullopt, 0.6)
           .partition;
-  sides.speed = {1.0, 0.5};  // of partitioned ones
+  sides.speed = {1.0, 0.5};  // of partitioned stages
   scene.plan.audit = true;
   const coupling::Methods methods = coupling::standard_methods();
   coupling::Driver run(scene.model, scene.plan, methods);
@@ -96,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"nmm_partitioned_shaken", "nmm", Integrator::partitioned, false, 0.5, 1e-3}),
     [](const auto& p) { return p.param.name; });
 
-/// A block that rests on a floor, and a way to spoil what its contacts say.
+/// A block at rest on a floor, whose contact memory can be falsified.
 struct Resting {
   Scene scene{1e9, 0.2, 2500.0, 30.0};
   std::unique_ptr<ByHand> hand;
@@ -151,7 +152,7 @@ TEST(Audit, block_that_nothing_holds_inside_another_is_found) {
   Resting r;
   r.list.points.clear();
   r.list.memory.clear();
-  EXPECT_TRUE(r.geometry().passed());  // it touches, no more
+  EXPECT_TRUE(r.geometry().passed());  // it only touches
   AffineMotion m;
   m.c = Vec2(0.5, 0.45);
   const coupling::Body& b = r.hand->setup->bodies()[1];
@@ -176,7 +177,7 @@ TEST(Audit, corners_where_joints_cross_go_as_deep_as_the_joints_beside_them_give
   coupling::Driver run(scene.model, scene.plan, methods);
   const coupling::RunEnd end = run.run();
   EXPECT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
-  // The upper right block against the lower left one: deeper than what may lie unheld.
+  // The upper right block penetrates the lower left one deeper than is allowed without a contact.
   const coupling::Setup& setup = run.setup();
   const auto corner = [&](std::size_t block, double x, double y) {
     const coupling::Body& b = setup.bodies()[block];
@@ -185,7 +186,7 @@ TEST(Audit, corners_where_joints_cross_go_as_deep_as_the_joints_beside_them_give
   const Vec2 into = corner(2, 10, 10) - corner(5, 10, 10);
   std::printf("%.4g m, %.4g m deep, of %.4g m that may lie unheld\n", into.x(), into.y(), 0.1 * kDetection);
   EXPECT_GT(into.minCoeff(), 0.1 * kDetection);
-  // Without the joints beside it nothing excuses it.
+  // Without the closed joints beside it, this penetration is a violation.
   coupling::ContactFinder finder(setup, kDetection);
   coupling::ContactList known, list;
   finder.restore(run.state().contacts.memory, known);

@@ -1,5 +1,5 @@
-// Blocks thrown together in a box without friction, damping and gravity: their energy stays, and what the scheme makes
-// of it falls with the square of the step. Beside it: no column of the ledger that may only take creates energy.
+// Blocks that collide in a box without friction, damping and gravity: their energy is conserved, and the energy error
+// of the scheme falls with the square of the step. In addition, no dissipation column of the ledger creates energy.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ using namespace coupling;
 
 bool full() { return std::getenv("SCREE_FULL") != nullptr; }
 
-/// Blocks of unequal sizes and shapes, one to 2 x 2 m of a box, turned and thrown any way.
+/// Blocks of unequal sizes and shapes, one per 2 x 2 m of a box, with random rotations and velocities.
 Scene thrown(int side, unsigned seed, double safety, double duration) {
   Scene scene(5e8, 0.2, 2500.0, 0.0);
   scene.model.joints[0].damping = 0.0;
@@ -42,13 +42,13 @@ Scene thrown(int side, unsigned seed, double safety, double duration) {
   return scene;
 }
 
-/// No column that may only take, and none of the scheme's own, has created energy.
-/// @param allowed  of the energy passed: what swings that come back may leave in a column of the scheme
+/// No dissipation column and no column of the scheme has created energy.
+/// @param allowed  fraction of the energy passed that reversible oscillations may leave in a column of the scheme
 void expect_nothing_created(const Ledger& ledger, double allowed) {
   for (int i = 0; i < kColumns; ++i) {
     const auto column = static_cast<Column>(i);
     const double part = ledger[column] / ledger.passed();
-    // Dilation is the part of friction that lifts, with the other sign.
+    // Dilation is the part of the friction work that lifts the blocks, with the opposite sign.
     const bool lifts = column == Column::dilation;
     if (info(column).side == Side::dissipated && !lifts) {
       EXPECT_GT(part, -allowed) << info(column).name;
@@ -59,8 +59,8 @@ void expect_nothing_created(const Ledger& ledger, double allowed) {
 }
 
 struct Kept {
-  double energy = 0.0;                     // of that at the start
-  double transition = 0.0, dropped = 0.0;  // columns, of the same
+  double energy = 0.0;                     // fraction of the initial energy
+  double transition = 0.0, dropped = 0.0;  // columns, as fractions of the initial energy
   double geometry = 0.0;                   // contact_geometry + contact_edges + contact_tributary
 };
 
@@ -78,7 +78,7 @@ Kept collide(int side, unsigned seed, double safety, double duration) {
       side * side, seed, duration, safety, kept.energy, kept.transition, kept.dropped, kept.geometry,
       static_cast<long long>(run.state().step));
   EXPECT_LT(l.relative_closure(), 1e-9);
-  // The loss of an impact is a swing of either sign (impact_test.cpp), of second order in the step.
+  // The energy error of an impact has either sign (impact_test.cpp) and is of second order in the step.
   expect_nothing_created(l, safety > 0.5 ? 5e-3 : 1e-3);
   return kept;
 }
@@ -96,14 +96,15 @@ TEST(Collisions, energy_stays_and_the_loss_falls_with_order_two) {
     EXPECT_NEAR(kept.energy, 1.0, 0.003);
     EXPECT_LT(kept.dropped, 2e-3);
   }
-  // A quarter of the step: a sixteenth of the loss. The runs part after a few impacts, so their sums agree only so far.
+  // A quarter of the step gives a sixteenth of the loss. The runs diverge after a few impacts, so that the order of the
+  // sums is only approximate.
   std::printf("transition %.2e at 0.4, %.2e at 0.1: order %.2f\n", coarse, fine,
               std::log(coarse / fine) / std::log(4.0));
   EXPECT_LT(coarse, 0.0);
   EXPECT_GT(std::log(coarse / fine) / std::log(4.0), 1.5);
 }
 
-/// What slides and rocks with friction and dashpots, as everything does that is not a test.
+/// Blocks that slide and rock with friction and dashpots, as in ordinary models.
 TEST(Collisions, no_column_creates_energy_in_a_slide) {
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   const Mat2 R = rotation(-30.0 * kDegree);

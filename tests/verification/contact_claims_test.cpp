@@ -1,4 +1,5 @@
-// What contacts promise of blocks that rest, slide, stand in a column and are thrown together.
+// Contacts of blocks that rest, slide, stand in a column and collide. References: no creep, Coulomb's acceleration on a
+// slope, the elastic compression of a column, the penetration at which one contact point stores all kinetic energy.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ std::string scheme_name(const testing::TestParamInfo<Scheme>& of) { return of.pa
 
 // ---- Slopes -----------------------------------------------------------------------------------------------------
 
-/// A flat block on a slope of 25 degrees, let come to rest without sliding, then given its friction.
+/// A flat block on a slope of 25 degrees, brought to rest without sliding; then its friction acts.
 struct Slope {
   static constexpr double kAngle = 25.0;
   Scene scene;
@@ -43,7 +44,7 @@ struct Slope {
 class Claims : public testing::TestWithParam<Scheme> {};
 
 TEST_P(Claims, block_on_a_slope_does_not_creep) {
-  Slope slope(GetParam(), 35.0, 2e7, 1.0, 9.0);  // soft: its steps are long
+  Slope slope(GetParam(), 35.0, 2e7, 1.0, 9.0);  // soft, so that the explicit steps are long
   Driver run(slope.scene.model, slope.scene.plan, methods());
   Vec2 at_rest(0.0, 0.0);
   double creep = 0.0;
@@ -90,7 +91,7 @@ TEST_P(Claims, slope_holds_a_tenth_of_a_degree_below_friction_and_slides_above) 
     if (more > 0.0)
       EXPECT_LT(std::abs(moved), 1e-6);
     else
-      EXPECT_NEAR(acceleration, coulomb, kGravity * 0.005 * kDegree);  // strains of 1e-4 bend edges by as much
+      EXPECT_NEAR(acceleration, coulomb, kGravity * 0.005 * kDegree);  // strains of 1e-4 turn edges by about this angle
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
   }
 }
@@ -132,14 +133,14 @@ INSTANTIATE_TEST_SUITE_P(schemes, Claims, kSchemes, scheme_name);
 
 // ---- A column ---------------------------------------------------------------------------------------------------
 
-// Implicit steps of meshes are not among them.
+// All schemes except implicit steps of the NMM.
 const Scheme kQuick[] = {{"nmm", "nmm", Integrator::explicit_},
                          {"dda", "dda", Integrator::explicit_},
                          {"dda_implicit", "dda", Integrator::implicit}};
 
 class Column20 : public testing::TestWithParam<Scheme> {};
 
-/// Gravity comes on at once: it swings to twice the elastic compression and stands.
+/// Gravity is applied at once: the column oscillates to at most twice the elastic compression and stands.
 TEST_P(Column20, stands) {
   const Scheme scheme = GetParam();
   constexpr int kBlocks = 20;
@@ -147,13 +148,13 @@ TEST_P(Column20, stands) {
   Scene scene(young, 0.2, kDensity, 30.0);
   scene.add("base", rectangle(-2, -1, 3, 0), true);
   for (int i = 0; i < kBlocks; ++i) scene.add("b", rectangle(0, i, side, i + 1));
-  const double time = scheme.name == std::string("nmm") ? 0.4 : 2.0;  // two swings and more
+  const double time = scheme.name == std::string("nmm") ? 0.4 : 2.0;  // two oscillations and more
   scene.stage(scheme.method, scheme.integrator, time, scheme.implicit() ? std::optional<double>(5e-3) : std::nullopt,
               0.8);
   if (std::string(scheme.method) == "nmm")
     for (std::int32_t i = 1; i <= kBlocks; ++i) scene.plan.stages[0].rules.push_back({{BlockId{i}}, "nmm", 0.0, true});
   scene.plan.output.every = ticks(0.02);
-  // Sum over blocks and joints of the weight above over the stiffness of each: E' of a block, E'/1 m of a joint.
+  // Sum over blocks and joints of the weight above, divided by the stiffness: E' of a block, E'/1 m of a joint.
   const double modulus = scene.model.elasticity_of(BlockId{1}).p_modulus(), soft = young;  // unconfined: below E'
   const double static_top = kDensity * kGravity * 0.5 * kBlocks * (kBlocks + 1.0) * (1.0 / soft + 1.0 / modulus);
   Driver run(scene.model, scene.plan, methods());
@@ -201,7 +202,7 @@ TEST_P(Thrown, never_deeper_than_the_penalty_allows) {
                 scheme.implicit() ? std::optional<double>(2e-3 / speed) : std::nullopt, 0.6);
     scene.plan.output.every = scene.plan.stages[0].duration / 400;
     Driver run(scene.model, scene.plan, methods());
-    // One point that takes up all that moves: k d^2/2 = E, whatever the blocks do.
+    // Upper bound: one contact point that stores all kinetic energy, k d^2/2 = E.
     const double energy = 10 * 0.5 * kDensity * 0.8 * speed * speed * 1.01, limit = std::sqrt(2.0 * energy / 1e9);
     double deepest = 0.0;
     Watch watch;
@@ -220,13 +221,13 @@ TEST_P(Thrown, never_deeper_than_the_penalty_allows) {
                 run.state().ledger.relative_closure());
     EXPECT_GT(deepest, 0.01 * limit);  // they met
     EXPECT_LT(deepest, limit);
-    EXPECT_LT(limit, 0.4);  // half a block's width: less deep and nothing has passed through
+    EXPECT_LT(limit, 0.4);  // half a block's width: at less depth nothing has passed through
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
     deepest_part = std::max(deepest_part, deepest / limit);
   }
 }
 
-/// A fast block and a plate a hundredth as thick: it does not pass.
+/// A fast block does not pass through a plate of a hundredth of its thickness.
 TEST_P(Thrown, thin_plate_is_not_passed) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.2, kDensity, 20.0);

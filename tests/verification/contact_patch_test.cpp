@@ -1,5 +1,6 @@
 // Contact patch test (docs/theory/contact-geometry.md, "Edge-edge contact"): a uniform pressure passes exactly through
-// joints whose vertices do not match.
+// joints whose vertices do not match. The reference is the series of two layers and three joints; the mean stress is
+// compared within 1e-4, since strains are 4e-5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +72,7 @@ test::Scene layers(const Patch& patch, double poisson, const std::vector<Polygon
   for (const Polygon& p : upper) high.blocks.push_back(scene.add("high" + std::to_string(high.blocks.size()), p));
   const bool implicit = patch.integrator == Integrator::implicit;
   const bool dda = std::string(patch.lower) == "dda" && std::string(patch.upper) == "dda";
-  // Long steps come to rest sooner; DDA, exact for this stress, is there at once.
+  // Long steps reach rest sooner; DDA, which is exact for this stress, reaches it at once.
   const double step = dda ? 1e-3 : 1e-2;
   coupling::Stage& stage = scene.stage("dda", patch.integrator, implicit ? 200.0 * step : 2.0,
                                        implicit ? std::optional(step) : std::nullopt, 0.37);
@@ -81,7 +82,7 @@ test::Scene layers(const Patch& patch, double poisson, const std::vector<Polygon
   return scene;
 }
 
-/// Blocks of a layer touch; without Poisson's effect they do not push each other aside.
+/// The blocks of a layer touch; without Poisson's effect they exert no lateral forces on each other.
 test::Scene three_on_two(const Patch& patch) {
   return layers(patch, 0.0, {test::rectangle(0, 0, 1.7, 1), test::rectangle(1.7, 0, 4, 1)},
                 {test::rectangle(0, 1, 1.1, 2.2), test::rectangle(1.1, 1, 2.7, 2.2), test::rectangle(2.7, 1, 4, 2.2)},
@@ -92,7 +93,8 @@ class ContactPatch : public ::testing::TestWithParam<Patch> {};
 
 TEST_P(ContactPatch, layers_of_blocks_carry_a_uniform_pressure) {
   test::Scene scene = three_on_two(GetParam());
-  // Without friction a transient may leave the blocks aside by 1e-7 m, which is an eccentric load: hold them in line.
+  // Without friction a transient may displace the blocks sideways by 1e-7 m, which makes the load eccentric: support
+  // them laterally.
   for (std::size_t b = 2; b < scene.model.blocks.size(); ++b)
     scene.model.point_supports.push_back(
         {BlockId{static_cast<std::int32_t>(b)}, moments(scene.model.blocks[b].polygon).centroid, true, false, 1e7});
@@ -118,10 +120,10 @@ TEST_P(ContactPatch, overlap_is_counted_once) {
     if (std::min(m.key.block_p, m.key.block_e) < 4 && std::min(m.key.block_p, m.key.block_e) > 1 &&
         std::max(m.key.block_p, m.key.block_e) > 3)
       between += m.tributary;
-  EXPECT_NEAR(between, 4.0, 1e-4);  // the strain of the run, and no more
+  EXPECT_NEAR(between, 4.0, 1e-4);  // the tolerance covers the strain of the run only
 }
 
-/// Every block put where the exact solution has it: all forces must balance, node by node.
+/// Every block is placed according to the exact solution: the forces on every node must balance.
 TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
   test::Scene scene = three_on_two(GetParam());
   const Mat2 Q = rotation(37.0 * test::kDegree);
@@ -153,16 +155,17 @@ TEST_P(ContactPatch, exact_solution_is_in_balance_at_any_angle) {
     (void)integrator.enter(state);
     ++state.step;
   };
-  put(0.0);  // contacts close here, without force
+  put(0.0);  // the contacts close here without force
   const double pressure = 4e3;
   put(pressure);
   const Spread s = spread_of_stress(setup, state, Q);
   EXPECT_NEAR(s.mean, -pressure, 1e-4 * pressure);
-  // A force out of balance by a part of the pressure on a cover's width would accelerate its mass by that part of this.
+  // Acceleration of a cover's mass under the pressure on its width: the unbalanced force as a fraction of that pressure
+  // gives the acceleration as the same fraction of this scale.
   const double scale = pressure / (2500.0 * scene.plan.stages[0].cover_size);
   double largest = 0.0;
   for (const double a : state.a) largest = std::max(largest, std::abs(a));
-  // The consistent mass of implicit stages answers the same forces with up to four times the acceleration.
+  // With the consistent mass of implicit stages, the same forces cause up to four times the acceleration.
   EXPECT_LT(largest, (GetParam().integrator == Integrator::implicit ? 4e-8 : 1e-8) * scale);
 }
 

@@ -1,4 +1,5 @@
-// Contacts that change their shares, edges and kinds while they carry load: nothing may jump.
+// Contacts that change tributary length, edge and kind (edge-edge or not) while they carry load: forces, penetration
+// and energy must not jump. Sliding is compared with Coulomb's law.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 using namespace coupling;
 
-/// Where a point of a block's outline, given in the model, is now.
+/// Present position of a point of a block's outline, given by its position in the model.
 Vec2 point_of(const Driver& run, BlockId block, const Vec2& x0) {
   const Body& b = run.setup().bodies()[block.index()];
   const Row row = run.setup().pool_of(b).row_at(b.index, x0 - b.centre);
@@ -29,7 +30,7 @@ Resultant resultant(const State& state) {
   for (const ContactMemory& m : state.contacts) {
     if (m.status == ContactStatus::open) continue;
     sum.normal += m.fn;
-    // ft acts on the corner along the edge: from either side the same pull on the joint.
+    // ft acts on the vertex along the edge; it has the same sign for vertices of either block.
     sum.tangential += m.ft;
   }
   return sum;
@@ -84,10 +85,10 @@ TEST_P(SlidingOverJoints, forces_and_depth_stay_across_the_joints) {
   double depth = 0.0, deepest = 0.0, normal = 0.0, tangential = 0.0, travelled = 0.0;
   Watch watch;
   watch.see = [&](const FrameView& view) {
-    if (view.time < 0.3) return;  // gravity comes on at once: that swing is over
+    if (view.time < 0.3) return;  // gravity is applied at once: its oscillation has decayed by then
     const Vec2 centre = centre_of(run, BlockId{7});
     if (depth == 0.0) depth = 0.5 - centre.y();
-    if (totals_of(run, BlockId{7}).momentum.x() < 0.05 * 2600.0 * speed) return;  // it stops, and sticks
+    if (totals_of(run, BlockId{7}).momentum.x() < 0.05 * 2600.0 * speed) return;  // the block stops and sticks
     const Resultant r = resultant(*view.state);
     deepest = std::max(deepest, std::abs(0.5 - centre.y() - depth));
     normal = std::max(normal, std::abs(r.normal - weight) / weight);
@@ -96,14 +97,14 @@ TEST_P(SlidingOverJoints, forces_and_depth_stay_across_the_joints) {
   };
   run.add_sink(watch);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  ASSERT_GT(travelled, 0.9);  // the leading edge went over two joints at least
+  ASSERT_GT(travelled, 0.9);  // the leading edge passed at least two joints
   std::printf("%s phi %g: %.2f m, depth %.3e changes %.1e, normal %.1e, friction %.1e of the weight\n", scheme.name,
               phi, travelled, depth, deepest, normal, tangential);
   EXPECT_LT(deepest, 0.01 * depth);
   EXPECT_LT(normal, 2e-3);
   EXPECT_LT(tangential, 2e-3);
   if (phi == 0.0 &&
-      !scheme.implicit()) {  // an implicit step that crosses a joint feels the side of the next block once
+      !scheme.implicit()) {  // in an implicit step that crosses a joint, the side of the next block pushes once
     EXPECT_NEAR(totals_of(run, BlockId{7}).momentum.x() / (2600.0 * speed), 1.0, 1e-6);
   }
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
@@ -121,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, SlidingOverJoints,
 
 class Slivers : public testing::TestWithParam<Scheme> {};
 
-/// Slivers of a few millimetres lie in the row.
+/// A block slides over a row that contains slivers a few millimetres wide, and keeps its velocity.
 TEST_P(Slivers, carry_what_slides_over_them) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.2, 2600.0, 0.0);
@@ -137,7 +138,7 @@ TEST_P(Slivers, carry_what_slides_over_them) {
   std::printf("%s: x %.6f, depth %.4e of %.4e, closure %.1e\n", scheme.name, centre_of(run, block).x(),
               0.5 - centre_of(run, block).y(), settlement, run.state().ledger.relative_closure());
   EXPECT_NEAR(totals_of(run, block).momentum.x() / 5200.0, 1.0, 1e-5);
-  EXPECT_NEAR(0.5 - centre_of(run, block).y(), settlement, 0.5 * settlement);  // and the strain of the block itself
+  EXPECT_NEAR(0.5 - centre_of(run, block).y(), settlement, 0.5 * settlement);  // and the block's own strain
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
 }
 
@@ -148,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, Slivers,
 
 class LastEdge : public testing::TestWithParam<Scheme> {};
 
-/// Over the end of the last edge: it tips and falls, and nothing throws it.
+/// A block slides over the end of the last edge, tips and falls: no contact adds energy.
 TEST_P(LastEdge, block_slides_off_the_end) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.2, 2600.0, 20.0);
@@ -173,7 +174,7 @@ TEST_P(LastEdge, block_slides_off_the_end) {
   std::printf("%s: ends at %.3f %.3f, gains %.1e J at most, closure %.1e\n", scheme.name, centre_of(run, block).x(),
               centre_of(run, block).y(), gain, run.state().ledger.relative_closure());
   EXPECT_LT(centre_of(run, block).y(), -0.5);  // it fell
-  EXPECT_LT(gain, 1e-4 * 0.5 * 2600.0 * 9.0);  // the explicit scheme's energy swings by its shadow
+  EXPECT_LT(gain, 1e-4 * 0.5 * 2600.0 * 9.0);  // the energy of the explicit scheme oscillates by its shadow term
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
 }
 INSTANTIATE_TEST_SUITE_P(schemes, LastEdge,
@@ -186,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, LastEdge,
 
 class Rocking : public testing::TestWithParam<Scheme> {};
 
-/// Tilts from 0 over 5 and 10 degrees about its corner, and back.
+/// A block tilts about its corner from 0 through 5 and 10 degrees and back.
 TEST_P(Rocking, changes_of_kind_keep_the_force_and_book_its_energy) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.2, 2600.0, 50.0);
@@ -238,7 +239,7 @@ TEST_P(Rocking, changes_of_kind_keep_the_force_and_book_its_energy) {
   std::printf("%s: tilt %.2f degrees, %d changes of kind, force %.1e, energy %.1e, closure %.1e\n", scheme.name, tilt,
               changes, force_error, booked_error, run.state().ledger.relative_closure());
   EXPECT_GT(tilt, 10.5);
-  EXPECT_GE(changes, 1);  // on the way back a mesh vertex of the base may take over before the corner faces it again
+  EXPECT_GE(changes, 1);  // on return a mesh vertex of the base may be the contact before the corner faces it again
   EXPECT_LE(changes, 4);  // no chatter
   EXPECT_LT(force_error, 1e-12);
   EXPECT_LT(booked_error, 1e-6);
@@ -254,9 +255,9 @@ INSTANTIATE_TEST_SUITE_P(schemes, Rocking,
 
 class NarrowFoot : public testing::TestWithParam<Scheme> {};
 
-/// A wedge with a foot of 4 cm on the very corner of its base, as joints at a sharp angle cut it: the corner of the
-/// foot stands on the top of the base, 4 cm behind the line of its side, and a corner of the base as far behind a side
-/// of the wedge. Nothing is in anything.
+/// A wedge with a foot of 4 cm exactly on the corner of its base, as joints at a sharp angle cut it: the corner of the
+/// foot stands on the top of the base, 4 cm behind the line of its side, and a corner of the base lies as far behind a
+/// side of the wedge. No block overlaps another.
 TEST_P(NarrowFoot, stands_without_force_as_the_run_begins) {
   const Scheme scheme = GetParam();
   Scene scene(5e9, 0.2, 2600.0, 35.0);
@@ -288,7 +289,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, NarrowFoot,
 
 class FourCorners : public testing::TestWithParam<Scheme> {};
 
-/// Two columns of two blocks each: four corners in one point.
+/// Two columns of two blocks each, whose corners meet in one point: no force acts between diagonal neighbours.
 TEST_P(FourCorners, columns_stand_and_do_not_push_across) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.0, 2600.0, 30.0);
@@ -335,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, FourCorners,
 
 // ---- Laws -------------------------------------------------------------------------------------------------------
 
-/// A block on a base, let come to rest.
+/// A block on a base, brought to rest.
 struct Rested {
   Scene scene{1e9, 0.0, 2600.0, 30.0};
   std::unique_ptr<Driver> run;
@@ -354,12 +355,12 @@ TEST(Laws, stiffness_per_area_gives_the_settlement_of_a_block) {
   const double kn = 3e8;
   const Rested r({"", "dda", Integrator::implicit}, [&](JointLaw& law) { law.normal_stiffness = kn; });
   const double pressure = 2600.0 * kGravity * 2.0;
-  // DDA: one strain a block, that of the mean pressure.
+  // DDA: one strain per block, that of the mean pressure.
   const double settlement = pressure / kn + 0.5 * pressure / 1e9 * 1.0;
   EXPECT_NEAR(1.0 - centre_of(*r.run, BlockId{1}).y(), settlement, 2e-4 * settlement);  // strain 3e-5
 }
 
-/// Whatever mesh divides the edges between them.
+/// Only the corners of the block count, independent of the mesh that divides the edges between them.
 TEST(Laws, penalty_counts_the_corners_alone) {
   for (const Scheme& scheme : {Scheme{"", "dda", Integrator::implicit}, Scheme{"", "nmm", Integrator::explicit_}}) {
     const double k = 2e8;
@@ -379,7 +380,7 @@ TEST(Laws, penalty_counts_the_corners_alone) {
   }
 }
 
-/// Pulled sideways, it holds as long as cohesion and friction do.
+/// A block under a sideways load holds as long as the load is below the sum of cohesion and friction.
 TEST(Laws, cohesion_acts_on_the_contact_length) {
   for (const double part : {0.95, 1.05}) {
     const double cohesion = 4e4, length = 0.3, weight = 2600.0 * kGravity * 3.0;
@@ -393,7 +394,7 @@ TEST(Laws, cohesion_acts_on_the_contact_length) {
     scene.add("base", rectangle(-2, -1, 8, 0), true);
     scene.add("block", rectangle(0, 0, 6, 0.5));  // flat: both corners carry nearly the same
     scene.stage("dda", Integrator::implicit, 0.5, 1e-2).rest = true;
-    // Gravity leans: the weight down, and `part` of the limit sideways.
+    // Inclined gravity: the weight acts down, and `part` of the limit sideways.
     scene.model.gravity = {part * limit / (2600.0 * 3.0), -kGravity};
     Driver run(scene.model, scene.plan, methods());
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
@@ -408,7 +409,7 @@ TEST(Laws, cohesion_acts_on_the_contact_length) {
 
 class Cohesion : public testing::TestWithParam<Scheme> {};
 
-/// Points that are new on a joint that has slipped have no cohesion to lose.
+/// New contact points on a joint that has slipped have no cohesion.
 TEST_P(Cohesion, lost_once_stays_lost_across_joints) {
   const Scheme scheme = GetParam();
   Scene scene(1e9, 0.2, 2600.0, 10.0);
@@ -433,7 +434,7 @@ TEST_P(Cohesion, lost_once_stays_lost_across_joints) {
   };
   run.add_sink(watch);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  EXPECT_GT(centre_of(run, block).x(), 0.05);  // over one joint at the leading edge, and over one inside
+  EXPECT_GT(centre_of(run, block).x(), 0.05);  // the leading edge passed one joint, and an inner part another
   EXPECT_LT(beyond, 1e-9 * 2600.0 * kGravity);
 }
 INSTANTIATE_TEST_SUITE_P(schemes, Cohesion,
@@ -444,7 +445,7 @@ INSTANTIATE_TEST_SUITE_P(schemes, Cohesion,
 
 // ---- Frames and threads -----------------------------------------------------------------------------------------
 
-/// A block thrown on two others; centre of the thrown one, turned back.
+/// A block thrown on two others, in a scene turned by R.
 Scene thrown(const Mat2& R, const char* method, Integrator integrator) {
   Scene scene(1e9, 0.2, 2600.0, 25.0);
   const Vec2 origin(0.0, 0.0);
@@ -457,7 +458,7 @@ Scene thrown(const Mat2& R, const char* method, Integrator integrator) {
   scene.model.initial_velocities.push_back({top, R * Vec2(1.0, -1.0), 0.3});
   const bool implicit = integrator == Integrator::implicit;
   scene.model.joints[0].damping = 0.2;
-  // Whether a contact slides is a threshold: round-off may take it a period later.
+  // Whether a contact slides is decided by a threshold: round-off may change the decision one period later.
   scene.stage(method, integrator, 0.3, implicit ? std::optional<double>(1e-3) : std::nullopt, 0.5).sliding_damping =
       0.0;
   return scene;
@@ -509,7 +510,7 @@ TEST(Threads, sharing_contacts_have_the_same_bits) {
 
 class HeadOn : public testing::TestWithParam<std::tuple<Scheme, double, double>> {};
 
-/// Two squares on their tips meet corner to corner, in the void.
+/// Two squares on their tips meet corner to corner, without gravity.
 TEST_P(HeadOn, momentum_is_kept_and_they_do_not_pass) {
   const auto& [scheme, speed, offset] = GetParam();
   Scene scene(1e9, 0.2, 2600.0, 20.0);
@@ -543,8 +544,8 @@ TEST_P(HeadOn, momentum_is_kept_and_they_do_not_pass) {
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   const BodyTotals ta = totals_of(run, a), tb = totals_of(run, b);
   const double scale = 2600.0 * speed;
-  // One pair of faces carries it, over a length and to a depth of s = d/sqrt(2) when the tips are d inside each other.
-  // F = E' s^2 over the width of 1 m works on s: E' s^3/3 takes up what the squares have.
+  // One pair of faces carries the force, over a length and to a depth of s = d/sqrt(2) where d is the overlap of the
+  // tips. The work of F = E' s^2 (width 1 m) along s is E' s^3/3; it equals the kinetic energy of the squares.
   const double limit = std::cbrt(3.0 * scale * speed / scene.model.elasticity_of(a).p_modulus());
   std::printf("%s %g m/s, offset %g: %.3f %.3f after, depth %.2e of %.2e, closure %.1e\n", scheme.name, speed, offset,
               ta.momentum.x() / scale, ta.momentum.y() / scale, deepest, limit, run.state().ledger.relative_closure());

@@ -1,4 +1,5 @@
-// The faces of a crack touch each other by the law of its joint, as two blocks do.
+// The faces of a crack are in contact under the law of its joint, as two blocks are. References: uniform stress across
+// a crack (within twice the strain), Coulomb's law on a slope, conservation of momentum and energy.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -12,9 +13,9 @@ namespace {
 using coupling::Integrator;
 
 constexpr double kYoung = 1e9, kNormal = 2e10, kShear = 1e10, kTraction = 1e3;
-constexpr double kStrain = kTraction / kYoung;  // by which lengths, and with them the forces on them, change
+constexpr double kStrain = kTraction / kYoung;  // relative change of lengths, and of the forces on them
 
-/// A square with cracks in it. Its law has a stiffness of its own, and friction that holds or not.
+/// A polygon with cracks. Their law has given stiffnesses and a given friction angle.
 struct Cracked {
   Scene scene;
   Cracked(double friction_deg, const Polygon& polygon, const std::vector<std::pair<Vec2, Vec2>>& cracks)
@@ -32,7 +33,7 @@ struct Cracked {
   }
 };
 
-/// Stress of all elements [Pa]: the largest difference from a uniaxial compression along y.
+/// Largest difference of the stress of any element from a uniaxial compression along y [Pa].
 double stress_error(const coupling::Setup& setup, const coupling::State& state) {
   MeshPart mesh;
   setup.pool(0).topology(mesh);
@@ -47,8 +48,8 @@ double stress_error(const coupling::Setup& setup, const coupling::State& state) 
 
 class CrackPatch : public testing::TestWithParam<double> {};
 
-/// Compression across a crack that runs through at any slope: the stress stays uniform and the faces move against each
-/// other by sigma_n/k_n and tau/k_s, whatever the mesh.
+/// Compression across a crack that cuts through the block at any slope: the stress stays uniform and the relative
+/// displacements of the faces are sigma_n/k_n and tau/k_s for any mesh.
 TEST_P(CrackPatch, uniform_stress_passes_through) {
   const double slope = GetParam();
   const Vec2 t(std::cos(slope), std::sin(slope)), n(-t.y(), t.x());
@@ -63,7 +64,7 @@ TEST_P(CrackPatch, uniform_stress_passes_through) {
   const coupling::RunEnd end = run.run();
   ASSERT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
   EXPECT_LT(stress_error(run.setup(), run.state()), 2.0 * kStrain * kTraction);
-  // Force on the upper face is that of a stress of -sigma along y on a plane with the normal n.
+  // The force on the upper face is the traction of a stress of -sigma along y on a plane with the normal n.
   const double pressure = kTraction * n.y() * n.y(), shear = kTraction * n.y() * t.y();
   std::size_t closed = 0;
   for (const coupling::ContactMemory& m : run.state().contacts) {
@@ -84,7 +85,7 @@ class CrackSliding : public testing::TestWithParam<Integrator> {};
 TEST_P(CrackSliding, upper_part_follows_coulomb) {
   const bool implicit = GetParam() == Integrator::implicit;
   const double phi = 10.0, slope = 25.0 * kDegree, g = 9.81;
-  // Drawn along the slope: a base, fixed from below, and on it, apart from its ends, what is to slide.
+  // Drawn along the slope: a base, fixed from below, and on it, cut off by the crack along its whole length, the part that slides.
   const Mat2 R = rotation(-slope);
   Cracked cracked(phi, transformed(rectangle(0.0, -0.5, 2.0, 0.5), Vec2(0, 0), R), {});
   cracked.scene.model.gravity = {0.0, -g};
@@ -119,14 +120,14 @@ TEST_P(CrackSliding, upper_part_follows_coulomb) {
 INSTANTIATE_TEST_SUITE_P(Schemes, CrackSliding, testing::Values(Integrator::explicit_, Integrator::implicit),
                          [](const auto& p) { return p.param == Integrator::implicit ? "implicit" : "explicit"; });
 
-/// A crack that a blow closes and opens again: momentum of the free block stays, the ledger closes.
+/// A crack that a blow closes and opens again: the momentum of the free block is conserved and the ledger closes.
 TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
   for (const Integrator kind : {Integrator::explicit_, Integrator::implicit}) {
     Cracked cracked(30.0, rectangle(-0.5, -0.5, 0.5, 0.5), {{Vec2(-0.3, 0.05), Vec2(0.35, -0.02)}});
     coupling::Stage& stage =
         cracked.stage(kind, 4e-3, kind == Integrator::implicit ? std::optional<double>(1e-5) : std::nullopt, 0.12);
     ByHand hand(cracked.scene.model, stage);
-    // The upper half against the lower one, and a spin.
+    // The upper half moves against the lower one, and the whole block spins.
     for (std::int32_t k = 0; k < hand.setup->nodes(); ++k) {
       const auto i = 2 * static_cast<std::size_t>(k);
       hand.state.v[i] = -2.0 * hand.state.q[i + 1];
@@ -167,7 +168,8 @@ TEST(CrackContact, clapping_faces_keep_momentum_and_energy) {
   }
 }
 
-/// Memory of a crack's contacts outlives a finer mesh: the friction of a stretched, pressed crack stays as it was.
+/// The memory of a crack's contacts is kept in a change to a finer mesh: the forces of a compressed and sheared crack
+/// do not change.
 TEST(CrackContact, tractions_outlive_a_new_mesh) {
   Cracked cracked(80.0, rectangle(-0.5, -0.5, 0.5, 0.5), {{Vec2(-1.0, -0.4), Vec2(1.0, 0.4)}});
   for (const double size : {0.3, 0.17}) {

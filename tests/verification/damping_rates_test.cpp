@@ -1,5 +1,5 @@
-// What is left of a vibration after some periods, with damping over without, against exp(-2 xi w t): mass-proportional
-// damping of rate a has xi = a/(2 w), damping proportional to stiffness of rate b has xi = b w/2.
+// Energy of a vibration after some periods, the ratio of runs with and without damping, compared with exp(-2 xi w t):
+// mass-proportional damping of rate a has xi = a/(2 w), damping proportional to stiffness of rate b has xi = b w/2.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,10 +20,10 @@ constexpr double kXi = 0.04, kPeriods = 3.0;
 
 struct Damping {
   double mass = 0.0, stiffness = 0.0;
-  bool rigid = false;  // the first of them acts on all of the velocity
+  bool rigid = false;  // mass damping acts on the whole velocity, rigid motion included
 };
 
-/// One way to move a bar that stretches along itself; without Poisson's effect it does nothing else.
+/// Method and scheme for a bar that stretches along its axis; without Poisson's effect it has no other motion.
 struct Way {
   const char* name;
   const char* method;
@@ -32,8 +32,8 @@ struct Way {
   NewmarkScheme newmark = NewmarkScheme::damped;
   BlockRotation rotation = BlockRotation::exact;
   [[nodiscard]] bool meshed() const { return std::string(method) == "nmm"; }
-  /// Of the mode that is set going: two half waves of the mesh, which it does not see as affine motion, and the stretch
-  /// of an affine block, whose inertia is that of a linear field, 12 E/(rho L^2).
+  /// Angular frequency of the excited mode [1/s]: two half waves in a mesh, which contain no affine motion, or the
+  /// stretch of an affine block, whose inertia is that of a linear field, omega^2 = 12 E/(rho L^2).
   [[nodiscard]] double omega() const {
     const double c = std::sqrt(kYoung / kDensity);
     return (meshed() ? 2.0 * std::numbers::pi : std::sqrt(12.0)) * c / kLength;
@@ -90,10 +90,10 @@ double energy_left(const Way& way, const Damping& damping, double steps_a_period
 
 class DecayRate : public testing::TestWithParam<Way> {
  protected:
-  /// -log of what damping leaves over what there is without, over 2 xi w t.
+  /// -log(energy with damping / energy without damping)/(2 xi w t).
   static double rate(const Damping& damping) {
     const Way way = GetParam();
-    // (1/2, 1) damps by itself, which is in both runs, and stretches the period with it.
+    // Newmark (1/2, 1) has numerical damping, which is in both runs, and lengthens the period.
     const double steps = way.integrator == Integrator::explicit_ ? 100.0 : 200.0;
     const double with = energy_left(way, damping, steps), without = energy_left(way, {}, steps);
     return -std::log(with / without) / (2.0 * kXi * 2.0 * std::numbers::pi * kPeriods);
@@ -106,7 +106,7 @@ TEST_P(DecayRate, of_damping_proportional_to_stiffness) {
 }
 
 TEST_P(DecayRate, of_mass_damping_beside_affine_motion) {
-  // An affine block has no motion beside the affine one.
+  // An affine block has only affine motion.
   EXPECT_NEAR(rate({.mass = 2.0 * kXi * GetParam().omega()}), GetParam().meshed() ? 1.0 : 0.0, kTolerance);
 }
 
@@ -125,7 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
                         BlockRotation::affine}),
     [](const auto& of) { return std::string(of.param.name); });
 
-/// v' = -a v of a block that flies: its momentum falls as exp(-a t), first order in the step of (1/2, 1).
+/// A block in free flight under v' = -a v: its momentum falls as exp(-a t), with an error of first order in the step of
+/// (1/2, 1).
 TEST(DecayRateOfFlight, mass_damping_of_all_motion_slows_a_block_down) {
   for (const Scheme& scheme : kAllSchemes) {
     Scene scene(1e8, 0.2, kDensity);
@@ -144,8 +145,8 @@ TEST(DecayRateOfFlight, mass_damping_of_all_motion_slows_a_block_down) {
   }
 }
 
-/// A pulling stage hands a fraction of the velocity on: of a flying block that is d^n after n steps, and the work that
-/// this takes is in its column.
+/// A stage with dynamics d keeps this fraction of the velocity in each step: a block in free flight has d^n of its
+/// velocity after n steps, and the energy removed is in the column rest_damping.
 TEST(DecayRateOfFlight, dynamics_hands_its_fraction_of_the_velocity_on) {
   for (const char* method : {"nmm", "dda"}) {
     Scene scene(1e8, 0.2, kDensity);

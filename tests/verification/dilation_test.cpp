@@ -1,4 +1,4 @@
-// Joints that open as they slip, against formulas.
+// Joints that open as they slip (dilation): lift, friction and acceleration compared with closed formulas.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class Dilation : public testing::TestWithParam<Scheme> {
     return scene_.stage(GetParam().method, GetParam().integrator, duration,
                         GetParam().implicit() ? std::optional<double>(dt) : std::nullopt, kHeight);
   }
-  /// A push along the joint, a fraction of gravity, that grows over `rise` after the first stage and stays.
+  /// A push along the joint, a fraction of gravity, that grows over `rise` from `start` on and is taken away again later.
   void push(double part, double start, double rise) {
     TimeFunction f;
     f.shape = TimeFunction::Shape::table;
@@ -41,7 +41,7 @@ class Dilation : public testing::TestWithParam<Scheme> {
   BlockId block_;
 };
 
-/// Mean slip of the closed points, by their shares.
+/// Mean slip of the closed points, weighted by tributary length.
 double mean_slip(const State& state) {
   double slip = 0.0, length = 0.0;
   for (const ContactMemory& m : state.contacts) {
@@ -52,8 +52,9 @@ double mean_slip(const State& state) {
   return slip / length;
 }
 
-/// Pushed along, let go, brought to rest. The force between the faces keeps the direction of the joint, so friction is
-/// T = N tan phi and dilation only lifts: with y'' = x'' tan psi, N = m (g + x'' tan psi) and m x'' = H - T,
+/// A block is pushed along, released and brought to rest. The force between the faces keeps the direction of the joint,
+/// so friction is T = N tan phi and dilation only lifts: with y'' = x'' tan psi, N = m (g + x'' tan psi) and
+/// m x'' = H - T,
 ///   x'' = (H/m - g tan phi)/(1 + tan phi tan psi)
 /// Of the friction force's work the part tan psi/tan phi lifts the block.
 TEST_P(Dilation, lifts_a_sliding_block_by_its_angle) {
@@ -89,7 +90,7 @@ TEST_P(Dilation, lifts_a_sliding_block_by_its_angle) {
   EXPECT_GT(slip, 0.1);
   EXPECT_NEAR(lift, slip * tan_psi, 1e-6 * slip);
   EXPECT_NEAR(apparent, tan_phi, 1e-6);
-  EXPECT_NEAR(found, wanted, 1e-4 * wanted);  // the springs swing a little
+  EXPECT_NEAR(found, wanted, 1e-4 * wanted);  // the contact springs oscillate a little
   EXPECT_NEAR(-ledger[Column::dilation], ledger[Column::friction] * tan_psi / tan_phi, 1e-5 * ledger[Column::friction]);
   EXPECT_LT(ledger.relative_closure(), 1e-9);
 }
@@ -134,7 +135,7 @@ TEST_P(Dilation, raises_the_normal_force_under_confinement) {
       slips = slips && (m.status == ContactStatus::slip || m.tributary < 1e-3);
     }
     const double lift = centre_of(run, block_).y() - 0.5 * kHeight;
-    // Inertia is small beside the springs: their force is that of the lift, and the lift that of the slip.
+    // Inertia is small compared with the springs: their force follows from the lift, and the lift from the slip.
     if (slips) {
       off = std::max(off, std::abs(lift - tan_psi * mean_slip(run.state())));
       cone = std::max(cone, std::abs(shear - normal * std::tan(30.0 * kDegree)));

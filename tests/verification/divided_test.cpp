@@ -1,4 +1,4 @@
-// One continuum, two integrators: a block of which one half takes explicit steps and the other implicit ones.
+// One block with two time integrators: one half takes explicit steps and the other half implicit steps.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace scree::coupling;
 
-/// How far the nodes of interface constraints lie apart now, at most [m].
+/// Largest present gap between the two nodes of an interface constraint, by component [m].
 double largest_gap(const Setup& setup, std::span<const double> q) {
   double most = 0.0;
   for (const Body& b : setup.bodies()) {
@@ -46,7 +46,7 @@ struct Plate {
   bool left;  // the explicit half
 };
 
-/// A plate of 2 m that spins freely, one half explicit.
+/// A plate of 2 m that spins freely; one half takes explicit steps.
 Scene spinning_plate(const Plate& p) {
   Scene scene(p.young, 0.2, 2500.0);
   scene.model.gravity = Vec2(0.0, 0.0);
@@ -83,15 +83,15 @@ Spun spun(const Plate& p) {
   return out;
 }
 
-/// Forces at the end of a step act along its way: of a rigid spin the implicit half takes w^2 H/2 times the virial of
-/// its stress. That of both halves is twice the kinetic energy, T' = -w^2 H T where all is implicit, and on average
-/// over which half is explicit T' = -w^2 H/2 T.
+/// In an implicit step, the forces at its end act along its whole displacement: in a rigid spin the implicit half loses
+/// w^2 H/2 times the virial of its stress. The virial of both halves is twice the kinetic energy T, hence T' = -w^2 H T
+/// if all is implicit, and T' = -w^2 H/2 T in the mean of the runs with either half explicit.
 double predicted_spin(const Plate& p, double time) {
   return p.spin / std::sqrt(1.0 + 0.5 * p.dt * p.spin * p.spin * time);
 }
 
 TEST(Divided, a_spinning_plate_loses_what_the_implicit_half_takes_and_its_halves_stay_together) {
-  // The stretched plate has more inertia than the one at rest: 1.2 % of the loss at 50 1/s in rock of 1 GPa, in
+  // The spin stretches the plate, which increases its inertia: 1.2 % of the loss at 50 1/s in rock of 1 GPa, in
   // proportion to rho v^2/E.
   for (const auto& [plate, within] : {std::pair(Plate{1e9, 50.0, 1e-4, 20.0, 1, true}, 0.015),
                                       std::pair(Plate{1e9, 50.0, 2e-4, 20.0, 4, true}, 0.015),
@@ -125,7 +125,7 @@ TEST(Divided, a_spinning_plate_loses_what_the_implicit_half_takes_and_its_halves
   }
 }
 
-/// A bar of 10 m with a smooth pulse at its left end, which passes the middle.
+/// A bar of 10 m; a smooth pulse from its left end passes the interface in the middle.
 struct Bar {
   Scene scene{1e9, 0.0, 2500.0};
   explicit Bar(Integrator integrator, double dt, std::int32_t substeps) {
@@ -166,7 +166,7 @@ TEST(Divided, a_wave_passes_the_interface) {
     double closure = 0.0, echo = 0.0, passed = 0.0, change = 0.0;
     const auto divided = history(Bar(Integrator::partitioned, dt, m), closure);
     for (std::size_t i = 0; i < divided.size(); ++i) {
-      // The pulse has left the first monitor, and the echo of the far end is not there yet.
+      // The pulse has passed the first monitor, and the reflection from the far end has not arrived.
       if (1e-4 * static_cast<double>(i) > 2.5 / speed + 6e-3)
         echo = std::max(echo, std::abs(divided[i][0] - whole[i][0]));
       passed = std::max(passed, divided[i][1]);
@@ -176,7 +176,7 @@ TEST(Divided, a_wave_passes_the_interface) {
                 echo / most, passed / most, closure, change / most);
     EXPECT_LT(closure, 1e-12);
     EXPECT_LT(echo, 0.01 * most);
-    EXPECT_NEAR(passed, most, 750.0 * dt * most);  // what the implicit half damps
+    EXPECT_NEAR(passed, most, 750.0 * dt * most);  // numerical damping of the implicit half
     if (last > 0.0 && m == 1) {
       EXPECT_NEAR(std::log2(last / change), 1.0, 0.2);  // the order of the implicit half
     }
@@ -185,7 +185,7 @@ TEST(Divided, a_wave_passes_the_interface) {
   }
 }
 
-/// A random block, divided by a random line, that a short blow at a corner sets in every motion it has.
+/// A random block, divided by a random line; a short blow at a corner excites all its modes.
 Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
   const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
   Scene scene(std::pow(10.0, uniform(8.0, 10.5)), uniform(0.0, 0.4), 2500.0);
@@ -199,7 +199,7 @@ Scene struck_block(std::mt19937_64& random, std::int32_t substeps) {
   for (const Vec2& x : {Vec2(-9.0, -9.0), Vec2(cut - 9.0 * lean, -9.0), Vec2(cut + 9.0 * lean, 9.0), Vec2(-9.0, 9.0)})
     stage.partition.explicit_region.push_back(rotation(turn) * x);
   stage.partition.substeps = substeps;
-  // The bound of the explicit half alone.
+  // Step bound of the explicit half alone.
   std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
   records[0].form.division.acts = Division::Acts::explicit_half;
   const Setup half(scene.model, methods(), records);
@@ -244,11 +244,11 @@ TEST(Divided, no_instability_at_the_bound_of_the_explicit_half) {
   EXPECT_LT(growth, 1.05);  // the shadow term is not counted
   EXPECT_LT(closure, 1e-11);
   EXPECT_LT(apart,
-            1e-8);  // 1e-9 of the blow's force against the mass at an interface constraint, made good in the next step
+            1e-8);  // 1e-9 of the blow's force against the mass at an interface constraint, corrected in the next step
 }
 
-/// A block that slides over the interface constraint of a divided base, which stood undivided before and stands so
-/// again.
+/// A block slides over the interface constraints of a divided base; the base is undivided in the stages before and
+/// after.
 TEST(Divided, contacts_and_hand_over) {
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   const BlockId base = scene.add("base", rectangle(-3.0, -1.0, 3.0, 0.0)),
@@ -280,14 +280,15 @@ TEST(Divided, contacts_and_hand_over) {
               static_cast<long>(run.stats().iterations));
   EXPECT_LT(sinks.closure, 1e-9);
   EXPECT_NEAR(moved, 2.0 * t - 0.5 * mu * g * t * t, 0.01);
-  // Division and union move no joule worth the name.
+  // Division and reunion transfer a negligible energy.
   EXPECT_LT(std::abs(ledger[Column::transfer]), 1e-3 * std::abs(ledger[Column::friction]));
 }
 
 /// Four blocks on a held base, the uppermost explicit; the upper two are pushed aside.
 Scene column(bool shared, double dt) {
   Scene scene(1e9, 0.2, 2600.0, 25.0);
-  // Weight that grows, so that no block bounces: explicit contacts damp that, those of implicit steps do not know how.
+  // The weight grows gradually, so that no block bounces: explicit contacts damp bouncing, those of implicit steps do
+  // not.
   scene.model.gravity = Vec2(0.0, 0.0);
   scene.model.functions.push_back({"weight", TimeFunction::Shape::ramp, 1.0, 0.0, 0.1, 0.0, {}, {}, {}});
   scene.model.body_accelerations.push_back({{}, Vec2(0.0, -9.81), FunctionId{0}});
@@ -304,8 +305,8 @@ Scene column(bool shared, double dt) {
 }
 
 TEST(SharedContacts, move_blocks_as_separated_ones_do_and_close_the_ledger) {
-  std::vector<double> apart;              // of the blocks by either algorithm, at most, over the longest way
-  for (const double dt : {8e-4, 4e-4}) {  // shorter ones let friction flutter, see cases/newmark-block
+  std::vector<double> apart;              // largest distance between both algorithms' results, over the longest path
+  for (const double dt : {8e-4, 4e-4}) {  // at shorter ones friction flutters, see cases/newmark-block
     std::vector<Vec2> at[2];
     for (const bool shared : {false, true}) {
       const Scene scene = column(shared, dt);

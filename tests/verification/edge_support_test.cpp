@@ -1,4 +1,5 @@
-// Supports along lines in whole runs: uniform stress, a beam on rollers, explicit steps, changes of method.
+// Supports along edges in whole runs: a uniform stress, a beam and a column on rollers, each compared with its elastic
+// solution, and changes of method, which must not move a block at rest.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +37,7 @@ Mat2 stress_of(const Driver& run, BlockId id) {
   return sum / n;
 }
 
-/// Position of a material point now.
+/// Present position of a material point.
 Vec2 now_at(const Driver& run, BlockId id, const Vec2& X) {
   const Body& b = run.setup().bodies()[id.index()];
   const ReferenceShape& shape = run.state().bodies[id.index()].shape;
@@ -52,7 +53,7 @@ Stage& at_rest(Scene& scene, const std::string& method, double cover_size = 0.3,
 }
 
 TEST(EdgeSupports, pressed_block_on_rollers_has_the_stress_of_the_load) {
-  // p on top, rollers below and to the left: s_yy = -p, free to widen.
+  // p on top, rollers below and to the left: s_yy = -p, free to expand sideways.
   const double p = 2e6, young = 5e9, nu = 0.2;
   for (const char* method : {"nmm", "dda"}) {
     Scene scene(young, nu);
@@ -70,7 +71,7 @@ TEST(EdgeSupports, pressed_block_on_rollers_has_the_stress_of_the_load) {
                 settled, top.x(), widened);
     EXPECT_NEAR(s(1, 1), -p, 1e-3 * p * (method[0] == 'd' ? 1.0 : 1e-6));
     EXPECT_NEAR(s(0, 0), 0.0, 1e-3 * p * (method[0] == 'd' ? 1.0 : 1e-6));
-    // The DDA's rollers give way by p/k, k = 10 (K + 4G/3)/sqrt(area).
+    // The rollers of DDA deform by p/k, k = 10 (K + 4G/3)/sqrt(area).
     const double k = 10.0 * scene.model.elasticity_of(block).p_modulus() / std::sqrt(2.0);
     EXPECT_NEAR(-top.y(), settled + (method[0] == 'd' ? p / k : 0.0), 1e-3 * settled);
     EXPECT_NEAR(top.x(), widened, 2e-3 * widened);
@@ -97,7 +98,7 @@ TEST(EdgeSupports, beam_on_rollers_bends_as_the_plane_solution) {
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
     found.push_back(0.021 - now_at(run, beam, {0.013, 0.021}).y());
   }
-  const double limit = found[1] + (found[1] - found[0]) / 3.0;  // of order two
+  const double limit = found[1] + (found[1] - found[0]) / 3.0;  // the error is of order two
   std::printf("beam: %.5e, %.5e, extrapolated %.5e of %.5e\n", found[0], found[1], limit, exact);
   EXPECT_NEAR(found[1], exact, 0.02 * exact);
   EXPECT_NEAR(limit, exact, 0.005 * exact);
@@ -106,8 +107,9 @@ TEST(EdgeSupports, beam_on_rollers_bends_as_the_plane_solution) {
 class EdgeSupportSteps : public testing::TestWithParam<Scheme> {};
 
 TEST_P(EdgeSupportSteps, a_column_let_go_on_rollers_swings_about_its_settlement) {
-  // Gravity begins at once: the top swings between 0 and twice the settlement rho g H^2/(2 M), M for uniaxial strain as
-  // both sides are on rollers; the first mode has the period 4 H/c_p. One quarter of it is run, and the ledger closes.
+  // Gravity is applied at once: the top oscillates between 0 and twice the settlement rho g H^2/(2 M), M for uniaxial
+  // strain as both sides are on rollers; the first mode has the period 4 H/c_p. One period is run, and the
+  // ledger closes.
   const Scheme scheme = GetParam();
   const double young = 1e9, nu = 0.25, density = 2500.0, H = 4.0;
   Scene scene(young, nu, density);
@@ -135,7 +137,7 @@ TEST_P(EdgeSupportSteps, a_column_let_go_on_rollers_swings_about_its_settlement)
   if (std::string(scheme.method) == "nmm") {
     EXPECT_NEAR(deepest, 2.0 * settlement, 0.03 * settlement);
     EXPECT_NEAR(at, 2.0 * H / wave, 0.03 * H / wave);
-  } else {  // one strain for all of it, and rollers that give way: the right order
+  } else {  // one strain for the whole column, and rollers that deform: the order of magnitude
     EXPECT_GT(deepest, settlement);
     EXPECT_LT(deepest, 3.0 * settlement);
   }
@@ -148,7 +150,8 @@ INSTANTIATE_TEST_SUITE_P(schemes, EdgeSupportSteps,
                          [](const auto& of) { return std::string(of.param.name); });
 
 TEST(EdgeSupports, change_of_method_keeps_what_holds_a_block_at_rest) {
-  // Settled under its weight by the NMM, then by the DDA, then the NMM again, in dynamic steps: nothing jumps.
+  // A block settles under its weight in the NMM, then continues in dynamic steps by the DDA and again by the NMM: its
+  // position must not jump.
   Scene scene(1e9, 0.2, 2600.0);
   const BlockId block = scene.add("block", rectangle(0, 0, 2, 2));
   scene.model.edge_supports = {held(block, 0, Mat2::Identity())};

@@ -1,4 +1,4 @@
-// Stages that a rule ends before their time, against motions whose time is known.
+// Rules that end a stage before its duration, compared with motions whose time is known in closed form.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@ using namespace coupling;
 
 constexpr double kGravity = 9.81;
 
-/// What a run tells of its stages.
+/// Records the events, frames and steps of a run that concern its stages.
 struct Told final : Sink {
   std::vector<double> rule, end;         // times [s]
   std::vector<std::string> why;          // of rules
@@ -54,7 +54,7 @@ TEST_P(EndBySlope, slip_is_reached_when_sqrt_2s_over_a_has_passed) {
   const std::optional<double> dt = scheme.implicit() ? std::optional<double>(5e-4) : std::nullopt;
   scene.stage(scheme.method, scheme.integrator, 2.0, dt, 0.5).end.slip = 1.0;
   scene.stage(scheme.method, scheme.integrator, 2.0, dt, 0.5).end.slip =
-      1.0;  // another one, from where the first ended
+      1.0;  // another metre, measured from the end of the first stage
   scene.plan.output.every = scene.plan.output.history_every = ticks(0.1);
   Driver run(scene.model, scene.plan, methods());
   Told told;
@@ -65,14 +65,14 @@ TEST_P(EndBySlope, slip_is_reached_when_sqrt_2s_over_a_has_passed) {
   const double first = std::sqrt(2.0 / a), second = std::sqrt(4.0 / a);
   std::printf("%s: %.5f s and %.5f s, %.5f and %.5f by Coulomb; %s\n", scheme.name, told.rule[0], told.rule[1], first,
               second, told.why[0].c_str());
-  // A step, and the springs that have to be stretched before there is all of Coulomb's friction.
+  // The tolerance covers one step and the time until the springs are stretched to Coulomb's limit.
   EXPECT_NEAR(told.rule[0] / first, 1.0, 1e-3);
   EXPECT_NEAR(told.rule[1] / second, 1.0, 1e-3);
   EXPECT_NE(told.why[0].find("(slip = 1)"), std::string::npos);
   EXPECT_EQ(told.rule, told.end) << "the stage ends with the step that the rule came true in";
   EXPECT_EQ(seconds(run.state().time), told.rule[1]);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
-  // The end that frames show: of the plan, then moved ahead.
+  // The end time in frames: that of the plan at first, then the earlier one.
   EXPECT_EQ(told.end_time.front(), 4.0);
   EXPECT_EQ(told.end_time.back(), told.rule[1]);
   EXPECT_EQ(std::count(told.frames.begin(), told.frames.end(), told.rule[0]), 2) << "end and beginning of stages";
@@ -88,7 +88,7 @@ TEST_P(EndBySlope, kinetic_energy_falls_below_a_fraction_of_its_peak_as_friction
   Stage& stage = scene.stage(scheme.method, scheme.integrator, 5.0,
                              scheme.implicit() ? std::optional<double>(5e-4) : std::nullopt, 0.5);
   stage.end.kinetic_below = fraction;
-  const double hold = 0.02;  // from then on it only falls
+  const double hold = 0.02;  // once below the fraction, the kinetic energy only falls
   stage.end.hold = ticks(hold);
   Driver run(scene.model, scene.plan, methods());
   Told told;
@@ -129,7 +129,7 @@ TEST_P(EndOfFall, displacement_ends_the_stage_with_the_first_step_beyond) {
               told.last - told.before, told.why[0].c_str());
   EXPECT_GE(fallen, 2.0 - 1e-12);
   if (scheme.implicit()) {
-    EXPECT_NEAR(told.rule[0], exact, 2e-3);  // its first order: a step, and one that it is behind by
+    EXPECT_NEAR(told.rule[0], exact, 2e-3);  // first order: the step that ends the stage, and a lag of one step
   } else {
     EXPECT_GE(told.rule[0], exact - 1e-12);
     EXPECT_LT(told.before, exact);
@@ -139,7 +139,7 @@ TEST_P(EndOfFall, displacement_ends_the_stage_with_the_first_step_beyond) {
 INSTANTIATE_TEST_SUITE_P(schemes, EndOfFall, testing::ValuesIn(kAllSchemes),
                          [](const auto& of) { return std::string(of.param.name); });
 
-/// A damped stack settles; its kinetic energy passes zero at each turn, so that `hold` decides.
+/// A damped stack settles; its kinetic energy passes zero at each reversal, so that the end depends on `hold`.
 TEST(EndRules, hold_waits_until_a_settling_stack_has_come_to_rest) {
   const auto run_with = [](double kinetic, double force, double hold, double* kept) {
     Scene scene(1e8, 0.2, 2600.0);

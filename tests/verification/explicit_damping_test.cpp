@@ -1,4 +1,4 @@
-// Damped oscillators against theory, and a wave that leaves a bar through a viscous edge.
+// Damped oscillators compared with their closed solutions, and a wave that leaves a bar through a viscous edge.
 #include <gtest/gtest.h>
 
 #include "tests/support/by_hand.h"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace coupling;
 
-/// A block on two upright springs: it bobs at omega = sqrt(2 k/m). Its first velocity is upward.
+/// A block on two upright springs: it oscillates at omega = sqrt(2 k/m). Its initial velocity is upward.
 struct Bobbing {
   static constexpr double kMass = 2000.0, kSpring = 1e5, kSpeed = 0.05;
   Scene scene{1e10, 0.2, kMass};
@@ -59,7 +59,7 @@ TEST_P(Oscillator, mass_damping_of_all_motion_decays_by_half_its_rate) {
   const double xi = 0.05, rate = 2.0 * xi * b.omega;
   const std::vector<double> peaks = b.peaks(GetParam(), {.mass = rate, .rigid = true});
   ASSERT_GE(peaks.size(), 8U);
-  const double decrement = std::log(peaks[0] / peaks[6]) / 3.0;  // a whole cycle each
+  const double decrement = std::log(peaks[0] / peaks[6]) / 3.0;  // over three whole cycles
   EXPECT_NEAR(decrement / (2.0 * std::numbers::pi * xi / std::sqrt(1.0 - xi * xi)), 1.0, 1e-4);
 }
 
@@ -69,13 +69,13 @@ TEST_P(Oscillator, mass_damping_that_spares_rigid_motion_and_rayleigh_damping_le
     if (damping.stiffness > 0.0 && std::string(GetParam()) == "nmm") continue;
     const std::vector<double> peaks = b.peaks(GetParam(), damping);
     ASSERT_GE(peaks.size(), 8U);
-    // What little the block itself gives, 2 k/E of the amplitude, is all that is damped.
+    // Only the deformation of the block itself is damped, 2 k/E of the amplitude.
     EXPECT_NEAR(peaks[6] / peaks[0], 1.0, 1e-4);
   }
 }
 
 TEST_P(Oscillator, local_damping_takes_the_same_share_of_every_half_cycle) {
-  // Speeding up with 1 - alpha of the force, slowing down with 1 + alpha: A'^2 (1 + alpha) = A^2 (1 - alpha).
+  // The block accelerates by 1 - alpha of the force and decelerates by 1 + alpha: A'^2 (1 + alpha) = A^2 (1 - alpha).
   Bobbing b;
   const double alpha = 0.1;
   const std::vector<double> peaks = b.peaks(GetParam(), {.local = alpha});
@@ -116,7 +116,7 @@ TEST(Rayleigh, stretching_block_decays_by_half_rate_times_omega_squared) {
               1.0 - std::exp(-4.0 * std::numbers::pi * 2.0 * xi), 1e-2);
 }
 
-/// Energy left in a bar after a pulse should have left it at the far end, as a fraction of what came in.
+/// Energy in a bar at a time when a pulse should have left it at the far end, as a fraction of the work of the load.
 double left_in_bar(bool viscous) {
   Scene scene(1e9, 0.0, 2500.0);  // nu = 0: plane waves travel at sqrt(E/rho)
   scene.model.gravity = {0.0, 0.0};
@@ -135,7 +135,7 @@ double left_in_bar(bool viscous) {
   EXPECT_LT(ledger.relative_closure(), 1e-11);
   EXPECT_GT(ledger[Column::loads], 0.01);
   EXPECT_EQ(ledger[Column::viscous_edges] > 0.0, viscous);
-  // The pulse leaves a bar that drifts (its impulse is not zero), and a plane wave takes that away too.
+  // The impulse of the pulse is not zero and makes the bar drift; a plane wave carries that energy away, too.
   return ledger.energy() / ledger[Column::loads];
 }
 

@@ -1,4 +1,4 @@
-// A run with a number that is not finite in its state or its books does not end with "done".
+// A run with a number that is not finite in its state or its ledger does not end with "done".
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -62,7 +62,7 @@ TEST(FiniteEnd, a_number_that_is_not_finite_ends_the_run_where_it_is_seen) {
         << first.end.reason;
     EXPECT_EQ(first.told, 1);
     EXPECT_GE(first.time, 0.02 - 1e-9);
-    EXPECT_LT(first.time, 0.03);  // the first look after a step
+    EXPECT_LT(first.time, 0.03);  // the first check after a step
     // 1/2 m (g t)^2 = 1.5 kJ at 0.1096 s.
     const Ended late = ended(Faulty::Fault::late_energy, integrator);
     EXPECT_EQ(late.end.status, RunEnd::Status::non_finite);

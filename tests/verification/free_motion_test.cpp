@@ -1,4 +1,4 @@
-// Free fall, free spin and the patch of both methods against theory.
+// Free fall and free spin of both methods against theory; transfers from the NMM to the DDA; stress in situ.
 #include <gtest/gtest.h>
 
 #include "tests/support/scene.h"
@@ -40,7 +40,7 @@ TEST(FreeSpin, implicit_dda_keeps_edges_and_spin_to_1e_12) {
   const std::vector<double>& q = run.state().q;
   EXPECT_NEAR(std::hypot(q[2], q[3]), 1.0, 1e-12);
   EXPECT_NEAR(std::hypot(q[4], q[5]), 1.0, 1e-12);
-  EXPECT_NEAR(std::sqrt(totals_of(run, id).kinetic / before), 1.0, 1e-12);  // round-off adds some 4e-16 a step
+  EXPECT_NEAR(std::sqrt(totals_of(run, id).kinetic / before), 1.0, 1e-12);  // round-off adds about 4e-16 per step
 }
 
 TEST(FreeSpin, explicit_nmm_keeps_angular_momentum) {
@@ -78,7 +78,7 @@ TEST(TransferReport, explicit_nmm_to_dda_keeps_mass_momenta_and_energy) {
   EXPECT_LT(row.energy_error, 1e-10);
 }
 
-/// Stress of a cell that holds a point near the middle of a free block, xx, yy, xy.
+/// Mean of the stress over the cells of a block, xx, yy, xy [Pa].
 Eigen::Vector3d mean_stress(const coupling::Driver& run, BlockId id) {
   const coupling::Body& b = run.setup().bodies()[id.index()];
   const auto p = static_cast<std::size_t>(b.pool);
@@ -97,7 +97,7 @@ Eigen::Vector3d mean_stress(const coupling::Driver& run, BlockId id) {
 }
 
 TEST(TransferReport, in_situ_stress_goes_along_both_ways) {
-  // A block that expands from its in-situ stress, turning: affine whole (onefold), so that nothing may jump.
+  // A spinning block that expands from its in-situ stress: it is affine as a whole (onefold), so that nothing may jump.
   Scene scene(1e7, 0.2, 2000.0);
   InitialStress s;
   s.stress << -2e5, 4e4, 4e4, -5e5;

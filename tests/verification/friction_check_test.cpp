@@ -1,5 +1,5 @@
-// Friction that sliding blocks lose although every step obeys the law and the ledger closes: seen where it happens,
-// silent where it does not.
+// The friction check: it must report sliding blocks that lose friction although every step obeys the law and the ledger
+// closes, and must not report others.
 #include "coupling/contact/audit/friction_check.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace {
 
 using namespace coupling;
 
-/// The bare equations, in which steep blocks flutter: contacts of explicit steps are damped by a fifth of critical,
-/// those of implicit steps and the deformation of what slides not at all.
+/// The equations without sliding damping, in which steep blocks flutter: contacts of explicit steps are damped by a
+/// fifth of critical; contacts of implicit steps and the deformation of sliding blocks are not damped.
 void bare(Scene& scene) {
   for (Stage& stage : scene.plan.stages) {
     stage.sliding_damping = 0.0;
@@ -22,7 +22,7 @@ void bare(Scene& scene) {
   }
 }
 
-/// Warnings of a run, and where it went.
+/// Warnings of a run, its friction ratio and the distance that a block slid [m].
 struct Found final : Sink {
   std::vector<std::string> warnings;
   double ratio = 0.0, slid = 0.0;
@@ -36,7 +36,7 @@ struct Found final : Sink {
   }
 };
 
-/// Runs a scene and says how far a block went and what was found.
+/// Runs a scene and records the displacement of a block, the friction ratio and the warnings.
 void look_at(Scene& scene, BlockId block, Found& found) {
   Driver run(scene.model, scene.plan, methods());
   run.add_sink(found);
@@ -46,8 +46,8 @@ void look_at(Scene& scene, BlockId block, Found& found) {
   found.slid = (centre_of(run, block) - run.setup().bodies()[block.index()].centre).norm();
 }
 
-/// A wedge of 20 m on a plane of 35 degrees, 2 degrees below its friction, pushed down it for 0.2 s: a rigid one slides
-/// 0.220 m.
+/// A wedge of 20 m on a plane of 35 degrees, 2 degrees below its friction angle, pushed down the plane for 0.2 s: a
+/// rigid wedge slides 0.220 m.
 struct Wedge : Scene {
   BlockId wedge;
   explicit Wedge(double seconds_after = 1.0) : Scene(5e9, 0.2, 2600.0, 37.0) {
@@ -97,7 +97,7 @@ TEST(FrictionCheck, fires_at_implicit_steps_of_1_ms_and_not_of_5_ms) {
   }
 }
 
-/// A block that slides down 25 degrees at a friction of 20: steadily, and in all schemes.
+/// A block that slides steadily down a plane of 25 degrees at a friction angle of 20, in all schemes.
 struct Slide : Scene {
   BlockId block;
   Slide() : Scene(1e9, 0.2, 2600.0, 20.0) {
@@ -114,7 +114,7 @@ TEST_P(SteadySlide, has_its_friction) {
   Slide scene;
   Stage& stage = scene.stage(GetParam().method, GetParam().integrator, 1.5,
                              GetParam().implicit() ? std::optional(2e-3) : std::nullopt);
-  stage.damping = 50.0;  // the block's own, lets the start die away
+  stage.damping = 50.0;  // damping of the block itself, by which the initial oscillation decays
   Found found;
   look_at(scene, scene.block, found);
   std::printf("%s: slid %.3f m, ratio %.6f\n", GetParam().name, found.slid, found.ratio);
@@ -125,8 +125,8 @@ TEST_P(SteadySlide, has_its_friction) {
 INSTANTIATE_TEST_SUITE_P(AllSchemes, SteadySlide, ::testing::ValuesIn(kAllSchemes),
                          [](const auto& p) { return p.param.name; });
 
-/// Blocks that take explicit and implicit steps, and steps of two sizes: every substep is seen, by whichever side has
-/// the contact.
+/// Explicit and implicit steps in one stage, and steps of two sizes: every substep is checked by the integrator that
+/// has the contact.
 TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
   for (const bool flutters : {false, true})
     for (const int kind : {0, 1, 2}) {  // explicit wedge, shared contacts, steps of two sizes
@@ -152,7 +152,8 @@ TEST(FrictionCheck, sees_partitioned_and_subcycled_stages) {
     }
 }
 
-/// A vertex that passes from edge to edge in line keeps its slide: none of the edges is as long as a hundred stretches.
+/// A vertex that passes from edge to collinear edge keeps its slide memory: none of the edges is as long as a hundred
+/// elastic stretches.
 TEST(FrictionCheck, goes_with_a_vertex_to_the_next_edge) {
   for (const double piece : {100.0, 0.04}) {
     Scene scene(1e7, 0.2, 2600.0, 20.0);
@@ -171,7 +172,7 @@ TEST(FrictionCheck, goes_with_a_vertex_to_the_next_edge) {
   }
 }
 
-/// What is remembered is the same after a stop: the bits of the whole state are.
+/// The slide memory is the same after a restart: the whole state is equal bit for bit.
 TEST(FrictionCheck, goes_on_from_a_checkpoint_in_the_same_bits) {
   Wedge scene;
   scene.stage("dda", Integrator::explicit_, scene.seconds, std::nullopt);
@@ -196,18 +197,19 @@ TEST(FrictionCheck, goes_on_from_a_checkpoint_in_the_same_bits) {
   ASSERT_EQ(again.run().status, RunEnd::Status::done);
   EXPECT_EQ(state_hash(again.state()), state_hash(run.state()));
   EXPECT_EQ(again.stats().friction_ratio, run.stats().friction_ratio);
-  EXPECT_EQ(whole.of_friction(), 1U);  // told once in all, before the stop or after it
+  EXPECT_EQ(whole.of_friction(), 1U);  // reported once in all, before or after the checkpoint
   EXPECT_LE(rest.of_friction(), 1U);
 }
 
-/// A block on a level base that is shaken to and fro: it slips and sticks in each period, one way on the whole.
+/// A block on a level base that is shaken back and forth: it slips and sticks in each period, with a net slip in one
+/// direction.
 TEST(FrictionCheck, is_silent_where_a_block_really_stops) {
   for (const bool implicit : {false, true}) {
     Scene scene(5e9, 0.2, 2600.0, 20.0);
     scene.add("base", rectangle(-4, -2, 8, 0));
     scene.model.block_supports.push_back({BlockId{0}, MotionId{0}});
     std::vector<double> t, a;
-    for (int i = 0; i <= 800; ++i) {  // 5 Hz: strong and short one way, weak and long the other
+    for (int i = 0; i <= 800; ++i) {  // 5 Hz: strong and short in one direction, weak and long in the other
       t.push_back(0.0025 * i);
       const double phase = std::fmod(5.0 * t.back(), 1.0);
       a.push_back(t.back() >= 2.0
@@ -263,7 +265,7 @@ struct Point {
   }
   [[nodiscard]] double limit() const { return 1e4 * std::tan(30.0 * kDegree); }
   ContactMemory& memory() { return list.memory[0]; }
-  /// Steps in which the point slips by so many elastic stretches under a part of its limit.
+  /// Steps in each of which the point slips by `stretches` elastic stretches under the fraction `part` of its limit.
   void slide(FrictionCheck& check, int steps, double h, double stretches, double part) {
     for (int i = 0; i < steps; ++i) {
       check.begin(list, 0.0);
@@ -293,7 +295,7 @@ TEST(FrictionCheck, counts_what_is_lost_while_a_point_is_turned_round_and_not_wh
   FrictionCheck check(*point.setup);
   check.begin(point.list, 0.0);
   const double h = check.period(point.list.points[0]) / 39.5;
-  for (int k = 0; k < 20; ++k) {  // in each period: forward, a tenth of the time back, a while open
+  for (int k = 0; k < 20; ++k) {  // in each period: forward slip, a tenth of the time backward slip, then open
     point.slide(check, 18, h, 2.0, 1.0);
     point.slide(check, 2, h, -0.5, -1.0);
     const double fn = point.memory().fn;
@@ -326,11 +328,11 @@ TEST(FrictionCheck, tells_of_points_that_stick_and_slip_with_the_period_of_a_sta
     FrictionCheck check(*point.setup);
     check.begin(point.list, 0.0);
     const double h = check.period(point.list.points[0]) / 39.5;
-    for (int k = 0; k < 60; ++k) {  // in three periods of the block one slip, at full friction
+    for (int k = 0; k < 60; ++k) {  // one slip at full friction in three periods of the block
       point.slide(check, 40, h, 1.0, 1.0);
       point.slide(check, 80, h, 0.0, 0.75);
     }
-    if (acts)  // shaking does that to sound blocks
+    if (acts)  // shaking causes the same in blocks that lose no friction
       EXPECT_TRUE(std::isinf(point.memory().slide.worst)) << point.memory().slide.worst;
     else
       EXPECT_NEAR(point.memory().slide.worst, (1.0 + 2.0 * 0.75) / 3.0, 0.01);
@@ -338,7 +340,7 @@ TEST(FrictionCheck, tells_of_points_that_stick_and_slip_with_the_period_of_a_sta
 }
 
 TEST(FrictionCheck, is_silent_where_a_slide_ends_and_nothing_acts) {
-  for (const double pace : {1.0, 0.97, 0.9, 0.6}) {  // of a slide from window to window
+  for (const double pace : {1.0, 0.97, 0.9, 0.6}) {  // ratio of the slip of successive windows
     Point point(false);
     FrictionCheck check(*point.setup);
     check.begin(point.list, 0.0);
@@ -351,7 +353,7 @@ TEST(FrictionCheck, is_silent_where_a_slide_ends_and_nothing_acts) {
 }
 
 TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
-  for (const double part : {0.9, 1.1}) {  // of the slip that counts: 2e-3 of the block, as stiff as its springs are
+  for (const double part : {0.9, 1.1}) {  // of the slip that counts: 2e-3 of the block's size, as its springs are stiff
     Point point;
     point.memory().kt = 1e11;
     FrictionCheck check(*point.setup);
@@ -363,7 +365,7 @@ TEST(FrictionCheck, takes_what_deformation_brings_for_no_slide) {
 }
 
 TEST(FrictionCheck, takes_uneven_ways_for_stops_and_even_ones_for_flutter) {
-  for (const double faster : {1.0, 1.9, 2.1, 10.0}) {  // every other window
+  for (const double faster : {1.0, 1.9, 2.1, 10.0}) {  // pace of every other window
     Point point;
     FrictionCheck check(*point.setup);
     check.begin(point.list, 0.0);
@@ -400,7 +402,7 @@ TEST(FrictionCheck, needs_a_hundred_stretches_one_way) {
   FrictionCheck check(*point.setup);
   check.begin(point.list, 0.0);
   const double h = check.period(point.list.points[0]) / 39.5;
-  point.slide(check, 8 * 40, h, 0.4, 0.5);  // 96 in the six windows that count
+  point.slide(check, 8 * 40, h, 0.4, 0.5);  // 96 stretches in the six windows that count
   EXPECT_TRUE(std::isinf(point.memory().slide.worst));
   for (int k = 0; k < 20; ++k) point.slide(check, 4 * 40, h, k % 2 == 0 ? -1.0 : 1.0, 0.5);
   EXPECT_TRUE(std::isinf(point.memory().slide.worst));

@@ -1,5 +1,5 @@
-// Vertices on vertices, edges in line, slivers and hair-wide gaps: the same physics wherever the scene stands, however
-// it is turned and whatever its unit of length.
+// Vertices on vertices, collinear edges, slivers and minute gaps: the results are compared with those of the same scene
+// moved, turned and scaled, and must agree within 1e-6 of the largest displacement and of a block's weight.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ Scene placed(Scene scene, const Place& place) {
   return scene;
 }
 
-/// Forces between pairs of blocks, and where the blocks are: of the scene in its own metres.
+/// Forces between pairs of blocks and displacements of the blocks, in the units and axes of the original scene.
 struct Frame {
   std::vector<Vec2> displacement;
   std::map<std::pair<std::int32_t, std::int32_t>, Vec2> force;  // on the first block of the pair [N]
@@ -131,21 +131,21 @@ std::vector<Geometry> geometries() {
   // Four blocks at a corner, over the corners of two more.
   all.push_back({"four_corners",
                  [](Scene& s) {
-                   s.model.joints[0].damping = 0.0;  // round-off says which of touching corners a dashpot meets first
+                   s.model.joints[0].damping = 0.0;  // round-off decides which of the touching corners is damped first
                    s.add("left", rectangle(-1, -1, 1, 0), true);
                    s.add("right", rectangle(1, -1, 3, 0), true);
                    for (const int row : {0, 1})
                      for (const int column : {0, 1}) s.add("b", rectangle(column, row, column + 1, row + 1));
                  },
                  4e-5, 5e-4});
-  // Every vertex on one of the next block, sides flush.
+  // Every vertex on a vertex of the next block, sides flush.
   all.push_back({"tower",
                  [](Scene& s) {
                    s.add("base", rectangle(0, -1, 1, 0), true);
                    for (int i = 0; i < 3; ++i) s.add("b", rectangle(0, i, 1, i + 1));
                  },
                  4e-5, 5e-4});
-  // Joints in one line through many blocks, vertices on vertices at some, in the middle of edges at others.
+  // Straight joints through many blocks, with vertices on vertices in some places and within edges in others.
   all.push_back({"long_joints",
                  [](Scene& s) {
                    for (int i = 0; i < 7; ++i) s.add("base", rectangle(0.7 * i, -1, 0.7 * (i + 1), 0), true);
@@ -163,7 +163,7 @@ std::vector<Geometry> geometries() {
                    s.model.initial_velocities.push_back({block, Vec2(0.01, 0.0), 0.0});
                  },
                  4e-5, 2e-4});
-  // Hair-wide gaps and overlaps on all sides.
+  // Minute gaps and overlaps on all sides.
   all.push_back({"gaps",
                  [](Scene& s) {
                    s.add("base", rectangle(-1, -1, 4, 0), true);
@@ -173,7 +173,7 @@ std::vector<Geometry> geometries() {
                    s.add("t", rectangle(0.5, 1 + 1e-12, 2.5, 1.8));
                  },
                  4e-5, 5e-4});
-  // A corner exactly where two edges in line meet; another exactly on the corner that ends an edge.
+  // A corner exactly where two collinear edges meet; in the next scene, exactly on the corner that ends an edge.
   all.push_back({"corner_on_joint",
                  [](Scene& s) {
                    s.add("left", rectangle(-2, -1, 0, 0), true);
@@ -212,13 +212,13 @@ TEST_P(HardGeometry, physics_is_the_same_wherever_and_however_large) {
   geometry.build(scene);
   const double dt = scheme.implicit() ? geometry.implicit_step : geometry.explicit_step;
   Stage& stage = scene.stage(scheme.method, scheme.integrator, kSteps * dt, dt, 0.45);
-  stage.sliding_damping = 0.0;  // whether a contact slides is a threshold: round-off may take it a period later
+  stage.sliding_damping = 0.0;  // sliding is decided by a threshold: round-off may change it one period later
   if (hard.onefold)
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.model.blocks.size()); ++i)
       stage.rules.push_back({{BlockId{i}}, "nmm", 0.0, true});
   scene.plan.output.every = ticks(kSteps * dt / kFrames);
   std::vector<Frame> base;
-  // The lattice of a mesh does not turn with a block: turned it is another one. Affine covers do.
+  // The lattice of a mesh does not turn with a block, so that a turned block has another mesh. Affine covers turn.
   for (const Place& place : places(scheme.method == std::string("dda") || hard.onefold)) {
     const Outcome now = run_at(scene, place);
     if (base.empty()) base = now.frames;
@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(std::get<0>(of.param).scheme.name) + "_" + geometries()[std::get<1>(of.param)].name;
     });
 
-// What the numbers cannot tell apart is refused before it runs: corners nearer than 1e-9 of the model's extent.
+// Corners nearer to each other than 1e-9 of the model's extent cannot be resolved: the model is refused before the run.
 TEST(HardGeometryRefused, sliver_that_the_extent_swallows) {
   for (const auto& [width, far] : {std::pair(1e-6, 0.0), std::pair(1e-12, 0.0), std::pair(1e-6, 1e4)}) {
     Scene scene;

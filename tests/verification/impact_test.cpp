@@ -1,7 +1,8 @@
-// Two blocks that hit each other at 1 to 50 m/s: momenta, ledger, depth, restitution and friction, against the two-mass
-// oscillator that stiff blocks on a contact spring are.
+// Two blocks that collide at 1 to 50 m/s: momenta, ledger, depth, restitution and friction, compared with the two-mass
+// oscillator that stiff blocks with a contact spring form.
 //   m_r g'' = f,  f = max(0, -k g - c g') where g < 0,  m_r = m_1 m_2/(m_1 + m_2),  c = 2 xi sqrt(k m_r)
-// From g = 0, g' = -v the force is gone at w_d t = pi - 2 asin(xi), before the gap is, and from then on the blocks fly:
+// From g = 0, g' = -v the force vanishes at w_d t = pi - 2 asin(xi), before the gap returns to zero; then the blocks
+// are free, with the restitution
 //   e = exp(-2 xi acos(xi)/sqrt(1 - xi^2))
 #include <gtest/gtest.h>
 
@@ -22,16 +23,16 @@ using namespace coupling;
 constexpr double kDensity = 2600.0;
 constexpr double kStiffness = 1e10;  // of joints [Pa/m]
 constexpr double kRock = 5e10;       // Young's modulus [Pa]
-constexpr double kStiff = 1e14;      // of blocks that give way by 1e-4 of what their contacts do [Pa]
-constexpr double kGiveWay = 2e-4;    // what that may change a restitution by
-constexpr double kApart = 0.06;      // the blocks at first: farther than contacts are looked for [m]
+constexpr double kStiff = 1e14;      // of blocks that deform by 1e-4 of their contacts' deformation [Pa]
+constexpr double kGiveWay = 2e-4;    // change of a restitution that this deformation may cause
+constexpr double kApart = 0.06;      // initial distance of the blocks, beyond the range of contact detection [m]
 constexpr double kSpeeds[] = {1.0, 10.0, 50.0};
 
 const Scheme kSchemes[] = {
     {"dda", "dda", Integrator::explicit_},        {"dda_implicit", "dda", Integrator::implicit},
     {"nmm", "nmm", Integrator::explicit_},        {"nmm_implicit", "nmm", Integrator::implicit},
     {"nmm_on_dda", "nmm", Integrator::explicit_}, {"nmm_on_dda_implicit", "nmm", Integrator::implicit}};
-/// Those that are a two-mass oscillator, exactly or nearly.
+/// Schemes that reduce to a two-mass oscillator, exactly or nearly.
 const Scheme kStiffExplicit[] = {{"rigid", "rigid", Integrator::explicit_}, {"dda", "dda", Integrator::explicit_}},
              kStiffImplicit[] = {{"rigid_implicit", "rigid", Integrator::implicit},
                                  {"dda_implicit", "dda", Integrator::implicit}};
@@ -52,7 +53,7 @@ struct EveryStep final : Sink {
 };
 
 // corner_past_corner: sides turned 20 degrees from each other, so that a corner meets an edge.
-// corner_on_corner: sides parallel, tips on one line, so that two pairs of edges meet as equals.
+// corner_on_corner: sides parallel, tips on one line, so that two pairs of edges meet symmetrically.
 enum class Meeting { equal_faces, unequal_faces, shifted_faces, oblique_faces, corner_past_corner, corner_on_corner };
 const char* name(Meeting meeting) {
   constexpr const char* kNames[] = {"equal_faces",   "unequal_faces",      "shifted_faces",
@@ -60,14 +61,14 @@ const char* name(Meeting meeting) {
   return kNames[static_cast<std::size_t>(meeting)];
 }
 
-/// A block that flies from the left against one at rest, away from the origin.
+/// A block that moves from the left against one at rest; they meet away from the origin.
 struct Impact {
   Scene scene;
   BlockId flying, resting;
   Vec2 velocity;
   double mass[2];    // flying, resting [kg]
-  double stiffness;  // of the springs together [N/m]
-  double over;       // by then they are apart [s]
+  double stiffness;  // of all contact springs together [N/m]
+  double over;       // time by which they have separated [s]
 
   Impact(Meeting meeting, double young, double speed, double damping, double friction_deg = 30.0)
       : scene(young, 0.2, kDensity, friction_deg), velocity(speed, 0.0) {
@@ -95,7 +96,7 @@ struct Impact {
     mass[0] = kDensity;
     mass[1] = kDensity * width * height;
     stiffness = kStiffness * (corners ? law.contact_length : std::min(1.0 - offset, height));
-    // A corner finds an edge later than a tip the tip, and slides along it.
+    // A corner meets an edge later than a tip meets a tip, and slides along it.
     over = kApart / speed + (corners ? 0.03 / speed + 0.03 : 2.0 * M_PI / rate());
   }
   [[nodiscard]] double reduced() const { return mass[0] * mass[1] / (mass[0] + mass[1]); }
@@ -103,15 +104,15 @@ struct Impact {
   [[nodiscard]] double energy() const { return 0.5 * mass[0] * velocity.squaredNorm(); }
 };
 
-/// What came of it.
+/// Results of an impact.
 struct Outcome {
-  double linear = 0.0, angular = 0.0;  // change of the momenta, of m v and of m v L, L = 1 m
-  double closure = 0.0;                // largest on the way, of the kinetic energy at the start
-  double deepest = 0.0;                // a corner in the other block [m]
+  double linear = 0.0, angular = 0.0;  // changes of the momenta over m v and over m v L, L = 1 m
+  double closure = 0.0;                // largest during the run, over the initial kinetic energy
+  double deepest = 0.0;                // largest depth of a corner in the other block [m]
   double restitution = 0.0;            // of the centres, along x
-  double kept = 0.0;                   // kinetic energy at the end, of that at the start
-  double turned = 0.0;                 // an edge, while they touched [rad]
-  double beyond = 0.0;                 // Coulomb's limit, by a contact's friction [N]
+  double kept = 0.0;                   // kinetic energy at the end over that at the start
+  double turned = 0.0;                 // largest rotation of an edge while the blocks touched [rad]
+  double beyond = 0.0;                 // largest excess of a contact's friction over Coulomb's limit [N]
   Vec2 impulse{0.0, 0.0};              // on the block that was at rest [N s]
   Vec2 centre[2];                      // at the end [m]
   bool met = false, apart = false;     // apart: at the end
@@ -179,7 +180,7 @@ Outcome run_impact(Impact& impact, const Scheme& scheme, std::optional<double> d
   return out;
 }
 
-/// Blocks that touch in one face only ever move apart; corners may also slide past each other.
+/// Blocks that meet in a face can only rebound; corners may also slide past each other.
 void expect_no_tunnel(const Outcome& o, Meeting meeting) {
   EXPECT_TRUE(o.met);
   EXPECT_TRUE(o.apart);
@@ -202,15 +203,15 @@ TEST_P(Impacts, keep_momenta_and_books_and_nothing_tunnels) {
         scheme.name, name(meeting), speed, o.linear, o.angular, o.closure, o.deepest, o.restitution, o.kept,
         o.steps.size(), static_cast<long long>(o.cuts));
     EXPECT_LT(o.linear, 1e-12);
-    // A step of the implicit scheme is linear: its forces make no torque about where the step began, not where it
-    // ends. See ImplicitAngular.
+    // A step of the implicit scheme is linear: its forces have no total torque at the positions at its beginning, but
+    // they have one at those at its end. See ImplicitAngular.
     EXPECT_LT(o.angular, scheme.implicit() ? 1e-2 : 1e-10);
     EXPECT_LT(o.closure, 1e-9);
     EXPECT_LT(o.kept, 1.0);
     expect_no_tunnel(o, meeting);
     if (meeting == Meeting::corner_on_corner) {
-      // Both tips leave over the same pair of sides, to either hand, and slide along it: the force is off the way by
-      // the 45 degrees of the sides less friction.
+      // Both tips slide off along the same pair of sides, up or down: the force deviates from the direction of motion
+      // by the 45 degrees of the sides less the friction angle.
       EXPECT_NEAR(std::abs(o.impulse.y()) / o.impulse.x(), std::tan((45.0 - 30.0) * kDegree), 0.03);
     }
   }
@@ -224,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ---- Restitution ------------------------------------------------------------------------------------------------
 
-/// Two masses and the contact between them, by the steps that a run took.
+/// Two masses and the contact between them, integrated with the steps of a run.
 struct Oscillator {
   double m = 0.0, k = 0.0, c = 0.0;       // reduced mass [kg], [N/m], [N s/m]
   double gap = 0.0, rate = 0.0, a = 0.0;  // [m], [m/s], [m/s2]
@@ -252,8 +253,8 @@ double restitution_by(void (Oscillator::*step)(double), const Impact& impact, do
 
 double restitution(double xi) { return std::exp(-2.0 * xi * std::acos(xi) / std::sqrt(1.0 - xi * xi)); }
 
-/// Damping ratio of blocks that meet with two corners each having half of the stiffness, where a corner's damping is a
-/// fraction of critical for its own compliance s/m_r: two dashpots 2 fraction sqrt(k/2 m_r/s), and 2 sqrt(k m_r).
+/// Damping ratio of blocks that meet with two corners, each of half the stiffness, where a corner's damping is a
+/// fraction of critical for its own compliance s/m_r: two dashpots 2 fraction sqrt(k/2 m_r/s), over 2 sqrt(k m_r).
 ///   s = 1 + r.(J/m)^-1.r at the corner of any rectangle: 1 + 3 if it only turns, 1 + 6 if it strains as well
 double damping_ratio(const Scheme& scheme, double fraction) {
   const double s = scheme.method == std::string("rigid") ? 4.0 : 7.0;
@@ -282,7 +283,7 @@ TEST_P(ExplicitImpact, restitution_is_that_of_the_damped_contact) {
 }
 INSTANTIATE_TEST_SUITE_P(stiff, ExplicitImpact, testing::ValuesIn(kStiffExplicit), kSchemeName);
 
-/// Rigid blocks, since the stiffness of others allows no such step.
+/// With rigid blocks, since the stiffness of other blocks does not allow such long steps.
 TEST(UndampedImpact, restitution_is_off_by_what_the_ledger_books) {
   const Scheme scheme = kStiffExplicit[0];
   for (const double speed : kSpeeds)
@@ -295,7 +296,8 @@ TEST(UndampedImpact, restitution_is_off_by_what_the_ledger_books) {
                   wh, o.restitution, o.kinetic_change, relative, o.transition, static_cast<long long>(o.cuts));
       EXPECT_NEAR(o.restitution, restitution_by(&Oscillator::central_difference, impact, 0.0, o), 1e-9);
       EXPECT_NEAR((o.restitution * o.restitution - 1.0) * relative, o.transition, 1e-9 * relative);
-      // The trapezoid over a step of length v h, part of it closed, is wrong by k (v h)^2/8 at most, twice.
+      // The trapezoidal rule over a step of length v h that is closed in part is wrong by at most k (v h)^2/8; this
+      // happens twice.
       EXPECT_LT(std::abs(o.transition), 0.25 * impact.stiffness * std::pow(speed * wh / impact.rate(), 2));
     }
 }
@@ -315,7 +317,7 @@ TEST_P(ImplicitImpact, restitution_is_that_of_the_scheme_and_tends_to_1_with_the
         std::printf("%s %s %g m/s, w h %.3f: e %.6f, stepped %.6f, %lld cuts\n", scheme.name, name(meeting), speed, wh,
                     o.restitution, reference, static_cast<long long>(o.cuts));
         EXPECT_NEAR(o.restitution, reference, rigid ? 1e-9 : kGiveWay);
-        EXPECT_NEAR(o.restitution, std::exp(-0.25 * M_PI * wh), 0.03 * wh);  // half a period at the ratio w h/4
+        EXPECT_NEAR(o.restitution, std::exp(-0.25 * M_PI * wh), 0.03 * wh);  // half a period at the damping ratio w h/4
         EXPECT_LT(o.closure, 1e-9);
         (first == 0.0 ? first : last) = 1.0 - o.restitution;
       }
@@ -346,7 +348,7 @@ TEST_P(ImplicitImpact, restitution_of_damped_contacts_tends_to_that_of_the_dashp
 TEST_P(ImplicitImpact, steps_too_long_for_the_speed_are_made_shorter_and_nothing_tunnels) {
   const Scheme scheme = GetParam();
   Impact impact(Meeting::equal_faces, kStiff, 50.0, 0.0);
-  const Outcome o = run_impact(impact, scheme, 1e-3);  // 0.05 m; 0.01 m are allowed
+  const Outcome o = run_impact(impact, scheme, 1e-3);  // 0.05 m per step; 0.01 m are allowed
   const double reference = restitution_by(&Oscillator::newmark, impact, 0.0, o);
   std::printf("%s: e %.6f, stepped %.6f, %zu steps, %lld cuts\n", scheme.name, o.restitution, reference, o.steps.size(),
               static_cast<long long>(o.cuts));
@@ -359,9 +361,10 @@ INSTANTIATE_TEST_SUITE_P(stiff, ImplicitImpact, testing::ValuesIn(kStiffImplicit
 
 // ---- Angular momentum of implicit steps -------------------------------------------------------------------------
 
-/// Forces f of a step make no torque about the positions x that it begins with, and M(v' - v) = h f, d = h (v + v')/2:
+/// The forces f of a step have no total torque at the positions x at its beginning. With M(v' - v) = h f and
+/// d = h (v + v')/2,
 ///   L' - L = sum d x M v' + x x h f = h/2 sum (v + v') x M v' = h^2/2 sum v x f,
-/// a sum over T/h steps: of first order.
+/// summed over T/h steps: an error of first order.
 class ImplicitAngular : public testing::TestWithParam<Scheme> {
  protected:
   static double defect(double young, double wh) {
@@ -378,7 +381,7 @@ TEST_P(ImplicitAngular, momentum_is_off_by_first_order_in_the_step) {
   EXPECT_NEAR(first / last, 8.0, 1.0);
 }
 
-/// What no step removes: DDA's unknowns leave out Coriolis' part of a block that strains while it turns
+/// The error at vanishing step size: DDA's unknowns omit the Coriolis force of a block that strains while it turns
 /// (docs/theory/dda.md, "Exact rotation").
 TEST_P(ImplicitAngular, dda_loses_in_proportion_to_strain_besides) {
   const auto left = [](double young) { return 2.0 * defect(young, 0.0125) - defect(young, 0.025); };
@@ -386,7 +389,7 @@ TEST_P(ImplicitAngular, dda_loses_in_proportion_to_strain_besides) {
   if (GetParam().method == std::string("dda"))
     EXPECT_NEAR(soft / stiff, 5.0, 1.0);
   else
-    EXPECT_LT(std::abs(soft), 2e-6);  // what is of second order
+    EXPECT_LT(std::abs(soft), 2e-6);  // the error of second order
 }
 INSTANTIATE_TEST_SUITE_P(methods, ImplicitAngular, testing::Values(kSchemes[1], kSchemes[3]), kSchemeName);
 
@@ -404,11 +407,11 @@ TEST_P(ObliqueImpact, friction_stays_in_its_cone) {
       const double mu = std::tan(phi * kDegree), ratio = o.impulse.y() / o.impulse.x();
       std::printf("%s %g m/s, tan phi %.4f: J_t/J_n %.4f, friction beyond its limit by %.1e N, turned %.1e rad\n",
                   scheme.name, speed, mu, ratio, o.beyond, o.turned);
-      // A stretch is a difference of places along the edge.
+      // A stretch is a difference of positions along the edge: the limit is its round-off.
       EXPECT_LE(o.beyond, 16.0 * std::numeric_limits<double>::epsilon() * impact.stiffness * 1.0);
-      // Forces within a cone about a normal that turns by so much add to one within as much more.
+      // Forces within a cone about a normal that turns by this angle have a sum within a cone wider by this angle.
       EXPECT_LE(std::abs(ratio), std::tan(phi * kDegree + o.turned));
-      // Square blocks slide until they part if J_t (2/m)(1 + 6/4) < v_t, J_n (2/m) = (1 + e) v_n:
+      // Square blocks slide until they separate if J_t (2/m)(1 + 6/4) < v_t, J_n (2/m) = (1 + e) v_n:
       // tan phi < 0.4 v_t/v_n/(1 + e), 9.1 degrees at least.
       EXPECT_GT(ratio, phi < 9.1 ? 0.95 * mu - std::tan(o.turned) : 0.0);
       EXPECT_LT(o.kept, 1.0);

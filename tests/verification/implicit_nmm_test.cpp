@@ -1,4 +1,5 @@
-// The NMM in implicit steps: orders in time, energy, statics, hand-over.
+// The NMM in implicit steps: orders of accuracy in time compared with fine explicit steps, energy balance, static
+// solutions, change to explicit steps.
 #include <gtest/gtest.h>
 
 #include "coupling/integrate/central_difference.h"
@@ -14,7 +15,7 @@ using coupling::Newmark;
 using coupling::NewmarkScheme;
 using coupling::State;
 
-/// One free block, set going in a stretched and turned state.
+/// One free block that starts stretched, turned and spinning.
 struct Released {
   Scene scene{1e7, 0.2, 2000.0};
   State state;
@@ -107,7 +108,7 @@ TEST(ImplicitNmm, free_spin_keeps_momentum_and_grows_no_energy) {
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   const BodyTotals t = totals_of(run, id);
   EXPECT_LT((t.momentum - 4000.0 * Vec2(1.0, 0.5)).norm(), 1e-8 * 4000.0);
-  // (1/2, 1) in Cartesian unknowns damps a spin w by w h/2 a radian: 1e-3 a radian, over one radian.
+  // (1/2, 1) in Cartesian unknowns damps a spin w by w h/2 per radian: 1e-3 per radian, over one radian.
   const double J = 2000.0 * 2.0 * 5.0 / 12.0, spin = (t.angular_momentum - cross(t.centre, t.momentum)) / J;
   EXPECT_NEAR(spin, 2.0 * std::exp(-1e-3), 5e-4);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
@@ -182,7 +183,7 @@ TEST(ImplicitNmm, static_state_is_handed_to_explicit_steps_without_a_jump) {
 }
 
 TEST(ImplicitNmm, moving_block_is_handed_to_explicit_steps_with_closed_books) {
-  // Another mass for the same velocities: what the kinetic energy changes by is booked.
+  // The mass matrix changes at the same velocities: the change of kinetic energy is booked.
   Scene scene(1e7, 0.2, 2000.0);
   scene.model.gravity = {0.0, 0.0};
   const BlockId id = scene.add("block", rectangle(0, 0, 2, 1));
@@ -254,7 +255,7 @@ TEST(ImplicitNmm, copied_state_goes_on_bit_for_bit_with_new_integrators) {
     for (int i = 0; i < 5; ++i) (void)first.step(r.state, ticks(1e-4));
     Newmark second(*r.setup, r.control, 0.05, {.scheme = scheme});
     (void)second.enter(copy);
-    copy.last_step = last;  // enter() begins a stage; a restart goes on within one
+    copy.last_step = last;  // enter() begins a stage; a restart continues a stage
     for (int i = 0; i < 5; ++i) (void)second.step(copy, ticks(1e-4));
     EXPECT_EQ(coupling::state_hash(copy), coupling::state_hash(r.state));
   }

@@ -1,4 +1,4 @@
-// Bonded joints pulled and sheared to failure, and friction that slip takes away, against formulas.
+// Bonded joints that are pulled and sheared to failure, and friction that slip weakens, against formulas.
 #include "coupling/contact/law/joint_strength.h"
 
 #include <gtest/gtest.h>
@@ -23,10 +23,10 @@ const Scheme kSchemes[] = {{"nmm", "nmm", Integrator::explicit_},
                            {"dda_implicit", "dda", Integrator::implicit}};
 const auto kNames = [](const auto& of) { return std::string(of.param.name); };
 
-/// Closed points of a state, summed.
+/// Sums over the closed contact points of a state.
 struct Joint {
-  double normal = 0.0, shear = 0.0, length = 0.0;  // forces [N], share [m]
-  double bonded = 0.0, gap = 0.0;                  // bonded share [m]; largest gap [m]
+  double normal = 0.0, shear = 0.0, length = 0.0;  // forces [N], tributary length [m]
+  double bonded = 0.0, gap = 0.0;                  // bonded length [m]; largest gap [m]
   std::size_t points = 0;
   explicit Joint(const State& state) {
     for (const ContactMemory& m : state.contacts) {
@@ -82,11 +82,12 @@ TEST_P(Strength, pulled_block_follows_its_springs_and_breaks_off_at_the_strength
   const BlockId block = scene_.add("block", rectangle(0, 0, length, 1));
   scene_.model.tractions.push_back({{block, {0, 2}, 0.0, 1.0}, {0.0, 1.0}, ramp(scene_, most, 0.0, time)});
   const double dt = 0.01;
-  stage(0.9 * time, dt).dynamics = 0.0;  // implicit steps: static, no swing about the balance
+  stage(0.9 * time, dt).dynamics = 0.0;  // implicit steps: static, no oscillation about equilibrium
   Driver run(scene_.model, scene_.plan, methods());
   EveryStep watch;
-  // Static steps lag by what inertia holds back, 2 M/h^2 of the springs' stiffness, of an increment; explicit ones
-  // swing about the ramp by its rate over the frequency, and the pull takes a wave's time through the block.
+  // Static steps lag behind the ramp by a part of an increment: the inertia 2 M/h^2 over the springs' stiffness.
+  // Explicit steps oscillate about the ramp with the amplitude (rate/frequency), and the pull reaches the joint after
+  // the travel time of a wave through the block.
   const double increment = most * dt / time, off = GetParam().implicit() ? 0.05 * increment : 0.015 * strength;
   double held = 0.0, broken = 0.0, worst = 0.0;
   watch.see = [&](double t) {
@@ -101,10 +102,10 @@ TEST_P(Strength, pulled_block_follows_its_springs_and_breaks_off_at_the_strength
       if (m.status == ContactStatus::open) continue;
       ASSERT_EQ(m.bonded, 1);
       ASSERT_NEAR(m.fn - m.fd, -kStiffness * m.tributary * m.gap, 1e-9 * strength);
-      // The geometry update after an implicit step leaves round-off.
+      // Round-off of the geometry update after an implicit step.
       ASSERT_LE(-m.fn, strength * m.tributary * (1.0 + 1e-12));
     }
-    if (joint.bonded < length * (1.0 - 1e-9)) return;  // breaking, from point to point
+    if (joint.bonded < length * (1.0 - 1e-9)) return;  // the bond is breaking, one point after another
     held = pull;
     worst = std::max(worst, std::abs(joint.normal + pull * length));
   };
@@ -119,14 +120,14 @@ TEST_P(Strength, pulled_block_follows_its_springs_and_breaks_off_at_the_strength
   EXPECT_LT(worst, off * length);
   EXPECT_NEAR(held, strength, off + increment * (GetParam().implicit() ? 1.0 : 0.0));
   EXPECT_NEAR(broken, strength, 2.0 * (off + increment * (GetParam().implicit() ? 1.0 : 0.0)));
-  // An implicit step drops what the springs held at its start, an increment below the strength.
+  // An implicit step books the spring energy at its start, an increment of load below the strength.
   EXPECT_NEAR(dropped, energy, 0.04 * energy);
   EXPECT_LT(ledger.relative_closure(), closure_of(GetParam()));
 }
 
 TEST_P(Strength, hanging_block_stays_or_falls) {
-  const double weight = kDensity * kGravity, length = 1.5;  // of a square metre of joint, the block is 1 m high
-  for (const double part : {2.5, 0.3}) {                    // put on at once, weight swings to twice its elongation
+  const double weight = kDensity * kGravity, length = 1.5;  // per square metre of joint: the block is 1 m high
+  for (const double part : {2.5, 0.3}) {                    // a sudden weight doubles the static elongation
     Scene scene(kYoung, 0.0, kDensity, 30.0);
     JointLaw& law = scene.model.joints[0];
     law.normal_stiffness = law.shear_stiffness = 2e7;
@@ -146,12 +147,12 @@ TEST_P(Strength, hanging_block_stays_or_falls) {
     std::printf("%s, strength %.1f of the weight: sinks %.5f m (w/k %.5f, free fall %.5f), closure %.1e\n",
                 GetParam().name, part, sunk, weight / 2e7, fall, run.state().ledger.relative_closure());
     if (part > 1.0) {
-      EXPECT_NEAR(joint.bonded, length, 1e-4);               // it strains by 1e-6
-      EXPECT_NEAR(sunk, weight / 2e7, 0.01 * weight / 2e7);  // the block itself: a thousandth
+      EXPECT_NEAR(joint.bonded, length, 1e-4);               // the block strains by 1e-6
+      EXPECT_NEAR(sunk, weight / 2e7, 0.01 * weight / 2e7);  // the block's own strain adds a thousandth
     } else {
       EXPECT_EQ(joint.points, 0U);
       EXPECT_LT(sunk, fall);
-      EXPECT_GT(sunk, 0.95 * fall);  // the springs took 0.3 g for less than 10 ms
+      EXPECT_GT(sunk, 0.95 * fall);  // the springs took 0.3 g off the fall for less than 10 ms
       EXPECT_GT(run.state().ledger[Column::bonds_broken], 0.0);
     }
     EXPECT_LT(run.state().ledger.relative_closure(), closure_of(GetParam()));
@@ -177,12 +178,12 @@ TEST_P(Strength, contact_that_came_later_is_never_bonded) {
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   EXPECT_GT(pressed, 1e5);
   EXPECT_EQ(pulled, 0.0);
-  EXPECT_GT(totals_of(run, block).momentum.y(), 0.0);  // and it goes up again
+  EXPECT_GT(totals_of(run, block).momentum.y(), 0.0);  // and the block moves up again
 }
 
 // ---- Shear ------------------------------------------------------------------------------------------------------
 
-/// A block astride a ridge 4 m wide, its centre of mass in the joint: pushed along it, it does not lean.
+/// A block astride a ridge 4 m wide, with its centre of mass in the joint: a push along the joint does not tilt it.
 struct Saddle {
   static constexpr double kLength = 4.0, kWeight = 12.0 * kDensity * kGravity;
   static BlockId add_to(Scene& scene) {
@@ -219,7 +220,7 @@ TEST_P(Shear, bonded_joint_fails_at_its_peak_and_keeps_its_residual) {
       EXPECT_NE(m.bonded, m.failed);
       const double c = m.failed != 0 ? law().residual_cohesion : law().cohesion;
       const double phi = m.failed != 0 ? *law().residual_friction : law().friction;
-      // The step in which it fails ends at the peak in implicit steps, at the residual in explicit ones.
+      // The step of failure ends at the peak strength if implicit, at the residual strength if explicit.
       if (m.slip > 0.01) off = std::max(off, std::abs(std::abs(m.ft) - c * m.tributary - m.fn * std::tan(phi)));
     }
   };
@@ -237,7 +238,7 @@ TEST_P(Shear, bonded_joint_fails_at_its_peak_and_keeps_its_residual) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 
-/// Hanging under the ridge: the pull takes its part of the shear that the bond bears.
+/// The block hangs under the ridge: the pull reduces the shear strength of the bond by W tan(phi).
 TEST_P(Shear, pulled_joint_shears_through_and_opens) {
   law().cohesion = 1e5;
   law().tensile_strength = 1.5e5;
@@ -291,7 +292,7 @@ TEST_P(Shear, friction_falls_with_slip_along_its_line) {
   int at_peak = 0, between = 0, at_residual = 0;
   watch.see = [&](double t) {
     for (const ContactMemory& m : run.state().contacts) {
-      // The limit is that of the slip at the step's start.
+      // The friction limit is that for the slip at the start of the step.
       const double s = std::exchange(before[m.key], m.slip);
       if (t <= seated || m.status != ContactStatus::slip) continue;
       const double mu = peak + (residual - peak) * std::min(1.0, s / over);
@@ -309,11 +310,11 @@ TEST_P(Shear, friction_falls_with_slip_along_its_line) {
   EXPECT_GT(between, 50);
   EXPECT_GT(at_residual, 50);
   EXPECT_LT(off, 1e-9 * Saddle::kWeight);
-  EXPECT_LT(way_off, 5e-5);  // what the block shears
+  EXPECT_LT(way_off, 5e-5);  // elastic shear of the block
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 
-// ---- What a bond outlives ---------------------------------------------------------------------------------------
+// ---- Changes that a bond survives --------------------------------------------------------------------------------
 
 TEST(Bonds, outlive_hand_over_and_new_meshes) {
   const double weight = kDensity * kGravity, length = 1.5, k = 2e7;
@@ -334,16 +335,16 @@ TEST(Bonds, outlive_hand_over_and_new_meshes) {
   watch.see = [&](double) {
     const Joint joint(run.state());
     ++counts[joint.points];
-    EXPECT_NEAR(joint.bonded, length, 1e-4);  // it strains by 1e-6
+    EXPECT_NEAR(joint.bonded, length, 1e-4);  // the block strains by 1e-6
   };
   run.add_sink(watch);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  EXPECT_GE(counts.size(), 3U);  // three meshes and a block: other points each time
+  EXPECT_GE(counts.size(), 3U);  // three meshes and an affine block, each with other contact points
   EXPECT_NEAR(-0.5 - centre_of(run, block).y(), weight / k, 0.02 * weight / k);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-10);
 }
 
-/// Tilted until the joint is torn open at one end, and put back.
+/// Gravity is tilted until the joint is torn open at one end, and then turned back.
 TEST(Bonds, torn_end_stays_torn_in_a_new_mesh) {
   Scene scene(kYoung, 0.0, kDensity, 30.0);
   JointLaw& law = scene.model.joints[0];
@@ -357,7 +358,7 @@ TEST(Bonds, torn_end_stays_torn_in_a_new_mesh) {
   tilt.time = {0.0, 0.3, 0.6};
   tilt.table = {0.0, 1.0, 0.0};
   scene.model.functions.push_back(tilt);
-  // The weight acts 0.6 m beside the middle: without strength the joint opens but for 3 (1 - 0.6) m.
+  // The weight acts 0.6 m beside the middle: without strength only 3 (1 - 0.6) m of the joint would stay closed.
   scene.model.body_accelerations.push_back({{}, {1.2 * kGravity, 0.0}, FunctionId{0}});
   for (const double cover : {0.35, 0.22}) {
     Stage& stage = scene.stage("nmm", Integrator::implicit, cover == 0.35 ? 0.7 : 0.1, 0.01, cover);
@@ -365,7 +366,7 @@ TEST(Bonds, torn_end_stays_torn_in_a_new_mesh) {
   }
   Driver run(scene.model, scene.plan, methods());
   double first = 0.0, second = -1.0, closed = 0.0, torn = 0.0;
-  Watch watch;  // a frame closes the first stage, and one opens the second
+  Watch watch;  // the first stage ends with a frame, and the second begins with one
   watch.see = [&](const FrameView& view) {
     const Joint joint(*view.state);
     if (view.state->stage == 0) {
@@ -386,13 +387,13 @@ TEST(Bonds, torn_end_stays_torn_in_a_new_mesh) {
   EXPECT_NEAR(closed, 2.0, 1e-3);
   EXPECT_LT(first, 2.0 - torn + 1e-3);
   EXPECT_GT(first, 0.5);
-  EXPECT_NEAR(second, 1.0, 0.22);  // of each corner up to the middle: half a length of either mesh
+  EXPECT_NEAR(second, 1.0, 0.22);  // a corner's bond reaches to the middle: within half a segment of a mesh
   EXPECT_NEAR(last.bonded, second, 1e-3);
   EXPECT_NEAR(last.normal, 2.0 * kDensity * kGravity, 1e-3 * kDensity * kGravity);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-10);
 }
 
-/// Dragged along on soft springs, the block's corner passes from one edge of the base to the next in line.
+/// The block is dragged on soft springs; its corner passes from one edge of the base to the next collinear one.
 TEST(Bonds, pass_with_a_corner_to_the_next_edge_in_line) {
   for (const Scheme& scheme : kBlocks) {
     Scene scene(kYoung, 0.0, kDensity, 30.0);

@@ -53,7 +53,7 @@ Resultant crack_of(const char* method, double cover, const JointWater& water) {
     if (view.time > 0.0) return;
     for (std::size_t i = 0; i < view.contacts->memory.size(); ++i) {
       const ContactMemory& m = view.contacts->memory[i];
-      // On the block: the force on its own corner, or the reaction on its edge, at the same height.
+      // Force on the block: on its own corner, or as the reaction on its edge, at the same height.
       const double on_block = (m.key.block_p == 1 ? 1.0 : -1.0) * m.water * view.contacts->normal[2 * i];
       out.force += on_block;
       out.moment += on_block * view.contacts->position[2 * i + 1];
@@ -67,7 +67,7 @@ Resultant crack_of(const char* method, double cover, const JointWater& water) {
 
 TEST(WaterResultant, is_that_of_the_pressure_whatever_the_mesh) {
   struct {
-    double level, slope;  // of the line at x = 0
+    double level, slope;  // of the piezometric line; level at x = 0
   } const lines[] = {{6.0, 0.0}, {2.5, 0.0}, {3.0, 0.2}};
   for (const auto& line : lines) {
     const JointWater water{{{-1.0, line.level - line.slope}, {1.0, line.level + line.slope}}, kWater};
@@ -113,7 +113,7 @@ TEST_P(Water, leaves_the_weight_less_its_uplift_to_the_contact) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
 }
 
-/// Pushed along its joint by H: it slides with (H - (W - U) tan phi)/m, or not.
+/// A block pushed along its joint by H slides with the acceleration (H - (W - U) tan phi)/m if that is positive.
 TEST_P(Water, takes_friction_away) {
   const double level = 0.6, uplift = 2.0 * kWater * level, weight = 2.0 * 0.4 * kDensity * kGravity;
   const double mass = weight / kGravity, cap = (weight - uplift) * std::tan(30.0 * kDegree);
@@ -169,21 +169,22 @@ TEST_P(Water, lifts_a_block_that_is_lighter) {
   };
   run.add_sink(watch);
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  // The pressure is that of the middle of the gap: m y'' = U - W - w L y/2.
+  // The pressure is evaluated in the middle of the gap: m y'' = U - W - w L y/2.
   const double k = kWater, omega = std::sqrt(k / mass), rise = (uplift - weight) / k * (1.0 - std::cos(omega * time));
   const double found = centre_of(run, block).y() - 0.5;
   const Ledger& ledger = run.state().ledger;
   const double work = uplift * rise - 0.5 * k * rise * rise;
   std::printf("%s: rises %.6f of the formula, work of water %.6f, closure %.1e\n", GetParam().name, found / rise,
               ledger[Column::water] / work, ledger.relative_closure());
-  // The sudden pressure makes waves in a meshed block; an implicit step takes the pressure at its start.
+  // The tolerances cover waves of the sudden pressure in a meshed block, and the pressure of an implicit step, which is
+  // that at the start of the step.
   EXPECT_NEAR(found, rise, 5e-5 * rise);
   EXPECT_NEAR(ledger[Column::water], work, 2e-4 * work);
   EXPECT_LT(pressed, 1e-3 * weight);
   EXPECT_LT(ledger.relative_closure(), 1e-9);
 }
 
-/// Between two free blocks it pushes both, and its work is that of their parting.
+/// Water between two free blocks pushes both apart: the sum of their momenta stays zero, and the water does work.
 TEST_P(Water, parts_two_free_blocks_without_momentum) {
   scene_.model.gravity = {0.0, 0.0};
   const BlockId left = scene_.add("left", rectangle(0, 0, 1, 1)), right = scene_.add("right", rectangle(1, 0, 3, 1));
@@ -195,7 +196,7 @@ TEST_P(Water, parts_two_free_blocks_without_momentum) {
   EXPECT_LT(a.momentum.x(), -100.0);
   EXPECT_NEAR(a.momentum.x() + b.momentum.x(), 0.0, 1e-9 * b.momentum.x());
   EXPECT_NEAR(a.momentum.y() + b.momentum.y(), 0.0, 1e-9 * b.momentum.x());
-  // Implicit steps turn the blocks after they have balanced the forces.
+  // Implicit steps rotate the blocks after equilibrium is found, hence the larger tolerance.
   EXPECT_NEAR(a.angular_momentum + b.angular_momentum, 0.0, (GetParam().implicit() ? 2e-6 : 1e-9) * b.momentum.x());
   EXPECT_GT(run.state().ledger[Column::water], 0.0);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);

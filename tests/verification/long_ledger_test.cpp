@@ -1,5 +1,5 @@
-// The books of a long run in which everything happens: blocks on a shaken slope slide, hit each other, are damped and
-// weakened, and change scheme, method and side again and again. 10^5 steps with SCREE_FULL in the environment.
+// The energy ledger of a long run with all features: blocks on a shaken slope slide, collide, are damped and weakened,
+// and change scheme, method and side repeatedly. 10^5 steps with SCREE_FULL in the environment.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Another mesh for the same block: what its covers keep of a field, against the best fit there is.
+// Transfer of a block to another mesh: the field on the new covers, against the best fit of the old field by dense
+// algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -20,9 +21,9 @@ namespace {
 using nmm::CoverMesh;
 using Corners = std::array<Vec2, 3>;
 
-constexpr double kWave = 2.0, kLength = 4.0, kWidth = 0.3;  // of the mode and the bar [m]
+constexpr double kWave = 2.0, kLength = 4.0, kWidth = 0.3;  // wavelength; length and width of the bar [m]
 
-/// Rows 1, x, y of the three corners: its inverse gives the weights of a point, and their slopes.
+/// Inverse of the matrix with the rows 1, x, y of the three corners: the weights of a point, and their gradients.
 Eigen::Matrix3d inverse_corners(const Corners& s) {
   Eigen::Matrix3d A;
   for (int k = 0; k < 3; ++k) A.col(k) << 1.0, s[static_cast<std::size_t>(k)];
@@ -32,7 +33,7 @@ Eigen::Vector3d weights_at(const Eigen::Matrix3d& inverse, const Vec2& X) {
   return inverse * Eigen::Vector3d(1.0, X.x(), X.y());
 }
 
-/// The part of a convex polygon in a counter-clockwise convex one.
+/// Intersection of a convex polygon with a counter-clockwise convex one.
 Ring cut_by(Ring polygon, const Ring& by) {
   for (std::size_t k = 0; k < by.size() && !polygon.empty(); ++k) {
     const Vec2 &a = by[k], d = by[(k + 1) % by.size()] - a;
@@ -48,7 +49,7 @@ Ring cut_by(Ring polygon, const Ring& by) {
   return polygon;
 }
 
-/// see(X, weight) at points whose weighted sum is the integral of any quadratic over a convex polygon.
+/// Calls see(X, weight) at points whose weighted sum is the integral of any quadratic over a convex polygon.
 template <class See>
 void integrate(const Ring& ring, See&& see) {
   for (std::size_t k = 2; k < ring.size(); ++k) {
@@ -65,7 +66,7 @@ double area_of(const Ring& ring) {
   return area;
 }
 
-/// A mesh as dense algebra sees it: nothing but stars, covers, ties and material of the elements. Material is convex.
+/// A mesh for dense algebra: only stars, covers, ties and material of the elements. The material is convex.
 struct DenseMesh {
   const CoverMesh& mesh;
   std::vector<Ring> material;
@@ -88,7 +89,7 @@ struct DenseMesh {
       for (std::size_t k = 0; k < 3; ++k) free(t.cover, unknown[static_cast<std::size_t>(t.root[k])]) += t.w[k];
   }
   [[nodiscard]] int cover(std::size_t e, int k) const { return mesh.cover[e][static_cast<std::size_t>(k)]; }
-  /// Strain xx, yy, 2 xy of an element from x, y a cover: 3 x 6 over its covers.
+  /// Strain xx, yy, 2 xy of an element from x, y per cover: 3 x 6 over its covers.
   [[nodiscard]] Eigen::Matrix<double, 3, 6> strain(std::size_t e) const {
     Eigen::Matrix<double, 3, 6> B = Eigen::Matrix<double, 3, 6>::Zero();
     for (int k = 0; k < 3; ++k) {
@@ -125,7 +126,7 @@ double energy(const DenseMesh& mesh, const Eigen::Matrix3d& D, const Eigen::Vect
 struct BestFit {
   const DenseMesh &from, &to;
   Eigen::MatrixXd mass, mixed;                 // int w' w', int w' w: covers by covers
-  Eigen::MatrixXd stiff;                       // over x, y a cover of `to`
+  Eigen::MatrixXd stiff;                       // over x, y per cover of `to`
   std::vector<std::array<double, 3>> overlap;  // from, to, area
 
   BestFit(const DenseMesh& a, const DenseMesh& b, const Eigen::Matrix3d& D) : from(a), to(b) {
@@ -165,7 +166,7 @@ struct BestFit {
         to.free * solve_positive(M, to.free.transpose() * mixed * old);
     return Eigen::Map<const Eigen::VectorXd>(out.data(), out.size());
   }
-  /// min int (e' - e):C:(e' - e), without rigid motion on the covers: the most energy that the new mesh can hold of u.
+  /// min int (e' - e):C:(e' - e), without rigid motion on the covers: the largest energy of u that the mesh can hold.
   [[nodiscard]] Eigen::VectorXd in_energy(const Eigen::Matrix3d& D, const Eigen::VectorXd& u) const {
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(stiff.rows());
     for (const auto& [e, f, area] : overlap) {
@@ -183,14 +184,14 @@ struct BestFit {
       rigid.row(i) << 1.0, 0.0, -to.mesh.star[c].y();
       rigid.row(i + 1) << 0.0, 1.0, to.mesh.star[c].x();
     }
-    const Eigen::MatrixXd R = T.transpose() * rigid;  // holds the three motions that have no strain
+    const Eigen::MatrixXd R = T.transpose() * rigid;  // of the three motions without strain
     const double scale = stiff.trace() / R.squaredNorm();
     const Eigen::MatrixXd K = T.transpose() * stiff * T + scale * R * R.transpose();
     return T * solve_positive(K, T.transpose() * rhs);
   }
 };
 
-/// A standing P wave along the bar, at a place.
+/// Displacement of a standing P wave along the bar, at a point.
 Vec2 mode(const Vec2& X) { return {std::cos(2.0 * std::numbers::pi * (X.x() + 0.5 * kLength) / kWave), 0.0}; }
 
 Eigen::VectorXd on_covers(const CoverMesh& mesh, double size) {
@@ -206,12 +207,12 @@ std::vector<double> places(const CoverMesh& mesh) {
 }
 
 struct Kept {
-  double best = 0.0, found = 0.0, by_mass = 0.0;  // elastic energy over that of the old mesh
-  double strain_off = 0.0, velocity_off = 0.0;    // from the best fits: in the energy, of the largest
-  double of_wave = 0.0;                           // energy of the old mesh over that of the wave itself
+  double best = 0.0, found = 0.0, by_mass = 0.0;  // elastic energies over that of the old mesh
+  double strain_off = 0.0, velocity_off = 0.0;    // differences to the best fits: in the energy norm, over the largest
+  double of_wave = 0.0;                           // energy of the old mesh over that of the exact wave
 };
 
-/// The standing wave on covers of size h, and what covers of size ratio h keep of it.
+/// The standing wave on covers of size h, transferred to covers of size ratio h.
 Kept keep(double h, double ratio) {
   const Elasticity law = Elasticity::from(60e9, 0.25, Plane::strain);
   const Eigen::Matrix3d D = stiffness(law);
@@ -220,7 +221,7 @@ Kept keep(double h, double ratio) {
   const DenseMesh from(old_mesh), to(new_mesh);
   const BestFit fit(from, to, D);
   Eigen::VectorXd u = on_covers(old_mesh, 1e-4);
-  for (const nmm::Tie& t : old_mesh.ties) {  // as the pool has it
+  for (const nmm::Tie& t : old_mesh.ties) {  // tied covers follow their roots, as in the pool
     u.segment<2>(2 * t.cover).setZero();
     for (std::size_t k = 0; k < 3; ++k) u.segment<2>(2 * t.cover) += t.w[k] * u.segment<2>(2 * t.root[k]);
   }
@@ -258,9 +259,9 @@ TEST(MeshBestFit, elastic_energy_is_the_most_that_the_new_covers_can_hold) {
       const Kept k = keep(h, ratio);
       std::printf("%8.0f %9.1f %11.5f %9.5f %9.5f %13.1e %13.1e %15.5f %14.1e", kWave / h, ratio, k.of_wave, k.best,
                   k.found, 1.0 - k.found / k.best, k.strain_off, k.by_mass, k.velocity_off);
-      // Velocities are the best fit in the mass, but for round-off of two solutions.
+      // Velocities are the best fit in the mass norm, within round-off of two solutions.
       EXPECT_LT(k.velocity_off, 1e-10);
-      // Displacements that in the energy, but for the term that settles the rigid motion, 1e-6 of the modulus.
+      // Displacements are the best fit in the energy norm, up to the term that fixes rigid motion, 1e-6 of the modulus.
       EXPECT_LT(k.strain_off, 1e-6);
       EXPECT_NEAR(k.found, k.best, 1e-7);
       EXPECT_LE(k.best, 1.0 + 1e-12);
@@ -275,7 +276,7 @@ TEST(MeshBestFit, elastic_energy_is_the_most_that_the_new_covers_can_hold) {
   }
 }
 
-/// The bar drifts, turns and swings as a stage takes other covers.
+/// The bar translates, rotates and vibrates when a stage begins with other covers.
 TEST(MeshBestFit, a_stage_hands_on_the_best_fit_and_the_momenta) {
   const coupling::Methods methods = coupling::standard_methods();
   for (const double ratio : {0.5, 0.7, 2.0}) {

@@ -1,4 +1,4 @@
-// Another mesh for the same block: what of a wave, of a state at rest and of the momenta goes on.
+// A new mesh for the same block: transfer of a wave, of a state at rest and of the momenta, against runs on one mesh.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -28,7 +28,7 @@ const coupling::Methods& methods() {
   return all;
 }
 
-/// Peaks of velocity and stress along the bar at a monitor, and the books.
+/// Peaks of velocity and stress along the bar at a monitor, closure of the ledger, and transfers.
 struct Passed {
   double velocity = 0.0, stress = 0.0, closure = 0.0;
   std::vector<TransferRow> rows;
@@ -36,8 +36,8 @@ struct Passed {
 
 constexpr double kLength = 1.0;  // of the pulse in the bar [m]
 
-/// A pulse sin^2 of 1 m runs along a bar of 4 m; when its middle is at 1.5 m the block takes the stages that follow,
-/// one after the other at the same instant but the last, and the wave is measured at 3 m.
+/// A pulse sin^2 of 1 m runs along a bar of 4 m. When its middle is at 1.5 m the further stages begin, one after the
+/// other, all but the last of them very short; the wave is measured at 3 m.
 /// @param sizes  cover sizes of the NMM; 0: DDA
 Passed pass(const std::vector<double>& sizes, Kinematics kinematics, Integrator integrator = Integrator::explicit_) {
   Scene scene(62.5e9, 0.0, 2500.0);
@@ -82,7 +82,7 @@ void expect_clean(const Passed& p) {
 }
 
 TEST(MeshChange, a_wave_in_flight_goes_on) {
-  // sin^2 of ten covers and more. The mesh alone disperses the shortest: peaks are compared with those of one mesh.
+  // Pulses of ten covers and more. One mesh alone disperses the shortest ones: peaks are compared with its peaks.
   std::printf("covers a pulse   h'/h     peak v   peak stress   T'/T     U'/U     closure\n");
   struct Case {
     double covers, ratio;
@@ -100,7 +100,7 @@ TEST(MeshChange, a_wave_in_flight_goes_on) {
                 after.kinetic / before.kinetic, after.elastic / before.elastic, changed.closure);
     expect_clean(changed);
     EXPECT_GT(v, 0.98);
-    EXPECT_GT(stress, ratio < 1.0 ? 0.98 : 0.95);  // a mesh of ten covers has not half as many stresses in a pulse
+    EXPECT_GT(stress, ratio < 1.0 ? 0.98 : 0.95);  // ten covers: less than half as many elements in a pulse
     EXPECT_LE(after.kinetic, before.kinetic * (1.0 + 1e-12));
     EXPECT_LE(after.elastic, before.elastic * (1.0 + 1e-6));
     EXPECT_GT(after.kinetic + after.elastic, 0.98 * (before.kinetic + before.elastic));
@@ -163,7 +163,7 @@ class Shaken {
     Stage stage = before_;
     stage.cover_size = number(0.12, 0.5);
     if (number(0.0, 1.0) < 0.5) {
-      stage.integrator = Integrator::explicit_;  // and one body again
+      stage.integrator = Integrator::explicit_;  // and each block is one body again
       stage.partition = {};
     }
     coupling::TransferReport handed = coupling::transfer_bodies(scene_.model, methods(), *setup, stage, state);
@@ -235,7 +235,7 @@ TEST(MeshChange, momenta_and_books_of_cracked_and_divided_blocks_are_exact) {
         EXPECT_LE(row.after.kinetic, row.before.kinetic * (1.0 + 1e-12));
         EXPECT_EQ(row.reservoir_kinetic, 0.0);
         EXPECT_LT((row.after.centre - row.before.centre).norm(), 1e-12);
-        // Waves of ten covers and more: what is short against the new covers is not taken for rotation or strain.
+        // The waves span ten covers and more; shorter motion does not become rotation or strain of the new covers.
         EXPECT_LE(row.after.elastic, row.before.elastic * 1.001);
         lost = std::max(lost, row.booked / (row.before.kinetic + row.before.elastic));
       }
@@ -246,9 +246,9 @@ TEST(MeshChange, momenta_and_books_of_cracked_and_divided_blocks_are_exact) {
   EXPECT_LT(lost, 0.06);
 }
 
-/// Blocks on top of each other come to rest; then the mesh changes, and they go on for 20 ms.
+/// Stacked blocks come to rest; then the mesh changes, and the run continues for 20 ms.
 struct Rested {
-  double force = 0.0, kinetic = 0.0, elastic = 0.0;  // on the base; in the end [N], [J]
+  double force = 0.0, kinetic = 0.0, elastic = 0.0;  // force on the base [N]; largest kinetic, final elastic energy [J]
   std::vector<TransferRow> rows;
 };
 Rested rest(double ratio) {

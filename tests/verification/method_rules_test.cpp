@@ -1,4 +1,4 @@
-// Blocks that change between the NMM and the DDA by their own motion: nothing is lost on the way.
+// Blocks that change between the NMM and the DDA by rules on their motion: momentum and energy are conserved.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct Kind {
 };
 std::ostream& operator<<(std::ostream& out, const Kind& k) { return out << k.name; }
 
-/// A bar that floats, struck at the middle by one block and later by another. Its bending dies away between.
+/// A bar that floats is struck at the middle by one block and later by another; its bending is damped out in between.
 Scene struck(Integrator integrator) {
   Scene scene(2e8, 0.2, 2600.0);
   const BlockId bar = scene.add("bar", rectangle(-2, 0, 2, 0.5));
@@ -29,7 +29,7 @@ Scene struck(Integrator integrator) {
   scene.model.initial_velocities.push_back({second, {0.0, 3.0}, 0.0});
   Stage& s = scene.stage("nmm", integrator, 1.8,
                          integrator == Integrator::explicit_ ? std::nullopt : std::optional<double>(5e-4), 0.25);
-  s.damping = 40.0;  // of what is not affine
+  s.damping = 40.0;  // acts on the motion that is not affine
   s.partition.explicit_blocks = {first, second};
   s.change.used = true;
   s.change.blocks = {bar};
@@ -66,7 +66,7 @@ TEST_P(MethodRules, a_struck_bar_goes_to_the_nmm_and_back_and_keeps_all) {
     }
     void step(double, const RunStats&, const Ledger&) override { see(); }
     void history(const HistoryView& h) override {
-      // Before the first impact next to nothing moves, and energies have their last places.
+      // Before the first impact energies are so small that round-off would dominate.
       if (h.ledger->moved() > 1.0) closure = std::max(closure, h.ledger->relative_closure());
       see();
     }
@@ -99,7 +99,7 @@ TEST_P(MethodRules, a_struck_bar_goes_to_the_nmm_and_back_and_keeps_all) {
       const double whole = row.before.kinetic + std::abs(row.before.elastic);
       EXPECT_NEAR(row.reservoir_kinetic / whole, row.measures.kinetic, 1e-9);
       EXPECT_NEAR(row.reservoir_elastic / whole, row.measures.elastic, 1e-9);
-      // A share of energy as a ratio of stresses: the root.
+      // The ratio of stresses is the square root of the ratio of energies.
       EXPECT_NEAR(row.reservoir_elastic / std::abs(row.before.elastic), std::pow(row.measures.inhomogeneity, 2), 1e-9);
     } else {
       EXPECT_GT(row.measures.acceleration, 5.0);
@@ -141,7 +141,7 @@ TEST(MethodRulesApart, blocks_that_would_not_be_cheaper_or_cannot_stay) {
   Stage& s = scene.plan.stages[0];
   s.duration = ticks(0.2);
   s.change.blocks = {};
-  s.change.kinetic = s.change.elastic = 1.0;  // anything is calm
+  s.change.kinetic = s.change.elastic = 1.0;  // any motion counts as calm
   s.change.back = {};
   s.rules.push_back({{BlockId{1}}, "nmm", 0.0, true});  // onefold
   scene.model.cracks.push_back({{-0.1, -1.45}, {0.1, -1.45}, JointId{0}, BlockId{2}});

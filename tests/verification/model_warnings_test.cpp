@@ -1,4 +1,4 @@
-// Warnings of stiffnesses and sizes that are worlds apart, and of joints without a law.
+// Warnings about stiffnesses and sizes that differ by orders of magnitude, about units, and about joints without a law.
 #include "coupling/stages/model_warnings.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(ModelWarnings, numbers_in_another_unit_are_told) {
   scene.model.materials[0].young = 25.0;  // GPa
   ASSERT_EQ(unit_warnings(scene.model).size(), 1u);
   EXPECT_NE(unit_warnings(scene.model)[0].find("25 Pa"), std::string::npos);
-  // A material that no block has does not matter.
+  // A material that no block uses gives no warning.
   scene.model.materials.push_back({"spare", 2.6, 25.0, 0.2});
   EXPECT_EQ(unit_warnings(scene.model).size(), 1u);
   scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);

@@ -1,4 +1,4 @@
-// Narrow blocks whose mesh depends on the mass that a stage gives them: a onefold cover with one, covers with another.
+// Narrow blocks whose mesh depends on the mass matrix of the stage: a onefold cover with one, covers with the other.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"

@@ -1,4 +1,4 @@
-// A joint that has slipped and failed, between blocks that are meshed anew: its new points know it.
+// A joint that has slipped and failed, between blocks that are remeshed: its new contact points keep slip and failure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(NewMeshMemory, mesh_vertices_on_a_joint_that_has_slipped_take_its_slip_and_
   bool meshed = false;
   Watch watch;
   watch.see = [&](const FrameView& view) {
-    if (view.state->stage == 0) {  // a frame closes the first stage, and one opens the second
+    if (view.state->stage == 0) {  // the first stage ends with a frame, and the second begins with one
       least = std::numeric_limits<double>::infinity();
       most = 0.0;
       before = before_failed = 0;
@@ -67,13 +67,14 @@ TEST(NewMeshMemory, mesh_vertices_on_a_joint_that_has_slipped_take_its_slip_and_
   EXPECT_GT(least, 0.03);  // slipped beyond the weakening
   EXPECT_TRUE(meshed);
   EXPECT_GE(added, 3);
-  // And slides on by the residual friction, without cohesion: with them anew it would stop seven times as fast.
+  // It slides on with the residual friction and without cohesion; with both restored it would slow down seven times as
+  // fast.
   const double now = totals_of(run, block).momentum.x() / (kDensity * 0.9);
   EXPECT_NEAR((speed - now) / (kGravity * std::tan(10.0 * kDegree) * 0.04), 1.0, 0.25);
 }
 
-/// Slip and gap that differ along a joint are linear between the corners that remember them; failed is the nearer
-/// one's.
+/// Slip and gap of new points are linear between the values of the two corners; the failure flag is that of the nearer
+/// corner.
 TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_nearer) {
   Scene scene(1e9, 0.2, kDensity, 20.0);
   scene.model.joints[0].cohesion = 1e3;
@@ -114,8 +115,8 @@ TEST(NewMeshMemory, between_two_corners_slip_is_linear_and_failure_that_of_the_n
   EXPECT_NEAR(force / (kDensity * kGravity * 0.6), 1.0, 1e-3);
 }
 
-/// A block that is sheared and has not slipped reaches the next block of its base: its points there begin with the
-/// shear that the joint has, so that the traction goes on across the base's joint.
+/// A block on a sheared joint without slip reaches the next block of its base: its contact points there begin with the
+/// shear of the joint, so that the traction is continuous across the joint of the base.
 TEST(NewContactMemory, points_that_reach_the_next_block_of_a_sheared_joint_take_its_shear) {
   constexpr double kShear = 1e-4;  // [m]
   Scene scene(1e9, 0.2, kDensity, 60.0);

@@ -1,5 +1,5 @@
-// A block that fits a notch of a held block exactly, side to side: its convex corners stand in reentrant ones, which
-// touch it with both of their edges. It rests, on what carries it, as it would with the sides away from it.
+// A block that fits a notch of a held block exactly: its convex corners stand in reentrant ones, both edges of which
+// touch it. Its settlement must be that of the unit block on level ground, within the factors of each notch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct Notch {
   Polygon held, block;
   double turn = 0.0;               // [deg]
   double friction = 30.0;          // [deg]
-  double least = 1.0, most = 1.0;  // settlement over that of the unit block on level ground
+  double least = 1.0, most = 1.0;  // bounds of the settlement over that of the unit block on level ground
 };
 
 Polygon ring(std::vector<Vec2> corners) {
@@ -28,10 +28,10 @@ Polygon ring(std::vector<Vec2> corners) {
 const Polygon kUnit = ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 const Polygon kPit = ring({{-2, -1}, {3, -1}, {3, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {-2, 1}});
 
-/// Smooth walls that gave way nowhere would take (1 - nu)^2 - (1 - 2 nu) = nu^2 of (1 - nu)^2 off the block's own
-/// strain, 6 %, which is a fifth of the settlement: 1.3 % of it. The normal springs of two sides at 45 degrees are as
-/// stiff for the vertical as those of one below; affine strain differs by 5 %, friction of the sides takes a third off.
-/// A block that overhangs weighs more.
+/// Smooth rigid walls would reduce the block's own strain by (1 - nu)^2 - (1 - 2 nu) = nu^2 over (1 - nu)^2, 6 %. That
+/// strain is a fifth of the settlement, of which the walls take 1.3 %. The normal springs of two sides at 45 degrees
+/// are as stiff vertically as those of one level base; affine strain differs by 5 %, and friction of the sides reduces
+/// the settlement by a third. A block that overhangs is heavier.
 const std::vector<Notch>& notches() {
   static const std::vector<Notch> kAll{
       {"pit", kPit, kUnit, 0.0, 30.0, 0.98, 1.05},
@@ -49,7 +49,7 @@ const std::vector<Notch>& notches() {
 
 struct Rest {
   Vec2 moved;             // of the centroid [m]
-  double speed, closure;  // [m/s]; of the ledger
+  double speed, closure;  // speed [m/s]; closure of the ledger
 };
 
 Rest rest_of(const Scheme& scheme, const Notch& n) {

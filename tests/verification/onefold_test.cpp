@@ -1,5 +1,5 @@
-// Blocks on onefold covers of the NMM, on a triangle of their own and on one around the model, against DDA blocks in
-// `affine` form: the same motion; and the form in the stars against the centroidal one: the same step.
+// Blocks on onefold covers of the NMM, on a triangle of their own and on one around the model, move as DDA blocks in
+// `affine` form; and a step in terms of the stars is the same as one in centroidal form.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -50,7 +50,7 @@ Scene rockfall() {
   return scene;
 }
 
-/// The same as a run in which no step is cut, with a frame a step.
+/// The same scene for a run in which no step is cut, with a frame per step.
 Scene rockfall(Integrator integrator, int steps) {
   Scene scene = rockfall();
   const double dt = 5e-4;
@@ -59,7 +59,7 @@ Scene rockfall(Integrator integrator, int steps) {
   return scene;
 }
 
-/// A block that flies, turns and vibrates under its weight, a load that comes and goes, and its in-situ stress.
+/// A block that flies, rotates and vibrates under its weight, a load that varies in time, and its in-situ stress.
 Scene flight() {
   Scene scene(5e6, 0.3, 2500.0);
   scene.model.materials[0].initial_stress = InitialStress{};
@@ -111,10 +111,10 @@ Recorded record(Scene scene, Kind kind) {
   return out;
 }
 
-/// Largest differences of two runs over the largest value in the first.
+/// Largest differences of two runs, divided by the largest value in the first.
 struct Apart {
   double x = 0.0, v = 0.0, stress = 0.0, force = 0.0;
-  std::int64_t states = 0, switches = 0, closed = 0;  // contact states that differ; that change from frame to frame
+  std::int64_t states = 0, switches = 0, closed = 0;  // contact states that differ; changes of state; closed ones
 };
 
 Apart compare(const Recorded& a, const Recorded& b) {
@@ -182,8 +182,8 @@ TEST_P(Onefold, blocks_in_contact_move_as_dda_blocks_in_affine_form) {
   EXPECT_LT(dda.closure, 1e-9);
 }
 
-// Collisions multiply whatever two runs are apart by: later on these are as near each other as two runs of the DDA of
-// which one is thrown faster by 1.4 parts in 10^14, about what round-off adds up to in that time.
+// Collisions amplify any difference of two runs. After many of them, NMM and DDA may differ as much as two runs of the
+// DDA whose initial velocities differ by 1.4 parts in 10^14, about the round-off that accumulates in that time.
 TEST_P(Onefold, blocks_that_collide_again_and_again_part_by_round_off_alone) {
   const auto [integrator, kind] = GetParam();
   Scene scene = rockfall(integrator, 2000);
@@ -194,7 +194,7 @@ TEST_P(Onefold, blocks_that_collide_again_and_again_part_by_round_off_alone) {
   const Apart d = compare(dda, nmm), by_round_off = compare(dda, twin);
   print("2000 steps", d, nmm);
   print("two runs of the DDA", by_round_off, twin);
-  EXPECT_LT(d.x, 1e-6);  // the same form by two routes, rotation included
+  EXPECT_LT(d.x, 1e-6);  // the same formulation, computed in two ways, rotation included
   EXPECT_LT(d.x, 100.0 * by_round_off.x);
   EXPECT_LT(nmm.closure, 1e-9);
 }
@@ -210,7 +210,7 @@ TEST_P(Onefold, block_in_flight_moves_as_a_dda_block_in_affine_form) {
     Stage& stage = scene.stage("dda", integrator, steps * dt, dt);
     stage.control.max_displacement = 0.1;
     stage.newmark = scheme;
-    stage.damping = 2.0;  // on what is beside the affine motion: there is nothing
+    stage.damping = 2.0;  // acts on the motion that is not affine, which is zero here
     scene.plan.output.every = ticks(dt);
     const Recorded dda = record(scene, Kind::dda), nmm = record(scene, kind);
     const Apart d = compare(dda, nmm);
@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(Runs, Onefold,
                                   (std::get<1>(of.param) == Kind::own_triangle ? "_own" : "_model");
                          });
 
-// An explicit run that chooses its own step: the certified bound is that of the affine block, whatever carries it.
+// An explicit run with the automatic step: the certified bound is that of the affine block for any kind of cover.
 TEST(OnefoldStep, certified_bound_is_that_of_the_dda_block) {
   Scene scene = rockfall();
   scene.stage("dda", Integrator::explicit_, 0.05, std::nullopt).control.max_displacement = 0.1;
@@ -245,7 +245,7 @@ TEST(OnefoldStep, certified_bound_is_that_of_the_dda_block) {
   EXPECT_GT(dda.stats.steps, 30);
 }
 
-// ---- `affine` beside `exact` ------------------------------------------------------------------------------------
+// ---- `affine` against `exact` ------------------------------------------------------------------------------------
 
 /// Spin and centre of the flying block after 0.5 s of implicit steps.
 BodyTotals flown(BlockRotation rotation, double dt, double young) {
@@ -267,22 +267,22 @@ double spin_of(const BodyTotals& t, const Model& model) {
   return (t.angular_momentum - cross(t.centre, t.momentum)) / (model.materials[0].density * m.second.trace());
 }
 
-// Newmark (1/2, 1) in (c, F) damps a spin w by w dt/2 a radian (docs/theory/dda.md, "Affine form"), and the exact
-// rotation does not.
+// Newmark (1/2, 1) in (c, F) damps a spin w by w dt/2 per radian (docs/theory/dda.md, "Affine form"); the exact
+// rotation does not damp it.
 TEST(DdaRotation, affine_damps_a_spin_by_half_the_turn_of_a_step_and_exact_does_not) {
   const Model model = flight().model;
   const double spin = 4.0, angle = 0.5 * spin, stiff = 1e10;
   for (const double dt : {2e-3, 1e-3}) {
     const double lost = -std::log(spin_of(flown(BlockRotation::affine, dt, stiff), model) / spin) / angle;
     std::printf("dt %.0e: loss of spin a radian over w dt/2: %.4f\n", dt, lost / (0.5 * spin * dt));
-    EXPECT_NEAR(lost, 0.5 * spin * dt, 0.02 * 0.5 * spin * dt) << dt;  // the next order, and the spin that falls
+    EXPECT_NEAR(lost, 0.5 * spin * dt, 0.02 * 0.5 * spin * dt) << dt;  // next order; decrease of the spin
     EXPECT_NEAR(spin_of(flown(BlockRotation::exact, dt, stiff), model), spin, 1e-9 * spin) << dt;
   }
 }
 
 // ---- The form in the stars --------------------------------------------------------------------------------------
 
-/// A stack of two blocks on a floor that is as wide as the model, at rest, and an implicit step of it.
+/// A stack of two blocks at rest on a floor as wide as the model, and one implicit step.
 struct Step {
   ByHand hand;
   ContactList contacts;
@@ -307,9 +307,9 @@ Scene stack(double width) {
   return scene;
 }
 
-// Matrices of the contacts ([Qu2013] eq. 7.20-7.55), of mass and stiffness, each computed in the stars and in
-// centroidal form by its own formulas, are the same after the map; and so is the step, as far as the stars' condition
-// lets it be known.
+// Matrices of the contacts ([Qu2013] eq. 7.20-7.55), of mass and stiffness, each computed by its own formulas in terms
+// of the stars and in centroidal form, are equal after the map. The steps are equal within the round-off that the
+// condition number of the form in the stars allows.
 TEST(OnefoldForms, stars_and_centroidal_form_are_the_same_step) {
   const double h = 1e-3, eps = std::numeric_limits<double>::epsilon();
   for (const double width : {1.0, 10.0, 100.0, 1000.0}) {
@@ -323,8 +323,8 @@ TEST(OnefoldForms, stars_and_centroidal_form_are_the_same_step) {
       const Wide map = f.map.cast<long double>();
       return (map.transpose() * stars * map - centroidal.cast<long double>()).cast<double>().norm() / centroidal.norm();
     };
-    // In long double, that the products themselves lose nothing. Matrices that were rounded in the stars, as those of
-    // mass and contacts would be in a run, have lost (L/d)^2 eps of what they say about a block of the width d.
+    // The products are in long double, so that they add no round-off. Matrices that were rounded in terms of the stars,
+    // as those of mass and contacts would be in a run, have a relative error of (L/d)^2 eps for a block of width d.
     const Wide rows = f.stars.rows.cast<long double>();
     const double contact = off(rows.transpose() * f.stars.springs.cast<long double>().asDiagonal() * rows,
                                f.centroidal.contact()),
@@ -351,7 +351,7 @@ TEST(OnefoldForms, stars_and_centroidal_form_are_the_same_step) {
   }
 }
 
-// The centroidal form knows nothing of the triangle.
+// The centroidal form does not depend on the triangle.
 TEST(OnefoldForms, centroidal_form_does_not_depend_on_the_triangle) {
   Scene scene = stack(100.0);
   Stage stage = scene.stage("nmm", Integrator::implicit, 1e-3, 1e-3);

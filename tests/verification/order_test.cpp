@@ -1,5 +1,5 @@
-// Orders in time of the schemes and of hand-overs between them: a block that swings on springs under its weight and a
-// beating load, against its motion exact in time.
+// Orders in time of the schemes and of hand-overs between them: a block that oscillates on springs under its weight and
+// a sinusoidal load, against the motion that is exact in time.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -27,11 +27,11 @@ using coupling::NewmarkScheme;
 
 const auto* const kTables = testing::AddGlobalTestEnvironment(new OrderTable);
 
-constexpr double kStage = 0.04;     // of a stage [s]: a fifth of the slowest period of the block, eight of the fastest
+constexpr double kStage = 0.04;     // of a stage [s]: a fifth of the block's slowest period, 8 fastest periods
 constexpr double kCoarsest = 1e-3;  // [s], two fifths of the certified explicit step
 constexpr int kHalvings = 7;
 constexpr double kClosure = 1e-9;
-constexpr double kFar = 1.0;  // what a point may move in a step: no step is cut [m]
+constexpr double kFar = 1.0;  // admissible movement of a point per step, so large that no step is cut [m]
 
 struct TimeScheme {
   Integrator integrator;
@@ -40,8 +40,8 @@ struct TimeScheme {
 constexpr TimeScheme kCentral{Integrator::explicit_}, kTrapezoidal{Integrator::implicit, NewmarkScheme::trapezoidal},
     kDamped{Integrator::implicit, NewmarkScheme::damped};
 
-/// Explicit stages have the affine-exact mass and implicit ones the consistent mass, as users have them: the motion
-/// that a hand-over has to meet is that of one mass and then of the other.
+/// Explicit stages use the affine-exact mass and implicit ones the consistent mass, as in users' runs: the reference of
+/// a hand-over is the motion with one mass and then with the other.
 Scene swinging_block(Kinematics kinematics, const std::vector<TimeScheme>& schemes, double h) {
   Scene scene(1e7, 0.2, 2000.0);
   const BlockId id = scene.add("block", {{{0, 0}, {2, 0.3}, {1.5, 1.2}, {0.2, 1}}, {}});
@@ -49,7 +49,7 @@ Scene swinging_block(Kinematics kinematics, const std::vector<TimeScheme>& schem
     scene.model.point_supports.push_back({id, x, true, true, 2e6});
   scene.model.functions.push_back({"beat", TimeFunction::Shape::sine, 1.0, 0.0, 0.0, 15.0, {}, {}, {}});
   scene.model.point_loads.push_back({id, {1.5, 1.2}, {1e4, -5e3}, FunctionId{0}});
-  // Linear stages bear no turn above 0.01 rad where they begin.
+  // Linear stages admit no rotation above 0.01 rad at their start.
   scene.model.initial_velocities.push_back({id, {0.3, -0.2}, kinematics == Kinematics::linear ? 0.1 : 2.0});
   scene.plan.detection = 4.0 * kFar;
   for (const TimeScheme& s : schemes) {
@@ -66,7 +66,7 @@ struct Motion {
   std::vector<double> q, v;
 };
 
-/// The equations of the covers that a stage solves, M q'' = f(q, t), and their solution without a time scheme of ours.
+/// The equations of the covers in a stage, M q'' = f(q, t), and their solution independent of Scree's time schemes.
 class Equations {
  public:
   Equations(const Model& model, const coupling::Stage& stage)
@@ -179,7 +179,7 @@ std::vector<double> Equations::acceleration(const std::vector<double>& q, double
   return a;
 }
 
-/// Any kinematics: Kutta's method of order 4 in steps that leave 1e-11 of the motion.
+/// Any kinematics: Kutta's method of order 4, with steps whose error is 1e-11 of the motion.
 void Equations::advance_by_runge_kutta(Motion& m, double t0, double t1) const {
   constexpr int kSteps = 4000;
   const double h = (t1 - t0) / kSteps;
@@ -200,7 +200,7 @@ void Equations::advance_by_runge_kutta(Motion& m, double t0, double t1) const {
   }
 }
 
-/// Where the stages of a scene lead exactly, and the measure of errors there.
+/// The exact motion at the end of the stages of a scene, and the equations that measure errors there.
 struct Reference {
   Scene scene;
   Motion motion;
@@ -225,7 +225,7 @@ struct Reference {
   }
 };
 
-/// Errors of displacement [m] and velocity [m/s] over the step, for one table.
+/// Errors of displacement [m] and velocity [m/s] as functions of the step, for one table.
 struct Errors {
   OrderRow u, v;
   Errors(const std::string& path, Kinematics kinematics) {
@@ -309,7 +309,7 @@ double kinetic_energy(const coupling::Setup& setup, const coupling::State& state
 /// The two stages of a scene without the driver.
 struct HandOverByHand {
   coupling::State state;
-  double lost = 0.0;  // kinetic energy, by what was handed over in place of v_n [J]
+  double lost = 0.0;  // kinetic energy lost because v_{n-1/2} replaces v_n [J]
 
   HandOverByHand(const Scene& scene, double h, bool synchronised) {
     const std::vector<coupling::Stage>& stages = scene.plan.stages;
@@ -351,7 +351,7 @@ TEST_P(UnsynchronisedOrder, is_the_first_and_the_ledger_is_open_by_what_is_lost)
   for (int k = 0; k <= kHalvings; ++k) {
     const double h = step_after(k);
     const Scene scene = swinging_block(kinematics, stages, h);
-    // But for the velocity this is the driver's hand-over.
+    // Apart from the velocity this is the driver's hand-over.
     coupling::Driver run(scene.model, scene.plan, methods());
     ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
     const HandOverByHand synchronised(scene, h, true), unsynchronised(scene, h, false);
@@ -364,7 +364,7 @@ TEST_P(UnsynchronisedOrder, is_the_first_and_the_ledger_is_open_by_what_is_lost)
     EXPECT_GT(std::abs(unsynchronised.lost), 100.0 * kClosure * ledger.moved()) << "step " << h;
     errors.add(h, unsynchronised.state, exact);
   }
-  // The error is the exact motion's answer to a velocity h a/2 off, but for what is of second order: 0.5 % of it here.
+  // The error is the exact response to a velocity error of h a/2, up to terms of second order: 0.5 % of it here.
   const double h = step_after(kHalvings);
   const Reference late(swinging_block(kinematics, stages, h), 0.5 * h);
   EXPECT_NEAR(errors.u.error.back() / exact.equations->distance(late.motion.q, exact.motion.q), 1.0, 0.01);

@@ -1,4 +1,4 @@
-// Explicit and implicit bodies in one step: momentum, energy, and the motion of either scheme alone.
+// Explicit and implicit bodies in one step: momentum, energy, and the motion against that of each scheme alone.
 #include "coupling/integrate/partitioned.h"
 
 #include <gtest/gtest.h>
@@ -63,13 +63,13 @@ INSTANTIATE_TEST_SUITE_P(All, Partitioned2,
                                          Sides{"nmm_dda_5", "nmm", "dda", 5}, Sides{"dda_nmm_5", "dda", "nmm", 5}),
                          [](const auto& p) { return std::string(p.param.name); });
 
-/// Shows the ledger at every instant of the history to a function.
+/// Calls a function with the ledger at every instant of the history.
 struct EveryHistory final : Sink {
   std::function<void(const Ledger&)> see;
   void history(const HistoryView& view) override { see(*view.ledger); }
 };
 
-/// Ten blocks on a base, sides, methods, widths and velocities drawn at random, joints without damping.
+/// Ten blocks on a base with random sides, methods, widths and velocities; joints without damping.
 struct RandomColumn {
   Scene scene;
   double energy = 0.0;  // kinetic at the start [J]
@@ -108,7 +108,7 @@ TEST(PartitionedColumn, no_instability_in_random_columns_with_friction) {
     EveryHistory every;
     double most = 0.0;
     every.see = [&](const Ledger& l) {
-      // What is held and moves never passes what there was and gravity gave.
+      // Stored and kinetic energy never exceed the initial energy plus the work of gravity.
       const double held = l.energy() - l[coupling::Column::shadow];
       most = std::max(most, held / (column.energy + std::max(0.0, l[coupling::Column::gravity])));
     };
@@ -133,7 +133,7 @@ TEST(PartitionedColumn, no_instability_in_random_columns_with_friction) {
 }
 
 TEST(PartitionedSlide, one_substep_is_gone_through_once_where_contacts_are_foreseen) {
-  // Two explicit blocks slide, one on the other, over an implicit base.
+  // Two explicit blocks, one on the other, slide over an implicit base.
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   const BlockId base = scene.add("base", rectangle(0.0, -1.0, 6.0, 0.0)),
                 low = scene.add("low", rectangle(1.0, 0.0, 3.0, 1.0)),
@@ -160,7 +160,7 @@ TEST(PartitionedSlide, one_substep_is_gone_through_once_where_contacts_are_fores
   }
   std::printf("explicit steps gone through %.4f times, %.2f iterations\n", static_cast<double>(repeats) / steps,
               static_cast<double>(iterations) / steps);
-  EXPECT_LT(repeats, 1.02 * steps);  // vertices that come and go are what foresight may miss
+  EXPECT_LT(repeats, 1.02 * steps);  // the prediction may miss contact points that appear or vanish
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// A corner that stands on one edge of another block, behind the line of the edge that ends at the same corner, and
-// hops: in the air it is outside that block, and the edge behind has nothing to push.
+// A corner that bounces on one edge of another block and lies behind the line of that block's adjacent edge: in the air
+// it is outside the block, and the adjacent edge must not push it. The horizontal speed must stay below 1 % of the
+// vertical one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,9 +15,9 @@ using namespace coupling;
 
 class PassingOver : public testing::TestWithParam<Scheme> {};
 
-/// Two held blocks with level tops, a smooth block that falls on both from 0.2 mm: its corner is 20 mm past the end of
-/// the first, whose end face and its own side are parallel, at `corner` degrees to the top. No contact has a horizontal
-/// force.
+/// A smooth block falls from 0.2 mm on the level tops of two held blocks. Its corner lies 20 mm past the end of the
+/// first block, whose end face is parallel to the side of the falling block, at `corner` degrees to the top. No contact
+/// has a horizontal force.
 TEST_P(PassingOver, nothing_pushes_a_block_that_hops_sideways) {
   for (const double corner : {30.0, 45.0, 72.0, 90.0, 120.0}) {
     SCOPED_TRACE(corner);
@@ -41,7 +42,7 @@ TEST_P(PassingOver, nothing_pushes_a_block_that_hops_sideways) {
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
     std::printf("%s %g degrees: %.2e m/s sideways, %.2e down\n", GetParam().name, corner, sideways, down);
     EXPECT_LT(sideways, 0.01 * down);
-    EXPECT_NEAR(down, std::sqrt(2.0 * 9.81 * 2e-4), 0.05 * down);  // of the fall, at steps: the hops are lower
+    EXPECT_NEAR(down, std::sqrt(2.0 * 9.81 * 2e-4), 0.05 * down);  // first fall, at steps: later bounces are lower
   }
 }
 

@@ -1,5 +1,5 @@
 // A corner under load that slides from one edge to the next: over a vertex in the middle of a side, over the joint of
-// two blocks, over a convex corner. Nothing may jump.
+// two blocks, over a convex corner. Forces, energy and slip must change continuously.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,23 +41,23 @@ struct Step final : Sink {
   void step(double time, const RunStats&, const Ledger&) override { see(time); }
 };
 
-/// What a step of a corner's passage changes at most.
+/// Largest changes in a step while a corner passes.
 struct Passage {
-  double normal = 0.0, tangential = 0.0;  // sum over the contacts, of the weight
-  double energy = 0.0;                    // held by the slider and its springs [J]
-  double lost_slip = 0.0;                 // travelled and not remembered [m]
-  double farthest_normal = 0.0;           // from the weight, of it
+  double normal = 0.0, tangential = 0.0;  // sums over the contacts, over the weight
+  double energy = 0.0;                    // of the slider and its springs [J]
+  double lost_slip = 0.0;                 // way that the slip does not contain [m]
+  double farthest_normal = 0.0;           // largest difference to the weight, over the weight
   double closure = 0.0;
 };
 
-/// A 1 x 1 m block on its tip, at rest on its spring, in a field of gravity that keeps its speed against friction and
-/// pulls it through its tip. It crosses x = 0 after 0.05 s.
+/// A 1 x 1 m block on its tip, in equilibrium with its spring. Gravity is inclined so that it balances friction, which
+/// keeps the speed constant, and acts through the tip. The block crosses x = 0 after 0.05 s.
 Passage pass(const Scheme& scheme, Ground ground, double dt) {
   Scene scene(1e10, 0.2, kDensity, kFriction);
   JointLaw& law = scene.model.joints[0];
   law.normal_stiffness = kStiffness;
   law.contact_length = kLength;
-  if (ground == Ground::ridge) law.damping = 0.0;  // the rate of the gap does jump there
+  if (ground == Ground::ridge) law.damping = 0.0;  // the rate of the gap is discontinuous there
   scene.model.gravity = Vec2(std::tan(kFriction * kDegree), -1.0) * kGravity;
   switch (ground) {
     case Ground::vertex_in_a_side:
@@ -83,7 +83,7 @@ Passage pass(const Scheme& scheme, Ground ground, double dt) {
   }
   const double depth =
       kWeight / (kLength * law.normal_stiffness.value_or(scene.model.elasticity_of(BlockId{0}).p_modulus()));
-  const Mat2 R = rotation((45.0 + kFriction) * kDegree);  // its centre above the tip, against gravity
+  const Mat2 R = rotation((45.0 + kFriction) * kDegree);  // the centre lies above the tip along the line of gravity
   const Vec2 tip(-0.05 * kSpeed, -depth);
   const BlockId slider = scene.add("slider", transformed(rectangle(0, 0, 1, 1), tip, R));
   scene.model.initial_velocities.push_back({slider, Vec2(kSpeed, 0.0), 0.0});
@@ -141,17 +141,17 @@ TEST_P(PassingVertex, forces_energy_and_slip_go_on) {
         "%s h %.0e: normal %.1e, tangential %.1e a step, energy %.1e J, slip %.1e m; normal off by %.1e; "
         "closure %.1e\n",
         scheme.name, h, p.normal, p.tangential, p.energy, p.lost_slip, p.farthest_normal, p.closure);
-    // Forces change a step by what the step brings, not by jumps.
+    // The change of a force per step is proportional to the step: no jumps.
     EXPECT_LT(p.normal, 300.0 * h);
     EXPECT_LT(p.tangential, 30.0 * h);
     if (before.normal > 0.0) {
       EXPECT_LT(p.normal, std::max(0.8 * before.normal, 1e-4));
       EXPECT_LT(p.tangential, std::max(0.8 * before.tangential, 1e-4));
     }
-    // Over the ridge it is thrown a little: by v sin(2 degrees) sqrt(k m)/W = 0.3. From the start there is left what
-    // the block's own weight compresses it by, and a joint that becomes stiffer makes more of that.
+    // Beyond the ridge the normal force changes by v sin(2 degrees) sqrt(k m)/W = 0.3. Elsewhere the oscillation by the
+    // block's own compression at the start remains, and a stiffer joint increases it.
     EXPECT_LT(p.farthest_normal, ground == Ground::ridge ? 0.35 : (ground == Ground::unlike_blocks ? 0.1 : 0.01));
-    // Friction takes this of the energy held, and nothing else does.
+    // Friction alone reduces the energy, by this amount per step.
     EXPECT_LT(p.energy, 1.1 * (1.0 + p.farthest_normal) * kWeight * std::tan(kFriction * kDegree) * kSpeed * h);
     EXPECT_LT(p.lost_slip, 0.2 * kSpeed * h);
     EXPECT_LT(p.closure, 1e-9);

@@ -1,5 +1,5 @@
-// Audits of random models, many of which hardly move, or fly free without gravity: no false alarm, and a fault that is
-// planted in such a model is found.
+// Audits of random models, many of which hardly move or fly freely without gravity: no false alarm, and a fault planted
+// in such a model is found.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ Scene random_scene(std::uint32_t seed) {
   };
   const auto one_of = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
   const double size = std::pow(10.0, number(-1.0, 2.0)), density = number(500.0, 5000.0);
-  // Stiff enough not to fold under their weight, or where they strike.
+  // Stiff enough not to fold under the weight or at an impact.
   const double young = 300.0 * density * (9.81 * size + 20.0) * std::pow(10.0, number(0.0, 4.0));
   Scene scene(young, number(0.0, 0.45), density, number(0.0, 60.0));
   scene.model.gravity = Vec2(0.0, std::array{0.0, -1e-9, -9.81, -9.81}[one_of(4)]);
@@ -76,9 +76,9 @@ TEST(RandomAudit, blocks_at_rest_and_in_flight_give_no_alarm) {
   EXPECT_GE(flying, 10);
 }
 
-/// Changes the velocities behind the back of a run, once.
+/// Changes the velocities of a run once, without booking the change in the ledger.
 struct Push final : coupling::Sink {
-  double by = 0.0;  // a part of them
+  double by = 0.0;  // relative change
   bool done = false;
   void frame(const coupling::FrameView& view) override {
     if (done || view.time == 0.0) return;
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, PlantedFault, testing::ValuesIn(kAllSchemes),
                          [](const auto& p) { return p.param.name; });
 
 TEST(LastPlaces, are_far_below_what_an_audit_allows_where_something_moves) {
-  // A heap of metres that falls by a metre in 1000 steps: the last places are less than 1e-9 of its energy.
+  // A block of 1 m that falls by a metre in 1000 steps: round-off of positions is less than 1e-9 of its energy.
   Scene scene(1e10);
   scene.add("b", rectangle(0, 0, 1, 1));
   coupling::State state;

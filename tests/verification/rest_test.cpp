@@ -1,4 +1,4 @@
-// Stages that run to rest, and what contacts keep where stages change.
+// Stages that run to rest against the static solution, and the forces of contacts when stages change.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -121,13 +121,13 @@ TEST_F(HandOverOfContacts, corners_keep_their_traction_when_a_mesh_adds_vertices
   std::printf("%d corners: gap %.1e of %.1e m, stretch %.1e of %.1e m\n", compared, gap, scale_gap, stretch,
               scale_stretch);
   EXPECT_GE(compared, 4);
-  EXPECT_GT(scale_stretch, 1e-6);  // sheared indeed
+  EXPECT_GT(scale_stretch, 1e-6);  // the contacts are sheared
   EXPECT_LT(gap, 1e-12);
   EXPECT_LT(stretch, 1e-12);
 }
 
-/// The weight stays on the joints: forces right after a hand-over balance it as they did before. Going back, forces of
-/// mesh vertices that go pass to the corners by the lever rule.
+/// The forces right after a hand-over balance the weight as they did before. On the way back, forces of mesh vertices
+/// that are removed pass to the corners by the lever rule.
 TEST_F(HandOverOfContacts, resultants_stay) {
   scene_.stage("dda", Integrator::implicit, 0.4, 1e-2).rest = true;
   scene_.stage("nmm", Integrator::explicit_, 0.05, std::nullopt, 0.4).damping = 50.0;
@@ -137,7 +137,7 @@ TEST_F(HandOverOfContacts, resultants_stay) {
   struct Sums {
     double normal = 0.0, tangential = 0.0, moment = 0.0;  // of the springs on the plane; moment about its origin
   };
-  std::map<std::pair<int, std::int32_t>, Sums> seen;  // by tick of 0.05 s and stage
+  std::map<std::pair<int, std::int32_t>, Sums> seen;  // by multiple of 0.05 s and stage
   const Mat2 R = rotation(-20.0 * kDegree);
   Watch watch;
   watch.see = [&](const FrameView& view) {
@@ -161,15 +161,15 @@ TEST_F(HandOverOfContacts, resultants_stay) {
   const double weight = kDensity * kGravity * (1.5 + 1.1 * 0.8);
   EXPECT_NEAR(rested.normal / (weight * std::cos(20.0 * kDegree)), 1.0, 1e-6);
   EXPECT_NEAR(std::abs(rested.tangential) / (weight * std::sin(20.0 * kDegree)), 1.0, 1e-6);
-  EXPECT_NEAR(meshed.normal / rested.normal, 1.0, 1e-3);  // shares are those of another mesh on slightly bent edges
+  EXPECT_NEAR(meshed.normal / rested.normal, 1.0, 1e-3);  // other tributary lengths, slightly bent edges
   EXPECT_NEAR(meshed.tangential / rested.tangential, 1.0, 1e-3);
   EXPECT_NEAR(back.normal / held.normal, 1.0, 1e-9);
   EXPECT_NEAR(back.tangential / held.tangential, 1.0, 1e-9);
   EXPECT_NEAR(back.moment / held.moment, 1.0,
-              1e-4);  // corners of the affine block are where the mesh's were but for bending
+              1e-4);  // corners of affine and meshed block differ by the bending
 }
 
-/// From one mesh to another: what the corners are given of the vertices that go rests on what those stood for.
+/// From one mesh to another: the force of the vertices that are removed passes to the remaining points.
 TEST(TransferReport, force_passes_from_mesh_to_mesh) {
   Scene scene(1e10, 0.0, kDensity, 30.0);
   scene.model.joints[0].normal_stiffness = scene.model.joints[0].shear_stiffness = 2e7;
@@ -184,7 +184,7 @@ TEST(TransferReport, force_passes_from_mesh_to_mesh) {
   std::map<std::int32_t, std::size_t> points;
   Watch watch;
   watch.see = [&](const FrameView& view) {
-    if (view.state->stage == 0) return;  // a frame closes it
+    if (view.state->stage == 0) return;  // the stage ends with a frame
     double force = 0.0;
     for (const ContactMemory& m : view.state->contacts) {
       if (m.status == ContactStatus::open) continue;
@@ -201,7 +201,7 @@ TEST(TransferReport, force_passes_from_mesh_to_mesh) {
   EXPECT_LT(ledger.relative_closure(), 1e-10);
 }
 
-/// Sliding through changes of scheme, in both directions: nothing of one scheme is left in the books of the other.
+/// Blocks slide through changes of scheme in both directions: no energy of one scheme stays in the ledger of the other.
 TEST_F(HandOverOfContacts, moving_blocks_close_the_books_through_every_change) {
   scene_.model.joints[0].friction = 10.0 * kDegree;
   for (const auto& [method, integrator] :

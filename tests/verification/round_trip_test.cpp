@@ -1,4 +1,4 @@
-// NMM -> DDA -> NMM: what each mode of transfer keeps, for blocks that are deformed and spin at random.
+// NMM -> DDA -> NMM: the quantities that each mode of transfer conserves, for randomly deformed and spinning blocks.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +21,8 @@ using coupling::TransferMode;
 
 constexpr int kBlocks = 100;
 
-/// Free blocks far from each other, each with 3 to 7 corners, turned, stretched, spinning, and bent and shaken on top.
+/// Free blocks far from each other, each with 3 to 7 corners, rotated, stretched and spinning, with random bending and
+/// vibration in addition.
 class RoundTrip {
  public:
   RoundTrip(std::uint32_t seed, TransferMode mode) : scene_(1e9, 0.25, 2500.0), generator_(seed) {
@@ -75,7 +76,7 @@ class RoundTrip {
     m.vc = {number(-3.0, 3.0), number(-3.0, 3.0)};
     m.Fdot = quarter_turn() * number(-5.0, 5.0) * m.F + matrix(2.0);
     pool.place(b.index, m, q, v);
-    // Forces at random, as accelerations: what they do goes together with the ties of the covers.
+    // Accelerations by random forces: they satisfy the ties of the covers.
     std::vector<double> force(q.size(), 0.0), bent(q.size()), shaken(q.size());
     const auto first = 2 * static_cast<std::size_t>(b.first_node - setup->pool_first(p)),
                last = first + 2 * static_cast<std::size_t>(b.nodes);
@@ -157,7 +158,7 @@ TEST(RoundTripAtOnce, reservoir_gives_back_velocity_stress_momenta_and_energy) {
   EXPECT_LT(std::abs(trip.state.ledger.closure()), 1e-12 * energy);
 }
 
-/// What a mode does on the way there: the table of the documentation.
+/// Errors and energies of a mode in the transfer NMM -> DDA: the table of the documentation.
 struct Kept {
   double momentum = 0.0, spin = 0.0, energy = 0.0, reservoir = 0.0, booked = 0.0;
 };
@@ -196,7 +197,7 @@ TEST(RoundTripAtOnce, modes_keep_what_they_say) {
     EXPECT_LT(k.booked, 1e-12);
   }
   EXPECT_LT(strain.reservoir, reservoir.reservoir);  // some of it goes on as strain rates
-  EXPECT_GT(spin.spin, 1e-3);                        // that of [Qu2013] breaks the angular momentum
+  EXPECT_GT(spin.spin, 1e-3);                        // the mode of [Qu2013] violates angular momentum
   EXPECT_EQ(spin.reservoir, 0.0);
 }
 
@@ -212,7 +213,7 @@ TEST(RoundTripAtOnce, strain_rates_come_back_with_their_remainder) {
 }
 
 TEST(RoundTrip, fields_wait_while_the_block_is_affine) {
-  // A bar that bends as it flies: half a second as DDA in between, then it bends on from where it was.
+  // A bar that bends as it flies is a DDA block for half a second; then the bending continues from the stored state.
   Scene scene(1e8, 0.2, 2500.0);
   scene.model.gravity.setZero();
   const BlockId id = scene.add("bar", rectangle(0, 0, 4, 0.5));
@@ -271,7 +272,7 @@ TEST(RoundTrip, another_mesh_takes_the_fields_up) {
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
   ASSERT_EQ(run.transfers().size(), 4U);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-9);
-  EXPECT_TRUE(run.state().rest.empty());  // each mesh has taken what the one before had left
+  EXPECT_TRUE(run.state().rest.empty());  // each mesh has restored the remainder of the one before
   for (std::size_t i = 0; i < 4; ++i) {
     const coupling::TransferRow& row = run.transfers()[i];
     const bool leaves = i % 2 == 0;

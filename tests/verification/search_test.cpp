@@ -1,4 +1,4 @@
-// Contact search against brute force: nothing near is missed, and what was found before leaves no trace.
+// Contact search against brute force: no near pair is missed, and the result does not depend on earlier searches.
 #include "coupling/contact/search/search.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace coupling;
 
-/// Distance of two segments; 0 where they cross.
+/// Distance of two segments; 0 if they intersect.
 double distance(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
   const auto side = [](const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - p); };
   const auto to = [](const Vec2& p, const std::array<Vec2, 2>& s) {
@@ -29,7 +29,7 @@ double distance(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
   return std::min({to(a[0], b), to(a[1], b), to(b[0], a), to(b[1], a)});
 }
 
-/// Convex, or a star whose corners turn inwards at places.
+/// A convex block, or a star with some reentrant corners.
 Ring random_block(Random& random, const Vec2& centre, double radius) {
   const int n = 3 + static_cast<int>(random.uniform() * 6.0);
   const bool convex = random.uniform() < 0.5;
@@ -43,7 +43,7 @@ Ring random_block(Random& random, const Vec2& centre, double radius) {
   return ring;
 }
 
-/// A heap of DDA blocks that are put wherever one likes.
+/// A heap of DDA blocks that can be placed anywhere.
 class Heap {
  public:
   Heap(Random& random, int blocks) : random_(&random) {
@@ -78,7 +78,7 @@ class Heap {
     const Setup& setup = *hand_->setup;
     for (std::size_t i = 0; i < centre_.size(); ++i) {
       const Body& b = setup.bodies()[i];
-      if (b.resting && !x_.empty()) continue;  // the search relies on it that they stay
+      if (b.resting && !x_.empty()) continue;  // the search relies on their staying in place
       AffineMotion m;
       m.c = centre_[i];
       m.F = rotation(angle_[i]) * (Mat2() << 1.0 + 0.01 * random_->uniform(), 0.01, 0.0, 1.0).finished();
@@ -97,7 +97,7 @@ class Heap {
   std::vector<double> angle_;
 };
 
-/// Every pair of segments, but for those whose extents along x are apart.
+/// Tests every pair of segments, except those whose extents along x are apart.
 std::vector<EdgePair> brute_force(const Setup& setup, OutlinePositions x, double reach) {
   const Outlines& o = setup.outlines();
   struct Item {
@@ -151,7 +151,7 @@ TEST(Search, finds_what_brute_force_finds_in_tumbling_heaps) {
       listed += found.size();
       check(found);
       if (call % 6 == 5) {
-        // A search that has seen nothing else finds the same near ones, and clearance promises nothing false.
+        // A new search finds the same near pairs, and the clearance is positive only if there is none.
         Search fresh(heap.setup(), reach);
         check(fresh.update(heap.points()));
         EXPECT_TRUE(search.clearance(heap.points()) <= 0.0 || expected.empty());
@@ -166,8 +166,8 @@ TEST(Search, finds_what_brute_force_finds_in_tumbling_heaps) {
   EXPECT_LT(listed, 12 * near);  // boxes fattened by up to three times the reach
 }
 
-/// The finder's list is a function of place and memory: one that has followed the whole run lists what a fresh one
-/// does.
+/// The finder's list depends on positions and memory only: a finder used through the whole run lists the same as a new
+/// one.
 TEST(ContactFinder, lists_what_a_fresh_finder_lists) {
   Scene scene(1e8, 0.2, 2600.0, 25.0);
   scene.add("floor", rectangle(-3, -1, 9, 0), true);

@@ -1,5 +1,5 @@
-// Blocks that slide on steep planes: rigid sliding with the standard settings, flutter without, no drag on slide or
-// spin, and site response where little of a block slips.
+// Blocks that slide on steep planes: rigid sliding with the standard damping, flutter without it, no damping of sliding
+// or spin, and site response if little of a block slips.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -12,7 +12,7 @@ using namespace coupling;
 constexpr double kSlope = 40.0 * kDegree, kGravity = 9.81;
 
 /// A block of 2 x 1 m with friction 2 degrees above the slope, thrown down it at a speed; gravity from the start, the
-/// springs pressed by its weight.
+/// springs without load at first.
 struct Thrown {
   Scene scene{5e10, 0.2, 2600.0, 42.0};
   BlockId block;
@@ -36,7 +36,7 @@ class SteepSlide : public testing::TestWithParam<std::tuple<std::string, Integra
 };
 
 TEST_P(SteepSlide, a_thrown_block_is_slowed_as_a_rigid_one_and_stays_where_it_stops) {
-  // v' = g (sin a - cos a tan phi) < 0: it stops after v/|v'|.
+  // v' = g (sin a - cos a tan phi) < 0: the block stops after v/|v'|.
   const double slows = kGravity * (std::cos(kSlope) * std::tan(42.0 * kDegree) - std::sin(kSlope)), speed = 0.3;
   Thrown thrown(method(), integrator(), dt(), speed, speed / slows + 0.3);
   Driver run(thrown.scene.model, thrown.scene.plan, methods());
@@ -80,7 +80,7 @@ TEST(SlidingFlutter, comes_with_the_bare_equations_and_goes_with_the_standard_se
 }
 
 TEST(SlidingDamping, slows_neither_slide_nor_spin) {
-  // A frictionless slide has no loss; momenta change by the contact alone.
+  // A frictionless slide is not slowed: only its deformation is damped, and momenta change by the contact alone.
   Scene scene(1e9, 0.2, 2600.0, 0.0);
   scene.model.gravity = Vec2(0.0, -kGravity);
   scene.add("plane", rectangle(-5, -2, 15, 0), true);
@@ -90,11 +90,11 @@ TEST(SlidingDamping, slows_neither_slide_nor_spin) {
   Driver run(scene.model, scene.plan, methods());
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   const BodyTotals end = totals_of(run, block);
-  EXPECT_NEAR(end.momentum.x() / end.mass, 3.0, 3e-6);  // corners of a block that rocks push a little along
+  EXPECT_NEAR(end.momentum.x() / end.mass, 3.0, 3e-6);  // the corners of a rocking block push slightly sideways
   EXPECT_GT(run.state().ledger[Column::deformation_damping], 0.0);
 }
 
-/// Five blocks of 10 x 2 m on each other, thrown up a plane of 25 degrees; friction of 30 degrees in every joint.
+/// A stack of five blocks of 10 x 2 m, thrown up a plane of 25 degrees; friction of 30 degrees in every joint.
 class ThrownStack : public testing::TestWithParam<Integrator> {
  protected:
   static constexpr double kDip = 25.0 * kDegree, kSpeed = 2.0;
@@ -117,7 +117,7 @@ class ThrownStack : public testing::TestWithParam<Integrator> {
 };
 
 TEST_P(ThrownStack, of_meshed_blocks_stops_and_stays_where_it_is) {
-  // Without StackDamping it bounces on, loses friction, and its top comes down by 0.17 m in the last second.
+  // Without StackDamping the stack keeps bouncing and loses friction: its top moves down by 0.17 m in the last second.
   Driver run(scene_.model, scene_.plan, methods());
   (void)run.run(1.2);
   const std::vector<double> then = ways(run);

@@ -40,7 +40,7 @@ class Sliding : public testing::TestWithParam<std::tuple<std::string, double>> {
 TEST_P(Sliding, incline_follows_coulomb) {
   const auto& [scheme, phi] = GetParam();
   const bool implicit = scheme.ends_with("-implicit");
-  // Until its springs are stretched the block feels less than Coulomb's friction: in stiff rock for a shorter time.
+  // Until its springs are stretched, less than Coulomb's friction acts on the block: in stiff rock for a shorter time.
   const bool stiff = scheme == "nmm-implicit";
   const double t = stiff ? 2.0 : 1.0;
   const Outcome o = slide(scheme.substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, phi, t,
@@ -75,7 +75,7 @@ TEST_P(Holding, incline_steeper_friction_stays) {
   scene.add("plane", transformed(rectangle(-5, -2, 30, 0), Vec2(0, 0), R), true);
   const BlockId slider = scene.add("slider", transformed(rectangle(0, 0, 1, 1), Vec2(0, 0), R));
   scene.model.monitors.push_back({"centre", slider, R * Vec2(0.5, 0.5)});
-  // An elastic block without any damping of its own can keep itself bouncing on its friction; rock has some.
+  // Friction can keep an elastic block without material damping bouncing; rock has some damping.
   scene
       .stage(GetParam().substr(0, 3), implicit ? Integrator::implicit : Integrator::explicit_, 2.0,
              implicit ? std::optional<double>(1e-3) : std::nullopt, 0.4)
@@ -88,8 +88,8 @@ TEST_P(Holding, incline_steeper_friction_stays) {
   const double settled = path.x[path.x.size() / 2], end = path.x.back();
   std::printf("%s phi 40: settles %.2e m, creeps %.1e m in the second half, closure %.1e\n", GetParam().c_str(),
               settled, end - settled, run.state().ledger.relative_closure());
-  EXPECT_LT(end, 2e-3);                      // gravity comes on at once: the springs swing to twice m g/2k = 2.6e-4 m
-  EXPECT_LT(std::abs(end - settled), 1e-5);  // what is left of the swing after a second
+  EXPECT_LT(end, 2e-3);                      // sudden gravity: the springs oscillate up to twice m g/2k = 2.6e-4 m
+  EXPECT_LT(std::abs(end - settled), 1e-5);  // the oscillation that is left after a second
   // Newton's method leaves 1e-11 of the largest force.
   EXPECT_LT(run.state().ledger.relative_closure(), GetParam() == "nmm-implicit" ? 1e-10 : 1e-12);
 }

@@ -1,4 +1,5 @@
-// Time belongs to stages: what begins with a stage, and who looks on, changes nothing before and nothing else.
+// Times of stages: a load or motion that begins with a stage changes nothing before it, and output and audits change no
+// result.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -10,9 +11,9 @@ using namespace coupling;
 
 class StageTimes : public testing::TestWithParam<Scheme> {};
 
-constexpr double kLength = 0.01, kStep = 1e-4;  // of a stage, of a step [s]
+constexpr double kLength = 0.01, kStep = 1e-4;  // durations of a stage and of a step [s]
 
-/// A free block without weight, two stages, and an acceleration of 3 m/s2 by a function.
+/// A free block without weight, two stages, and an acceleration of 3 m/s2 times a function.
 Scene pushed(const Scheme& scheme, TimeFunction push) {
   Scene scene;
   scene.model.gravity = {0.0, 0.0};
@@ -24,7 +25,8 @@ Scene pushed(const Scheme& scheme, TimeFunction push) {
   return scene;
 }
 
-/// v = a t, from where the second stage begins. Half a step of it, or a whole implicit one, was taken in the first.
+/// v = a t from the beginning of the second stage. A load that acted early would add half an explicit step, or a whole
+/// implicit one, in the first stage.
 TEST_P(StageTimes, load_that_begins_where_a_stage_does_belongs_to_it) {
   TimeFunction by_clock, by_stage;
   by_clock.start = kLength;
@@ -54,11 +56,11 @@ TEST_P(StageTimes, offset_counts_from_the_stage) {
   Driver run(scene.model, scene.plan, methods());
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   const BodyTotals after = totals_of(run, BlockId{0});
-  // Within a stage the force is met at the ends of steps: half a step may be more, half of one less.
+  // Within a stage the force is evaluated at the ends of steps: up to half a step of it may be added or missing.
   EXPECT_NEAR(after.momentum.x() / after.mass, 3.0 * 0.75 * kLength, 1.01 * 3.0 * kStep);
 }
 
-/// A block that comes to rest on its base long before it must, and a base that then moves.
+/// A block that comes to rest on its base long before the stage's limit of time, and a base that then moves.
 Scene shaken(StageId stage, double start) {
   Scene scene(1e8, 0.2, 2600.0, 40.0);
   scene.add("base", rectangle(-2, -1, 3, 0), true);
@@ -77,7 +79,7 @@ TEST(StageTimes, motion_moves_its_stage_whenever_that_begins) {
   const Scene scene = shaken(StageId{1}, 0.0);
   Driver run(scene.model, scene.plan, methods());
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
-  ASSERT_LT(run.state().stage_begin[1], ticks(1.0));  // rest came early
+  ASSERT_LT(run.state().stage_begin[1], ticks(1.0));  // rest was reached early
   const Vec2 moved = centre_of(run, BlockId{0}) - Vec2(0.5, -0.5), meant = scene.model.motions[0].displacement(0.05);
   ASSERT_GT(meant.norm(), 1e-4);
   EXPECT_LT((moved - meant).norm(), 1e-14);
@@ -98,7 +100,7 @@ TEST(StageTimes, motion_that_is_no_more_met_after_an_early_end_is_refused) {
   }
 }
 
-/// Per run, looked at in a way of its own.
+/// Hash of the final state of a run with the given output, history and audit.
 std::uint64_t hash_of(Scene scene, double every, double history_every, bool audit) {
   scene.plan.output.every = ticks(every);
   scene.plan.output.history_every = ticks(history_every);
@@ -118,7 +120,7 @@ void expect_same_however_looked_at(const Scene& scene) {
   EXPECT_EQ(hash_of(scene, 1.0, 1.0, true), expected);
 }
 
-/// A block that falls on another, which slides.
+/// A block that falls on another one, which slides.
 Scene falling() {
   Scene scene(1e8, 0.2, 2600.0, 20.0);
   scene.add("base", rectangle(-2, -1, 3, 0), true);

@@ -1,4 +1,4 @@
-// The certified explicit step in a run: told, kept, and overstepped only on request.
+// The certified explicit step bound in a run: reported, observed, and exceeded only on request.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -49,12 +49,12 @@ TEST(StepLimit, larger_step_is_refused_with_its_bound_and_unstable_when_forced) 
     EXPECT_TRUE(has(e.what(), "force_dt")) << e.what();
   }
   scene.plan.stages[0].force_dt = true;
-  scene.plan.max_gain = 0.0;  // it would end the run at once
+  scene.plan.max_gain = 0.0;  // the limit of energy gain would end the run at once
   Events events;
   coupling::Driver forced(scene.model, scene.plan, methods());
   forced.add_sink(events);
   const coupling::RunEnd end = forced.run();
-  // Unstable: points soon go too far in a step, which is cut again and again.
+  // The run is unstable: points soon move too far in a step, which is cut repeatedly.
   EXPECT_GT(forced.stats().cuts, 3) << end.reason;
   ASSERT_EQ(events.warnings.size(), 1U);
   for (const double x : forced.state().q) ASSERT_TRUE(std::isfinite(x));

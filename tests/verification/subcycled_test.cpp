@@ -1,4 +1,4 @@
-// Explicit steps of two sizes: the map of a step on two oscillators and where it is stable, momentum, energy, order.
+// Explicit steps of two sizes: the map of a step on two oscillators and its stability, momentum, energy, order.
 #include "coupling/integrate/subcycled.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace scree::coupling;
 
-/// Rigid blocks whose internal force pulls them back to where the model has them, along x: -young x.
+/// Rigid blocks whose internal force pulls them back to their places in the model, along x: -young x.
 class SprungPool final : public RigidPool {
  public:
   [[nodiscard]] std::string_view method() const override { return "sprung"; }
@@ -55,14 +55,14 @@ const Methods& sprung() {
   return kSprung;
 }
 
-/// Masses and springs to the ground of both blocks, spring between them; the fast one has mass 1.
+/// Mass of the slow block (the fast one has mass 1), stiffnesses of both springs to the ground and of the one between.
 struct Springs {
   double k_fast, mass, k_slow, k;
   [[nodiscard]] double fastest() const { return std::sqrt(k_fast + k * (1.0 + 1.0 / mass)); }
 };
 
-/// A step of m substeps, written down once more. x, v of the fast block, then of the slow one, and the relative
-/// velocity of the half step before, by which a contact with the fraction xi of critical damping lags.
+/// A step of m substeps, written independently of the code. Unknowns: x, v of the fast block, then of the slow one, and
+/// the relative velocity of the previous half step, which damps a contact with the fraction xi of critical damping.
 using Map = Eigen::Matrix<double, 5, 5>;
 Map map_of(const Springs& s, double h, int m, double xi = 0.0) {
   const double c = 2.0 * xi * std::sqrt(s.k / (1.0 + 1.0 / s.mass));
@@ -88,7 +88,7 @@ Map map_of(const Springs& s, double h, int m, double xi = 0.0) {
 
 double radius(const Map& a) { return eigenvalues(a).cwiseAbs().maxCoeff(); }
 
-/// The pair as blocks that are bonded, with nothing to damp them.
+/// The pair as bonded blocks without damping.
 Scene pair(const Springs& s, double dt, int substeps, double duration) {
   Scene scene(s.k_fast, 0.2, 1.0);
   scene.model.gravity = Vec2(0.0, 0.0);
@@ -131,10 +131,10 @@ TEST(Subcycled, step_is_the_map_of_kicks_and_drifts) {
       EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
     }
   std::printf("largest difference %.1e\n", worst);
-  EXPECT_LT(worst, 1e-9);  // 140 substeps of contact geometry at 1e-16 m against 1e-4 m
+  EXPECT_LT(worst, 1e-9);  // 140 substeps, round-off of the contact geometry of 1e-16 m over 1e-4 m
 }
 
-/// Of the prototype's 640 sets: how many grow, and by how much in a step.
+/// Number of unstable sets among the prototype's 640, and the largest growth per step.
 struct Count {
   int unstable = 0, sets = 0;
   double largest = 0.0;
@@ -171,7 +171,7 @@ TEST(Subcycled, resonances_are_few_and_weak_up_to_half_and_strong_above) {
     }
     std::printf("  of %d each\n", all.sets / 7);
     if (hw <= 0.5) {
-      EXPECT_LT(all.unstable, 0.01 * all.sets);  // half-periods of the contacts that fit H within a hair
+      EXPECT_LT(all.unstable, 0.01 * all.sets);  // sets with a half-period of the contact that fits H very closely
       EXPECT_LT(all.largest, 1.05);
     }
     if (hw == 1.9) {
@@ -184,7 +184,7 @@ TEST(Subcycled, damped_contacts_have_broader_resonances) {
   for (const double xi : {0.02, 0.2, 0.5}) {
     Count all;
     for (const int m : {1, 2, 3, 5, 10, 20, 50}) {
-      const double shrink = std::sqrt(1.0 + xi * xi) - xi;  // of the step, by the damping ([Qu2013] 5.3.2)
+      const double shrink = std::sqrt(1.0 + xi * xi) - xi;  // reduction of the step by the damping ([Qu2013] 5.3.2)
       const Count c = count(0.5, 0.8 * shrink, m, xi);
       all.unstable += c.unstable;
       all.sets += c.sets;
@@ -206,7 +206,7 @@ struct EveryWarning final : Sink {
 };
 
 TEST(Subcycled, resonance_is_told_once) {
-  // The step of H w = 1/2 in which half a period of the contact comes closest to fitting H.
+  // Among steps with H w = 1/2: the one with the largest growth, as half a period of the contact nearly fits H.
   Springs s{};
   double h = 0.0, growth = 0.0;
   for (int i = 0; i <= 400; ++i) {
@@ -222,7 +222,7 @@ TEST(Subcycled, resonance_is_told_once) {
   ASSERT_GT(growth, 1.005);
   Scene scene = pair(s, seconds(3 * ticks(h)), 3, seconds(3 * 300 * ticks(h)));
   scene.plan.detection = 2.0;
-  scene.plan.max_gain = 0.0;  // it would end the run
+  scene.plan.max_gain = 0.0;  // the limit of energy gain would end the run
   scene.model.initial_velocities.push_back({BlockId{0}, Vec2(1e-6, 0.0), 0.0});
   Driver run(scene.model, scene.plan, sprung());
   EveryWarning warnings;
@@ -235,7 +235,7 @@ TEST(Subcycled, resonance_is_told_once) {
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
 
-/// Two blocks that fly at each other and part again, the left one small and fast.
+/// Two blocks that collide and separate again, the left one small and fast.
 Scene flying(const char* fast_method, const char* slow_method, double dt, double duration, int m) {
   Scene scene(1e9, 0.2, 2600.0, 20.0);
   scene.model.gravity = Vec2(0.0, 0.0);
@@ -264,14 +264,14 @@ TEST(Subcycled, impact_keeps_momentum_and_closes_the_ledger) {
     EXPECT_LT((a.momentum + b.momentum - begin).norm(), 1e-12 * begin.norm());
     EXPECT_LT(a.momentum.x(), 0.0) << "they have not hit each other";
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
-    // The same by steps of one size, at the same fraction of the same bound.
+    // The same scene with steps of one size, at the same fraction of the same bound.
     Scene one = scene;
     one.plan.stages[0].integrator = Integrator::explicit_;
     one.plan.stages[0].dt.reset();
     Driver plain(one.model, one.plan, methods());
     ASSERT_EQ(plain.run().status, RunEnd::Status::done);
     EXPECT_LT(run.stats().element_steps, (slow == std::string("nmm") ? 0.7 : 1.0) * plain.stats().element_steps);
-    // The blow is short against the waves that H resolves by a dozen steps.
+    // The impact is short against the waves, which H resolves by a dozen steps.
     EXPECT_LT((totals_of(plain, BlockId{0}).momentum - a.momentum).norm(), 0.05 * a.momentum.norm());
     std::printf("%s %s: steps %ld of %ld closure %.1e momentum %.1e element steps %.2f of those of one size\n", fast,
                 slow, static_cast<long>(run.stats().steps), static_cast<long>(plain.stats().steps),
@@ -302,7 +302,7 @@ TEST(Subcycled, one_substep_is_the_plain_explicit_stage) {
 }
 
 TEST(Subcycled, order_is_two_in_the_long_step) {
-  // Bonded blocks that swing: all is smooth.
+  // Bonded blocks oscillate: the motion is smooth.
   std::array<double, 5> x{};
   const Springs s{30.0, 4.0, 20.0, 60.0};
   for (std::size_t level = 0; level < x.size(); ++level) {
@@ -409,7 +409,7 @@ TEST(Subcycled, step_above_that_of_slow_forces_is_refused) {
   const std::string text = told();
   EXPECT_NE(text.find("block 'right'"), std::string::npos) << text;
   EXPECT_NE(text.find("element"), std::string::npos) << text;
-  // Forced, it is taken, and said once with the step and what bounds it.
+  // With force_dt the step is taken, and one warning states the step and what bounds it.
   scene.plan.stages[0].force_dt = true;
   scene.plan.stages[0].duration = ticks(2e-2);
   struct Warnings final : Sink {

@@ -1,5 +1,5 @@
 // Two rigid blocks on springs, one explicit in m substeps, one implicit, bonded to each other: amplification of a step
-// of the real integrator, for 132 sets of parameters and m up to 50, beside the schemes that suggest themselves.
+// of the real integrator, for 132 sets of parameters and m up to 50, against two naive schemes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -17,10 +17,10 @@ namespace {
 
 using namespace scree::coupling;
 
-/// Masses and springs to the ground of both blocks, spring between them; what is explicit has mass 1.
+/// Masses and springs to the ground of both blocks, spring between them; the explicit block has mass 1.
 struct Springs {
   double k_e, m_i, k_i, k;
-  [[nodiscard]] double bound() const { return 2.0 / std::sqrt(k_e + k); }  // the implicit block held
+  [[nodiscard]] double bound() const { return 2.0 / std::sqrt(k_e + k); }  // with the implicit block held
 };
 constexpr std::array kSubsteps{1, 2, 5, 10, 20, 50};
 
@@ -39,7 +39,7 @@ const Methods& rigid() {
   return kRigid;
 }
 
-constexpr double kUnit = 0.01;  // displacements [m] and velocities [m/s]: rigid blocks make it all linear
+constexpr double kUnit = 0.01;  // displacements [m] and velocities [m/s]; rigid blocks make the problem linear
 
 /// The pair, ready to be stepped from any displacements and velocities.
 class Pair {
@@ -73,7 +73,7 @@ class Pair {
       setup_->pool_of(b).place(b.index, still, setup_->part(std::span<double>(rest_.q), p),
                                setup_->part(std::span<double>(rest_.v), p));
     }
-    // The bond is made where they touch without force.
+    // The bond is made in the position of contact without force.
     std::unique_ptr<TimeIntegrator> integrator = make(1);
     (void)integrator->enter(rest_);
     integrator->leave(rest_);
@@ -136,12 +136,12 @@ class Pair {
   std::unique_ptr<Setup> setup_;
 };
 
-/// Infinite where a step was refused.
+/// Spectral radius; infinite if a step was refused.
 double radius(const Eigen::Matrix4d& a) {
   return a.allFinite() ? eigenvalues(a).cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
 }
 
-/// The schemes that suggest themselves, on the same numbers.
+/// Two naive schemes with the same parameters.
 enum class Naive { predicted, implicit_first };
 Eigen::Matrix4d naive(Naive scheme, const Springs& s, double h, int m) {
   const double H = m * h;
@@ -150,8 +150,8 @@ Eigen::Matrix4d naive(Naive scheme, const Springs& s, double h, int m) {
     const Eigen::Vector4d b = Eigen::Vector4d::Unit(column);
     double x = b[0], v = b[1];
     const double xi = b[2], vi = b[3], inertia = 2.0 * s.m_i / (H * H);
-    // Where the explicit block takes the implicit one to go: on at its velocity, or to where an implicit step with the
-    // explicit block moved on at its own velocity takes it.
+    // Displacement of the implicit block that the explicit substeps assume: by its velocity, or by an implicit step for
+    // which the explicit block moves with its velocity.
     double u = H * vi;
     if (scheme == Naive::implicit_first)
       u = (inertia * u - s.k_i * xi + s.k * (x + H * v - xi)) / (inertia + s.k_i + s.k);
@@ -228,7 +228,7 @@ TEST(Subcycling, momentum_and_energy_are_exact_wherever_the_iteration_stops) {
           const Springs s{0.0, m_i, 0.0, k};
           const Pair::Outcome end = Pair(s, together).go(begin, 0.9 * s.bound(), m, 20);
           const double before = begin[1] + m_i * begin[3], after = end.x[1] + m_i * end.x[3];
-          // A substep passes on an impulse of about the momentum of the explicit block.
+          // A substep transmits an impulse of about the momentum of the explicit block.
           momentum =
               std::max(momentum, std::abs(after - before) / (20 * m * std::max(end.largest, std::abs(begin[1]))));
         }

@@ -1,4 +1,4 @@
-// Point supports of bent blocks that change method: their forces stay, and so the ledger closes.
+// Point supports of bent blocks that change method: their forces are continuous, and the ledger closes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -20,7 +20,7 @@ std::vector<Vec2> support_forces(const Driver& run) {
 
 class SupportHandOver : public testing::TestWithParam<Scheme> {};
 
-/// A beam that swings on its two end points, and goes on by another scheme while it is bent.
+/// A beam that oscillates on its two end points and changes to another scheme while it is bent.
 TEST_P(SupportHandOver, a_bent_beam_keeps_the_forces_of_its_supports) {
   const Scheme second = GetParam();
   Scene scene(1e8, 0.2, 2600.0);
@@ -63,7 +63,7 @@ TEST_P(SupportHandOver, a_bent_beam_keeps_the_forces_of_its_supports) {
   std::printf("%s: forces jump by %.1e of %.3g N, energies by %.1e, closure %.1e\n", second.name, worst, largest, jump,
               closure);
   EXPECT_GT(largest, 1e4);
-  EXPECT_LT(worst, 1e-8 * largest);  // a spring of 1e9 N/m, positions of 4 m
+  EXPECT_LT(worst, 1e-8 * largest);  // round-off of positions of 4 m in a spring of 1e9 N/m
   EXPECT_LT(jump, 1e-8);
   EXPECT_LT(closure, 1e-9);
 }

@@ -1,5 +1,5 @@
-// A slope that slides goes through every scheme and method in turn, changed at arbitrary steps: contacts stay closed
-// and sliding, and nothing about them jumps.
+// A sliding slope runs through every scheme and method in turn, changed at arbitrary steps: contacts stay closed and
+// sliding, and their forces, gaps, stretches and slips are continuous.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace scree::coupling;
 
 /// Forces of the contact springs between two blocks at an instant.
 struct Between {
-  double normal = 0.0, shear = 0.0, lever = 0.0;  // sums [N], and of the normal forces along the slope [N m]
+  double normal = 0.0, shear = 0.0, lever = 0.0;  // sums of the forces [N]; moment of the normal forces [N m]
 };
 struct Instant {
   std::map<std::pair<std::int32_t, std::int32_t>, Between> pairs;
@@ -43,10 +43,10 @@ Instant look(const FrameView& view, const Vec2& along) {
   return out;
 }
 
-/// What a change of method or scheme did to contacts: largest of all pairs and points.
+/// Largest changes at contacts by a change of method or scheme, over all pairs and points.
 struct Jump {
   double normal = 0.0, shear = 0.0, lever = 0.0;  // resultants
-  double gap = 0.0, stretch = 0.0, slip = 0.0;    // points that there were before, with the stiffness that they had [m]
+  double gap = 0.0, stretch = 0.0, slip = 0.0;    // of points that existed before with the same stiffness [m]
 };
 Jump between(const Instant& before, const Instant& now) {
   Jump jump;
@@ -80,7 +80,7 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
   scene.add("toe", turned(rectangle(2.5, 0, 3.3, 0.7)));
   Methods all = standard_methods();
   all["rigid"] = [] { return std::make_unique<RigidPool>(); };
-  // Settled by implicit DDA, then 23 changes at times that no step divides.
+  // The slope settles by implicit DDA; then 23 changes follow, at times that are no multiples of a step.
   scene.stage("dda", Integrator::implicit, 0.2, 5e-3).rest = true;
   const auto stage = [&](const char* method, Integrator integrator) -> Stage& {
     const double length = 0.0137 + 0.00271 * static_cast<double>(scene.plan.stages.size() % 5);
@@ -133,8 +133,8 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
         worst.gap = std::max(worst.gap, jump.gap);
         worst.stretch = std::max(worst.stretch, jump.stretch);
       }
-      // Where bodies are made anew the forces stay: those that acted, which in an implicit step are of its linear gaps.
-      // Corners of rigid blocks are where they would be without strain.
+      // If bodies are replaced, the forces that acted are kept. Two cases are not compared: after implicit steps forces
+      // belong to linearised gaps, and corners of rigid blocks lie where they would without strain.
       if (a.method != b.method && a.integrator == Integrator::explicit_ && b.method != "rigid") {
         worst.normal = std::max(worst.normal, jump.normal / weight);
         worst.shear = std::max(worst.shear, jump.shear / weight);
@@ -147,7 +147,7 @@ TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change)
   ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
   std::printf("closure %.1e, lower block went %.3f m\n", closure, centre_of(run, lower).norm());
   EXPECT_LT(closure, 1e-9);
-  // Positions of up to 4 m are known to their last place, and springs make forces of that.
+  // Positions of up to 4 m have the round-off of their last place, which the springs turn into forces.
   const double last_place = stiffest * 4.0 * std::numeric_limits<double>::epsilon() / weight;
   std::printf("springs of %.1e N/m: a last place of a position is %.1e of the weight\n", stiffest, last_place);
   EXPECT_LT(worst.normal, 2.0 * last_place);

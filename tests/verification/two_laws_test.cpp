@@ -1,5 +1,5 @@
-// Joints between edges with laws of their own: the one with less friction holds, and it is that of the ground a block
-// has come to.
+// Joints between edges with different laws: the law with less friction applies, and a block that slides to other ground
+// takes the law of that ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ JointId law(Scene& scene, const char* name, double friction_deg) {
   return JointId{static_cast<std::int32_t>(scene.model.joints.size()) - 1};
 }
 
-/// A flat block with a speed on level ground; its ends lie over joints of the ground.
+/// A flat block that slides on level ground; its ends lie over joints of the ground.
 struct Slide {
   Scene scene{1e9, 0.2, kDensity, 45.0};
   BlockId slider;
@@ -47,7 +47,7 @@ TEST_P(TwoLaws, block_slides_by_the_smaller_friction_whichever_side_has_it) {
     Driver run(s.scene.model, s.scene.plan, methods());
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
     const BodyTotals t = totals_of(run, s.slider);
-    // Weight that comes at once bounces; the mean of the normal force is the weight all the same.
+    // Under its sudden weight the block bounces; the mean of the normal force is still the weight.
     EXPECT_NEAR((0.5 - t.momentum.x() / t.mass) / (kGravity * std::tan(10.0 * kDegree) * 0.1), 1.0, 0.05);
     for (const ContactMemory& m : run.state().contacts)
       if (m.status != ContactStatus::open) {
@@ -56,8 +56,8 @@ TEST_P(TwoLaws, block_slides_by_the_smaller_friction_whichever_side_has_it) {
   }
 }
 
-/// From a smooth stretch of ground to a rougher one, the next block or the next edge of the same block: once all of the
-/// slider is there, the second law slows it down.
+/// From smooth ground to rougher ground, which is the next block or the next edge of the same block: once the whole
+/// slider is there, the second law decelerates it.
 TEST_P(TwoLaws, block_that_goes_to_other_ground_slides_by_the_law_there) {
   for (const bool one_block : {false, true}) {
     Slide s(GetParam(), 3.0, 0.7);
@@ -79,7 +79,7 @@ TEST_P(TwoLaws, block_that_goes_to_other_ground_slides_by_the_law_there) {
     Watch watch;
     watch.see = [&](const FrameView& view) {
       const BodyTotals t = totals_of(run, s.slider);
-      if (t.centre.x() < 0.55) return;  // its end has not left the first stretch
+      if (t.centre.x() < 0.55) return;  // the end of the slider has not left the smooth ground
       last_time = view.time;
       last_speed = t.momentum.x() / t.mass;
       if (first_time == 0.0) {

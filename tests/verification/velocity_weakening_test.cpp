@@ -1,4 +1,4 @@
-// A block that slides while its friction falls with its speed, against the same law on a rigid block.
+// A block that slides while its friction decreases with its speed, against the same law on a rigid block.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,7 +39,7 @@ double rigid_way() {
   return y[0];
 }
 
-/// Block on a plane that is level, under gravity that is not.
+/// A block on a level plane under inclined gravity.
 Scene slide(bool weakens) {
   Scene scene(5e9, 0.2, 2600.0, kPeak);
   scene.model.gravity = 9.81 * Vec2(-std::sin(kSlope * kDegree), -std::cos(kSlope * kDegree));
@@ -82,7 +82,7 @@ TEST(VelocityWeakeningSlide, implicit_steps_converge_with_their_length) {
     return way(scene);
   };
   const double coarse = by_step(4e-3), middle = by_step(2e-3), fine = by_step(1e-3);
-  // First order: the friction of a step is that of its start.
+  // First order: the friction of a step is evaluated at its start.
   EXPECT_NEAR((coarse - middle) / (middle - fine), 2.0, 0.4);
 }
 

@@ -1,4 +1,4 @@
-// What a run is warned of: at its start, at its end, and after it went on from a checkpoint.
+// Warnings of a run: at its start, at its end, and after a continuation from a checkpoint.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -83,7 +83,7 @@ struct Kept final : Keeper {
 
 TEST(IdleRules, that_fired_before_a_checkpoint_are_not_told_after_it) {
   Scene scene = partitioned(0.5);
-  scene.plan.stages[0].damping = 1.0;  // acts on nothing: warned of at the start
+  scene.plan.stages[0].damping = 1.0;  // without effect, hence a warning at the start
   Kept kept;
   Driver whole(scene.model, scene.plan, methods());
   whole.set_keeper(kept);

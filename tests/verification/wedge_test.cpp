@@ -1,5 +1,5 @@
-// Wedges driven into notches by implicit steps: friction that follows the normal forces, where following it by plain
-// iteration would diverge, against the unsymmetric equations as a dense system.
+// Wedges driven into notches by implicit steps: friction is proportional to the normal forces, and its plain iteration
+// would diverge. Reference: the unsymmetric equations as a dense system.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ struct Notches {
   Scene scene{1e10, 0.2, kDensity, kFriction};
   std::vector<double> factor;  // tan phi cot b of a wedge
 
-  Notches() { scene.model.joints[0].damping = 0.0; }  // the references are algebra of springs and friction
+  Notches() { scene.model.joints[0].damping = 0.0; }  // the references contain springs and friction only
   void add(double tan_phi_cot_b, double size) {
     const double t = std::tan(kFriction * kDegree) / tan_phi_cot_b;  // tan b
     const double x = 40.0 * static_cast<double>(factor.size()), s = size, far = 1.0 + 4.0 * t;
@@ -37,15 +37,15 @@ struct Notches {
   }
 };
 
-/// The first step from rest, once by Newmark and once as dense equations with the contact states that it found:
-///   (2 M/h^2 + K + sum k h h^T) d = f - sum k g h,  of slipping points k_n (h_n + s tan phi h_t) h_n^T
-/// s the sign of the friction force. Where they dilate, the slip is -s (e + h_t.d) - tan phi f_n/k_t and the spring
-/// follows by tan psi of it, so f_n = -k' (g + s tan psi e + h'.d), h' = h_n + s tan psi h_t,
+/// The first step from rest, by Newmark and as dense equations with the contact states that Newmark found:
+///   (2 M/h^2 + K + sum k h h^T) d = f - sum k g h,  for slipping points k_n (h_n + s tan phi h_t) h_n^T
+/// with s the sign of the friction force. With dilation, the slip is -s (e + h_t.d) - tan phi f_n/k_t and the gap
+/// changes by tan psi times the slip, so f_n = -k' (g + s tan psi e + h'.d), h' = h_n + s tan psi h_t,
 /// k' = k_n/(1 + tan phi tan psi k_n/k_t).
 struct FirstStep {
   int slipping = 0, sticking = 0, open = 0, passes = 0;
   double largest = 0.0, off = 0.0;  // normal force, difference to the dense solution [N]
-  std::vector<double> held;         // of a wedge, summed [N]
+  std::vector<double> held;         // sum of the normal forces per wedge [N]
 
   FirstStep(Notches& notches, const std::string& method, double cover, double h) {
     for (JointLaw& law : notches.scene.model.joints) law.normal_stiffness = law.shear_stiffness = kStiffness;
@@ -107,7 +107,7 @@ struct FirstStep {
       }
       const Eigen::VectorXd along = dense(integrator.contacts().tangential(i));
       Normal normal{dense(integrator.contacts().normal(i)), m.kn, m.gap};
-      Eigen::VectorXd works = normal.h;  // what f_n and the friction that follows it push
+      Eigen::VectorXd works = normal.h;  // row on which f_n and its friction act
       if (t.status == ContactStatus::slip) {
         ++slipping;
         works += t.direction * mu * along;
@@ -136,10 +136,10 @@ struct FirstStep {
   }
 };
 
-/// Force between both faces and their walls, summed, at any friction that is everywhere at its limit.
+/// Sum of the normal forces on both faces if friction is at its limit everywhere.
 double normal_force(double factor, double size) {
   const double mu = std::tan(kFriction * kDegree), t = mu / factor, b = std::atan(t);
-  const double weight = 3.0 * t * size * size * kDensity * kGravity;  // between y = 1 and 2
+  const double weight = 3.0 * t * size * size * kDensity * kGravity;  // of the wedge between y = 1 and 2
   return weight / (std::sin(b) + mu * std::cos(b));
 }
 
@@ -206,7 +206,7 @@ TEST(Wedges, all_at_once_are_held_by_the_algebraic_forces) {
   EXPECT_LT(step.off, 1e-8 * step.largest);
 }
 
-/// Some 700 points, tan(phi) cot(b) up to 15: many more than the conjugate residuals remember.
+/// Some 700 contact points, tan(phi) cot(b) up to 15: many more than the directions that the conjugate residuals store.
 TEST(Wedges, steep_ones_with_meshes_are_held_too) {
   Notches notches;
   for (int i = 0; i < 8; ++i) notches.add(0.5 + 14.5 * i / 7.0, 0.5 + 0.11 * ((3 * i) % 8));

@@ -5,8 +5,8 @@ usage: circular_surface.py             prints the friction that one block needs,
        circular_surface.py --required  bisects the friction of the surface that one block and the slices need, by runs of scree
 
 A rigid block on a circular surface can only turn about the centre. A tangent of dip t touches the arc at C + R(sin t, -cos t). In the
-limit friction acts uphill with m N at every point; the pressure N is what springs under the block give, which a small
-displacement of it loads, N = A sin t + B cos t. Forces and the moment about the centre,
+limit friction acts uphill with m N at every point; the pressure N is that of springs under the block after a small
+displacement of the block, N = A sin t + B cos t. Forces and the moment about the centre,
   int N (m cos t - sin t) R dt = 0,   int N (cos t + m sin t) R dt = W,   m R int N R dt = W (x_g - C_x),
 give A, B and m. If the block bears on its two ends instead, N is concentrated there and m is smaller.
 """
@@ -58,7 +58,8 @@ def centroid(corners):
 
 
 def lever(run):
-    """Horizontal distance of the weight from the centre over the radius: of a polygon so fine that it is the arc."""
+    """Horizontal distance of the weight from the centre over the radius, by a polygon fine enough to stand for the
+    arc."""
     (x, _), radius, _ = arc(run)
     return (centroid(surface(run, 20000) + [(FACE, HEIGHT)])[1] - x) / radius
 
@@ -75,7 +76,7 @@ def limit(run, ends=False):
     t0, t1 = dip - math.radians(HALF), dip + math.radians(HALF)
     d = lever(run)
     low, high = 1e-3, 3.0
-    for _ in range(100):                    # the moment that the weight needs, less that of friction, falls with m
+    for _ in range(100):                    # the moment required by the weight, minus that of friction, decreases with m
         m = 0.5 * (low + high)
         if ends:
             n = [[m * math.cos(t) - math.sin(t) for t in (t0, t1)], [math.cos(t) + m * math.sin(t) for t in (t0, t1)]]
@@ -107,7 +108,7 @@ def calibrated():
 
 
 def check():
-    # Of an arc that is nearly straight both spreads give the dip of the plane.
+    # For a nearly straight arc both pressure distributions give the dip of the plane.
     global HALF
     kept, HALF = HALF, 0.01
     for run in (100.0, 140.0):
@@ -120,7 +121,7 @@ def points(line):
 
 
 def cuts(run):
-    """Verticals through corners of the arc, about as far apart as each other."""
+    """Verticals through corners of the arc, at nearly equal spacing."""
     corners = surface(run)
     out = []
     for i in range(1, SLICES):
@@ -136,7 +137,7 @@ def traces(lines):
 def case_text(run):
     corners = surface(run)
     left, right, bottom = -80.0, run + 40.0, -60.0
-    below = [(-0.5 * BELOW, -BELOW), (left, -BELOW)]    # the face goes on below the toe: nothing props the slide there
+    below = [(-0.5 * BELOW, -BELOW), (left, -BELOW)]    # the face continues below the toe, so that nothing supports the slide there
     base = [(left, bottom), (right, bottom), (right, HEIGHT), *reversed(corners), *below]
     outline = [(left, bottom), (right, bottom), (right, HEIGHT), (FACE, HEIGHT), *below]
     sliced = "\n".join(f'[[domain.trace]]\njoint = "slices"\npoints = {points(line)}\n' for line in cuts(run))

@@ -1,10 +1,11 @@
 """Wave through parallel joints by characteristics; checks itself, prints five-joints.csv.
 
 Stress s (compression positive) and velocity v of a bar travel as p = z v + s to the right and q = z v - s to the left,
-z = rho c, unchanged between joints. Across a joint s is one, and its spring is s = k (closure), closure' = v_before -
-v_behind. With p_in and q_in the waves that arrive, v_before = (p_in - s)/z and v_behind = (q_in + s)/z:
+z = rho c, unchanged between joints. s is equal on both sides of a joint, and its spring is s = k (closure), closure' =
+v_before - v_behind. With p_in and q_in the waves that arrive, v_before = (p_in - s)/z and v_behind = (q_in + s)/z:
   s' = (k/z) (p_in - q_in - 2 s),  p_out = q_in + 2 s,  q_out = p_in - 2 s
-A joint without strength has s = max(0, w), w' = (k/z) (p_in - q_in - 2 s): w = k (closure) goes on while it is open.
+A joint without strength has s = max(0, w), w' = (k/z) (p_in - q_in - 2 s): w = k (closure) is integrated further while
+the joint is open.
 Waves take the time S/c from one joint to the next, a whole number of steps; the trapezoidal rule errs by (k dt/z)^2/12.
 """
 import cmath
@@ -16,7 +17,8 @@ STEP = 1e-7
 
 
 def through_joints(incident, duration, count=JOINTS, stiffness=STIFFNESS, spacing=SPACING, opens=False, step=STEP):
-    """Stress at the last joint every step [Pa]; incident: stress of the wave that arrives at the first one at time 0."""
+    """Stress at the last joint at every step [Pa]; incident: stress of the wave that arrives at the first one at time
+    0."""
     steps, delay, a = round(duration / step), round(spacing / C / step), stiffness / Z * step
     p = [[0.0] * (steps + 1) for _ in range(count)]
     q = [[0.0] * (steps + 1) for _ in range(count)]
@@ -45,7 +47,8 @@ def through_joints(incident, duration, count=JOINTS, stiffness=STIFFNESS, spacin
 
 
 def harmonic(K, count, spacing_in_waves):
-    """|T_N| by transfer matrices: each joint crosses 2 K/(i + 2 K) and reflects the rest, waves turn by the way between."""
+    """|T_N| by transfer matrices: each joint transmits 2 K/(i + 2 K) and reflects the rest, waves change phase between
+    joints."""
     t = 2.0 * K / (1j + 2.0 * K)
     r, turn = 1.0 - t, cmath.exp(-2j * math.pi * spacing_in_waves)
     m = [[1.0, 0.0], [0.0, 1.0]]
@@ -70,7 +73,7 @@ def check():
             assert abs(harmonic(K, count, 0.1) - wanted) < 1e-6, (K, count, harmonic(K, count, 0.1))
             stiffness, step = K * Z * 2.0 * math.pi / wave, wave / 2000.0
             found = through_joints(lambda t: math.sin(2.0 * math.pi * t / wave), 30.0 * wave, count, stiffness, 0.1, False, step)
-            # Over the last period: amplitude by its Fourier integral.
+            # Amplitude by the Fourier integral over the last period.
             last = found[-2000:]
             size = abs(sum(s * cmath.exp(-2j * math.pi * i / 2000.0) for i, s in enumerate(last))) / 1000.0
             assert abs(size - wanted) < 2e-5, (K, count, size, wanted)

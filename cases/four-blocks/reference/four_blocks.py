@@ -1,7 +1,7 @@
 """Four rigid blocks of 4 x 2 m on springs, by stepping; checks itself, prints four-blocks.csv.
 
 Block i has the place x, y of its centre and a small turn w. Where two faces meet, their overlap is cut into POINTS equal pieces, each
-with a normal and a shear spring of K a metre; pieces that come apart bear nothing, shear is limited to tan(phi) of the
+with a normal and a shear spring of K per metre; open pieces carry no force, shear is limited to tan(phi) of the
 normal force by return mapping. Springs carry no damping, steps are by velocity Verlet.
 """
 import math
@@ -19,7 +19,7 @@ class Column:
     def __init__(self, phi_deg, push=PUSH, blocks=BLOCKS, points=POINTS):
         self.mu, self.push, self.blocks, self.points = math.tan(math.radians(phi_deg)), push, blocks, points
         self.time = 0.0
-        self.q = []  # x, y, w of each block from where it is without load
+        self.q = []  # x, y, w of each block from its unloaded place
         sink = 0.0
         for i in range(blocks):
             sink += (blocks - i) * MASS * GRAVITY / (K * WIDTH)
@@ -31,7 +31,7 @@ class Column:
         self.a = self.accelerations()
 
     def accelerations(self):
-        """Accelerations x, y, w of the blocks; moves the shear springs on to the present places."""
+        """Accelerations x, y, w of the blocks; updates the shear springs to the present places."""
         force = [[0.0, -MASS * GRAVITY, 0.0] for _ in range(self.blocks)]
         if self.blocks > PUSHED:
             force[PUSHED][0] += self.push
@@ -86,7 +86,8 @@ class Column:
 
 
 def run(phi_deg, step=STEP, points=POINTS):
-    """Displacements x, y, w of the blocks from where they have no load, every EVERY from the beginning of the pulse."""
+    """Displacements x, y, w of the blocks from their unloaded places, at intervals of EVERY from the beginning of the
+    pulse."""
     column, out = Column(phi_deg, points=points), []
     each = round(EVERY / step)
     for i in range(round(DURATION / step) + 1):
@@ -97,7 +98,8 @@ def run(phi_deg, step=STEP, points=POINTS):
 
 
 def one_block(t):
-    """Sink of one block under the pulse, exact: u'' + k u = p sin(W t), then free (thesis 7.57), as long as it stays down."""
+    """Sink of one block under the pulse, exact: u'' + k u = p sin(W t), then free (thesis 7.57), as long as the block
+    stays in contact."""
     k, big = K * WIDTH / MASS, math.pi / PULSE
     w, p = math.sqrt(k), PRESSURE * WIDTH / MASS
     forced = lambda s: p / (k - big**2) * (math.sin(big * s) - big / w * math.sin(w * s))
@@ -120,7 +122,7 @@ def check():
     # Without friction the second block is free: u = F t^2/(2 m).
     free = run(0.0)[-1][PUSHED][0] / (0.5 * PUSH / MASS * DURATION**2) - 1.0
     assert abs(free) < 1e-9, free
-    # Steps and pieces.
+    # Convergence with steps and pieces.
     for phi in (0.0, 45.0):
         found, finer = run(phi)[-1], run(phi, points=2 * POINTS)[-1]
         shorter = run(phi, 0.5 * STEP)[-1]

@@ -1,8 +1,8 @@
-"""A rigid block of 1 x 1 m on two corner springs on a plane of 30 degrees: what switching gravity on at once does.
+"""A rigid block of 1 x 1 m on two corner springs on a plane of 30 degrees: the effect of switching gravity on at once.
 
 Each corner stands for half of the base: normal and shear springs of k = 0.5 m (K + 4 G/3)/m, a dashpot beside the normal
 one, Coulomb friction by return mapping. Axes: s down the slope, n along its normal, w the spin about the block's centre.
-Prints how far the block ends beyond the theory, and the friction that its corners lack while they stick.
+Prints the final slip of the block beyond the theory, and the friction impulse missing while its corners stick.
 """
 import math
 
@@ -11,7 +11,8 @@ STIFFNESS = 0.5 * 5e9 * 0.75 / (1.25 * 0.5)  # half of the P-wave modulus, E = 5
 
 
 def slide(phi, damping, onset, duration, step=2e-6):
-    """Excess over the theory [m] and impulse that friction lacks, over the mass [m/s]; gravity grows to its full value during onset [s]."""
+    """Excess over the theory [m] and missing friction impulse over the mass [m/s]; gravity grows to its full value
+    during onset [s]."""
     mu, inertia = math.tan(math.radians(phi)), MASS / 6.0
     dashpot = damping * 2.0 * math.sqrt(STIFFNESS * MASS / 2.0)
     s = n = turn = vs = vn = w = 0.0

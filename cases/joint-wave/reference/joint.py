@@ -1,6 +1,7 @@
 """Coefficients and transmitted peaks of a joint of stiffness k in rock of impedance z = rho c; prints joint.csv.
 
-Across the joint the stress is one, s, and the opening rate is the jump of velocity, s' = k (v_before - v_behind).
+The stress s is equal on both sides of the joint, and the opening rate is the jump of velocity, s' = k (v_before -
+v_behind).
 With p_in the incoming stress, 2 p_in = s + z v_before and s = z v_behind: s' = a (p_in - s), a = 2 k/z = 2 K w.
 So T(w) = 1/(1 + i w/a), |T| = sqrt(4 K^2/(4 K^2 + 1)), |R| = sqrt(1/(4 K^2 + 1)), and s >= 0 wherever p_in >= 0 before.
 """

@@ -5,9 +5,11 @@ usage: lake_anderson.py            prints slip in time for the synthetic record,
        lake_anderson.py --records  prints the slip for the three records in the folder SCREE_RECORDS, both signs, as recorded and scaled to 0.345 g
        lake_anderson.py --write    writes ../case.toml
 
-Seen from the ground, which accelerates by a along +x, the way that the plane falls, a force -a for each mass acts on the block:
+In the frame of the ground, which accelerates by a along +x, the direction in which the plane falls, a force -a per mass
+acts on the block:
   s'' = g sin B - a cos B - (g cos B + a sin B) tan phi - c L/m    while it slides down.
-It never slides up. Between samples a is a straight line, and s'' with it: velocity and slip are exact, and so are the roots where it starts and stops.
+It never slides up. Between samples a and s'' are linear, so that velocity, slip and the roots where the block starts
+and stops are exact.
 """
 import math
 import os
@@ -23,7 +25,7 @@ GRAVITY = 9.80665
 COHESION = 300.0 * 47.880259                 # 300 psf [Pa]
 UNIT_WEIGHT = 22e3                           # [N/m3]
 LENGTH = 20.0                                # of the plane under the block [m]
-# The factor of safety tan phi/tan B + c L/(W sin B) gives the weight on a metre of the plane, and so the thickness.
+# The factor of safety tan phi/tan B + c L/(W sin B) determines the weight per metre of the plane, and so the thickness.
 WEIGHT = COHESION / ((FACTOR - math.tan(FRICTION) / math.tan(SLOPE)) * math.sin(SLOPE))
 THICKNESS = WEIGHT / UNIT_WEIGHT
 HOLD = COHESION / (WEIGHT / GRAVITY)         # c L/m [m/s2]
@@ -72,7 +74,8 @@ def first_stop(v, a, rate, rest):
 
 
 def synthetic():
-    """Samples [g]: eight sines under an envelope that rises in 2 s and dies away; the phases from a generator of Lehmer's, 1979 its seed."""
+    """Samples [g]: eight sines under an envelope that rises in 2 s and dies away; phases from a Lehmer generator with
+    seed 1979."""
     envelope = lambda t: (t / 2.0) ** 2 * math.exp(2.0 - t) if t > 0.0 else 0.0
     raw = sines((0.7, 1.1, 1.6, 2.3, 3.1, 4.3, 5.9, 7.7), 1979, STEP, DURATION, envelope)
     return scaled([x * min(1.0, (DURATION - i * STEP) / 1.0) for i, x in enumerate(raw)], PEAK)
@@ -87,11 +90,11 @@ RECORDS = ("gilroy6-230", "gilroy2-140", "coyote-dam-250")
 
 
 def check():
-    # The critical acceleration along the plane that the source gives, and the horizontal one that belongs to it.
+    # The critical acceleration along the plane given by the source, and the corresponding horizontal one.
     assert abs((FACTOR - 1.0) * math.sin(SLOPE) - 0.2157) < 5e-5
     critical = (FACTOR - 1.0) * math.sin(SLOPE) / (math.cos(SLOPE) + math.sin(SLOPE) * math.tan(FRICTION))
     assert abs(critical - 0.1955) < 5e-5
-    # A block that is pushed by a constant acceleration for a second and then stops: closed form.
+    # A block under a constant acceleration for one second, then until it stops: closed form.
     over = 0.3 - critical
     scale = GRAVITY * (math.cos(SLOPE) + math.sin(SLOPE) * math.tan(FRICTION))
     times = [0.0, 1e-9, 1.0, 1.0 + 1e-9, 4.0]

@@ -1,9 +1,10 @@
 """|T|, |R| and A of a harmonic shear wave at a cohesive joint; checks itself, prints miller.csv.
 
-Stress tau and velocity v of a plane wave travel unchanged at c, tau = rho c v. A joint between equal half-spaces sends on
-v_t = tau/(rho c) and sends back v_r = v_i - tau/(rho c), and its faces part at the rate 2 (v_i - v_t) (d'Alembert). With
-v_i = V sin wt, tau bounded by the cohesion c_j and nothing elastic in the joint, v_t is the sine cut off at +-a V,
-a = c_j/(rho c V). Roots of the parts of the energy, phi = asin a, over a quarter of a period (the sine has pi/4):
+Stress tau and velocity v of a plane wave travel unchanged at c, tau = rho c v. A joint between equal half-spaces
+transmits v_t = tau/(rho c) and reflects v_r = v_i - tau/(rho c), and its faces slip at the rate 2 (v_i - v_t)
+(d'Alembert). With v_i = V sin wt, tau bounded by the cohesion c_j and nothing elastic in the joint, v_t is the sine cut
+off at +-a V, a = c_j/(rho c V). Roots of the parts of the energy, phi = asin a, over a quarter of a period (the sine
+has pi/4):
   T^2 = [int_0^phi sin^2 + a^2 (pi/2 - phi)]/(pi/4),  R^2 = int_phi^(pi/2) (sin - a)^2/(pi/4),  A^2 = 1 - T^2 - R^2
 Spring and slider: tau' = k (2 (v_i - tau/(rho c)) - slip rate), |tau| <= c_j, stepped by the trapezoidal rule.
 """
@@ -20,7 +21,7 @@ def rigid(a):
 
 
 def spring_and_slider(a, K, periods=6, steps=20000):
-    """The same with a spring k = K rho c w, in the last period; A from the work of slip, not from what is left."""
+    """The same with a spring k = K rho c w, in the last period; A from the work of slip, not from the remainder."""
     dt = 2.0 * math.pi / steps  # time in 1/w, stress in rho c V
     tau, before, sent, back, slid = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(1, periods * steps + 1):

@@ -1,11 +1,13 @@
-"""Steady sliding of a block that deforms is not always stable: growth of its oscillation by linear theory, no time steps of Scree's.
+"""Steady sliding of a block that deforms is not always stable: growth of its oscillation by linear theory, without time
+steps of Scree.
 
 A block with affine displacements slides down a plane on its two base corners, each a normal spring k of half the base and a
 dashpot, with Coulomb friction mu N against the slip. Unknowns: the lift n of the centre, the turn r, the strains ex, ey, g;
 mass and elastic stiffness are those of the affine field, J_n and J_s the rows of lift and slip of a corner. With
   M x'' + sum (J_n - mu J_s)^T c J_n x' + (K + sum (J_n - mu J_s)^T k J_n) x = 0
-friction makes the matrices unsymmetric: two modes that come together in frequency flutter. The growth is measured on the
-linear equations, by Runge-Kutta steps. Prints it for blocks of 1 x 1 and 2 x 1 m, E = 5 GPa; frequencies and rates go with sqrt(E).
+friction makes the matrices unsymmetric: two modes whose frequencies coincide flutter. The growth is measured on the
+linear equations, by Runge-Kutta steps. Prints it for blocks of 1 x 1 and 2 x 1 m, E = 5 GPa; frequencies and rates
+scale with sqrt(E).
 """
 import math
 

@@ -3,7 +3,8 @@
 Axes: s down the plane, n out of it. A horizontal force per mass b (+x, the plane falls towards +x) and gravity give
   pull p = g sin + b cos down the plane,  load q = g cos - b sin on it,
 and a block that slides down has s'' = p - q tan(phi). It starts where that exceeds 0 and stops where its velocity reaches 0.
-The acceleration runs straight within a step and starts and stops are found there: errors fall with the square of the step.
+The acceleration is linear within a step, and starts and stops are located within it: errors decrease with the square of
+the step.
 """
 import math
 import sys
@@ -78,7 +79,7 @@ def closed_form(amplitude, critical, frequency=1.0):
     return amplitude / w * math.cos(w * t1) * t - amplitude / w**2 * (math.sin(w * low) - math.sin(w * t1)) - 0.5 * critical * t**2
 
 
-# Slip a cycle [mm] at 1 Hz and 0.5 g by critical acceleration over g, worked out before this program.
+# Slip per cycle [mm] at 1 Hz and 0.5 g by critical acceleration over g, worked out before this program.
 TABLE = {0.1: 445.572, 0.25: 157.211, 0.4: 23.3246}
 
 
@@ -89,7 +90,7 @@ def check():
         assert abs(1e3 * exact / wanted - 1.0) < 2e-6, (critical, exact)
         errors = [abs(cycle(0.5 * GRAVITY, critical * GRAVITY, step=step) / exact - 1.0) for step in (1e-2, 1e-3, STEP)]
         assert errors[2] < 1e-6 and all(60.0 < a / b < 160.0 for a, b in zip(errors, errors[1:])), (critical, errors)
-    # The shaken block itself. With +, its first pull is one of those cycles: A = 0.1 g cos(phi - slope)/cos(phi).
+    # The shaken block itself. With +, its first slide is one of those cycles: A = 0.1 g cos(phi - slope)/cos(phi).
     for phi in (33.0, 35.0):
         beyond, cos = math.radians(phi) - SLOPE, math.cos(math.radians(phi))
         exact = closed_form(0.1 * GRAVITY * math.cos(beyond) / cos, GRAVITY * math.sin(beyond) / cos, 2.0)
@@ -98,7 +99,7 @@ def check():
 
 
 CASES = ((33.0, 1.0), (33.0, -1.0), (35.0, 1.0), (35.0, -1.0))
-BEFORE, DURATION, EVERY = 0.1, 2.0, 0.01  # gravity alone; from the first shaking on [s]
+BEFORE, DURATION, EVERY = 0.1, 2.0, 0.01  # time of gravity alone, duration from the start of shaking, interval of output [s]
 
 
 

@@ -1,6 +1,7 @@
 """The ground motion of the case open-pit: a synthetic record of 10 s, peak 0.2 g, printed as shaking.csv.
 
-Ten sines under an envelope that rises in 2 s, stays and dies away from 7 s on; the phases from a generator of Lehmer's with seed 652.
+Ten sines under an envelope that rises in 2 s, stays and dies away from 7 s on; phases from a Lehmer generator with seed
+652.
 """
 import math
 import pathlib

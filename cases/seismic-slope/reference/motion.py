@@ -1,6 +1,7 @@
 """The ground motion of the case seismic-slope: a synthetic record of 20 s, peak 0.3 g, printed as shaking.csv.
 
-Ten sines under an envelope that rises in 4 s, stays and dies away from 12 s on; the phases from a generator of Lehmer's with seed 2013.
+Ten sines under an envelope that rises in 4 s, stays and dies away from 12 s on; phases from a Lehmer generator with
+seed 2013.
 """
 import math
 import pathlib

@@ -1,7 +1,7 @@
 """Displacement of rigid blocks that slide together on a plane of 41 degrees while gravity grows; prints slope-ei.csv.
 
-All blocks have the same acceleration a f(t), a = g (sin 41 - cos 41 tan 5), f(t) = min(1, t/T): none pushes another. The closed form
-u = a t^3/(6 T) up to T, then a ((t - T/2)^2/2 + T^2/24), is checked by stepping.
+All blocks have the same acceleration a f(t), a = g (sin 41 - cos 41 tan 5), f(t) = min(1, t/T), so that no block pushes
+another. The closed form u = a t^3/(6 T) up to T, then a ((t - T/2)^2/2 + T^2/24), is checked by stepping.
 """
 import math
 

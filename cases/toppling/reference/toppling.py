@@ -53,7 +53,7 @@ def rates(state, d, mu, slips):
 
 
 def advance(state, d, mu, slips, step):
-    """A step of Runge and Kutta."""
+    """A Runge-Kutta step."""
     def slope(s):
         acceleration, turn, _ = rates(s, d, mu, slips)
         return s[2], s[3], acceleration, turn
@@ -80,7 +80,7 @@ def motion(d, phi, step=STEP):
                 assert asked > -mu
                 slips = asked > mu
             state = advance(state, d, mu, slips, step)
-            if slips and state[2] < 0.0:    # its slip has come to an end
+            if slips and state[2] < 0.0:    # the slip has ended
                 state, slips = (state[0], state[1], 0.0, state[3]), False
             assert state[3] >= 0.0
         elif kind == "slides":
@@ -93,12 +93,12 @@ def motion(d, phi, step=STEP):
 def check():
     assert abs(critical(0.3) - 20.1) < 0.05
     for d in (0.2, 0.3, 0.4):
-        # On the border the friction that a turning block asks for is what it has.
+        # On the border the friction required by a turning block equals the available friction.
         assert abs(rates((0.0, 0.0, 0.0, 0.0), d, 0.0, False)[2] - math.tan(math.radians(critical(d)))) < 1e-12
-        # Both modes meet there.
+        # Both modes coincide there.
         mu = math.tan(math.radians(critical(d)))
         assert abs(rates((0.0, 0.0, 0.0, 0.0), d, mu, True)[0]) < 1e-12
-    # A block that turns over a toe that holds: energy.
+    # A block that turns about a fixed toe: conservation of energy.
     d = 0.3
     state = (0.0, 0.0, 0.0, 0.0)
     for _ in range(3000):
@@ -113,7 +113,7 @@ def check():
 
 
 SLENDERNESS, FRICTION = (0.2, 0.3, 0.4, 0.5, 0.8, 1.2), (10.0, 15.0, 18.0, 24.0, 35.0, 45.0)
-HALF = 0.5  # on either side of a border [deg]
+HALF = 0.5  # distance to a border, on either side [deg]
 
 
 def runs():

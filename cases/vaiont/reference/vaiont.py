@@ -5,7 +5,8 @@ usage: vaiont.py             prints the friction that two blocks need, by place 
        vaiont.py --required  bisects the friction that 1 to 105 blocks need, by runs of scree (some minutes)
 
 Two rigid wedges, the upper on the back (angle b), the lower on the seat (angle s), a vertical cut between them. In the
-limit the reaction of each plane leans by phi, the force P of the cut by phi_i, and the forces across the two reactions give
+limit the reaction of each plane is inclined by phi, the force P of the cut by phi_i, and the force components normal to
+the two reactions give
   W1 sin(b - phi) = P cos(b - phi - phi_i),     W2 sin(phi - s) = P cos(phi_i + phi - s).
 """
 import json
@@ -25,7 +26,7 @@ SURFACE = [(-300.0, 300.0), (0.0, 200.0), (300.0, 160.0)]  # between crest and t
 GORGE = (TOE_X + 250.0, -(TOE_X + 250.0) * math.tan(math.radians(SEAT)))
 BANK = (GORGE[0] + 400.0, GORGE[1] + 400.0 * math.tan(math.radians(30.0)))
 DEPTH = GORGE[1] - 150.0
-FRICTION_BETWEEN = 30.0                     # of the joints between blocks [deg]
+FRICTION_BETWEEN = 30.0                     # friction angle of the joints between blocks [deg]
 SOURCE = {1: "7 to 8", 2: "13 to 14", 3: "15", 9: "15 to 18", 23: "15", 105: "16"}
 
 
@@ -37,7 +38,7 @@ def height(line, x):
 
 
 def area(begin, end):
-    """Of the slide between two verticals: exact, since both lines are straight between their corners."""
+    """Area of the slide between two verticals: exact, since both lines are straight between their corners."""
     top, bottom = [CREST, *SURFACE, TOE], [CREST, (0.0, 0.0), TOE]
     at = sorted({begin, end, *(x for x, _ in top + bottom if begin < x < end)})
     depth = [height(top, x) - height(bottom, x) for x in at]
@@ -272,7 +273,7 @@ reason = "what Scree promises"
 
 
 def by_runs():
-    """Friction that each number of blocks needs, to an eighth of a degree: below it they go 2 m in 20 s."""
+    """Friction required by each number of blocks, to an eighth of a degree: below it they move by 2 m in 20 s."""
     found = {}
     with tempfile.TemporaryDirectory(prefix="scree-vaiont-") as folder:
         for blocks, lines in CUTS.items():

@@ -1,4 +1,4 @@
-// A law of friction of one's own, registered before a case is read: friction that grows with the slip rate, as in a
+// A friction law defined by the user, registered before a case is read: friction that grows with the slip rate, as in a
 // viscous gouge, so that a block on a plane of 30 degrees tends to a steady speed.
 #include <cmath>
 #include <cstdio>
@@ -64,7 +64,7 @@ int main() {
   coupling::Driver driver(c.model, c.plan, methods);
   const coupling::RunEnd end = driver.run();
 
-  // x'' = g (sin a - cos a (tan phi + x'/velocity)): a steady speed, which is reached within a time tau.
+  // x'' = g (sin a - cos a (tan phi + x'/velocity)): a steady speed, approached with the time constant tau.
   const double g = 9.81, a = std::numbers::pi / 6, peak = std::tan(20.0 * std::numbers::pi / 180.0), t = 2.0;
   const double steady = 4.0 * (std::tan(a) - peak), tau = 4.0 / (g * std::cos(a));
   const double theory = steady * (t - tau * (1.0 - std::exp(-t / tau))), slid = driver.travels().back().farthest;

@@ -1,4 +1,4 @@
-// A method of one's own in the command:  scree run rigid.toml --load build/librigid_method.so
+// A method defined by the user, loaded by the command:  scree run rigid.toml --load build/librigid_method.so
 #include "coupling/bodies/methods.h"
 #include "coupling/library.h"
 #include "rigid_pool.h"

@@ -1,5 +1,5 @@
 // A third method in 150 lines: rigid blocks, three degrees of freedom, explicit and implicit. It shows that contact,
-// hand-over, results and streaming ask nothing of a method but what model/pool.h says.
+// hand-over, results and streaming require nothing of a method beyond model/pool.h.
 #pragma once
 
 #include <Eigen/LU>
@@ -13,7 +13,7 @@ namespace scree::rigid {
 /// Nodes (c, R e1, R e2): x = c + X1 (R e1) + X2 (R e2). R stays a rotation.
 class RigidPool : public Pool {
  public:
-  /// @param inertia_factor  of the moments of inertia
+  /// @param inertia_factor  factor of the moments of inertia
   explicit RigidPool(double inertia_factor = 1.0) : inertia_factor_(inertia_factor) {}
   [[nodiscard]] std::string_view method() const override { return "rigid"; }
   void add(const Model&, const BodyRecord& record) override {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sends malformed datagrams to the group while a run and a viewer are there: flood.py COUNT RUN SEED.
+"""Sends malformed datagrams to the group while a run and a viewer listen: flood.py COUNT RUN SEED.
 
 Made from messages heard just before: cut short, with forged lengths under a right CRC, wrong fingerprints, replayed
 chunks, forged fragments of LCM, channels without an end, random bytes. Prints how many of each kind."""
@@ -29,7 +29,7 @@ def main():
     if missing:
         raise SystemExit(f"never heard {missing}")
     session = DECODER.message("info_v1_t", heard["INFO"][0])["header"]["session"]
-    # Of a session that is over: good ones would stop the run.
+    # Commands of an ended session: valid ones would stop the run.
     heard["CTRL"] = [command(session - 1, int(time.time() * 1e6), text, 1.0) for text in ("stop", "pause", "step")]
     source.close()
     send, sent = sender(), collections.Counter()
@@ -55,7 +55,7 @@ def main():
         return datagram(channel_of(rng.choice([k for k in kinds if k != kind])), data)
 
     def replayed_chunk(kind, data):
-        # Right as it stands, again and again: topology and state of some time ago.
+        # Valid but repeated: topology and state sent some time ago.
         again = rng.choice(("TOPO", "STATE"))
         return datagram(channel_of(again), rng.choice(heard[again]))
 
@@ -66,7 +66,7 @@ def main():
         return datagram(channel_of(kind), bytes(bad))
 
     def forged_fragment(kind, data):
-        # The two that end a program which lets liblcm receive: an offset beyond the message, a piece that was never begun.
+        # Two fragments that crash a program that receives by liblcm: an offset beyond the message, a fragment without a first one.
         size, offset = rng.choice(LENGTHS), rng.choice(LENGTHS)
         number, pieces = rng.choice((0, 1, 2, 65535)), rng.choice((0, 1, 2, 65535))
         name = channel_of(kind).encode() + b"\0" if number == 0 else b""
@@ -87,7 +87,7 @@ def main():
             sent[make.__name__] += 1
         except OSError as error:
             raise SystemExit(f"datagram {i}: {error}")
-        # As fast as a receiver under the address sanitizer gets through; what the system drops tests nothing.
+        # At the rate that a receiver under the address sanitizer can process; datagrams dropped by the system test nothing.
         if i % 20 == 19:
             time.sleep(0.004)
     print(", ".join(f"{n} {name}" for name, n in sorted(sent.items())))

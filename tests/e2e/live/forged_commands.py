@@ -20,7 +20,7 @@ def main():
 
     first = command(session, asker.next_sequence(), "rate", 20.0)
     expect("a good one", first, "done")
-    expect("it again", first, "done")  # told again, not carried out again
+    expect("it again", first, "done")  # answered again, not executed again
     expect("an old number", command(session, asker.sequence - 11 * 10**6, "stop"), "refused", "behind")
     for ahead in (59, 3):
         expect("dated ahead", command(session, asker.next_sequence() + ahead * 10**6, "stop", sender=78), "refused", "ahead")
@@ -38,7 +38,7 @@ def main():
     expect("cut short", good[:40], None)
     expect("too long", seal(good + b"\0\0\0\0"), None)
     expect("another fingerprint", seal(b"\x01" + good[1:]), None)
-    length = 8 + 5 * 8 + 4 + 8 + 8  # where the length of the text stands
+    length = 8 + 5 * 8 + 4 + 8 + 8  # position of the length of the text
     for size in (0, -1, 2**31 - 1, 10**6):
         expect(f"a text of {size} bytes", seal(good[:length] + (size & 0xFFFFFFFF).to_bytes(4, "big") + good[length + 4:]),
                None)

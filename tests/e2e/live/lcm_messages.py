@@ -31,7 +31,7 @@ def body(name, values):
 
 
 def seal(data):
-    """With the right CRC at its end."""
+    """The message with the correct CRC at its end."""
     return data[:-4] + struct.pack(">I", zlib.crc32(data[:-4]))
 
 
@@ -59,7 +59,7 @@ def sender():
 
 
 def messages(source, kinds, seconds):
-    """Yields (channel, kind, data) of messages of these kinds for so long."""
+    """Yields (channel, kind, data) of messages of these kinds during the given time."""
     end = time.monotonic() + seconds
     while (left := end - time.monotonic()) > 0:
         source.settimeout(left)
@@ -73,7 +73,7 @@ def messages(source, kinds, seconds):
 
 
 class Asker:
-    """Sends commands to a run and collects what it answers."""
+    """Sends commands to a run and collects its answers."""
 
     def __init__(self, run):
         self.run, self.source, self.send = run, read_live.listen(GROUP, PORT), sender()
@@ -91,7 +91,7 @@ class Asker:
                 for channel, _, data in messages(self.source, {"ACK"}, seconds) if channel == f"SCREE_{self.run}_ACK"]
 
     def session(self, seconds=5.0):
-        """Of the run, once it answers."""
+        """Session of the run, as soon as it answers."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             self.raw(command(0, self.next_sequence(), "who"))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares what viewers ended with (read_live.py --state) with the run's file: same_state.py RUN STATE.json..."""
+"""Compares the final states of viewers (read_live.py --state) with the run's file: same_state.py RUN STATE.json..."""
 import json
 import sys
 
@@ -30,7 +30,7 @@ def main():
         check("time of the frame", frame["time"] == float(steps["Values"][last]))
         check("step of the frame", frame["step"] == int(run["frames/step"][last]))
         error = np.abs(np.column_stack([frame["x"], frame["y"]]) - points).max()
-        # Displacements since the mesh began travel in float32, or in 65,534 steps of their range.
+        # Displacements since the start of the mesh are sent in float32, or in 65,534 steps of their range.
         check(f"positions differ by {error:.3g} m of {moved:.3g} m moved", error <= moved * 2.0**-16)
         for column, value in state["energy"].items():
             check(f"energy {column}", value == float(run[f"energy/{column}"][-1]))

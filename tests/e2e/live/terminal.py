@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a command on a terminal of its own, 110 x 70, and prints what is left there when it ends: terminal.py COMMAND...
+"""Runs a command on a terminal of its own, 110 x 70, and prints the text left on it at the end: terminal.py COMMAND...
 
 For `scree watch` that is the last screen, since it leaves the alternate one that it draws on. Its exit code is passed on."""
 import fcntl

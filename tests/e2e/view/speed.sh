@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# How fast the page animates 10,000 blocks with 60,000 vertices in software rendering: frames shown in a second of wall time, and what a frame takes
-# of the processors. By hand, on a machine with nothing else to do: speed.sh SCREE SOURCE BUILD [LEAST], which ends with 1 below LEAST frames a second (30).
+# Speed at which the page animates 10,000 blocks with 60,000 vertices in software rendering: frames per second of wall time, and processor
+# time per frame. Run by hand, on an idle machine: speed.sh SCREE SOURCE BUILD [LEAST], with exit code 1 below LEAST frames per second (30).
 set -euo pipefail
 scree=$1 source=$2 build=$3 least=${4:-30}
 # shellcheck source=tests/e2e/report_modules.sh

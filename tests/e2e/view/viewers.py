@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Viewers of `scree view --live` without a browser: each connects its WebSocket, takes what comes and says so, as the page does.
+"""Viewers of `scree view --live` without a browser: each connects its WebSocket, receives messages and acknowledges them, as the page does.
 
 usage: viewers.py ADDRESS COUNT     until it is ended; prints messages and bytes of all of them a second, at its end in all
 """
@@ -28,7 +28,7 @@ class Viewer:
         self.socket.sendall(bytes([0x80 | opcode, 0x80 | len(payload)]) + mask + bytes(b ^ mask[i % 4] for i, b in enumerate(payload)))
 
     def take(self):
-        """Handles what has come. Returns the lengths of the messages."""
+        """Handles the received data. Returns the lengths of the messages."""
         some = self.socket.recv(1 << 18)
         if not some:
             raise ConnectionError("the server has closed the connection")

@@ -1,4 +1,4 @@
-// How much too stiffly coarse covers bend a block: the note beside cantilevers, and who is told.
+// Excess bending stiffness of coarse covers: the note against computed cantilevers, and the blocks it is given for.
 #include "coupling/stages/bending_note.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace coupling;
 
-/// A cantilever of 10 x 1 m, turned by an angle, under a small weight across it.
+/// A cantilever of 10 x 1 m, rotated by an angle, under a small transverse weight.
 struct Cantilever {
   static constexpr double kLength = 10.0, kYoung = 1e9, kDensity = 20.0;
   Scene scene{kYoung, 0.0, kDensity};
@@ -26,7 +26,7 @@ struct Cantilever {
     scene.model.edge_supports.push_back({{beam, {0, 3}, 0.0, 1.0}, Mat2::Identity(), {}});
     scene.stage("nmm", Integrator::implicit, 400.0, 2.0, cover).rest = true;
   }
-  /// Deflection of the tip, of that by bending and shear [Timoshenko].
+  /// Deflection of the tip over that of the beam with bending and shear [Timoshenko].
   [[nodiscard]] double deflection() const {
     Driver run(scene.model, scene.plan, methods());
     EXPECT_EQ(run.run().status, RunEnd::Status::done);

@@ -15,7 +15,7 @@ namespace {
 
 using Pairs = std::vector<BlockMatrix::Pair>;
 
-/// Bodies on a line, each coupled to the next.
+/// Bodies in a row, each coupled to the next.
 Pairs chain(int n) {
   Pairs out;
   for (int i = 0; i + 1 < n; ++i) out.push_back({i, i + 1});
@@ -35,8 +35,8 @@ Pairs drawn_pairs(int n, int count, std::mt19937_64& random) {
   return out;
 }
 
-/// A system like that of contacts: a positive block for each body, and between the bodies of each pair springs
-/// k h h^T, with friction h_t k tan(phi) h_n^T of some.
+/// A system like that of contacts: a positive definite block per body and springs k h h^T between the bodies of each
+/// pair, some with friction h_t k tan(phi) h_n^T.
 struct System {
   BlockMatrix blocks;
   Eigen::MatrixXd dense;
@@ -150,15 +150,15 @@ TEST(BlockIlu, has_the_numbers_of_the_matrix_on_its_pattern) {
       (s.blocks.find(i, j) >= 0 ? apart : beside) = std::max(s.blocks.find(i, j) >= 0 ? apart : beside, difference);
     }
   EXPECT_LT(apart, 1e-4 * s.dense.cwiseAbs().maxCoeff());
-  EXPECT_GT(beside, 1e-3 * s.dense.cwiseAbs().maxCoeff());  // it is not the factor of A
+  EXPECT_GT(beside, 1e-3 * s.dense.cwiseAbs().maxCoeff());  // the factor is not that of A
 }
 
 TEST(BlockIlu, does_not_depend_on_the_units_of_the_unknowns) {
   std::mt19937_64 random(54);
   const int n = 12;
   const System s(n, drawn_pairs(n, 25, random), 5.0, 0.5, random);
-  // Rotations and strains move an outline by a length: in other units of length their numbers are others. Powers of two
-  // do not round.
+  // The unknowns of rotation and strain multiply lengths: their values depend on the unit of length. Powers of two
+  // cause no round-off.
   Eigen::VectorXd unit(6 * n);
   for (int k = 0; k < 6 * n; ++k) unit(k) = k % 6 < 2 ? 1.0 : 1024.0;
   const std::vector<double> units(unit.data(), unit.data() + unit.size());
@@ -190,7 +190,7 @@ TEST(BlockIlu, says_where_a_pivot_fails) {
   EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.clear_row(3); }));
   EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(2))[0] = std::numeric_limits<double>::quiet_NaN(); }));
   EXPECT_TRUE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(1))[14] = std::numeric_limits<double>::infinity(); }));
-  EXPECT_FALSE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(4))[21] = -1e3; }));  // indefinite has a factor too
+  EXPECT_FALSE(spoilt([](BlockMatrix& m) { m.block(m.diagonal(4))[21] = -1e3; }));  // an indefinite one has a factor
   EXPECT_TRUE(spoilt([](BlockMatrix& m) {  // two unknowns that single precision cannot tell apart
     m.clear_row(0);
     for (int k = 0; k < 6; ++k) m.block(m.diagonal(0))[7 * k] = 1.0;

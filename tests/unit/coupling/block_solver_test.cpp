@@ -1,4 +1,4 @@
-// Implicit steps of affine bodies by blocks against those with complete factors, and the choice between them.
+// Implicit steps of affine bodies with block factors against steps with complete factors; the choice between them.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -100,7 +100,7 @@ TEST(BlockChoice, run_that_goes_on_from_a_copy_has_the_same_bits) {
   Steps run(scene, Factor::chosen);
   int by_blocks = 0, complete = 0;
   for (int i = 0; i < 12; ++i) {
-    // A long step now and then, which takes more iterations.
+    // Every fourth step is long and takes more iterations.
     const double dt = i % 4 == 1 ? 0.05 : 1e-3;
     State copy = run.hand.state;
     Newmark other(*run.hand.setup, wide(), 0.05);
@@ -118,7 +118,7 @@ TEST(BlockChoice, run_that_goes_on_from_a_copy_has_the_same_bits) {
 }
 
 TEST(BlockChoice, failed_pivot_falls_back_within_the_pass_and_is_counted) {
-  // Of a block that flies freely inertia is all that holds it: 2 M/h^2 against its stiffness is below single precision.
+  // Only inertia holds a free block: 2 M/h^2 relative to its stiffness is below single precision.
   test::Scene scene(1e12, 0.2, 2500.0);
   scene.model.gravity = Vec2(0.0, 0.0);
   scene.add("b", rectangle(0.0, 0.0, 1.0, 1.0));
@@ -132,7 +132,7 @@ TEST(BlockChoice, failed_pivot_falls_back_within_the_pass_and_is_counted) {
   EXPECT_EQ(run.all.fallbacks, 1);
   EXPECT_GE(run.all.factorisations, 1);
   EXPECT_EQ(run.hand.state.factored.choice.direct, 1);
-  // The next step holds to the complete factor, the one after that has blocks again.
+  // The next step keeps the complete factor, the step after it uses blocks again.
   const int before = run.all.incomplete_factors;
   run.take(1, 1e-3);
   EXPECT_EQ(run.all.incomplete_factors, before);

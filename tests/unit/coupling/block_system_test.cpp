@@ -1,5 +1,5 @@
-// The block matrix of a pass against dense algebra: springs, contact points with friction and dilation, rows of bodies
-// summed again.
+// The block matrix of a pass against dense algebra: springs, contact points with friction and dilation, repeated sums
+// of the rows of bodies.
 #include "coupling/integrate/block_system.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ TEST(BlockSystem, rows_summed_again_have_the_bits_of_a_new_matrix) {
 TEST(DofRows, runs_of_unknowns_are_added_as_one_by_one) {
   std::mt19937_64 random(62);
   std::normal_distribution<double> normal;
-  // In order, again, before what is there, across what is there.
+  // In order, repeated, before existing entries, across existing entries.
   for (const std::vector<int>& firsts : {std::vector{0, 6}, {6, 6, 12}, {12, 0, 12, 0}, {3, 0, 6}, {6, 4}}) {
     DofRows runs, single;
     for (DofRows* rows : {&runs, &single}) {

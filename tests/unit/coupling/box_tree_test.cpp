@@ -1,4 +1,4 @@
-// Overlaps of moving boxes against all pairs.
+// Overlaps of moving boxes against the test of all pairs.
 #include "coupling/contact/search/box_tree.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(BoxTree, overlaps_are_those_of_all_pairs_as_boxes_move) {
     std::size_t calls = 0;
     const Pairs expected = by_hand(boxes), found = listed(tree, calls);
     ASSERT_EQ(found, expected) << round;
-    ASSERT_EQ(calls, expected.size()) << round;  // each once
+    ASSERT_EQ(calls, expected.size()) << round;  // every overlap once
     ASSERT_GT(calls, 100U);
     for (const std::size_t i : {std::size_t{0}, std::size_t{17}, boxes.size() - 1}) {
       std::set<std::size_t> others;

@@ -18,7 +18,7 @@ struct Grid {
   SymmetricPattern pattern;
   std::vector<double> fixed;
   DofRows springs;
-  std::vector<double> k;  // of the springs
+  std::vector<double> k;  // stiffness of the springs
   std::mt19937 random{3};
 
   explicit Grid(int grid_side) : side(grid_side), n(kCell * grid_side * grid_side) {
@@ -41,7 +41,7 @@ struct Grid {
       k.push_back(s % 2 == 0 ? 100.0 : 0.0);
     }
   }
-  /// A factor of the springs as they are.
+  /// Factorises the matrix with the current springs.
   void factorise(Cholesky& c) const { ASSERT_TRUE(c.factorise(fixed, springs, k)); }
   /// Switches springs on and off.
   std::vector<Cholesky::Change> flip(int count) {
@@ -70,7 +70,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return (x - y).norm() / y.norm();
 }
 
-/// Small systems have a factor L D L', large ones dense blocks.
+/// Small systems have a factor L D L', large ones a factor of dense blocks.
 class CholeskyOfGrid : public testing::TestWithParam<int> {};
 
 TEST_P(CholeskyOfGrid, updated_factor_solves_like_a_new_one) {
@@ -113,7 +113,7 @@ TEST_P(CholeskyOfGrid, factor_of_a_matrix_that_travelled_has_the_same_bits) {
   Cholesky first, later;
   for (Cholesky* c : {&first, &later}) c->set_pattern(grid.pattern);
   grid.factorise(first);
-  // Fewer springs, which the analysis of all has places for: another one would be made for them alone.
+  // Fewer springs: the analysis of all springs has places for them, a new analysis would hold them alone.
   DofRows some;
   for (std::size_t s = 0; s < grid.springs.size(); s += 3) some.add_row(grid.springs[s]);
   const std::vector<double> k(some.size(), 70.0);
@@ -125,7 +125,7 @@ TEST_P(CholeskyOfGrid, factor_of_a_matrix_that_travelled_has_the_same_bits) {
   first.solve(b, x);
   later.solve(b, y);
   EXPECT_EQ(x, y);
-  // It goes on as the other does.
+  // Later factorisations of both agree.
   for (Cholesky* c : {&first, &later}) grid.factorise(*c);
   first.solve(b, x);
   later.solve(b, y);

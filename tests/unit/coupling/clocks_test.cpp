@@ -1,4 +1,4 @@
-// Motions and functions that begin with stages.
+// Motions and time functions whose time begins with a stage.
 #include "coupling/bodies/clocks.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Clocks, count_from_where_the_stage_has_really_begun) {
   EXPECT_NEAR(setup.factor(FunctionId{0}, 0.75), 0.25, 1e-15);
 }
 
-/// The step that arrives where a stage ends has none of the load that begins there, however its time was written.
+/// The step that ends with a stage has no load of a function that begins there, however its time was written.
 TEST(Clocks, function_that_begins_where_the_stage_ends_is_not_of_it) {
   for (const double end : {0.3, 0.1 + 0.2, 60.7, 123.456}) {
     Model model;
@@ -110,7 +110,7 @@ TEST(TimeFaults, what_no_stage_meets_and_what_outlasts_the_run_are_told_apart) {
 TEST(TimeFaults, stage_that_ends_early_takes_a_time_on_the_clock_out_of_reach_and_not_one_of_a_stage) {
   Model model;
   model.motions = {motion(5.5), motion(0.0, 2)};
-  const std::array<Tick, 2> begun{0, ticks(0.25)};  // the first stage took a quarter of its second
+  const std::array<Tick, 2> begun{0, ticks(0.25)};  // the first stage of 1 s ended after 0.25 s
   const std::vector<TimeFault> found = time_faults(model, plan(), begun, ticks(2.25));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].same({TimeFault::Kind::outlasts, true, 0, 0.0, 0.0, 0.0}));

@@ -1,4 +1,4 @@
-// Conjugate residuals against dense algebra: symmetric and unsymmetric systems, preconditioners near and far.
+// Conjugate residuals against dense algebra: symmetric and unsymmetric systems, good and poor preconditioners.
 #include "coupling/linear/conjugate_residuals.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Eigen::MatrixXd drawn(int n, double unsymmetric, std::mt19937_64& random) {
 
 struct Solved {
   int iterations = 0;
-  double error = 0.0;  // of the largest unknown
+  double error = 0.0;  // relative to the largest unknown
 };
 
 Solved solved(const Eigen::MatrixXd& a, const Eigen::MatrixXd& inverse, const Eigen::VectorXd& b, int most) {
@@ -68,7 +68,7 @@ TEST(ConjugateResiduals, ends_after_as_many_iterations_as_unknowns_and_at_once_w
     const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
     const Solved s = solved(a, Eigen::MatrixXd::Identity(n, n), b, 100);
     EXPECT_GE(s.iterations, 1);
-    EXPECT_LE(s.iterations, n + 2);  // round-off may take one more, twice
+    EXPECT_LE(s.iterations, n + 2);  // round-off may cost two more
     EXPECT_LE(solved(a, inverse_of(a), b, 100).iterations, 2);
   }
 }
@@ -104,7 +104,7 @@ TEST(ConjugateResiduals, says_where_it_is_not_there_in_time) {
   const Eigen::MatrixXd a = drawn(30, 0.5, random);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(30);
   EXPECT_EQ(solved(a, Eigen::MatrixXd::Identity(30, 30), b, 5).iterations, -1);
-  EXPECT_EQ(solved(a, Eigen::MatrixXd::Zero(30, 30), b, 100).iterations, -1);  // a preconditioner that offers nothing
+  EXPECT_EQ(solved(a, Eigen::MatrixXd::Zero(30, 30), b, 100).iterations, -1);  // a preconditioner that is zero
 }
 
 }  // namespace

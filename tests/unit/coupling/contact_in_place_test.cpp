@@ -1,5 +1,5 @@
-// Contact points that stay in their list from step to step are, to the last bit, those that are listed anew: state,
-// ledger and every field of every point, over steps of sliding, impact, corners that pass corners, opening and closing.
+// Contact points kept in the list from step to step equal, to the last bit, points listed anew: state, ledger and every
+// field of every point, over steps with sliding, impact, corners passing corners, opening and closing.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -49,7 +49,7 @@ struct Counts {
   }
 };
 
-/// Steps a scene twice, in place where that can be and always anew, and compares after every step.
+/// Steps a scene twice, with lists kept in place where possible and with lists made anew; compares after every step.
 Counts compare(const Scene& scene, int steps, double detection, coupling::ExplicitDamping damping = {}) {
   struct Side {
     ByHand hand;
@@ -76,7 +76,7 @@ Counts compare(const Scene& scene, int steps, double detection, coupling::Explic
   return counts;
 }
 
-/// The same of implicit steps.
+/// compare() for implicit steps.
 Counts compare_implicit(Scene scene, int steps, double detection) {
   scene.plan.stages[0].integrator = Integrator::implicit;
   struct Side {
@@ -130,7 +130,7 @@ Scene heap(const std::string& method, int blocks, unsigned seed) {
   return scene;
 }
 
-/// Bricks in a bond that are shaken, on a course that is held.
+/// Shaken bricks in running bond on a held course.
 Scene wall(const std::string& method, double speed) {
   Scene scene(1e9, 0.2, 2500.0);
   scene.model.joints[0].friction = 0.4;
@@ -146,8 +146,8 @@ Scene wall(const std::string& method, double speed) {
   return scene;
 }
 
-/// Parallelograms between joints of 8 and 84 degrees on a base: sides that lean by 6 or 8 degrees against what they
-/// stand on, and face it or not by what is closed beside them.
+/// Parallelograms between joints of 8 and 84 degrees on a base: sides inclined by 6 or 8 degrees to what they stand on,
+/// which face it or not depending on the closed points beside them.
 Scene leaning_wall(const std::string& method, double speed) {
   Scene scene(1e9, 0.2, 2600.0);
   scene.add("base", test::rectangle(-2.0, -1.0, 12.0, 0.0), true);

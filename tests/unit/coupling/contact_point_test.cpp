@@ -1,4 +1,4 @@
-// Rows of gap and stretch against finite differences of their definitions, and what a force along them does to a body.
+// Rows of gap and stretch against finite differences of their definitions; resultants of a force along these rows.
 #include "coupling/contact/table/contact_point.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(ContactPoint, rows_are_the_gradients_of_gap_and_stretch_at_random_places) {
     const Drawn d = draw(random);
     const ContactGeometry at = contact_geometry(d.corner, d.first, d.second);
     const ContactRow gap = gap_row(at), stretch = stretch_row(at, d.anchor);
-    // Elongation of a spring from the point of the segment that the anchor is.
+    // Elongation of a spring from the anchor, a point of the segment.
     const auto elongation = [&](const std::array<Vec2, 3>& x) {
       const ContactGeometry g = contact_geometry(x[0], x[1], x[2]);
       return g.t.dot(x[0] - ((1.0 - d.anchor) * x[1] + d.anchor * x[2]));
@@ -44,7 +44,7 @@ TEST(ContactPoint, rows_are_the_gradients_of_gap_and_stretch_at_random_places) {
         const double by_gap =
             (contact_geometry(more[0], more[1], more[2]).gap - contact_geometry(less[0], less[1], less[2]).gap) /
             (2.0 * h);
-        // Second derivatives go with the offset over the length squared.
+        // Second derivatives scale with the offset over the square of the length.
         const double bound = 1e-7 * (1.0 + 1.0 / (at.length * at.length));
         EXPECT_NEAR(gap[k][axis], by_gap, bound) << i;
         EXPECT_NEAR(stretch[k][axis], (elongation(more) - elongation(less)) / (2.0 * h), bound) << i;

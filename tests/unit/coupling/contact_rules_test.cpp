@@ -1,5 +1,5 @@
-// Rules of the contact search, each at the place where it decides: which edge holds a corner, what is listed, when a
-// corner becomes part of an overlap.
+// Rules of the contact search, each at its threshold: which edge holds a corner, which points are listed, when a corner
+// becomes part of an overlap.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace coupling;
 
-/// A held block 0 and a free block 1 that can be put anywhere.
+/// A held block 0 and a free block 1 that can be placed anywhere.
 struct Two {
   static constexpr double kDetection = 0.02;
   Scene scene{1e9, 0.2, 2500.0};
@@ -28,7 +28,7 @@ struct Two {
     hand = std::make_unique<ByHand>(scene.model, scene.plan.stages[0]);
     finder = std::make_unique<ContactFinder>(*hand->setup, kDetection);
   }
-  /// The list with the free block moved by u from where the model has it.
+  /// The list with the free block displaced by u from its position in the model.
   ContactList at(const Vec2& u, const ContactList& known) {
     const Body& b = hand->setup->bodies()[1];
     std::vector<double> q = hand->state.q;
@@ -41,7 +41,7 @@ struct Two {
   ContactList at(const Vec2& u) { return at(u, {}); }
 };
 
-/// Index of the point of a vertex of block `p` against an edge of block `e`; -1: there is none.
+/// Index of the contact point of a vertex of block `p` and an edge of block `e`; -1: none.
 std::ptrdiff_t index_of(const ContactList& list, std::int32_t p, std::int32_t vertex, std::int32_t e,
                         std::int32_t edge) {
   const auto found = std::find_if(list.points.begin(), list.points.end(), [&](const ContactPoint& c) {
@@ -57,12 +57,12 @@ void close(ContactList& list, std::ptrdiff_t i, double gap) {
   m.gap = gap;
 }
 
-/// A corner in the corner of another block leaves by the edge that holds it until the other is twice as near.
+/// A corner in the corner of another block is held by its present edge until the other edge is twice as near.
 TEST(CornerRules, edge_that_holds_a_corner_keeps_it_until_the_other_is_twice_as_near) {
   constexpr std::int32_t kRight = 1, kTop = 2;
   for (const std::int32_t holds : {kTop, kRight}) {
     Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
-    // 1 mm deep in the edge that holds it.
+    // 1 mm behind the edge that holds the corner.
     const auto moved = [&](double other) { return holds == kTop ? Vec2(-other, -0.001) : Vec2(-0.001, -other); };
     ContactList known = two.at(moved(0.01));
     const std::ptrdiff_t held = index_of(known, 1, 0, 0, holds);
@@ -84,7 +84,7 @@ TEST(CornerRules, edge_that_holds_a_corner_keeps_it_until_the_other_is_twice_as_
   }
 }
 
-/// Neither side holds the corner yet: it leaves by the nearer one.
+/// Neither edge holds the corner yet: the nearer one does.
 TEST(CornerRules, corner_that_nothing_holds_leaves_by_the_nearer_edge) {
   Two two(rectangle(-2, -2, 0, 0), rectangle(0, 0, 1, 1));
   ContactList known = two.at({-0.01, -0.001});
@@ -99,8 +99,8 @@ TEST(CornerRules, corner_that_nothing_holds_leaves_by_the_nearer_edge) {
   }
 }
 
-/// The tip of a thin wedge, pressed into what lies below it: the corner there is above the wedge's upper side, by which
-/// it cannot be held since its rock lies below that, and the lower side goes on carrying.
+/// The tip of a thin wedge is pressed into the block below: the block's corner is above the wedge's upper side, which
+/// cannot hold it since the block's rock lies below that side; the lower side continues to carry.
 TEST(CornerRules, wide_corner_does_not_touch_the_side_above_it) {
   Two two({{{-5, -2}, {10, -2}, {10, -0.7}, {0, 0}, {-5, 0}}, {}}, {{{0, 0}, {10, -0.7}, {10, 0}}, {}});
   constexpr std::int32_t kCorner = 3, kLower = 0, kUpper = 2;
@@ -112,24 +112,24 @@ TEST(CornerRules, wide_corner_does_not_touch_the_side_above_it) {
   EXPECT_LT(now.points[static_cast<std::size_t>(carries)].at.gap, 0.0);
 }
 
-/// What is more than half way through a plate when it is first seen has come in over its end.
+/// A corner that is more than half way through a plate when first detected has entered over the plate's end.
 TEST(CornerRules, corner_first_seen_beyond_the_middle_of_a_plate_is_not_pressed_through) {
   Two two(rectangle(-1, 0, 1, 0.01), rectangle(0.95, 0.01, 2, 1));
   EXPECT_GE(index_of(two.at({0.0, -0.004}), 1, 0, 0, 2), 0);
   EXPECT_EQ(index_of(two.at({0.0, -0.006}), 1, 0, 0, 2), -1);
-  // One that was seen before it went so far is held.
+  // A corner that was detected before it went so far is held.
   const ContactList before = two.at({0.0, 0.001});
   ASSERT_GE(index_of(before, 1, 0, 0, 2), 0);
   EXPECT_GE(index_of(two.at({0.0, -0.006}, before), 1, 0, 0, 2), 0);
 }
 
-/// A tip that was pressed far deeper than the search looks is still held by the edge that it is closed with.
+/// A tip that was pressed far deeper than the search distance is still held by the edge of its closed contact point.
 TEST(CornerRules, closed_corner_is_held_however_deep) {
-  Two two(rectangle(-2, -2, 2, 0), {{{0, 0}, {0.05, 0.1}, {-0.05, 0.1}}, {}});  // small: all of it goes so deep
+  Two two(rectangle(-2, -2, 2, 0), {{{0, 0}, {0.05, 0.1}, {-0.05, 0.1}}, {}});  // small: all of it is this deep
   ContactList known = two.at({0.0, 0.001});
   const std::ptrdiff_t tip = index_of(known, 1, 0, 0, 2);
   ASSERT_GE(tip, 0);
-  EXPECT_EQ(index_of(two.at({0.0, -0.5}, known), 1, 0, 0, 2), -1);  // open, and farther than the search looks
+  EXPECT_EQ(index_of(two.at({0.0, -0.5}, known), 1, 0, 0, 2), -1);  // open, and beyond the search distance
   close(known, tip, -0.45);
   const ContactList now = two.at({0.0, -0.5}, known);
   const std::ptrdiff_t held = index_of(now, 1, 0, 0, 2);
@@ -137,8 +137,8 @@ TEST(CornerRules, closed_corner_is_held_however_deep) {
   EXPECT_NEAR(now.memory[static_cast<std::size_t>(held)].gap, -0.5, 1e-12);
 }
 
-/// A corner that comes to face an edge stays a corner until its overlap is worth what it had, or half of what the
-/// vertex can have; then its springs change and its force does not.
+/// A corner that begins to face an edge stays a corner until the tributary length of the overlap reaches that of the
+/// corner, or half of the largest of the vertex; then its springs change and its force does not.
 TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) {
   Two two(rectangle(-2, -2, 2, 0), rectangle(0, 0, 1, 1));
   const double stiffness = 4e8;  // per length
@@ -166,14 +166,13 @@ TEST(CornerRules, corner_becomes_part_of_an_overlap_once_that_is_worth_as_much) 
   };
   EXPECT_FALSE(adopted(0.1, 0.09, 1.0));  // less than the corner had
   EXPECT_TRUE(adopted(0.1, 0.11, 1.0));
-  EXPECT_FALSE(adopted(0.4, 0.24, 0.5));  // half of the largest share is 0.25, less than the corner had
+  EXPECT_FALSE(adopted(0.4, 0.24, 0.5));  // half of the largest length is 0.25, less than the corner had
   EXPECT_TRUE(adopted(0.4, 0.26, 0.5));
 }
 
-/// Dashpots of a corner that stands on a held edge: the law's fraction of critical, 2 sqrt(k/mu), of either spring.
 TEST(CornerRules, corner_at_the_far_end_of_a_short_edge_begins_without_force) {
-  // A wedge with a side of 0.1 m at its end, against a block whose corner meets the upper end of that side: it is 0.1 m
-  // behind the line of the wedge's lower side, above the end of it.
+  // A wedge with a side of 0.1 m at its end, against a block whose corner touches the upper end of that side: the
+  // corner is 0.1 m behind the line of the wedge's lower side, above its end.
   const Polygon wedge{{{0, 0}, {2, 0}, {2, 0.1}, {0, 3}}, {}}, tall{{{2, -1}, {3, -1}, {3, -0.4}, {2, 0.1}}, {}};
   for (const bool wedge_first : {true, false}) {
     Scene scene(1e9, 0.2, 2500.0);
@@ -194,6 +193,7 @@ TEST(CornerRules, corner_at_the_far_end_of_a_short_edge_begins_without_force) {
   }
 }
 
+/// Dashpots of a corner that stands on a held edge: the law's fraction of critical, 2 sqrt(k/mu), of either spring.
 TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law_gives) {
   const double width = 1.4, height = 1.0, mass = 2500.0 * width * height, fraction = 0.3;
   for (const double shear : {2e9, 5e9}) {
@@ -209,7 +209,7 @@ TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law
     ContactList list;
     finder.find(hand.state.q, {}, true, list);
     ASSERT_EQ(list.points.size(), 1U);
-    // Of a corner of a rectangle: 1/m and 12 (1/4 + 1/4)/m from its two stretches; the held block gives nothing.
+    // Compliance of a corner of a rectangle: 1/m, and 12 (1/4 + 1/4)/m of its two stretches; the held block adds none.
     const double compliance = 7.0 / mass;
     EXPECT_NEAR(list.points[0].cn, 2.0 * fraction * std::sqrt(5e9 / compliance), 1e-3);
     EXPECT_NEAR(list.points[0].ct, 2.0 * fraction * std::sqrt(shear / compliance), 1e-3);

@@ -1,4 +1,4 @@
-// Contact states of a step, each point with unknowns of its own: the change of its gap, and of its stretch.
+// Contact states of a step against the limit by hand. Each point has its own unknowns: the changes of gap and stretch.
 #include "coupling/integrate/contact_states.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct Resting {
         rows.add(static_cast<std::int32_t>(2 * i + k), 1.0);
       }
   }
-  /// The states at the start of a step, and forces at unknowns: the gap of all points changes by dg, the stretch by ds.
+  /// Begins a step and evaluates the forces with the gap of all points changed by dg and the stretch by ds.
   void at(double dg, double ds, double dashpot = 0.0) {
     states = std::make_unique<ContactStates>(*hand->setup);
     states->begin(list, rows, 0, hand->state.q, dashpot);
@@ -71,7 +71,7 @@ TEST(ContactStates, pressed_points_stick_up_to_their_friction) {
   r.evaluate(-1e-5, 1.01 * most);
   EXPECT_NEAR((*r.states)[i].ft, -std::tan(kFriction * test::kDegree) * m.kn * 1e-5, 1e-9 * m.kn * 1e-5);
   EXPECT_EQ(r.states->change(false), 0);
-  // Friction that would drive it: it sticks again.
+  // Friction would drive the slip: the point sticks again.
   r.evaluate(-1e-5, -most);
   EXPECT_GT(r.states->change(false), 0);
   EXPECT_EQ((*r.states)[i].status, ContactStatus::stick);
@@ -93,8 +93,8 @@ TEST(ContactStates, points_open_and_close) {
   EXPECT_EQ((*r.states)[i].status, ContactStatus::stick);
 }
 
-/// What lies below the tolerance of a force does not hide what lies above it: the dashpot of a point that hardly opens
-/// pulls by next to nothing, but its friction is a thousand times that.
+/// A normal force below the tolerance must not hide a tangential force above it: the dashpot of a point that hardly
+/// opens pulls with a negligible force, but its friction is a thousand times larger.
 TEST(ContactStates, friction_of_a_point_that_hardly_opens_is_within_its_limit) {
   Resting r;
   const std::vector<std::size_t> touching = r.touching();

@@ -1,4 +1,4 @@
-// Slip and force of a point that dilates: against the equation they solve, and against each other.
+// Slip and force of a dilating contact point: the slip against its equation, the two forms against each other.
 #include "coupling/contact/law/dilation.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Dilation, slip_solves_its_equation_at_random_states) {
     const double pressed = t.pressed + t.per_opening * opened_in(d.law, t.before, slip);
     const double limit = d.cohesion + d.mu * std::max(0.0, pressed);
     const double residual = t.kt * (e - slip) - limit, scale = t.kt * e + limit;
-    // Unless the spring was within the limit at once, or there is nothing left of it.
+    // Unless the spring is within the limit without slip, or the slip takes all of its elongation.
     if (slip > 0.0 && slip < e) {
       ++inner;
       EXPECT_NEAR(residual, 0.0, 1e-12 * scale) << i;
@@ -59,7 +59,7 @@ TEST(Dilation, slip_solves_its_equation_at_random_states) {
   EXPECT_GT(inner, 2000);
 }
 
-/// The implicit form, linear in gap and elongation, has the force that the explicit one finds by its slip.
+/// The implicit form, linear in gap and elongation, gives the force that the explicit form finds by its slip.
 TEST(Dilation, implicit_force_is_the_explicit_one_at_random_states) {
   std::mt19937_64 random(5);
   int compared = 0;
@@ -80,11 +80,11 @@ TEST(Dilation, implicit_force_is_the_explicit_one_at_random_states) {
     const double found = -(f.per_gap * gap + f.per_stretch * d.trial.stretch + f.constant);
     EXPECT_NEAR(found, force, 1e-11 * d.trial.kn * 1e-3) << i;
     ++compared;
-    // Its derivatives are its coefficients, and it is continuous where dilation ends.
+    // The force is continuous where dilation ends.
     if (left < 1e200 && left > 0.0) {
       const DilatingForce within = dilating_force(d.law, strength, d.trial.kn, d.trial.kt, direction, true, left),
                           after = dilating_force(d.law, strength, d.trial.kn, d.trial.kt, direction, false, left);
-      // The elongation at which the slip is just `left`.
+      // The elongation at which the slip equals `left`.
       const double opened = std::tan(d.law.dilation) * left, at_end = -d.trial.kn * gap + d.trial.kn * opened;
       if (at_end > 0.0) {
         const double e = -direction * (left + (d.cohesion + d.mu * at_end) / d.trial.kt);

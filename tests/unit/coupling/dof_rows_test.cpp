@@ -36,7 +36,7 @@ TEST(DofRows, sum_runs_in_any_order_as_a_table_does) {
   for (int r = 0; r < 2000; ++r) {
     rows.begin_row();
     Table& table = tables.emplace_back();
-    // Mostly whole bodies, as of blocks that touch; some runs begin anywhere, as those of covers.
+    // Mostly whole bodies, as in contacts of blocks; some runs begin anywhere, as those of covers.
     const bool whole = r % 4 != 0;
     for (int k = runs(random); k > 0; --k) {
       std::array<double, kBody> h{};
@@ -68,7 +68,7 @@ TEST(DofRows, work_on_their_unknowns) {
   rows[0].add_force(2.0, out);
   EXPECT_DOUBLE_EQ(out[0], -2.0);
   EXPECT_DOUBLE_EQ(out[11], 12.0);
-  // Virtual work: force times change of the row is what the forces do.
+  // Virtual work: force times change of the row equals the work of the forces on the unknowns.
   double work = 0.0;
   for (std::size_t i = 0; i < d.size(); ++i) work += out[i] * d[i];
   EXPECT_DOUBLE_EQ(work, 2.0 * (rows[0].change(d) - 0.25));

@@ -1,4 +1,4 @@
-// How the overlap of two edges is shared, against moments of the overlap worked out by hand.
+// Tributary lengths in the overlap of two edges, against moments of the overlap by hand.
 #include "coupling/contact/geometry/edge_overlap.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using coupling::Outlines;
 using coupling::OverlapPoint;
 using coupling::VertexIndex;
 
-/// Edges made of points alone: what EdgeOverlap reads of outlines.
+/// Edges made of points alone, which is all that EdgeOverlap reads from outlines.
 struct Lines {
   Outlines outlines;
   IndexedVector<OutlineNode, Vec2> x;
@@ -122,7 +122,7 @@ TEST(EdgeOverlap, pressures_with_kinks_at_vertices_pass_exactly) {
   }
 }
 
-/// The same points with the same shares whichever side is asked first, and in the mirror.
+/// The points and their tributary lengths are the same if the sides are exchanged or mirrored.
 TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const Facing f(seed);
@@ -132,7 +132,7 @@ TEST(EdgeOverlap, sides_may_be_exchanged_and_mirrored) {
       one[p.vertex] = p.tributary;
     for (const OverlapPoint& p : overlap.divide(f.lines.outlines, f.lines.x, f.b, f.a, -f.t, true))
       other[p.vertex] = p.tributary;
-    // Mirrored in the line across t, either edge runs the other way round.
+    // A reflection in the line across t reverses the direction of both edges.
     Lines mirror;
     const auto reflected = [&](EdgeIndex edge) {
       std::vector<Vec2> points;
@@ -170,7 +170,7 @@ TEST(EdgeOverlap, vertices_that_match_exactly_count_once) {
     ends += s == 0.0 || s == 1.0 ? 1U : 0U;
   }
   EXPECT_EQ(at, (std::map<double, double>{{0.0, 0.125}, {0.25, 0.375}, {0.75, 0.375}, {1.0, 0.125}}));
-  EXPECT_EQ(ends, 2U);  // one vertex of the two that meet there
+  EXPECT_EQ(ends, 2U);  // one of the two coincident vertices
 }
 
 TEST(EdgeOverlap, edges_beside_each_other_share_nothing) {

@@ -1,4 +1,4 @@
-// The certified step against where the scheme really begins to grow.
+// The certified step against the step from which the scheme grows, in runs of 3000 steps.
 #include <gtest/gtest.h>
 
 #include "tests/support/by_hand.h"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace coupling;
 
-/// A free DDA block: six unknowns, and a bound of its own stiffness that is exact.
+/// A free DDA block: six unknowns, and an exact bound of its own stiffness.
 struct Small {
   Scene scene{1e7, 0.2, 2000.0};
   Small() {
@@ -23,7 +23,7 @@ struct Small {
     integrator.enter(hand.state);
     return integrator.stable_step(hand.state, binding);
   }
-  /// Kinetic energy after 3000 steps of `h`, over that of the start: a tiny velocity in every mode.
+  /// Kinetic energy after 3000 steps of `h` over the initial one, which is of a tiny velocity in every mode.
   double growth(const ExplicitDamping& damping, double h) {
     ByHand hand(scene.model, scene.plan.stages[0]);
     Mat2 gradient;
@@ -48,7 +48,7 @@ TEST(ExplicitBound, of_an_undamped_block_is_where_it_begins_to_grow) {
 TEST(ExplicitBound, with_rayleigh_damping_is_where_it_begins_to_grow) {
   Small small;
   const double free = small.bound({});
-  for (const double part : {0.02, 0.2, 1.0}) {  // of the undamped step
+  for (const double part : {0.02, 0.2, 1.0}) {  // relative to the undamped step
     const ExplicitDamping damping{.stiffness = part * free};
     const double h = small.bound(damping);
     EXPECT_LT(h, free);
@@ -66,7 +66,7 @@ TEST(ExplicitBound, with_viscous_edges_is_safe_and_needed) {
   EXPECT_LT(h, 0.9 * free);
   EXPECT_NE(binding.find("viscous edges"), std::string::npos) << binding;
   EXPECT_LT(small.growth({}, 0.999 * h), 1.0);
-  EXPECT_GT(small.growth({}, free), 1e6);  // the bound without them would not do
+  EXPECT_GT(small.growth({}, free), 1e6);  // the bound without them is not stable
 }
 
 TEST(ExplicitBound, local_damping_shortens_it) {
@@ -128,10 +128,10 @@ TEST(ExplicitLoss, of_a_block_turned_inside_out_keeps_the_last_good_state) {
   EXPECT_NE(report.cause.find("t = "), std::string::npos) << report.cause;
   EXPECT_GT(hand.state.step, 10);
   EXPECT_EQ(state_hash(hand.state), state_hash(before));
-  // The books are those of the last good state too.
+  // The ledger is that of the last good state too.
   integrator.update_ledger(hand.state);
   EXPECT_LT(hand.state.ledger.relative_closure(), 1e-12);
-  // Asked again it fails again, and again leaves everything.
+  // A repeated step fails again, and again changes nothing.
   before = hand.state;
   EXPECT_EQ(integrator.step(hand.state, h).status, StepReport::Status::non_finite);
   EXPECT_EQ(state_hash(hand.state), state_hash(before));

@@ -1,4 +1,4 @@
-// Loads of explicit steps against what theory says of one free block.
+// Loads in explicit steps against the theory of one free block.
 #include <gtest/gtest.h>
 
 #include "coupling/integrate/edge_stretch.h"
@@ -32,11 +32,11 @@ TEST_P(Loads, point_load_accelerates_the_centre_by_force_over_mass) {
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   const Moments m = moments(scene_.model.blocks[0].polygon);
   const Vec2 moved = centre_of(run, id) - m.centroid, force(3000.0, -2000.0);
-  // The mean of the motion feels nothing of the deformation: central difference is exact for a constant force.
+  // Deformation does not affect the mean motion: central difference is exact for a constant force.
   EXPECT_NEAR((moved - 0.5 * 0.04 * force / (2000.0 * m.area)).norm(), 0.0, 1e-12);
   const BodyTotals t = totals_of(run, id);
   EXPECT_NEAR((t.momentum - 0.2 * force).norm(), 0.0, 1e-9);
-  EXPECT_GT(std::abs(t.angular_momentum - cross(t.centre, t.momentum)), 1.0);  // it acts beside the centre
+  EXPECT_GT(std::abs(t.angular_momentum - cross(t.centre, t.momentum)), 1.0);  // the load is eccentric
   EXPECT_GT(run.state().ledger[Column::loads], 1.0);
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
 }
@@ -46,11 +46,11 @@ TEST_P(Loads, tractions_on_opposite_edges_end_in_uniform_stress) {
   const Vec2 pull(2e5, 5e4);
   scene_.model.tractions.push_back({edge(id, 1), pull, {}});
   scene_.model.tractions.push_back({edge(id, 3), -pull, {}});
-  const Vec2 shear(5e4, 0.0);  // what keeps it in balance
+  const Vec2 shear(5e4, 0.0);  // balances the moment
   scene_.model.tractions.push_back({edge(id, 2), shear, {}});
   scene_.model.tractions.push_back({edge(id, 0), -shear, {}});
   Stage& s = stage(2.0);
-  s.damping = 60.0;  // on all of the velocity: the block is in balance, and its uniform strain would not be damped else
+  s.damping = 60.0;  // of the whole velocity: otherwise the uniform strain of the balanced block would not be damped
   s.damp_rigid_motion = true;
   std::vector<double> stress;
   Watch watch;
@@ -60,7 +60,7 @@ TEST_P(Loads, tractions_on_opposite_edges_end_in_uniform_stress) {
   ASSERT_EQ(run.run().status, RunEnd::Status::done);
   ASSERT_GE(stress.size(), 3U);
   for (std::size_t i = 0; i < stress.size(); i += 3) {
-    // Dead loads: strains of 0.2 % make the Cauchy stress differ from them by about as much.
+    // Dead loads: with strains of 0.2 % the Cauchy stress differs from them by about as much.
     EXPECT_NEAR(stress[i], 2e5, 2e3);
     EXPECT_NEAR(stress[i + 1], 0.0, 2e3);
     EXPECT_NEAR(stress[i + 2], 5e4, 2e3);
@@ -155,7 +155,7 @@ TEST_P(Loads, on_a_fixed_block_do_nothing) {
 }
 INSTANTIATE_TEST_SUITE_P(methods, Loads, testing::Values("nmm", "dda"));
 
-/// Every kind of damping at once and one by one, with loads, contact and a driven base: the books close.
+/// Every kind of damping, all together and one by one, with loads, contact and a driven base: the ledger closes.
 struct Kind {
   const char* name;
   ExplicitDamping damping;

@@ -1,4 +1,4 @@
-// The law of a contact point as a function: limits, symmetry, energy and bonds at random states.
+// The law of a contact point at random states: limits, symmetry, energy and bonds.
 #include "coupling/contact/law/explicit_law.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Drawn {
   ContactMemory memory;
 };
 
-/// A law with or without cohesion, bond, weakening, dilation; a point anywhere around its kinks.
+/// A law with or without cohesion, bond, weakening and dilation; a point at a random state around its kinks.
 Drawn draw(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto yes = [&] { return unit(random) < 0.5; };
@@ -75,12 +75,12 @@ TEST(ExplicitLaw, limits_hold_at_random_states) {
       EXPECT_EQ(m.stretch, 0.0);
       EXPECT_TRUE(m.gap >= 0.0) << i;
       if (d.memory.bonded != 0 && d.memory.gap >= 0.0 && d.law.dilation == 0.0) {
-        EXPECT_EQ(m.slip, d.memory.slip) << i;  // pulled off, or sheared through: no way of friction
+        EXPECT_EQ(m.slip, d.memory.slip) << i;  // pulled off or sheared through: no frictional slip
       }
       continue;
     }
     EXPECT_GE(m.fn, -tension_limit(d.law, m)) << i;
-    // With the strength that there was as the limit was taken: slip weakens from the next step on.
+    // With the strength at the time of the limit: slip weakens the point from the next step on.
     ContactMemory then = m;
     then.slip = d.memory.slip;
     const double bearing = m.failed == 0 && can_fail(d.law) ? std::max(m.fn, m.fn - m.fd) : m.fn;
@@ -89,12 +89,12 @@ TEST(ExplicitLaw, limits_hold_at_random_states) {
     EXPECT_NEAR(m.ft - m.fdt, -m.kt * m.stretch, 1e-9 * scale) << i;
     EXPECT_NEAR((d.motion.foot - m.anchor) * d.motion.length, m.stretch, 1e-15) << i;
     EXPECT_GE(m.slip, d.memory.slip - 1e-15) << i;
-    if (m.gap0 == d.memory.gap0) {  // dashpots take energy
+    if (m.gap0 == d.memory.gap0) {  // dashpots dissipate
       EXPECT_LE(m.fd * d.motion.rate, 1e-9 * scale) << i;
     }
     EXPECT_LE(m.fdt * d.motion.shear, 1e-9 * scale) << i;
-    EXPECT_GE(m.gap0, d.memory.gap0) << i;                                  // what opens stays open
-    EXPECT_NEAR(m.gap + m.gap0, d.memory.gap + d.memory.gap0, 1e-17) << i;  // geometry is not the law's
+    EXPECT_GE(m.gap0, d.memory.gap0) << i;                                  // openings are permanent
+    EXPECT_NEAR(m.gap + m.gap0, d.memory.gap + d.memory.gap0, 1e-17) << i;  // the law does not change the geometry
     if (m.status == ContactStatus::slip) {
       EXPECT_LE(m.ft * (d.memory.stretch - m.stretch), 0.0) << i;
     }

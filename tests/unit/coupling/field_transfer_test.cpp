@@ -1,4 +1,4 @@
-// Momenta and the affine part of a body's motion on another mesh, against what they were.
+// Momenta and the affine part of a body's motion on a new mesh, against their values on the old one.
 #include "coupling/transfer/field_transfer.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ NmmBlock block(double cover_size) {
   return {rectangle(1.0, 2.0, 2.3, 2.9), form, {"rock", 2600.0, 1e9, 0.2}};
 }
 
-/// Stretched, sheared and moving as a whole, with a short wave on top.
+/// Stretches and shears the block and moves it as a whole, with a superposed short wave.
 void stir(NmmBlock& b, double wave) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-wave, wave);
@@ -47,7 +47,7 @@ TEST(FieldTransfer, rigid_motion_restores_both_momenta_and_is_rigid) {
   EXPECT_LT((now.momentum - wanted.momentum).norm(), 1e-12 * wanted.momentum.norm());
   EXPECT_NEAR(now.angular_momentum, wanted.angular_momentum, 1e-12 * std::abs(wanted.angular_momentum));
   const auto added = [&](std::size_t i) { return b.v[i] - before[i]; };
-  for (std::size_t i = 2; i < b.q.size(); i += 2) {  // no two nodes come nearer to each other
+  for (std::size_t i = 2; i < b.q.size(); i += 2) {  // the added velocity is rigid
     const Vec2 x(b.q[i] - b.q[0], b.q[i + 1] - b.q[1]), u(added(i) - added(0), added(i + 1) - added(1));
     EXPECT_NEAR(x.dot(u), 0.0, 1e-12) << i;
   }

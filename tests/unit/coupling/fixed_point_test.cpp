@@ -1,4 +1,4 @@
-// Anderson's iteration against dense algebra: linear maps that contract and that do not, units, and a nonlinear map.
+// Anderson's iteration against dense algebra: contracting and non-contracting linear maps, units, a nonlinear map.
 #include "coupling/linear/fixed_point.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace scree::coupling::fixed_point_test {
 namespace {
 
-/// Iterations until T(x) = M x + b is solved to 1e-10 of its solution; -1: not in `most`.
+/// Iterations until the fixed point of T(x) = M x + b is within 1e-10 of the solution; -1: not within `most`.
 int iterations(const Eigen::MatrixXd& m, const Eigen::VectorXd& b, std::span<const double> unit, int most) {
   const Eigen::Index n = b.size();
   const Eigen::VectorXd exact = solve_general(Eigen::MatrixXd::Identity(n, n) - m, b);
@@ -32,7 +32,7 @@ TEST(FixedPoint, solves_linear_maps_in_as_many_iterations_as_unknowns) {
   std::mt19937_64 random(41);
   std::normal_distribution<double> normal;
   for (const int n : {1, 2, 5, 9})
-    for (const double size : {0.3, 0.9, 3.0}) {  // the last does not contract: plain iteration runs away
+    for (const double size : {0.3, 0.9, 3.0}) {  // the last does not contract: plain iteration diverges
       Eigen::MatrixXd m(n, n);
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) m(i, j) = normal(random);
@@ -75,7 +75,7 @@ TEST(FixedPoint, nonlinear_map_and_a_beginning_afresh) {
       ++taken;
     }
     EXPECT_NEAR(x[0], 0.73908513321516064, 1e-13);
-    EXPECT_LE(taken, 20);  // plain iteration takes 80
+    EXPECT_LE(taken, 20);  // plain iteration needs 80
   }
 }
 

@@ -1,4 +1,4 @@
-// The unbalanced force of blocks that loads push, turn and hold, by hand.
+// Unbalanced force of blocks under forces, couples and supports, against values by hand.
 #include "coupling/stages/force_balance.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(ForceBalance, round_off_in_a_model_that_is_free_of_stress_is_rest) {
     scene.model.point_loads.push_back({BlockId{1}, {1.0, 1.5}, {1e-8, 0.0}, {}});  // a strain of 1e-16
     const ForceBalance::Result r = measured(scene);
     EXPECT_GT(r.force, 1e-10) << method;
-    EXPECT_LT(r.ratio, 1e-6) << method;  // the smallest rest_force anyone gives
+    EXPECT_LT(r.ratio, 1e-6) << method;  // the smallest rest_force used in practice
   }
 }
 

@@ -1,4 +1,4 @@
-// What implicit steps damp: the formula against oscillators that are stepped.
+// Numerical damping of implicit steps: the formula against stepped oscillators.
 #include "coupling/stages/implicit_damping.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 namespace scree::coupling::implicit_damping_test {
 namespace {
 
-/// What is left of an amplitude after a second of steps. Two solutions span an area of the phase plane (u, v/w), which
-/// every step shrinks by the same factor, whatever the phase: the square of that of an amplitude.
+/// Remaining fraction of an amplitude after one second of steps. Two solutions span an area of the phase plane
+/// (u, v/w); every step reduces it by the same factor at any phase, the square of that of an amplitude.
 double stepped(double frequency, double dt) {
   const double w = 2.0 * std::numbers::pi * frequency;
   double u[2] = {1.0, 0.0}, v[2] = {0.0, w}, left = 1.0;
@@ -61,14 +61,14 @@ TEST(ImplicitDamping, stage_tells_driven_frequency_and_ten_covers_and_when_it_is
   ASSERT_TRUE(stage_damping(model, stage).has_value());
   EXPECT_FALSE(stage_damping(model, stage)->driven.has_value());
   EXPECT_NEAR(stage_damping(model, stage)->wave->frequency, 200.0, 1e-9);  // 2000 m/s over ten covers
-  EXPECT_FALSE(damps_much(*stage_damping(model, stage)));                  // nothing drives it, nothing is divided
+  EXPECT_FALSE(damps_much(*stage_damping(model, stage)));                  // no driven frequency, no divided block
   TimeFunction swing;
   swing.name = "swing";
   swing.shape = TimeFunction::Shape::sine;
   swing.frequency = 5.0;
   model.functions.push_back(swing);
   model.body_accelerations.push_back({{}, Vec2(1.0, 0.0), FunctionId{0}});
-  EXPECT_TRUE(damps_much(*stage_damping(model, stage)));  // 22 % a second
+  EXPECT_TRUE(damps_much(*stage_damping(model, stage)));  // 22 % per second
   stage.dt = 1e-4;
   EXPECT_FALSE(damps_much(*stage_damping(model, stage)));  // 2.4 %
   stage.integrator = Integrator::partitioned;
@@ -88,7 +88,7 @@ TEST(ImplicitDamping, record_of_a_sine_drives_with_its_frequency) {
   model.motions.emplace_back(t, a, Vec2(1.0, 0.0));
   model.block_supports.push_back({BlockId{0}, MotionId{0}});
   EXPECT_NEAR(driven_frequency(model), 3.0, 0.2);
-  Model compliant = model;  // the wave that comes in through a base
+  Model compliant = model;  // the motion enters as a wave through a compliant base
   compliant.block_supports.clear();
   compliant.viscous_edges.push_back({{BlockId{0}, {0, 0}, 0.0, 1.0}, MotionId{0}, 1.0});
   EXPECT_EQ(driven_frequency(compliant), driven_frequency(model));
@@ -113,7 +113,7 @@ TEST(ImplicitDamping, what_is_over_or_to_come_does_not_drive_a_stage) {
     const std::vector<char> acts = acts_in(model, plan, i);
     EXPECT_EQ(driven_frequency(model, acts), expected[i]) << i;
   }
-  // The second stage ended early, as a rule may have it: the pulse goes on into the last.
+  // The second stage ended early, for example by a rule: the pulse continues into the last.
   const std::vector<Tick> begins{0, ticks(0.05), ticks(0.07), ticks(0.12)};
   EXPECT_EQ(driven_frequency(model, acts_in(model, plan, 3, begins, ticks(0.17))), 5.0);
 }

@@ -31,7 +31,7 @@ OutlineNode corner(const test::ByHand& hand) {
   throw std::logic_error("no node at the corner");
 }
 
-/// Another side that holds the corner by a spring, of which the iteration knows `told`.
+/// The other side: it holds the corner by a spring, for whose stiffness the iteration is given `told`.
 class SpringElsewhere : public InterfaceForce {
  public:
   SpringElsewhere(const test::ByHand& hand, double told, bool foretold)
@@ -56,7 +56,7 @@ class SpringElsewhere : public InterfaceForce {
   [[nodiscard]] double stiffness() const override { return 2.0 * kStiffness; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   bool foresee(std::span<const double> end, std::span<double> force) override {
-    if (foretold_) add(kStiffness, 2e3, end, force);  // it need not be right
+    if (foretold_) add(kStiffness, 2e3, end, force);  // a prediction need not be exact
     return foretold_;
   }
   StepReport mean(std::span<const double> end, std::span<const double>, std::span<double> force,
@@ -67,7 +67,7 @@ class SpringElsewhere : public InterfaceForce {
     add(kStiffness, 0.0, end, force);
     return report;
   }
-  /// What the next step begins with.
+  /// Sets the force at the start of the next step.
   void arrive(std::span<const double> q) {
     std::fill(present_.begin(), present_.end(), 0.0);
     add(kStiffness, 0.0, q, present_);
@@ -139,7 +139,7 @@ TEST_P(InterfaceSpring, a_step_that_the_other_side_gives_up_changes_nothing) {
   EXPECT_EQ(hand.state.v, before.v);
 }
 
-/// Another side that nothing moves, to which the corner is tied.
+/// The other side: immovable rock to which the corner is tied.
 class Rock : public InterfaceForce {
  public:
   explicit Rock(const test::ByHand& hand) : present_(hand.state.q.size(), 0.0) {
@@ -188,7 +188,7 @@ TEST_P(InterfaceSpring, a_tied_corner_stays_and_its_force_balances_the_block) {
     const StepReport report = integrator.step(hand.state, ticks(kStep));
     ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
     EXPECT_LT((position(hand.setup->outlines().nodes[k], hand.state.q) - anchor).norm(), 1e-9) << i;
-    // M (2 d/h - v - v)/h = f where the step ends.
+    // M (2 d/h - v - v)/h = f at the end of the step.
     const BodyTotals now = hand.totals(block);
     const Vec2 weight = now.mass * scene.model.gravity, given = (now.momentum - before) / kStep;
     EXPECT_LT((given - weight - Vec2(rock.force[0], rock.force[1])).norm(), 1e-6 * weight.norm()) << i;

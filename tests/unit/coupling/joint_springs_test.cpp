@@ -1,4 +1,4 @@
-// Springs of contact points from joint laws and the two blocks: which law holds, how stiff, on what length.
+// Springs of contact points from joint laws and the two blocks: governing law, stiffness and length, by hand.
 #include "coupling/contact/law/joint_springs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace coupling;
 
-/// Two blocks on each other: 4 x 1 m below, 2 x 3 m above, of two materials and with two laws beside the default.
+/// Two stacked blocks: 4 x 1 m below, 2 x 3 m above, of two materials, with two laws in addition to the default.
 struct Pair {
   Scene scene{2e9, 0.2, 2500.0, 45.0};
   JointId one, two;
@@ -31,14 +31,14 @@ struct Pair {
     scene.model.joints.push_back(l);
     return JointId{static_cast<std::int32_t>(scene.model.joints.size()) - 1};
   }
-  /// Asks about the top of the lower block and the bottom of the upper one.
+  /// Calls `ask` with the top edge of the lower block and the bottom edge of the upper one.
   template <class Ask>
   auto with(Ask&& ask) const {
     const ByHand hand(scene.model, scene.plan.stages[0]);
     const JointSprings springs(*hand.setup);
     return ask(springs, hand.setup->edge_of(0, 0, 2), hand.setup->edge_of(1, 0, 0));
   }
-  /// The law between the two, which is the same whichever comes first.
+  /// The law between the two blocks, which must not depend on their order.
   [[nodiscard]] JointId law_of(JointId lower, JointId upper) {
     scene.model.blocks[0].joint = lower;
     scene.model.blocks[1].joint = upper;
@@ -62,7 +62,7 @@ TEST(JointSprings, law_of_two_edges_that_both_name_one_has_the_smaller_friction)
   Pair pair;
   EXPECT_EQ(pair.law_of(pair.one, pair.two).value, pair.two.value);
   EXPECT_EQ(pair.law_of(pair.two, pair.one).value, pair.two.value);
-  // As rough: the law that comes first in the model, whatever else differs.
+  // Equal friction: the law that is first in the model governs, whatever else differs.
   const JointId third = pair.law("three", 20.0);
   pair.scene.model.joints[third.index()].cohesion = 1e6;
   EXPECT_EQ(pair.law_of(third, pair.two).value, pair.two.value);
@@ -89,7 +89,7 @@ TEST(JointSprings, auto_stiffness_is_the_larger_modulus_over_width_of_the_two_bl
 TEST(JointSprings, corner_stands_for_a_tenth_of_the_smaller_block) {
   Pair pair;
   pair.with([&](const JointSprings& s, EdgeIndex a, EdgeIndex b) {
-    EXPECT_DOUBLE_EQ(s.corner_length(pair.one, a, b), 0.1 * 2.0);  // the root of 4 m2, not of 6
+    EXPECT_DOUBLE_EQ(s.corner_length(pair.one, a, b), 0.1 * 2.0);  // from the root of 4 m2, not of 6 m2
     EXPECT_DOUBLE_EQ(s.corner_length(pair.one, b, a), 0.1 * 2.0);
   });
   pair.scene.model.joints[pair.one.index()].contact_length = 0.07;

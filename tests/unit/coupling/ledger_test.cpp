@@ -28,7 +28,7 @@ TEST(Ledger, unknown_work_shows_as_closure) {
   EXPECT_EQ(ledger.closure(), 0.5);
 }
 
-/// A force that reaches the bodies but not the books.
+/// A force that acts on the bodies but is not in the ledger.
 class Hidden final : public ForceTerm {
  public:
   void add(const Instant&, std::span<double> f) override {
@@ -100,7 +100,7 @@ TEST(PointSupports, hanging_block_stretches_its_springs_by_its_weight) {
     const Methods methods = standard_methods();
     Driver run(scene.model, scene.plan, methods);
     ASSERT_EQ(run.run().status, RunEnd::Status::done);
-    // Undamped, it swings between 0 and 2 m g / (2 k): energy tells, whatever the phase.
+    // Undamped, the block swings between 0 and 2 m g / (2 k): the energy checks it at any phase.
     EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);
     const double drop = 0.5 - centre_of(run, id).y();
     EXPECT_GT(drop, 0.0);

@@ -1,4 +1,4 @@
-// The estimate of a mesh before it is made, beside the mesh.
+// The estimated size of a mesh against the mesh that is made.
 #include "coupling/stages/mesh_estimate.h"
 
 #include <gtest/gtest.h>

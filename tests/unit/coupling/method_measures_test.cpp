@@ -1,4 +1,4 @@
-// What decides whether a block changes method, against the block's own energies.
+// Measures that decide on a change of method, against the energies of the block.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace coupling;
 
-/// A bar that is stretched and bent: an affine part of its strain, and the rest.
+/// A stretched and bent bar: its strain has an affine part and a remainder.
 struct Bent {
   Scene scene{1e8, 0.2, 2500.0};
   std::unique_ptr<ByHand> hand;
@@ -32,7 +32,7 @@ struct Bent {
     hand->setup->pool(0).settle(0, q, hand->state.v);
   }
   [[nodiscard]] SwitchRules& rules() { return scene.plan.stages[0].change; }
-  /// The measures with which the bar goes to the DDA; none: it stays.
+  /// The change of the bar to the DDA with its measures; empty: no change.
   std::vector<MethodChange> look() {
     CentralDifference integrator(*hand->setup, {.max_displacement = 0.1}, 0.05);
     integrator.enter(hand->state);
@@ -53,7 +53,7 @@ TEST(MethodMeasures, inhomogeneity_is_the_root_of_the_share_of_the_elastic_energ
   const std::vector<MethodChange> found = bent.look();
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].measures.inhomogeneity, std::sqrt(share), 1e-6);
-  EXPECT_NEAR(found[0].measures.elastic, share, 1e-6);  // at rest: of its elastic energy alone
+  EXPECT_NEAR(found[0].measures.elastic, share, 1e-6);  // at rest: share of the elastic energy alone
   EXPECT_EQ(found[0].measures.kinetic, 0.0);
   bent.rules().inhomogeneity = 0.99 * std::sqrt(share);
   EXPECT_TRUE(bent.look().empty());

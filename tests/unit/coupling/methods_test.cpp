@@ -1,4 +1,4 @@
-// The registry of methods: what it takes, what it refuses, and constants bound to what makes a pool.
+// The registry of methods: accepted and refused entries, and constants bound to the function that makes a pool.
 #include "coupling/bodies/methods.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Force against the derivative of the energy, tangent against that of the force, at random gaps and on both sides of
-// the kink.
+// Normal spring: force against the derivative of the energy, tangent against the derivative of the force, at random
+// gaps and on both sides of the kink.
 #include "coupling/contact/law/normal_spring.h"
 
 #include <gtest/gtest.h>

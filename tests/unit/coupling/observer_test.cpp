@@ -1,4 +1,4 @@
-// What monitors report of stress, and frames of contacts.
+// Stress at monitors and contacts in frames, against uniform stress states and the weight of a block.
 #include "coupling/stages/observer.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class Last final : public coupling::Sink {
 };
 
 // The stress of an affine block is the same everywhere, so that a monitor anywhere on it must report that of its cells,
-// bit for bit: a row weighs the stress with one, and with zeros. The blocks live in two pools, the monitors in a random
+// bit for bit: the weights of a row are one and zeros. The blocks live in two pools, the monitors in a random
 // order, so that a wrong offset of a pool or a body shows.
 TEST(MonitorStress, equals_that_of_the_cell_on_affine_blocks_of_two_pools) {
   Scene scene(1e8, 0.2, 2500.0, 30.0);
@@ -46,7 +46,7 @@ TEST(MonitorStress, equals_that_of_the_cell_on_affine_blocks_of_two_pools) {
   Last last;
   run.add_sink(last);
   ASSERT_EQ(run.run().status, coupling::RunEnd::Status::done);
-  ASSERT_EQ(run.setup().pools(), 3u);  // the base has its own
+  ASSERT_EQ(run.setup().pools(), 3u);  // the base has its own pool
   ASSERT_EQ(last.monitors.size(), 15u);
   for (std::size_t i = 0; i < 5; ++i) {
     const std::int32_t block = scene.model.monitors[i].block.value;
@@ -68,8 +68,8 @@ class First final : public coupling::Sink {
   std::vector<double> monitors;
 };
 
-// A uniform stress is recovered as it is, in cut elements and at corners too; blocks turned and of both methods before
-// it in the model move neither pools nor bodies out of step.
+// A uniform stress is recovered unchanged, also in cut elements and at corners; rotated blocks of both methods earlier
+// in the model must not shift the offsets of pools or bodies.
 TEST(MonitorStress, is_the_in_situ_stress_at_the_start_of_an_nmm_block) {
   Scene scene(1e9, 0.2, 2500.0, 30.0);
   scene.model.gravity = {0.0, 0.0};
@@ -114,7 +114,7 @@ TEST(MonitorStress, is_empty_without_monitors) {
   EXPECT_TRUE(last.monitors.empty());
 }
 
-/// Looks at every frame with the contacts it shows.
+/// Checks the contacts of every frame.
 class Contacts final : public coupling::Sink {
  public:
   void frame(const coupling::FrameView& f) override {
@@ -129,7 +129,7 @@ class Contacts final : public coupling::Sink {
       const Vec2 at(f.contacts->position[2 * i], f.contacts->position[2 * i + 1]),
           normal(f.contacts->normal[2 * i], f.contacts->normal[2 * i + 1]);
       EXPECT_NEAR(normal.norm(), 1.0, 1e-15);
-      // The joint is the line y = 0: of a corner of the block the normal looks up, of one of the base down.
+      // The joint is the line y = 0: the normal points up at corners of the block, down at corners of the base.
       EXPECT_NEAR(normal.y(), m.key.block_p == 1 ? 1.0 : -1.0, 1e-6);
       EXPECT_NEAR(at.y(), 0.0, 1e-3);
       if (m.key.block_p == 1) {

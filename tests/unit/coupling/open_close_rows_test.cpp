@@ -1,4 +1,4 @@
-// Rows of gap and stretch of affine bodies, which are filled on threads, against those added one unknown at a time.
+// Rows of gap and stretch of affine bodies, filled by several threads, against rows added one unknown at a time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace {
 
 using test::rectangle;
 
-/// Blocks in a heap on a base that is held, or follows a motion, after some steps.
+/// Blocks in a heap after some steps, on a base that is held or follows a motion.
 struct Heap {
   test::Scene scene{1e8, 0.2, 2500.0, 25.0};
   Heap() {
     std::mt19937_64 random(17);
     std::uniform_real_distribution<double> shift(0.0, 0.3);
-    // The base comes last: unknowns of the blocks come before and after those of what they touch.
+    // The base is last: unknowns of a block precede or follow those of the body it touches.
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i) {
         const double x = 1.02 * i + shift(random), y = 1.002 * j;
@@ -41,7 +41,7 @@ TEST(OpenCloseRows, of_affine_bodies_are_those_of_any_bodies) {
   const ImplicitSystem& system = integrator.system();
   ASSERT_TRUE(system.affine());
 
-  // The driven base moves aside in the step.
+  // The driven base moves sideways in the step.
   const std::vector<Vec2> moves(hand.setup->bodies().size(), Vec2(2e-4, -1e-4));
   OpenClose contacts(*hand.setup, control, system, true, OpenClose::Factor::chosen);
   const StepSprings none;

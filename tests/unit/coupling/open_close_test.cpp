@@ -70,7 +70,7 @@ TEST_P(OpenCloseUpdates, rank_updates_give_the_motion_of_new_factors) {
 INSTANTIATE_TEST_SUITE_P(Methods, OpenCloseUpdates, testing::Values("dda", "nmm"),
                          [](const auto& p) { return p.param; });
 
-/// Courses of blocks that touch exactly, whose weight comes at once.
+/// Courses of blocks that touch exactly and are loaded by their whole weight at once.
 test::Scene courses() {
   test::Scene scene(1e9, 0.2, 2500.0, 30.0);
   scene.add("base", rectangle(-1.0, -1.0, 8.0, 0.0), true);
@@ -94,7 +94,7 @@ TEST(OpenCloseStates, blocks_that_just_touch_do_not_switch_on_round_off) {
   test::ByHand hand(scene.model, scene.plan.stages[0]);
   Newmark integrator(*hand.setup, wide(), 0.05);
   (void)integrator.enter(hand.state);
-  // All fall by the same in the first step: gaps between them are round-off, and only the lowest are pressed.
+  // All fall by the same distance in the first step: gaps between blocks are round-off; only the lowest are pressed.
   const StepReport report = integrator.step(hand.state, ticks(1e-3));
   ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
   EXPECT_LE(report.passes, 6);
@@ -129,13 +129,13 @@ TEST(KeptFactor, run_that_goes_on_from_a_copy_has_the_same_bits) {
   control.max_passes = 30;
   Newmark integrator(*hand.setup, control, 0.05, ImplicitOptions{.factor = OpenClose::Factor::kept});
   (void)integrator.enter(hand.state);
-  int kept = 0, used = 0;  // copies with a factor that the next step may use; steps that made none
+  int kept = 0, used = 0;  // copies with a factor that the next step may use; steps without factorisation
   for (int i = 0; i < 20; ++i) {
     State copy = hand.state;
     kept += copy.factored.column_start.empty() || copy.factored.patience.wait > 0 ? 0 : 1;
     Newmark other(*hand.setup, control, 0.05, ImplicitOptions{.factor = OpenClose::Factor::kept});
     (void)other.enter(copy);
-    copy.last_step = hand.state.last_step;  // enter() begins a stage, a restart goes on within one
+    copy.last_step = hand.state.last_step;  // enter() begins a stage, a restart continues one
     for (int k = 0; k < 6; ++k) {
       const StepReport report = integrator.step(hand.state, ticks(1e-3));
       (void)other.step(copy, ticks(1e-3));

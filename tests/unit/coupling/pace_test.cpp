@@ -1,4 +1,4 @@
-// Partitioned stages that do not get on.
+// Partitioned stages with slow progress: the limit of effort, shorter steps, the end of the run.
 #include "coupling/stages/pace.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(Pace, stage_may_take_so_many_times_the_effort_of_implicit_steps) {
   RunStats stats;
   stats.unknowns = 10;
   stats.effort_before = 5e6;
-  const double a_step = implicit_effort(stats), allowed = 20.0 * (100.0 + 20.0) * a_step;  // 20 steps for free
+  const double a_step = implicit_effort(stats), allowed = 20.0 * (100.0 + 20.0) * a_step;  // 20 steps are free
   stats.effort = stats.effort_before + 0.999 * allowed;
   EXPECT_FALSE(too_slow(stats, 100.0, 20.0));
   stats.effort = stats.effort_before + 1.001 * allowed;
@@ -45,7 +45,7 @@ TEST(Pace, half_the_step_is_cheaper_where_long_iterations_repeat_many_explicit_s
   EXPECT_FALSE(shorter_is_cheaper(report, stats, 80.0)) << "they end soon";
 }
 
-/// Stiff contacts beneath and above an implicit block between explicit ones.
+/// An implicit block between explicit blocks, with stiff contacts below and above it.
 TEST(Pace, stiff_stack_goes_on_in_shorter_steps) {
   Scene scene(50e9, 0.2, 2600.0, 40.0);
   scene.model.joints[0].normal_stiffness = 5e11;
@@ -60,7 +60,7 @@ TEST(Pace, stiff_stack_goes_on_in_shorter_steps) {
   const RunStats& stats = run.stats();
   EXPECT_GT(stats.steps, 20);
   EXPECT_EQ(stats.cuts, 0);
-  EXPECT_LT(stats.iterations, 21 * stats.steps);  // the first steps are whole, and take 30
+  EXPECT_LT(stats.iterations, 21 * stats.steps);  // the first steps are not shortened and take 30 iterations
 }
 
 /// Two blocks on a base, one of them explicit.

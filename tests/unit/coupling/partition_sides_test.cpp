@@ -10,7 +10,7 @@ namespace {
 
 using namespace coupling;
 
-/// Three blocks apart from each other: of 1, 4 and 1 m2.
+/// Three separate blocks of 1, 4 and 1 m2.
 struct Three {
   Scene scene{1e8, 0.2, 2500.0};
   Partition partition;
@@ -20,7 +20,7 @@ struct Three {
     scene.add("other", rectangle(10, 0, 11, 1));
     scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
   }
-  /// Sides after one look, with the first block moving.
+  /// Sides after one evaluation, with the first block moving.
   [[nodiscard]] std::vector<char> look(std::vector<char> sides, const Vec2& velocity, const Mat2& gradient) const {
     ByHand hand(scene.model, scene.plan.stages[0]);
     hand.move(0, velocity, gradient);

@@ -1,4 +1,4 @@
-// Each warning by a case that raises it, and by the nearest one that does not.
+// Warnings of plans: each with a case that raises it and with similar cases that do not.
 #include "coupling/stages/plan_warnings.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using coupling::Integrator;
 
 std::vector<std::string> warned(const Scene& scene) { return coupling::plan_warnings(scene.model, scene.plan); }
 
-/// One warning, with a text in it.
+/// Expects exactly one warning, which contains `part`.
 void expect_one(const Scene& scene, const std::string& part) {
   const auto found = warned(scene);
   ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found[0]);
@@ -35,10 +35,10 @@ TEST(Warnings, nothing_holds_the_model) {
   Scene still = box_on_base(0.0, false);
   still.model.gravity.setZero();
   EXPECT_TRUE(warned(still).empty());
-  Scene pushed = still;  // a constant force on a model that floats
+  Scene pushed = still;  // a constant force on an unsupported model
   pushed.model.point_loads.push_back({BlockId{1}, {1.0, 1.5}, {1e3, 0.0}, {}});
   expect_one(pushed, "nothing holds the model");
-  Scene pulled = pushed;  // two that cancel
+  Scene pulled = pushed;  // two forces that cancel
   pulled.model.point_loads.push_back({BlockId{0}, {0.0, 0.5}, {-1e3, 0.0}, {}});
   EXPECT_TRUE(warned(pulled).empty());
   Scene struck = pushed;  // a pulse
@@ -65,7 +65,7 @@ TEST(Warnings, supports_that_hold_the_other_direction_only) {
 
 TEST(Warnings, a_block_touches_nothing) {
   expect_one(box_on_base(0.01), "block 'box' touches nothing; the nearest other one, 'base', is 0.01 m away");
-  EXPECT_TRUE(warned(box_on_base(1e-5)).empty());  // the round-off of a drawing
+  EXPECT_TRUE(warned(box_on_base(1e-5)).empty());  // a gap of the order of drawing errors
   Scene thrown = box_on_base(0.5);
   thrown.model.initial_velocities.push_back({BlockId{1}, {1.0, 0.0}, 0.0});
   EXPECT_TRUE(warned(thrown).empty());
@@ -116,7 +116,7 @@ TEST(Warnings, damping_that_acts_on_nothing) {
   meshed.plan.stages[0].method = "nmm";
   meshed.plan.stages[0].damping = 5.0;
   EXPECT_TRUE(warned(meshed).empty());
-  meshed.plan.stages[0].rules.push_back({{BlockId{1}}, "dda", 0.0, false, false});  // the base is held: none is left
+  meshed.plan.stages[0].rules.push_back({{BlockId{1}}, "dda", 0.0, false, false});  // the base is held: no block left
   expect_one(meshed, "acts on nothing");
   Scene held = box_on_base();
   held.model.block_supports.push_back({BlockId{1}, {}});
@@ -154,10 +154,10 @@ TEST(Warnings, sliding_with_less_damping_than_it_asks_for) {
   Scene statics = on_slope(35, 37, 0.0);
   statics.plan.stages[0].rest = true;
   EXPECT_TRUE(warned(statics).empty());
-  Scene pushed = on_slope(5, 37, 0.0);  // a push on one block makes no slope
+  Scene pushed = on_slope(5, 37, 0.0);  // a push on one block is no slope
   pushed.model.body_accelerations.push_back({{BlockId{1}}, {50.0, 0.0}, {}});
   EXPECT_TRUE(warned(pushed).empty());
-  Scene grown = on_slope(35, 37, 0.0);  // gravity as a body acceleration does
+  Scene grown = on_slope(35, 37, 0.0);  // gravity as a body acceleration counts
   grown.model.body_accelerations.push_back({{}, grown.model.gravity, {}});
   grown.model.gravity.setZero();
   expect_one(grown, "less than sliding requires");
@@ -181,7 +181,7 @@ TEST(Warnings, an_area_or_a_region_that_holds_no_block) {
   EXPECT_TRUE(warned(scene).empty());
 }
 
-/// Half a ring of stones between two abutments that are held.
+/// A semicircular arch of stones between two held abutments.
 Scene arch(int stones, const std::string& method) {
   Scene scene(5e9, 0.2, 2500.0, 35.0);
   const double inner = 4.0, outer = 5.0;
@@ -204,12 +204,12 @@ TEST(Warnings, stones_of_an_arch_on_soft_joints_of_the_nmm) {
     stiff.model.joints[0].normal_stiffness = 1e11;
     EXPECT_TRUE(warned(stiff).empty());
     Scene coarse = arch(stones, "nmm");
-    coarse.plan.stages[0].cover_size = 3.0;  // joints of 1 m are in one piece
+    coarse.plan.stages[0].cover_size = 3.0;  // one cover spans a joint of 1 m
     EXPECT_TRUE(warned(coarse).empty());
   }
 }
 
-/// A column on a base that shakes.
+/// A column on a shaken base.
 Scene shaken_column(double width, const std::string& method) {
   Scene scene(5e9, 0.2, 2500.0, 35.0);
   scene.model.motions.push_back(
@@ -224,7 +224,7 @@ Scene shaken_column(double width, const std::string& method) {
 TEST(Warnings, slender_blocks_that_may_rock_on_soft_joints_of_the_nmm) {
   expect_one(shaken_column(0.5, "nmm"), "rock on a joint");
   EXPECT_TRUE(warned(shaken_column(0.5, "dda")).empty());
-  EXPECT_TRUE(warned(shaken_column(1.6, "nmm")).empty());  // slides first
+  EXPECT_TRUE(warned(shaken_column(1.6, "nmm")).empty());  // the column slides before it rocks
   Scene stiff = shaken_column(0.5, "nmm");
   stiff.model.joints[0].normal_stiffness = 1e12;
   EXPECT_TRUE(warned(stiff).empty());

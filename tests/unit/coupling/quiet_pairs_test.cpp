@@ -1,4 +1,4 @@
-// Pairs of edges that are not examined again: none that would have yielded a vertex against an edge.
+// Edge pairs that are skipped as quiet: none of them would have yielded a contact of a vertex and an edge.
 #include "coupling/contact/table/quiet_pairs.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ EdgePair edges(std::int32_t a, std::int32_t b) { return {EdgeIndex{a}, EdgeIndex
 
 struct Quiet : ::testing::Test {
   std::vector<Vec2> x{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}};
-  std::vector<IndexRange<OutlineNode>> moving{{OutlineNode{0}, OutlineNode{2}}};  // the last one rests
+  std::vector<IndexRange<OutlineNode>> moving{{OutlineNode{0}, OutlineNode{2}}};  // the last node rests
   std::vector<EdgePair> near{edges(0, 3), edges(1, 3), edges(2, 5)};
   QuietPairs pairs;
 
@@ -38,7 +38,7 @@ TEST_F(Quiet, until_a_node_has_gone_as_far_on_whatever_way) {
   EXPECT_FALSE(pairs.quiet(1));
   go(Vec2(0.3, 0.4));
   EXPECT_TRUE(pairs.quiet(0));
-  go(Vec2(-0.3, -0.4));  // back again: no matter
+  go(Vec2(-0.3, -0.4));  // the path counts, not the position
   EXPECT_FALSE(pairs.quiet(0));
 }
 
@@ -72,7 +72,7 @@ TEST_F(Quiet, not_beside_positions_that_are_not_finite) {
   EXPECT_FALSE(pairs.quiet(0));
 }
 
-/// Polygons of 3 to 6 corners, some with sharp ones, in a heap whose boxes overlap; the first is held.
+/// Polygons of 3 to 6 corners, some of them sharp, in a heap with overlapping boxes; the first is held.
 Scene heap(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high) {
@@ -95,7 +95,8 @@ Scene heap(std::uint64_t seed) {
   return scene;
 }
 
-/// Bodies that drift and turn in the search's slack and beyond it: each step the pairs of both are the same.
+/// Bodies drift and turn within the search's slack and beyond it: with and without skipping, the pairs of each step are
+/// the same.
 TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -130,7 +131,7 @@ TEST(QuietPairs, yield_what_examining_all_of_them_yields) {
   EXPECT_GT(found, 10000U);
 }
 
-/// Slabs of 20 x 0.2 m that dip: the boxes of all overlap, and each has two neighbours.
+/// Inclined slabs of 20 x 0.2 m: all boxes overlap, but each slab has only two neighbours.
 TEST(QuietPairs, slabs_that_dip_are_pairs_of_their_neighbours_alone) {
   constexpr int kSlabs = 40;
   Scene scene(1e9, 0.2, 2500.0);
@@ -151,7 +152,7 @@ TEST(QuietPairs, slabs_that_dip_are_pairs_of_their_neighbours_alone) {
     const auto one = in_turn.update(x, none, ContactPairs::Of::all_in_turn);
     const auto other = all.update(x, none, ContactPairs::Of::all);
     ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end())) << "step " << step;
-    // Two a joint while they lie flush, more where their ends part: in proportion to the slabs.
+    // Two per joint while the slabs lie flush, more where their ends part: proportional to the number of slabs.
     if (step == 0) {
       EXPECT_GE(one.size(), 2U * (kSlabs - 1));
     }

@@ -1,4 +1,4 @@
-// What is told of a stage that does not come to rest.
+// The report on a stage that does not come to rest.
 #include "coupling/stages/rest_watch.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace scree::coupling::rest_watch_test {
 namespace {
 
-/// Three blocks that have gone `way` at the beginning of each quarter, and now.
+/// The report for three blocks that have moved by `way` at the beginning of each quarter and now.
 std::string told_of(const std::vector<std::array<double, 3>>& way, const std::vector<double>& least) {
   test::Scene scene;
   scene.add("base", test::rectangle(-9, -1, 9, 0), true);

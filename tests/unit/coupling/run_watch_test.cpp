@@ -1,4 +1,4 @@
-// What a closed ledger cannot see: each check on a fault that is planted, and without one.
+// Errors that a closed ledger does not reveal: each check with a planted fault and without it.
 #include "coupling/stages/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Ledger opened(double energy) {
 }
 
 TEST(LedgerScale, of_a_blow_up_is_what_was_given_and_not_what_moved) {
-  // Above its bound the central difference conserves T + U + shadow to the last bit while T and U grow for ever.
+  // Above its bound the central difference conserves T + U + shadow to the last bit while T and U grow without limit.
   Ledger ledger = opened(5.0);
   for (const double grown : {1e3, 1e6, 1e11}) {
     ledger.set(Column::kinetic, grown);
@@ -33,12 +33,12 @@ TEST(LedgerScale, of_a_blow_up_is_what_was_given_and_not_what_moved) {
   EXPECT_NEAR(ledger.gain(), 0.1 * 2e11, 1e-3 * 2e11);
   EXPECT_TRUE(energy_from_nowhere(ledger, 1.0, 0.0, true));
   EXPECT_TRUE(energy_from_nowhere(ledger, 1.0, 0.0, false));
-  EXPECT_FALSE(energy_from_nowhere(ledger, 0.0, 0.0, true));  // not asked for
+  EXPECT_FALSE(energy_from_nowhere(ledger, 0.0, 0.0, true));  // the check is off
 }
 
 TEST(LedgerScale, counts_every_source) {
   Ledger ledger = opened(2.0);
-  ledger.set(Column::elastic, -3.0);  // initial stress let go
+  ledger.set(Column::elastic, -3.0);  // released initial stress
   ledger.set(Column::kinetic, 5.0);
   EXPECT_EQ(ledger.passed_given(), 5.0);
   EXPECT_EQ(ledger.gain(), 0.0);
@@ -49,14 +49,14 @@ TEST(LedgerScale, counts_every_source) {
     EXPECT_EQ(ledger.given(), before + 7.0);
     EXPECT_EQ(ledger.gain(), 0.0);
   }
-  // A block that comes back takes its energy out of the reservoir, less or more what the row books.
+  // A block that returns to its method takes its energy out of the reservoir, plus or minus what its row books.
   ledger.set(Column::reservoir, 1.0);
   ledger.set(Column::kinetic, ledger[Column::kinetic] - 1.0);
   ledger.book(Column::transfer, 0.5);
   ledger.set(Column::elastic, ledger[Column::elastic] + 0.5);
   EXPECT_EQ(ledger.gain(), 0.0);
   EXPECT_EQ(ledger.closure(), 0.0);
-  // Slip that opens a joint lifts the bodies by work of friction: it takes from what was given.
+  // Slip that dilates a joint lifts the bodies by work of friction: this reduces the energy given.
   ledger.book(Column::friction, 2.0);
   ledger.book(Column::dilation, -1.5);
   ledger.set(Column::kinetic, ledger[Column::kinetic] - 0.5);
@@ -79,7 +79,7 @@ TEST(LedgerScale, stays_with_the_run_through_what_comes_and_goes) {
 }
 
 TEST(RunWatch, shadow_of_a_stable_step_is_no_gain) {
-  // One spring at 0.95 of its bound, all its energy elastic: U (1 - 0.9025) is what was given.
+  // One spring at 0.95 of its bound, with elastic energy only: the energy given is U (1 - 0.9025).
   Ledger ledger = opened(1.0);
   const double elastic = 1.0 / (1.0 - 0.9025);
   ledger.set(Column::kinetic, 0.0);
@@ -103,11 +103,11 @@ TEST(RunWatch, large_columns_of_the_scheme_are_told_once) {
     if (info(static_cast<Column>(c)).side == Side::scheme) ledger.book(static_cast<Column>(c), 0.99);
   EXPECT_TRUE(large_scheme_columns(ledger, reported).empty());
   ledger.book(Column::contact_tributary, -2.0);
-  ledger.book(Column::step_change, 50.0);  // what the shadow term changes by: no error
+  ledger.book(Column::step_change, 50.0);  // the change of the shadow term: no error
   const std::vector<std::string> lines = large_scheme_columns(ledger, reported);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("'contact_tributary'"), std::string::npos) << lines[0];
-  ledger.book(Column::deformation_damping, 2.0);  // what regularises sliding counts among them
+  ledger.book(Column::deformation_damping, 2.0);  // damping that regularises sliding is one of these columns
   const std::vector<std::string> more = large_scheme_columns(ledger, reported);
   ASSERT_EQ(more.size(), 1U);
   EXPECT_NE(more[0].find("sliding_damping"), std::string::npos) << more[0];
@@ -127,7 +127,7 @@ struct Warnings final : Sink {
   }
 };
 
-/// A bar that rings: no contact, no work, 5 kJ or so of its own.
+/// A vibrating bar: no contact, no work, about 5 kJ of energy.
 Scene ringing(const char* method) {
   Scene scene(1e8, 0.2, 2000.0);
   scene.model.gravity = {0.0, 0.0};
@@ -168,11 +168,11 @@ TEST(RunWatch, step_above_the_bound_ends_the_run_before_numbers_do) {
     EXPECT_NE(end.reason.find("the rest has no source"), std::string::npos) << end.reason;
     EXPECT_NE(end.reason.find("force_dt"), std::string::npos) << end.reason;
     EXPECT_LT(l.held(), 1e4 * given);
-    EXPECT_LT(l.relative_closure(), 1e-9);  // what was looked at until now has no fault to find
+    EXPECT_LT(l.relative_closure(), 1e-9);  // the closure alone shows no fault
   }
 }
 
-/// Rigid blocks on springs to where they began, by a force that is `factor` times what their energy says.
+/// Rigid blocks on springs to their initial positions, with Percent % of the force that their energy implies.
 template <int Percent>
 class Sprung final : public RigidPool {
  public:
@@ -190,7 +190,7 @@ class Sprung final : public RigidPool {
   }
 };
 
-/// A block on such springs, swinging; `allowed` is Plan::max_gain.
+/// Oscillation of a block on such springs; `allowed` is Plan::max_gain.
 template <int Percent>
 RunEnd swing(double allowed, Warnings& warnings, double* held = nullptr) {
   Scene scene(1e9, 0.2, 2000.0);
@@ -219,7 +219,7 @@ TEST(RunWatch, wrong_sign_of_an_internal_force_ends_the_run) {
   EXPECT_NE(end.reason.find("the rest has no source"), std::string::npos) << end.reason;
   EXPECT_NE(end.reason.find("'elastic_trapezoid'"), std::string::npos) << end.reason;
   EXPECT_LT(held, 1e3);
-  EXPECT_EQ(swing<-100>(0.0, warnings, &held).status, RunEnd::Status::done);  // nobody looks
+  EXPECT_EQ(swing<-100>(0.0, warnings, &held).status, RunEnd::Status::done);  // the check is off
   EXPECT_GT(held, 1e3);
 }
 
@@ -230,7 +230,8 @@ TEST(RunWatch, internal_force_that_is_off_by_a_tenth_shows_in_a_column) {
 }
 
 TEST(RunWatch, closure_of_what_passed_has_a_limit_of_its_own) {
-  // Swings for long: what moves is hundreds of times what passed. A force that no column hears of is small against it.
+  // A long oscillation: the energy moved is hundreds of times the energy passed. A force that no column books is small
+  // against the energy moved.
   class Leaks final : public RigidPool {
    public:
     void mass_solve(std::span<const double> q, std::span<const double> f, std::span<double> a) const override {
@@ -257,7 +258,7 @@ TEST(RunWatch, closure_of_what_passed_has_a_limit_of_its_own) {
   EXPECT_NE(open.reason.find("run.max_passed_closure"), std::string::npos) << open.reason;
 }
 
-/// Two blocks that meet without damping, in steps that are long against the impact.
+/// An undamped impact of two blocks, in steps that are long compared with the impact.
 TEST(RunWatch, impact_in_long_steps_shows_in_a_column) {
   for (const double safety : {0.8, 0.1}) {
     Scene scene(1e9, 0.2, 2000.0);

@@ -1,4 +1,4 @@
-// Damping of the deformation of sliding blocks: its frequency, its rates and its matrix.
+// Damping of the deformation of sliding blocks: frequency, rates and matrix, against closed forms and dense algebra.
 #include "coupling/integrate/sliding_damping.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(SlidingDamping, lowest_frequency_of_a_square_is_that_of_its_shear) {
 }
 
 TEST(SlidingDamping, lowest_frequency_of_a_triangle_is_that_of_six_unknowns) {
-  // Independent: all six affine displacements by quadrature over the triangle, three rigid motions left out.
+  // Independent reference: all six affine displacements by quadrature over the triangle, without the rigid motions.
   Scene scene(5e9, 0.2, 2600.0);
   const BlockId b = scene.add("wedge", {{{0, 0}, {34.8689, 0}, {20.9303, 9.7598}}, {}});
   const Ring& ring = scene.model.blocks[b.index()].polygon.outer;
@@ -56,7 +56,7 @@ coupling::OutlineNode first_node(const coupling::Outlines& outlines, BodyIndex b
   throw std::logic_error("no such body");
 }
 
-/// A block of DDA or NMM on nothing, a little turned and strained.
+/// A block of DDA or NMM without contacts, slightly rotated and strained.
 struct Fixture {
   Scene scene{1e9, 0.2, 2600.0};
   State state;
@@ -103,7 +103,7 @@ TEST_P(Damper, matrix_is_the_mass_less_its_rigid_part) {
     A.block(first, first, count, count) -= Z * t.W * Z.transpose();
   }
   EXPECT_EQ(damper.terms().empty(), GetParam() == "dda");
-  // Rigid motions by the places of the outline, by least squares over its points: independent of rigid_motions().
+  // Rigid motions from the positions of the outline, by least squares over its nodes: independent of rigid_motions().
   const Outlines& o = f.setup->outlines();
   Eigen::MatrixXd rows(2 * static_cast<Eigen::Index>(o.nodes.size()), n), fields(rows.rows(), 3);
   rows.setZero();
@@ -130,7 +130,7 @@ TEST_P(Damper, matrix_is_the_mass_less_its_rigid_part) {
   EXPECT_LT((A - A.transpose()).cwiseAbs().maxCoeff(), 1e-12 * size);
   EXPECT_LT((forces / 2.0 - A / factor).cwiseAbs().maxCoeff(), 1e-12 * size);
   EXPECT_GT(symmetric_eigenvalues(A)(0), -1e-12 * size);
-  // Rank: that of the mass less three.
+  // The rank is that of the mass less three.
   const Eigen::VectorXd singular = singular_values(A);
   EXPECT_EQ((singular.array() > 1e-9 * singular[0]).count(), n - 3);
   if (GetParam() == "dda") {
@@ -147,7 +147,7 @@ ContactMemory pressed(double fn, ContactStatus status) {
   m.status = status;
   m.joint = 0;
   m.kt = 1e3;
-  if (status == ContactStatus::slip) m.slide.last.slip = 2.0F;  // it has gone one way for a period
+  if (status == ContactStatus::slip) m.slide.last.slip = 2.0F;  // it has slid in one direction for a period
   return m;
 }
 
@@ -188,7 +188,7 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   EXPECT_NEAR(rate({pressed(1.0, slip), pressed(99.0, stick)}, 1), std::pow(0.03, 1.5), 1e-14);
   EXPECT_EQ(rate({pressed(1.0, slip)}, 2), 0.0);  // exempt: on a point support
   EXPECT_FALSE(SlidingDamping(setup, 0.0).used());
-  // Back by less than the elastic stretch tan(30 deg)/1e3 m it still slides; farther it does not.
+  // It still counts as sliding after a return of less than the elastic stretch tan(30 deg)/1e3 m, not after more.
   ContactMemory back = pressed(1.0, slip);
   back.slide.slip = -0.5e-3;
   EXPECT_NEAR(rate({back}, 1), 1.0, 1e-14);
@@ -196,7 +196,7 @@ TEST(SlidingDamping, rate_follows_the_part_of_the_force_that_slips) {
   EXPECT_EQ(rate({back}, 1), 0.0);
   back.slide.slip = 0.6e-3;
   EXPECT_NEAR(rate({back}, 1), 1.0, 1e-14);
-  // Against cohesion only the part of friction counts: tan(30 deg) of 9 tan(30 deg) + tan(30 deg).
+  // With cohesion only the part of friction counts: tan(30 deg) out of 9 tan(30 deg) + tan(30 deg).
   scene.model.joints[0].cohesion = 9.0 * std::tan(30.0 * test::kDegree);
   const coupling::Setup with_cohesion(scene.model, standard_methods(), records);
   SlidingDamping cohesive(with_cohesion, 0.7);
@@ -214,7 +214,7 @@ TEST(SlidingDamping, rate_grows_with_the_cube_of_friction_on_steep_slopes) {
   const Stage& stage = scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
   scene.model.joints.push_back(scene.model.joints[0]);
   const std::vector<BodyRecord> records = initial_records(scene.model, body_requests(scene.model, stage));
-  // Half of the force slides against each of two laws.
+  // Half of the force slides under each of two laws.
   const auto rate = [&](double tan_first, double tan_second) {
     scene.model.joints[0].friction = std::atan(tan_first);
     scene.model.joints[1].friction = std::atan(tan_second);

@@ -1,4 +1,4 @@
-// The warning of a spin that implicit steps damp: what it says is what a run loses, and it is silent without the cause.
+// The warning of a spin that implicit steps damp: the loss it states is that of a run; no warning without the cause.
 #include "coupling/stages/spin_watch.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ struct Warnings final : Sink {
 /// A free square of 1 m that turns without weight.
 struct Spun {
   Warnings warnings;
-  double kept = 0.0;  // of its kinetic energy
+  double kept = 0.0;  // fraction of the kinetic energy
 
   Spun(const char* method, Integrator integrator, double rate, double duration,
        NewmarkScheme newmark = Stage().newmark) {
@@ -52,9 +52,9 @@ TEST(SpinWatch, part_that_is_told_is_what_a_run_loses) {
 
 TEST(SpinWatch, is_silent_without_the_cause) {
   const double turned = 0.5;                                                            // 4 rad at 8 rad/s
-  EXPECT_TRUE(Spun("nmm", Integrator::implicit, 5.0, turned).warnings.spins.empty());   // 2.4 % a second
-  EXPECT_TRUE(Spun("nmm", Integrator::implicit, 8.0, 0.05).warnings.spins.empty());     // turned by 0.4 rad
-  EXPECT_TRUE(Spun("nmm", Integrator::explicit_, 8.0, turned).warnings.spins.empty());  // keep it
+  EXPECT_TRUE(Spun("nmm", Integrator::implicit, 5.0, turned).warnings.spins.empty());   // 2.4 % per second
+  EXPECT_TRUE(Spun("nmm", Integrator::implicit, 8.0, 0.05).warnings.spins.empty());     // rotated by 0.4 rad
+  EXPECT_TRUE(Spun("nmm", Integrator::explicit_, 8.0, turned).warnings.spins.empty());  // explicit steps keep the spin
   const Spun exact("dda", Integrator::implicit, 8.0, turned);
   EXPECT_TRUE(exact.warnings.spins.empty());
   EXPECT_NEAR(exact.kept, 1.0, 1e-3);

@@ -13,7 +13,7 @@ namespace {
 using test::rectangle;
 using test::Scene;
 
-/// Two blocks on each other, of a method, that move towards each other, slide and turn.
+/// Two stacked blocks of one method that approach each other, slide and turn.
 struct Pair {
   Scene scene{1e9, 0.2, 2600.0, 30.0};
   State state;
@@ -42,7 +42,7 @@ struct Pair {
       m.slide.lost = 1;
     }
   }
-  /// The rates of damping of the two as they slide.
+  /// The damping rates of the two sliding blocks.
   [[nodiscard]] SlidingDamping sliding() const {
     SlidingDamping out(*setup, 1.0);
     out.begin();
@@ -60,11 +60,11 @@ struct Pair {
     AffineMotion m;
     m.c = c;
     m.vc = velocity;
-    m.Fdot = (Mat2() << 0.01, -spin, spin, -0.02).finished();  // it strains, too
+    m.Fdot = (Mat2() << 0.01, -spin, spin, -0.02).finished();  // with a strain rate
     setup->pool_of(b).place(b.index, m, setup->part(std::span<double>(state.q), p),
                             setup->part(std::span<double>(state.v), p));
   }
-  /// M u, over all bodies.
+  /// M u of all bodies.
   [[nodiscard]] std::vector<double> momentum(const std::vector<double>& u) const {
     std::vector<double> out(u.size(), 0.0);
     for (const Body& b : setup->bodies()) {
@@ -80,7 +80,7 @@ struct Pair {
     for (std::size_t i = 0; i < v.size(); ++i) sum += 0.5 * P[i] * v[i];
     return sum;
   }
-  /// Momentum and moment of momentum about the origin of momenta on nodes.
+  /// Momentum, and angular momentum about the origin, of momenta given at nodes.
   [[nodiscard]] Eigen::Vector3d totals(const std::vector<double>& P) const {
     Eigen::Vector3d out = Eigen::Vector3d::Zero();
     for (const Body& b : setup->bodies()) {
@@ -120,13 +120,13 @@ TEST_P(StackDamping, keeps_momenta_and_takes_the_energy_that_it_says) {
     const double work = pair.energy(after) - pair.energy(pair.state.v);
     EXPECT_NEAR(time * stacks.power(), work, 1e-11 * pair.energy(pair.state.v)) << time;
     EXPECT_LT(work, 0.0);
-    EXPECT_LT(stacks.power() - stacks.friction(), 0.0) << time;  // what the dashpots take beside friction
+    EXPECT_LT(stacks.power() - stacks.friction(), 0.0) << time;  // dissipation of the dashpots beside that of friction
   }
 }
 
 TEST_P(StackDamping, brings_the_approach_of_two_blocks_to_rest_and_does_not_throw_them_back) {
-  // In a short time the force is c times the normal velocity, c = 2 a m; in a long one the impulse is at most what
-  // stops the approach. It is less by what one contact after the other leaves of the other's as rotation.
+  // In a short time the force is c times the normal velocity, c = 2 a m; in a long one the impulse is at most the one
+  // that stops the approach. It is less by what one contact after the other leaves of the other's as rotation.
   Pair pair(GetParam());
   for (ContactMemory& m : pair.list.memory) {
     m.ft = 0.0;

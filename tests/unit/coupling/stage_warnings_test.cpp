@@ -1,4 +1,4 @@
-// Warnings that a stage gives from what it has computed: each by a case that triggers it, and none without the cause.
+// Warnings that a stage derives from its results: each with a case that triggers it, and none without the cause.
 #include <gtest/gtest.h>
 
 #include "tests/support/schemes.h"
@@ -13,7 +13,7 @@ struct Warnings final : Sink {
   void event(const Event& e) override {
     if (e.kind == EventKind::warning) texts.push_back(e.text);
   }
-  /// The warning that holds `what`, or nothing.
+  /// The warning that contains `what`, or an empty text.
   [[nodiscard]] std::string of(const std::string& what) const {
     for (const std::string& text : texts)
       if (text.find(what) != std::string::npos) return text;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace coupling;
 
-/// Changes the k-th scalar that visit() shows; counts them.
+/// Changes the k-th scalar that visit() passes; counts the scalars.
 class Changer {
  public:
   explicit Changer(std::int64_t which) : which_(which) {}

@@ -33,7 +33,7 @@ TEST(StepGrid, without_dt_what_is_left_is_divided_evenly) {
 
 TEST(StepGrid, after_a_cut_steps_come_back_to_multiples_of_dt) {
   Tick now = 200;
-  now += next_step(0, 1000, now, 50, 16);  // a third of dt: to 400, the end of eight parts, in 13 steps
+  now += next_step(0, 1000, now, 50, 16);  // a third of dt: 13 steps to 400, the end of eight parts
   EXPECT_EQ(now, 215);
   now += next_step(0, 1000, now, 50, 50);
   EXPECT_EQ(now, 250);
@@ -47,7 +47,7 @@ TEST(StepGrid, point_that_is_near_is_passed_over) {
   EXPECT_EQ(now, 300);
 }
 
-/// Steps that only shorter than dt are allowed for take at most an eighth more of them than they must.
+/// With a limit below dt, the number of steps exceeds the least possible one by at most an eighth.
 TEST(StepGrid, shorter_steps_are_nearly_as_long_as_they_may_be) {
   for (Tick cap = 5000; cap < 10000; cap += 77) {
     Tick count = 0;

@@ -9,7 +9,7 @@
 namespace scree::coupling::step_limit_test {
 namespace {
 
-/// A stage of steps that converge up to a length: those taken, and attempts in vain.
+/// A stage whose steps converge up to a length: the steps taken, and the failed attempts.
 struct Stage {
   StepLimit limit;
   int failed = 0;
@@ -34,7 +34,7 @@ TEST(StepLimit, attempts_in_vain_become_rare) {
   EXPECT_LT(s.failed, kSteps / 10);
   Tick way = 0;
   for (const Tick h : s.taken) way += h;
-  EXPECT_GT(way, kSteps * Tick{160});  // and steps are in the mean 0.4 of what they could be, or more
+  EXPECT_GT(way, kSteps * Tick{160});  // on average at least 0.4 of the possible length
 }
 
 TEST(StepLimit, once_steps_converge_again_they_are_whole_and_so_are_the_next) {
@@ -43,7 +43,7 @@ TEST(StepLimit, once_steps_converge_again_they_are_whole_and_so_are_the_next) {
   for (int i = 0; i < 60; ++i) s.step(900, 900);
   EXPECT_EQ(s.taken.back(), 900);
   EXPECT_EQ(s.limit.length, 0);
-  EXPECT_EQ(s.limit.next_hold, 1);  // the past is forgotten
+  EXPECT_EQ(s.limit.next_hold, 1);  // earlier failures are forgotten
   const int failed = s.failed;
   for (int i = 0; i < 20; ++i) s.step(900, 900);
   EXPECT_EQ(s.failed, failed);

@@ -1,4 +1,4 @@
-// What contacts, supports and dashpots do to the certified step, against the frequencies of a block by hand.
+// Parts of contacts, supports and dashpots in the certified step, against frequencies of a block by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,12 +15,12 @@ using namespace coupling;
 
 constexpr double kDensity = 2000.0, kWidth = 1.4, kHeight = 1.0, kMass = kDensity * kWidth * kHeight;
 
-/// Of a DDA block kWidth x kHeight: acceleration of a point at r from its centre per unit force on it [1/kg].
+/// Compliance of a DDA block kWidth x kHeight: acceleration of a point at r from the centre per unit force [1/kg].
 double compliance(const Vec2& r) {
   return (1.0 + 12.0 * (r.x() * r.x() / (kWidth * kWidth) + r.y() * r.y() / (kHeight * kHeight))) / kMass;
 }
 
-/// lambda of the bound h^2 lambda = 4 of a scene's first stage.
+/// lambda in the bound h^2 lambda = 4 of a scene's first stage.
 double lambda(const Scene& scene, const ExplicitDamping& damping = {}) {
   ByHand hand(scene.model, scene.plan.stages[0]);
   CentralDifference integrator(*hand.setup, {.max_displacement = 0.1}, 0.05, damping);
@@ -38,7 +38,7 @@ Scene one_block(double young) {
 }
 
 TEST(StepParts, own_stiffness_of_a_rectangle_is_that_of_its_shorter_side) {
-  // Without Poisson's effect the block stretches along its sides at 12 E/(rho a^2) and 12 E/(rho b^2), and shears at
+  // With Poisson's ratio 0 the block stretches along its sides at 12 E/(rho a^2) and 12 E/(rho b^2), and shears at
   // 6 E/rho (1/a^2 + 1/b^2): here the shorter side is the stiffest.
   EXPECT_NEAR(lambda(one_block(1e8)) / (12.0 * 1e8 / (kDensity * kHeight * kHeight)), 1.0, 1e-12);
 }
@@ -87,7 +87,7 @@ TEST(StepParts, support_without_a_stiffness_has_ten_times_the_modulus_of_its_roc
   EXPECT_EQ(springs[0].k.y(), 0.0);
 }
 
-/// A block that stands on one corner, bonded so that it never opens: its spring is the only one.
+/// A block on one corner, bonded so that the contact never opens: this contact has the only spring.
 struct OnATip {
   static constexpr double kPenalty = 5e9;
   Scene scene{1e5, 0.0, kDensity};
@@ -145,7 +145,7 @@ TEST(StepParts, two_free_blocks_on_a_spring_count_with_the_compliance_of_both) {
   OnATip tip(0.0);
   tip.scene.model.block_supports.clear();
   const double tip_of_block = compliance({0.5 * kWidth, 0.5 * kHeight});
-  // The base, 6 x 1 m, is touched in the middle of its top: the ends of that edge are what the bound looks at.
+  // The corner touches the base, 6 x 1 m, in the middle of its top: the bound uses the ends of that edge.
   const double mass = 6.0 * kDensity, end_of_edge = (1.0 + 12.0 * (0.25 + 0.25)) / mass;
   EXPECT_NEAR(lambda(tip.scene) / (lambda(one_block(1e5)) + OnATip::kPenalty * (tip_of_block + end_of_edge)), 1.0,
               1e-3);
@@ -172,10 +172,10 @@ TEST(StepParts, mesh_by_itself_is_stable_below_its_bound_and_not_far_above) {
   scene.stage("nmm", Integrator::explicit_, 1.0, std::nullopt, 0.2);
   const double bound = 2.0 / std::sqrt(lambda(scene));
   EXPECT_LT(growth_of(scene, 0.999 * bound), 100.0);
-  EXPECT_GT(growth_of(scene, 2.2 * bound), 1e6);  // elements cut by the outline bind it by more than they do
+  EXPECT_GT(growth_of(scene, 2.2 * bound), 1e6);  // elements cut by the outline make the bound conservative
 }
 
-/// A mesh on a spring that is far stiffer than it: stable below the bound, and not far above.
+/// A mesh on a spring far stiffer than the mesh: stable below the bound, unstable not far above.
 TEST(StepParts, corner_of_a_mesh_on_a_stiff_spring_counts_with_its_covers) {
   Scene scene(1e6, 0.2, kDensity);
   scene.model.gravity = {0.0, 0.0};

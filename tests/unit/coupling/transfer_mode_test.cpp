@@ -1,4 +1,4 @@
-// What limit_release() makes of a release, against the formulas by hand.
+// Releases after limit_release(), against formulas by hand.
 #include "coupling/transfer/transfer_mode.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace coupling;
 
-/// A body of 3 kg with second moments 2 and 5 kg m2, which strains at 0.4 and -0.1 1/s and turns at 0.7 rad/s.
+/// A body of 3 kg with second moments 2 and 5 kg m2, strain rates 0.4 and -0.1 1/s and a spin of 0.7 rad/s.
 struct Leaving {
   static constexpr double kSpin = 0.7, kX = 0.4, kY = -0.1, kXX = 2.0, kYY = 5.0;
   Release release;
@@ -26,7 +26,7 @@ struct Leaving {
     release.kinetic_rest = rest;
     release.velocity_rest = {0.1, -0.2, 0.3, 0.4};
   }
-  /// Half of (e_x^2 S_xx + e_y^2 S_yy): what the strain rates carry.
+  /// Kinetic energy of the strain rates, (e_x^2 S_xx + e_y^2 S_yy)/2.
   static double deforming() { return 0.5 * (kX * kX * kXX + kY * kY * kYY); }
 };
 
@@ -84,7 +84,7 @@ TEST(TakeAlong, rotational_turns_at_the_root_of_the_mean_square_spin_and_returns
   }
 }
 
-/// A mesh that turns as one: the mean square spin of its elements is that of the turn, wherever it is.
+/// A rigidly rotating mesh: the mean square spin of its elements is that of the rotation, at any position.
 TEST(Release, spin_of_a_mesh_that_turns_as_one_is_its_own) {
   const double spin = 0.8;
   NmmBlock block({{{1, 0}, {3, 0.2}, {2.6, 1.3}, {1.1, 1}}, {}}, {.cover_size = 0.4}, {"rock", 2500.0, 1e9, 0.2});
@@ -99,7 +99,7 @@ TEST(Release, spin_of_a_mesh_that_turns_as_one_is_its_own) {
   EXPECT_NEAR(r.kinetic_rest, 0.0, 1e-12);
 }
 
-/// A bar that bends as it flies goes over to the DDA: with a cap of 1 the strain rates take nothing, with 1.1 they do.
+/// A bar that bends in flight changes to the DDA: with a cap of 1 the strain rates take no energy, with 1.1 they do.
 TEST(TransferCap, of_the_stage_is_the_one_that_holds) {
   const auto rest = [](TransferMode mode, double cap) {
     Scene scene(1e8, 0.2, 2500.0);
@@ -119,7 +119,7 @@ TEST(TransferCap, of_the_stage_is_the_one_that_holds) {
   EXPECT_NEAR(rest(TransferMode::strain_rate, 1.0) / reservoir, 1.0, 1e-9);
   const double some = rest(TransferMode::strain_rate, 1.02), more = rest(TransferMode::strain_rate, 1.1);
   EXPECT_LT(some, reservoir);
-  // Taken: (cap^2 - 1) of what the strain rates carry.
+  // The strain rates take (cap^2 - 1) times the kinetic energy that they have.
   EXPECT_NEAR((reservoir - more) / (reservoir - some), (1.1 * 1.1 - 1.0) / (1.02 * 1.02 - 1.0), 1e-6);
 }
 

@@ -1,4 +1,4 @@
-// Friction that falls with the slip rate, and what a law of friction may remember.
+// Friction that falls with the slip rate against its closed form, and the memory of friction laws.
 #include <gtest/gtest.h>
 
 #include <array>

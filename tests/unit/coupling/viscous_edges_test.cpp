@@ -48,7 +48,7 @@ TEST_P(ViscousEdge, resists_with_the_impedance_of_pressure_waves_across_and_of_s
 }
 INSTANTIATE_TEST_SUITE_P(methods, ViscousEdge, testing::Values("nmm", "dda"));
 
-/// All around an affine block that flies, the dashpots pull evenly and do not strain it: v' = -r v with
+/// Dashpots all around a flying affine block exert a uniform drag and cause no strain: v' = -r v with
 /// r = 2 (Z_p H + Z_s W)/m, by explicit and by implicit steps.
 TEST(ViscousEdges, all_around_slow_a_flying_block_down_exponentially) {
   const double W = 2.0, H = 0.7, rate = 2.0 * (kPressure * H + kShear * W) / (kDensity * W * H), time = 0.7 / rate;

@@ -1,4 +1,4 @@
-// Shi's unknowns of a block: matrix, mass, stiffness and exact rotation against their definitions.
+// Shi's unknowns of a block: matrix, mass, stiffness and exact rotation, compared with their definitions.
 #include "dda/affine_body.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(AffineBody, rates_are_the_inverse_of_the_gradient) {
   }
 }
 
-/// T^T T summed over a grid of points that has the same first and second moments as a rectangle.
+/// Reference: T^T T summed over 2 x 2 Gauss points, which have the first and second moments of the rectangle.
 TEST(AffineBody, mass_is_the_integral_of_the_matrix) {
   const double width = 3.0, height = 2.0, density = 2500.0, mass = density * width * height;
   const Mat2 S = Eigen::DiagonalMatrix<double, 2>(mass * width * width / 12.0, mass * height * height / 12.0);

@@ -1,3 +1,4 @@
+// Formulas of DDA: matrices, forces and updates, compared with their definitions up to round-off.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -53,7 +54,7 @@ TEST(ExactUpdate, spin_keeps_edges_and_rate_to_round_off) {
   EXPECT_NEAR(0.5 * (G(1, 0) - G(0, 1)), 2.0, 2e-12);
 }
 
-// A turn by r0 makes every edge longer by sqrt(1 + r0^2): det(I + r0 W) = 1 + r0^2 and (I + r0 W) is a similarity.
+// A turn by r0 lengthens every edge by the factor sqrt(1 + r0^2): I + r0 W is a similarity, det(I + r0 W) = 1 + r0^2.
 TEST(FirstOrderUpdate, a_turn_makes_edges_longer_by_the_secant) {
   for (const double r0 : {1e-3, 1e-2, 0.1}) {
     AffineState s{{0, 0}, {0, 0}, Mat2::Identity(), 2.0 * quarter_turn()};

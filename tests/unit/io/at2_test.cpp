@@ -1,4 +1,4 @@
-// PEER .AT2 records: all of the texts here are made up.
+// Reading of PEER .AT2 records. All texts are synthetic; a damaged record gives one clear error or a valid record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ TEST(At2, numbers_run_together_split_at_their_sign) {
   } const rows[] = {{"1.234-5.678", {1.234, -5.678}},
                     {"-.1234567E-01-.2345678E-02-.3E+00", {-.1234567e-1, -.2345678e-2, -.3}},
                     {"1.5D-3+2.5d1", {1.5e-3, 25.0}},
-                    {"1.234-105-2.5+003", {1.234e-105, -2500.0}},  // three digits: an exponent without its letter
+                    {"1.234-105-2.5+003", {1.234e-105, -2500.0}},  // exponent of three digits without its letter
                     {"1.234-10-2.", {1.234, -10.0, -2.0}},
                     {"0.5-105.", {0.5, -105.0}},
                     {"3-4", {3.0, -4.0}},
@@ -58,7 +58,7 @@ TEST(At2, line_ends_marks_and_blank_lines_are_fine) {
     windows += c;
   }
   EXPECT_EQ(read(windows).acceleration, numbers);
-  EXPECT_EQ(read(windows + "\x1A\r\n").acceleration, numbers);  // end of a file of DOS
+  EXPECT_EQ(read(windows + "\x1A\r\n").acceleration, numbers);  // DOS end-of-file mark
   EXPECT_EQ(read("\xEF\xBB\xBF" + kCounts + "1. 2. 3. 4.").acceleration, numbers);
 }
 
@@ -124,7 +124,7 @@ TEST(At2, errors_have_line_column_and_value) {
   }
 }
 
-/// Reads anything: either a record that holds what Record promises, or one clear error.
+/// Reads any text and expects either a record with the properties that Record states, or one clear error.
 /// @return whether it was a record
 bool reads_or_says_why(const std::string& text) {
   bool fine = false;
@@ -161,7 +161,7 @@ TEST(RecordFuzz, truncated_records_are_read_or_explained) {
   ASSERT_TRUE(reads_or_says_why(text));
   std::size_t whole = 0;
   for (std::size_t n = 0; n < text.size(); ++n) whole += reads_or_says_why(text.substr(0, n)) ? 1u : 0u;
-  // Only a cut within the last number, where a shorter number still stands, cannot be seen.
+  // Only a cut within the last number that leaves a shorter number cannot be detected.
   EXPECT_LE(whole, 15u);
 }
 
@@ -190,8 +190,8 @@ TEST(RecordFuzz, mutated_records_are_read_or_explained) {
     }
     read += reads_or_says_why(changed) ? 1u : 0u;
   }
-  EXPECT_GT(read, 1000u);   // a changed digit makes another record
-  EXPECT_LT(read, 19000u);  // and much else none
+  EXPECT_GT(read, 1000u);   // a changed digit often gives another valid record
+  EXPECT_LT(read, 19000u);  // other changes give errors
 }
 
 TEST(RecordFuzz, random_bytes_are_read_or_explained) {

@@ -1,4 +1,4 @@
-// Bolts in results and pictures, by the example of the documentation.
+// Bolts in results and pictures, tested with the example of the documentation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST_F(BoltResults, example_holds_and_closes) {
   ASSERT_EQ(end.status, RunEnd::Status::done) << end.reason;
   const Ledger& ledger = driver->state().ledger;
   EXPECT_LT(std::abs(ledger.closure()), 1e-9 * ledger.moved());
-  EXPECT_GT(driver->state().bolts[0].force[0], 19e3);  // more than it takes to hold the block
+  EXPECT_GT(driver->state().bolts[0].force[0], 19e3);  // more than the force that holds the block
   EXPECT_GT(driver->state().bolts[1].installed, 0);
 }
 
@@ -53,7 +53,7 @@ TEST_F(BoltResults, histories_hold_forces_and_the_table_too) {
   ASSERT_GT(time.size(), 100U);
   const std::vector<double>& now = driver->state().bolts[0].force;
   EXPECT_EQ(force.back(), *std::max_element(now.begin(), now.end()));
-  EXPECT_EQ(h5::read<double>(file, "/bolts/bar/force").front(), 0.0);  // not there yet
+  EXPECT_EQ(h5::read<double>(file, "/bolts/bar/force").front(), 0.0);  // not installed yet
   const std::string table = text_of(run / "history.csv"), header = table.substr(0, table.find('\n'));
   EXPECT_NE(
       header.find("anchor.force [N],anchor.shear [N],anchor.slip [m],anchor.plastic_strain [1],anchor.broken [1]"),

@@ -52,7 +52,7 @@ TEST(Bolts, numbers_of_one_bolt_are_divided_by_the_spacing) {
   EXPECT_EQ(b.shear_strength, 65e3);
   EXPECT_EQ(b.rupture_shear, 0.05);
   EXPECT_EQ(b.rupture_strain, 0.1);
-  // The bond from 0.8 m to 1.8 m from the head: one piece in the top, four or so in the base.
+  // The bond extends from 0.8 m to 1.8 m from the head: one piece in the upper block, four in the base.
   ASSERT_EQ(b.nodes.size(), 6U);
   EXPECT_EQ(b.nodes[0].length, 0.0);
   EXPECT_NEAR(b.nodes[1].length, 0.2, 1e-12);

@@ -39,7 +39,7 @@ duration = 1.0
 
 coupling::Plan plan_of(const std::vector<std::string>& set) { return read_text(kText, set).plan; }
 
-/// Names of the blocks that a stage is without.
+/// Names of the blocks that are absent in a stage.
 std::string without(const std::vector<std::string>& set, std::size_t stage) {
   const Case c = read_text(kText, set);
   std::string out;

@@ -1,4 +1,4 @@
-// [domain] as a user writes it: names, patterns, points that pick blocks, files of lines.
+// The table [domain] of a case: names, patterns, points that select blocks, files of lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,14 +122,14 @@ TEST(Domain, outline_or_its_file_is_given_once) {
 TEST(Domain, closed_outline_file_is_the_outline) {
   const std::string text =
       replaced(kDomain, "outline = [[0, 0], [0, 10], [10, 10], [10, 0]]", "outline_file = \"outline.csv\"");
-  const CaseError e = error_of_text(text);  // the region of this case lies elsewhere
+  const CaseError e = error_of_text(text);  // the region of this case lies outside the new outline
   EXPECT_TRUE(holds(e.problem, "region 'base' lies outside the domain")) << e.what();
   const Model m = read_text(text, {"domain.region=[]"}).model;
   ASSERT_EQ(m.blocks.size(), 1u);
   EXPECT_EQ(m.blocks[0].polygon.outer, (Ring{{20, 0}, {30, 0}, {30, 7}, {20, 6}}));
 }
 
-/// Changes of the first joint set of the full case, and what the reader says.
+/// Changes of the first joint set of the full case, and the error expected for each.
 TEST(Domain, joint_sets_that_make_no_sense_are_refused_at_the_key) {
   const struct {
     const char *set, *key, *problem;
@@ -166,7 +166,7 @@ TEST(Domain, cutting_by_many_joints_is_told_before_it_begins) {
     return lines;
   };
   EXPECT_TRUE(told("[0, 5]").empty());
-  // Lines are drawn from the origin on, most of them below the domain.
+  // Lines are generated from the origin on: most of them lie below the domain.
   const std::vector<std::string> lines = told("[0, -1e5]");
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_TRUE(holds(lines[0], "draw about 4e+04 lines")) << lines[0];

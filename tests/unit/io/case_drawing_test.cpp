@@ -1,4 +1,4 @@
-// Cases that take their geometry from a drawing.
+// Cases whose geometry is read from a drawing.
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,3 +1,4 @@
+// Writes all data of a case as text, for comparisons of whole cases.
 #include <fmt/format.h>
 
 #include "coupling/sink.h"

@@ -1,4 +1,4 @@
-// Wrong case files: one error each, with place, value, what is allowed and what to do.
+// Wrong case files: one error each, with place, value, allowed values and remedy.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace {
 struct Wrong {
   const char* file;
   int line, column;
-  const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
+  const char *key, *value, *problem, *allowed, *hint;  // the key is compared whole, the others in part
 };
 
 std::ostream& operator<<(std::ostream& out, const Wrong& wrong) { return out << wrong.file; }
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name.substr(0, name.find('.'));
     });
 
-// The outline comes from a file that is at fault itself: the place is there.
+// The fault is in the file of the outline: the error must state the place in that file.
 TEST(WrongFiles, open_outline_in_a_file_is_refused_where_it_ends) {
   const CaseError e = error_of_file(kFaults + "domain_open_outline_file.toml");
   EXPECT_TRUE(e.file.ends_with("domain_open_outline.csv")) << e.what();
@@ -122,7 +122,7 @@ TEST(WrongFiles, folder_holds_no_file_without_a_test) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFaults)) {
     const std::string name = entry.path().filename().string();
-    const bool elsewhere =  // record_faults_test.cpp, load_faults_test.cpp
+    const bool elsewhere =  // tested in record_faults_test.cpp, load_faults_test.cpp
         name.starts_with("record_") || name.starts_with("load_") || name.starts_with("stage_") ||
         name.starts_with("time_");
     count += entry.path().extension() == ".toml" && !elsewhere;
@@ -130,7 +130,7 @@ TEST(WrongFiles, folder_holds_no_file_without_a_test) {
   EXPECT_EQ(count, 40u);
 }
 
-// Each would run the parser or its tables out of stack if it got there.
+// Each text would overflow the stack in the parser or its tables if it were parsed.
 TEST(DeepText, two_hundred_thousand_dotted_parts_are_refused_at_their_place) {
   std::string parts = "a";
   for (int i = 1; i < 200000; ++i) parts += ".a";
@@ -180,7 +180,7 @@ TEST(DeepText, unclosed_headers_are_reported_where_they_are) {
   EXPECT_EQ(error_of_text(text).line, 1);
 }
 
-// The parser of a debug build with toml++ as headers would stop the program at these.
+// A debug build with header-only toml++ would abort at these texts in the parser.
 TEST(CaseText, brackets_without_key_or_value_are_errors_at_their_place) {
   for (const char* wrong : {"[=a]", "[[=a]]", "[ .a]", "[\n", "[,", "[[[a]]]", "x=[}]", "x=[1,=]"}) {
     const CaseError e = error_of_text(fmt::format("title = \"a\"\n  {}\n", wrong));
@@ -227,10 +227,10 @@ TEST(CaseText, line_ends_of_windows_and_byte_order_mark_are_fine) {
   EXPECT_EQ(dump(read_text(text)), dump(read("good_case.toml")));
 }
 
-/// Changes of one line of the full case, and what the reader says.
+/// Changes of one line of the full case, and the error expected for each.
 struct Change {
-  const char *from, *to;      // in the text
-  const char *key, *problem;  // key whole, problem in part
+  const char *from, *to;      // replaced in the text
+  const char *key, *problem;  // the key is compared whole, the problem in part
 };
 std::ostream& operator<<(std::ostream& out, const Change& change) {
   return out << change.key << ": " << change.problem;
@@ -323,7 +323,7 @@ TEST(FrictionLaw, what_does_not_go_together_is_refused_at_the_key) {
   const CaseError grows = said({fmt::format(fmt::runtime(law), "plane", 80)});
   EXPECT_EQ(grows.key, "joint.plane.velocity_weakening");
   EXPECT_TRUE(holds(grows.problem, "friction would grow")) << grows.what();
-  const CaseError two = said({fmt::format(fmt::runtime(law), "rough", 1)});  // it has a residual friction angle
+  const CaseError two = said({fmt::format(fmt::runtime(law), "rough", 1)});  // this law has a residual friction angle
   EXPECT_TRUE(holds(two.problem, "a law of friction and a residual_friction_deg")) << two.what();
   const CaseError lacks = said({"joint.plane.velocity_weakening={velocity=1, slip=0.1}"});
   EXPECT_TRUE(holds(lacks.problem, "\"fast_friction_deg\" is missing")) << lacks.what();
@@ -336,7 +336,7 @@ TEST(Case, nmm_without_cover_size_asks_for_it) {
   const CaseError e = error_of_text(replaced(text, "cover_size = \"20 cm\"", ""));
   EXPECT_EQ(e.key, "stage.0.cover_size") << e.what();
   EXPECT_EQ(e.line, 197) << e.what();
-  EXPECT_TRUE(holds(e.problem, "\"far wall\"")) << e.what();  // the others have a size of their own
+  EXPECT_TRUE(holds(e.problem, "\"far wall\"")) << e.what();  // the other blocks state their own cover size
 }
 
 TEST(Case, without_block_or_stage_is_refused) {

@@ -39,7 +39,7 @@ TEST(Liners, section_has_the_stiffness_of_plane_strain_and_strengths_for_unit_le
   EXPECT_EQ(b.rupture_strain, 0.01);
   EXPECT_EQ(b.tolerance, 0.02);
   EXPECT_FALSE(b.plate);
-  // What the plug left open: three bars down, seven along the floor. None of its nodes is in the plug.
+  // Line not covered by the plug: three bars downward, seven along the floor. No node lies in the plug.
   ASSERT_EQ(b.nodes.size(), 11U);
   EXPECT_EQ(b.nodes[0].block, BlockId{1});
   EXPECT_EQ(b.nodes[10].block, BlockId{0});

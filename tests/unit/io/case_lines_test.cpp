@@ -12,10 +12,10 @@
 namespace scree::io::test::case_lines_test {
 namespace {
 
-/// The lines of a file with this text, or its error.
+/// The lines read from a file with this text, or the error.
 struct Lines {
   explicit Lines(const std::string& text) {
-    // ctest runs tests of this file side by side, each in a process of its own.
+    // ctest runs the tests of this file in parallel, each in its own process.
     const std::filesystem::path file =
         std::filesystem::path(testing::TempDir()) / ("scree_lines_test_" + std::to_string(::getpid()) + ".csv");
     std::ofstream(file, std::ios::binary) << text;

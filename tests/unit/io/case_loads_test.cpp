@@ -1,4 +1,4 @@
-// Loads, time functions, cracks, in-situ stress and stage options as a case gives them.
+// Loads, time functions, cracks, in-situ stress and stage options read from a case.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ TEST(Loads, pressure_in_a_hole_pushes_outwards_from_it) {
 }
 
 TEST(Loads, edge_counts_as_the_polygon_was_written) {
-  // Clockwise: left, top, right, bottom.
+  // The polygon is written clockwise: left, top, right, bottom.
   const std::string text = replaced(bytes_of(kFolder + "full_case.toml"), "[[2, 2], [3, 2], [3, 3], [2, 3]]",
                                     "[[2, 2], [2, 3], [3, 3], [3, 2]]");
   const Vec2 middles[] = {{2.0, 2.5}, {2.5, 3.0}, {3.0, 2.5}, {2.5, 2.0}};
@@ -114,7 +114,7 @@ TEST(Loads, acceleration_takes_patterns_without_those_held) {
   EXPECT_EQ(m.body_accelerations[0].blocks, (std::vector<BlockId>{BlockId{1}, BlockId{4}}));
   EXPECT_EQ(m.body_accelerations[0].acceleration, Vec2(0.5, 0.25));
   const Case some = read("full_case.toml", {"body_acceleration.0.blocks=[\"*wall\", \"led*\", \"ledge\"]"});
-  EXPECT_EQ(some.model.body_accelerations[0].blocks, std::vector<BlockId>{BlockId{4}});  // the walls are held
+  EXPECT_EQ(some.model.body_accelerations[0].blocks, std::vector<BlockId>{BlockId{4}});  // held walls are left out
   const Case all = read("full_case.toml", {"body_acceleration.0={acceleration=[1, 0]}"});
   EXPECT_TRUE(all.model.body_accelerations[0].blocks.empty());
 }

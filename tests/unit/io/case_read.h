@@ -35,7 +35,7 @@ inline Case read_text(const std::string& text, const std::vector<std::string>& o
   return read_case_text(text, kFolder + "in_memory.toml", overrides, kMethods);
 }
 
-/// The error that an action ends with; an error without message where there is none.
+/// The error that an action throws; an error without message if it throws none.
 template <class Action>
 CaseError error_in(const Action& action) {
   try {
@@ -54,7 +54,7 @@ inline CaseError error_of_file(const std::string& path, const std::vector<std::s
 
 inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Compares an error with line, column and key as they are to be, and with parts of value, problem, allowed and hint.
+/// Compares line, column and key of an error exactly, and expects parts of value, problem, allowed and hint.
 template <class Wrong>
 void expect_told(const CaseError& e, const Wrong& w) {
   EXPECT_EQ(e.line, w.line) << e.what();
@@ -67,7 +67,7 @@ void expect_told(const CaseError& e, const Wrong& w) {
   EXPECT_FALSE(e.allowed.empty() || e.hint.empty()) << e.what();
 }
 
-/// Everything that a case says to the rest of the program, as text.
+/// All data that the rest of the program receives from a case, as text.
 std::string dump(const Case& c);
 
 }  // namespace scree::io::test

@@ -1,4 +1,4 @@
-// Recorded accelerations in two columns, and which reader a file gets.
+// Recorded accelerations in two columns, and the choice of the reader of a file.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -87,7 +87,7 @@ TEST(RecordColumns, times_rounded_to_their_decimals_are_no_gaps) {
   std::string thirds, cut_zeros, noise;
   for (int i = 0; i < 400; ++i) {
     thirds += fmt::format("{:.3f} 1\n", i / 300.0);
-    cut_zeros += fmt::format("{:g};1\n", i * 0.005);  // as spreadsheets write: 0.005, 0.01, 0.015
+    cut_zeros += fmt::format("{:g};1\n", i * 0.005);  // as spreadsheets write times: 0.005, 0.01, 0.015
     noise += fmt::format("{:.17g},1\n", i * 0.1);     // 0.30000000000000004
   }
   for (const std::string& text : {thirds, cut_zeros, noise}) EXPECT_EQ(read(text).time.size(), 400u);

@@ -1,4 +1,4 @@
-// [reduction]: the stages that come in place of those of the case.
+// [reduction]: the stages that replace those of the case.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(Reduction, stages_are_rest_reduction_settling_hold) {
   EXPECT_EQ(s[3].strength.joints.size(), c.model.joints.size());
   EXPECT_TRUE(c.plan.output.contacts);
   EXPECT_EQ(before.model.gravity, c.model.gravity);
-  // a factor that grows 20-fold takes more steps than one that grows by a half, at most 1 % in each
+  // the factor changes by at most 1 % per step: a 20-fold factor takes more steps than one of 1.5
   const Case far = reduced({"reduction.factor=20", "reduction.integrator=\"implicit\"", "reduction.dt=0.01"});
   EXPECT_NEAR(seconds(far.plan.stages[1].duration), 0.01 * std::ceil(std::log(20.0) / 0.01), 1e-9);
 }
@@ -77,7 +77,7 @@ TEST(Reduction, stages_to_rest_take_other_steps) {
   EXPECT_EQ(a.rest_steps, 0);
   EXPECT_EQ(a.rest_force, 1e-5);
   EXPECT_EQ(a.duration, ticks(3.0));
-  for (const Stage& s : c.plan.stages) EXPECT_EQ(s.integrator, Integrator::explicit_);  // as the last one to rest
+  for (const Stage& s : c.plan.stages) EXPECT_EQ(s.integrator, Integrator::explicit_);  // as the last stage to rest
   const Case mixed = reduced(
       {rest, "reduction.rest_integrator=\"explicit\"", "reduction.integrator=\"implicit\"", "reduction.dt=2e-3"});
   EXPECT_EQ(mixed.plan.stages[0].integrator, Integrator::explicit_);

@@ -1,4 +1,4 @@
-// The table of keys: whole, documented, and every key of it has an effect.
+// The table of keys: it is complete and documented, and every key has an effect.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ TEST(Schema, every_key_is_declared_once_with_a_meaning_and_a_parent) {
   }
 }
 
-// For every key another value, and what it goes with.
+// Another value for every key, with the other settings that the value requires.
 const std::map<std::string, std::string> kChange = {
     {"title", "title=\"another\""},
     {"model.plane", "model.plane=\"strain\""},
@@ -337,7 +337,7 @@ const std::map<std::string, std::string> kChange = {
     {"stage[].release", "stage.2.release=0.5"},
     {"stage[].release_time", "stage.2.release_time=0.5"},
     {"stage[].sliding_damping", "stage.0.sliding_damping=0.5"}};
-// What a change needs beside it to make sense.
+// Settings that some changes require.
 const char* const kWeakening = "joint.plane.velocity_weakening={fast_friction_deg=0, velocity=1, slip=0.1}";
 const char* const kBolt =
     "bolt=[{name=\"bar\", head=[1.1, 1.9], toe=[1.1, 0.4], axial_stiffness=1e7, yield=1e5, rupture_strain=0.1, "
@@ -348,7 +348,7 @@ const char* const kLiner =
     "tensile_strength=1e6, compressive_strength=1e7, rupture_strain=0.01}]";
 const char* const kMohr = "material.rock.rock_strength={cohesion=1e6, friction_deg=30}";
 const char* const kHoek = "material.rock.rock_strength={ucs=6e7, gsi=45, mi=10}";
-// Two bases, a shaken block and a compliant one; meshes in both stages that the motions last for.
+// Two bases, a shaken block and a compliant one; meshes in both stages during which the motions act.
 const char *const kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upward\"}]",
                   *const kMeshes = "stage.1.method_of=[{blocks=[\"slider\", \"ledge\"], method=\"nmm\"}]",
                   *const kSide = "free_field=[{block=\"slider\", edge=1, motion=\"pulse\", bottom=-1, top=4}]",
@@ -356,7 +356,7 @@ const char *const kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upw
                       "free_field=[{blocks=[\"slider\", \"ledge\"], on=[[2, 1], [2, 3]], motion=\"pulse\"}]";
 const char* const kReduction = "reduction={factor=1.1}";
 const std::string kOnLedge =
-    "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // wherever the outline of the domain is
+    "traction.2={block=\"ledge\", edge=1, surcharge=1}";  // independent of the position of the domain
 const std::map<std::string, std::vector<std::string>> kBeside = {
     {"joint.NAME.velocity_weakening.fast_friction_deg", {kWeakening}},
     {"joint.NAME.velocity_weakening.velocity", {kWeakening}},
@@ -436,7 +436,7 @@ const std::map<std::string, std::vector<std::string>> kBeside = {
     {"stage[].slow_blocks", {"stage.3.shared_contacts=false"}},
     {"stage[].rest", {"motion.pulse.start=2.1", "stage.1.dynamics=0"}}};
 
-// The model or the plan must change, so that no key is read and forgotten.
+// The model or the plan must change: a key that is read and then ignored fails the test.
 TEST(Schema, every_key_changes_the_case) {
   std::size_t keys = 0;
   for (const Key& key : schema()) {

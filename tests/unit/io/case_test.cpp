@@ -1,4 +1,4 @@
-// A case file as a model and a plan: numbers, defaults, names, orientation, overrides, the resolved case.
+// Model and plan read from a case file: numbers, defaults, names, orientation, overrides, the resolved case.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -158,7 +158,7 @@ TEST(Case, supports_hold_blocks_points_and_motions) {
   EXPECT_EQ(m.block_supports[0].motion, MotionId{0});
   EXPECT_EQ(m.block_supports[2].block, BlockId{3});
   EXPECT_FALSE(m.block_supports[2].motion.valid());
-  EXPECT_EQ(m.blocks[m.block_supports[3].block.index()].name, "ground-1");  // the block that holds the point `at`
+  EXPECT_EQ(m.blocks[m.block_supports[3].block.index()].name, "ground-1");  // the block that contains the point `at`
   ASSERT_EQ(m.point_supports.size(), 1u);
   EXPECT_TRUE(m.point_supports[0].fix_x);
   EXPECT_FALSE(m.point_supports[0].fix_y);
@@ -169,7 +169,7 @@ TEST(Case, monitors_without_name_are_numbered_by_block) {
   const Model m = read("full_case.toml").model;
   ASSERT_EQ(m.monitors.size(), 3u);
   EXPECT_EQ(m.monitors[0].name, "slider#1");
-  EXPECT_EQ(m.monitors[1].name, "ground-1#1");  // no block is named: the one that holds the point
+  EXPECT_EQ(m.monitors[1].name, "ground-1#1");  // no block is named: the block that contains the point
   EXPECT_EQ(m.monitors[2].name, "corner");
 }
 
@@ -185,7 +185,7 @@ TEST(Case, motion_is_scaled_directed_and_corrected) {
   EXPECT_NEAR(m.motions[1].accelerations()[1], 0.002, 1e-18);
 }
 
-/// Puts the variable back as it was, for the tests that read shared records.
+/// Restores the environment variable for the tests that read shared records.
 struct RecordsVariable {
   RecordsVariable() {
     if (const char* value = std::getenv("SCREE_RECORDS")) before = value;
@@ -294,7 +294,7 @@ TEST(CaseErrors, coordinates_of_a_survey_are_those_of_the_file_in_full) {
 
 TEST(Case, run_longer_than_its_clock_is_refused_at_the_stage_that_exceeds_it) {
   std::string text = bytes_of(kFolder + "good_case.toml");
-  for (int i = 1; i <= 8; ++i)  // with the 0.1 s that are there, the eighth passes 8e6 s
+  for (int i = 1; i <= 8; ++i)  // with the 0.1 s of the case, the eighth stage exceeds 8e6 s
     text += fmt::format("[[stage]]\nname = \"{}\"\nmethod = \"dda\"\nintegrator = \"explicit\"\nduration = 1e6\n", i);
   const CaseError e = error_of_text(text);
   EXPECT_EQ(e.key, "stage.8.duration") << e.what();
@@ -305,14 +305,14 @@ TEST(Case, long_flat_list_of_decimals_is_not_deep) {
   std::string list = "0.5";
   for (int i = 0; i < 200; ++i) list += ", 0.5";
   const CaseError e = error_of_text("block = [" + list + "]\n");
-  EXPECT_EQ(e.key, "block.0") << e.what();  // wrong, but for its type
+  EXPECT_EQ(e.key, "block.0") << e.what();  // the error is the type, not the depth
 }
 
 TEST(Case, unit_of_the_key_may_have_a_prefix) { EXPECT_EQ(std::get<double>(in_unit("30 kPa", "MPa")), 0.03); }
 
 TEST(Case, long_names_may_differ_by_a_third_of_their_letters) {
   EXPECT_EQ(nearest("hanging_bloc_wal", {"hanging_block_wall", "base"}), "hanging_block_wall");  // two edits
-  EXPECT_EQ(nearest("wal", {"ball"}), "");  // two edits of three letters are another name
+  EXPECT_EQ(nearest("wal", {"ball"}), "");  // two edits of three letters: not similar
 }
 
 TEST(CaseErrors, coordinate_out_of_place_asks_for_a_number_not_for_a_ring) {

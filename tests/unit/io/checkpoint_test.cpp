@@ -1,4 +1,4 @@
-// A run that goes on from a checkpoint is the run that never stopped; a checkpoint that is not whole is refused.
+// A run resumed from a checkpoint equals the uninterrupted run bit for bit; an incomplete checkpoint is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 bool full() { return std::getenv("SCREE_FULL") != nullptr; }
 
-#ifdef __SANITIZE_ADDRESS__  // ten times as slow, and there for other faults than bits that differ
+#ifdef __SANITIZE_ADDRESS__  // ten times as slow, and meant for memory errors, not for bits that differ
 constexpr int kEvery = 211, kStops = 3;
 #else
 constexpr int kEvery = 61, kStops = 8;
@@ -35,14 +35,14 @@ RunRecord of_version(const std::string& version) {
   return run;
 }
 
-/// Through a file and back.
+/// Writes a checkpoint to a file and reads it back.
 coupling::Checkpoint stored(const coupling::Checkpoint& checkpoint, const Scratch& scratch) {
   const fs::path file = scratch.path() / "checkpoint.0.scree";
   write_checkpoint(file, of_version("1"), {}, checkpoint);
   return read_checkpoint(file, "1").checkpoint;
 }
 
-/// All checkpoints of a run, every so many steps.
+/// Keeps a checkpoint every `steps` steps of a run.
 class Every final : public coupling::Keeper {
  public:
   explicit Every(std::int64_t steps) : steps_(steps) {}
@@ -54,7 +54,7 @@ class Every final : public coupling::Keeper {
   std::int64_t steps_;
 };
 
-/// The histories that a run shows, and all it tells, as text.
+/// Histories and events that a run reports to its sinks, as text.
 class Witness final : public coupling::Sink {
  public:
   void history(const coupling::HistoryView& h) override {
@@ -76,7 +76,7 @@ struct Outcome {
   std::int64_t steps = 0, cuts = 0, factorisations = 0;
   std::size_t transfers = 0, travels = 0;
   std::string shown;
-  std::set<std::uint32_t> meshes;  // that are shown
+  std::set<std::uint32_t> meshes;  // reported to the sink
   auto operator<=>(const Outcome&) const = default;
 };
 
@@ -113,7 +113,7 @@ Outcome go_on(const Case& c, coupling::Checkpoint from, coupling::Keeper* keeper
   return outcome(driver, witness);
 }
 
-/// Ends as the whole run did, and shows what that showed after it.
+/// Expects the end state and statistics of the whole run, and the last part of its output.
 void expect_same_end(const Outcome& part, const Outcome& whole, std::int64_t from_step) {
   EXPECT_TRUE(whole.shown.ends_with(part.shown)) << "from step " << from_step;
   EXPECT_TRUE(std::includes(whole.meshes.begin(), whole.meshes.end(), part.meshes.begin(), part.meshes.end()))
@@ -155,7 +155,7 @@ TEST_P(Resume, twice_over_ends_as_the_unbroken_run) {
     expect_same_end(go_on(c, stored(late, scratch)), whole, late.state.step);
 }
 
-/// Stops a run when asked for the n-th time, in the middle of a step too.
+/// Stops a run at the n-th poll, which may be in the middle of a step.
 class StopAt final : public coupling::Control {
  public:
   explicit StopAt(std::int64_t n) : left_(n) {}
@@ -167,7 +167,7 @@ class StopAt final : public coupling::Control {
   std::int64_t left_;
 };
 
-/// Runs until the control stops it.   @return its last checkpoint; nothing if it was done before
+/// Runs until the control stops the run.   @return the last checkpoint; nothing if the run was done before
 std::optional<coupling::Checkpoint> last_of_stopped(const Case& c, coupling::Control& control,
                                                     coupling::Sink* sink = nullptr) {
   const coupling::Methods methods = coupling::standard_methods();
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(ResumeCases, pass_through_all_that_is_remembered) {
-  // What the tests above rest on: without it a field that is forgotten would not show.
+  // Premise of the tests above: a field that is not stored is found only if the cases give it a value.
   Every keeper(20);
   const Outcome whole = run(resume_case("staged"), &keeper);
   EXPECT_GT(whole.cuts, 10);
@@ -300,7 +300,7 @@ TEST(ResumeCases, have_stages_and_methods_that_rules_decide) {
   Every keeper(1);
   const Outcome whole = run(c, &keeper);
   const coupling::Checkpoint& last = keeper.kept.back();
-  std::map<std::string, int> changes;  // to a method
+  std::map<std::string, int> changes;  // number of changes to each method
   for (const coupling::TransferRow& row : last.transfers)
     if (row.by_rule) ++changes[row.to];
   EXPECT_GE(changes["dda"], 2);

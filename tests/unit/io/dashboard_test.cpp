@@ -1,4 +1,4 @@
-// The screen of `scree watch`: what it shows is right, fits and is harmless, whatever the run or the network sent.
+// The screen of `scree watch`: its content is correct, fits and is harmless for any input from the run or the network.
 #include "io/watch/dashboard.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ std::string text(const std::vector<std::string>& lines) {
   return all;
 }
 
-/// The one line that holds a word.
+/// The only line that contains a word.
 std::string line_with(const std::vector<std::string>& lines, std::string_view word) {
   const auto has = [word](const std::string& line) { return line.find(word) != std::string::npos; };
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(), has), 1) << word << "\n" << text(lines);

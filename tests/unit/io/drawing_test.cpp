@@ -89,7 +89,7 @@ TEST(Drawing, r12_needs_a_unit_and_later_headers_have_one) {
   EXPECT_EQ(r2018.unit_from, "the header");
 }
 
-/// What all three sections of ezdxf show, whatever their version and unit.
+/// Properties of all three sections of ezdxf, independent of version and unit.
 void expect_section(const Drawing& d) {
   const std::vector<Chain> outline = chained(on(d, "OUTLINE"), 1e-6);
   ASSERT_EQ(outline.size(), 1u);
@@ -163,7 +163,7 @@ TEST(Drawing, bulges_of_potrace_enclose_the_area_of_their_arcs) {
   const Drawing d = read_drawing("potrace.dxf", options);
   ASSERT_EQ(d.lines.size(), 1u);
   EXPECT_TRUE(d.lines[0].closed);
-  // 179.93916...: shoelace formula and circular segments of its twenty vertices.
+  // Reference 179.93916...: shoelace formula plus circular segments of the twenty vertices.
   EXPECT_NEAR(std::abs(signed_area(d.lines[0].points)), 179.9391658534231, 1e-5 * 50.0);
 }
 
@@ -179,7 +179,7 @@ TEST(Drawing, bezier_curve_of_pstoedit_is_where_it_was_drawn) {
   for (const double t : {0.0, 0.25, 0.6, 1.0}) {
     const double s = 1.0 - t;
     const Vec2 x = s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
-    EXPECT_LT(least_distance(splines[0]->points, 0.0254 / 72.0 * x), 2e-6);  // written with six digits
+    EXPECT_LT(least_distance(splines[0]->points, 0.0254 / 72.0 * x), 2e-6);  // coordinates written with six digits
   }
   EXPECT_EQ(on(d, "0", "LINE").size(), 7u);
 }
@@ -254,14 +254,14 @@ TEST(Drawing, blocks_inserted_in_themselves_end) {
   } catch (const DrawingError& e) {
     EXPECT_TRUE(holds(e.what(), "too deeply")) << e.what();
   }
-  // A hundred million pieces by rows in rows.
+  // Nested rows that would give a hundred million pieces.
   const std::string rows = "70\n10000\n71\n10000\n44\n1\n45\n1\n";
   const std::string line =
       "0\nBLOCK\n8\n0\n2\nONE\n10\n0\n20\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDBLK\n8\n0\n";
   EXPECT_THROW((void)read_dxf(dxf_of("0\nINSERT\n8\n0\n2\nONE\n10\n0\n20\n0\n" + rows, line), {}), DrawingError);
 }
 
-/// Cuts, flips bytes, or puts wild numbers where counts and coordinates are.
+/// Cuts the text, changes bytes, or replaces counts and coordinates by extreme numbers.
 std::string damaged(std::string text, Random& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random.uniform() * static_cast<double>(n)); };
   switch (below(4)) {
@@ -273,7 +273,7 @@ std::string damaged(std::string text, Random& random) {
         text[below(text.size())] = static_cast<char>(static_cast<int>(random.uniform() * 256.0));
       break;
     case 2: {
-      // The value of some group becomes wild.
+      // The value of a group is replaced by an extreme one.
       const char* wild[] = {"-1",  "4294967295", "2147483647", "1e308",     "-9223372036854775808",
                             "nan", "inf",        "",           "0x7fffffff"};
       for (std::size_t k = 1 + below(4); k > 0; --k) {
@@ -286,7 +286,7 @@ std::string damaged(std::string text, Random& random) {
       break;
     }
     default: {
-      // A piece is doubled or taken out.
+      // A piece is duplicated or removed.
       const std::size_t from = below(text.size()), length = below(std::min<std::size_t>(600, text.size() - from));
       const std::string piece = text.substr(from, length);
       if (below(2) == 0)
@@ -319,7 +319,7 @@ TEST(Drawing, damaged_files_are_refused_or_read_without_a_crash) {
     }
   }
   EXPECT_EQ(total, 300);
-  EXPECT_GT(refused, 100);  // a cut or a wild number is seldom harmless
+  EXPECT_GT(refused, 100);  // a cut or an extreme number usually gives an error
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Sides beside level ground as a case gives them: which outlines, which base, and what is refused.
+// Free-field sides read from a case: the outlines and the base they use, and wrong input that is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ const std::string kBases = "viscous_edge=[{block=\"ledge\", edge=2, motion=\"upw
 
 Model with(const std::string& sides) { return read("full_case.toml", {kBases, kMeshes, sides}).model; }
 
-/// Largest value of the functions of tractions on an edge, and how many there are.
+/// Largest value and last time of the functions of free-field tractions on an edge, and the number of tractions.
 struct Found {
   double largest = 0.0, last = 0.0;
   std::size_t tractions = 0;
@@ -43,8 +43,8 @@ TEST(FreeFields, stand_on_the_base_that_their_motion_drives) {
   EXPECT_EQ(m.viscous_edges[2].span.block, BlockId{4});
   EXPECT_FALSE(m.viscous_edges[1].motion.valid());
   const Found rigid = on(m, 1, 1), compliant = on(m, 4, 1);
-  // The shaken ground rings on to the end of the run; over the compliant base it is over with the last wave, and has
-  // twice the velocity of the upgoing one at most.
+  // On the shaken base the ground rings until the end of the run. Over the compliant base the motion ends with the last
+  // wave, and its velocity is at most twice that of the upgoing wave.
   double run = 0.0;
   for (const auto& stage : read("full_case.toml").plan.stages) run += seconds(stage.duration);
   EXPECT_NEAR(rigid.last, run, 2e-3);
@@ -89,7 +89,7 @@ TEST(FreeFields, of_a_case_let_a_wave_go_up_undistorted) {
       "[output]\nevery = 0.4\nhistory_every = 1e-3\n");
   struct Look final : coupling::Sink {
     void history(const coupling::HistoryView& h) override {
-      const Vec2 free = motion->velocity(h.time - 8.0 / 200.0);  // an outcrop has twice the upgoing wave, as the top
+      const Vec2 free = motion->velocity(h.time - 8.0 / 200.0);  // an outcrop moves as the top: twice the upgoing wave
       for (std::size_t k = 0; k < 4; k += 2)
         error = std::max(error, (Vec2(h.velocity[k], h.velocity[k + 1]) - free).norm());
     }
@@ -106,7 +106,7 @@ TEST(FreeFields, of_a_case_let_a_wave_go_up_undistorted) {
 }
 
 struct WrongSide {
-  const char *side, *key, *problem;  // key whole, problem in part
+  const char *side, *key, *problem;  // the key is compared whole, the problem in part
   std::vector<std::string> more{};
 };
 std::ostream& operator<<(std::ostream& out, const WrongSide& wrong) { return out << wrong.side; }

@@ -1,4 +1,4 @@
-// No case of the library is warned of before it runs, but for what is so on purpose.
+// No case of the library gives a warning before its run, except for the intended ones below.
 #include <filesystem>
 
 #include "coupling/stages/plan_warnings.h"
@@ -14,9 +14,9 @@ TEST(Warnings, none_in_the_case_library) {
     if (entry.path().extension() != ".toml" || name == "expected.toml" || name == "sources.toml") continue;
     const Case c = read_case(entry.path(), {}, kMethods);
     for (const std::string& text : coupling::plan_warnings(c.model, c.plan)) {
-      // Miller's bar lies on springs that are as good as none, beside joints of rock.
+      // Miller's bar lies on springs of negligible stiffness, beside joints of rock.
       if (entry.path().parent_path().filename() == "miller" && text.starts_with("stiffness ratio 5.2e+06")) continue;
-      // Overhanging blocks between parallel joints: what the methods are compared by there is no limit of an arch.
+      // Overhanging blocks between parallel joints: these cases do not compare the methods by the limit of an arch.
       const std::string folder = entry.path().parent_path().filename().string();
       if ((folder == "seismic-slope" || folder == "open-pit") &&
           text.find("carried by thrust alone") != std::string::npos)

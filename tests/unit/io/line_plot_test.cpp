@@ -1,3 +1,4 @@
+// Line plots: pixels in the colour of each series are counted.
 #include "io/pictures/line_plot.h"
 
 #include <cairo/cairo.h>
@@ -41,7 +42,7 @@ TEST(LinePlot, both_kinds_of_series_are_drawn) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "plot.png";
   draw_line_plot(kPlot, file);
-  EXPECT_GT(pixels_of(file, 0), 1000);  // most of a page wide, some pixels thick
+  EXPECT_GT(pixels_of(file, 0), 1000);  // most of the page width, some pixels thick
   EXPECT_GT(pixels_of(file, 1), 200);   // two discs and one in the legend
   EXPECT_EQ(pixels_of(file, 2), 0);
 }
@@ -55,7 +56,7 @@ TEST(LinePlot, decades_leave_out_what_is_not_positive) {
   EXPECT_GT(all, 500);
   plot.series[0].y = {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()};
   draw_line_plot(plot, scratch.path() / "b.png");
-  EXPECT_LT(pixels_of(scratch.path() / "b.png", 0), all / 2);  // the legend is left
+  EXPECT_LT(pixels_of(scratch.path() / "b.png", 0), all / 2);  // only the legend remains
 }
 
 TEST(LinePlot, plot_without_numbers_is_a_picture_all_the_same) {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace coupling;
 
-/// A block that hangs from two held ones by shotcrete along the underside, which comes with the second stage.
+/// A block that hangs from two held ones by shotcrete along the underside, installed in the second stage.
 const char* const kHung = R"(
 material.rock = { density = 2600.0, young = "50 GPa", poisson = 0.2 }
 joint.smooth = { friction_deg = 0.0 }
@@ -55,7 +55,7 @@ TEST(LinerResults, thrust_and_moment_are_in_the_histories_and_its_nodes_in_frame
   const auto thrust = h5::read<double>(file, "/liners/skin/thrust"),
              moment = h5::read<double>(file, "/liners/skin/moment");
   ASSERT_GT(thrust.size(), 50U);
-  EXPECT_EQ(thrust.front(), 0.0);  // not there yet
+  EXPECT_EQ(thrust.front(), 0.0);  // not installed yet
   double most = 0.0, bend = 0.0;
   for (const double N : skin.force)
     if (std::abs(N) > std::abs(most)) most = N;

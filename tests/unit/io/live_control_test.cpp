@@ -1,4 +1,4 @@
-// Commands for a run: what is let through, and what a run does with it.
+// Commands for a run: which ones the gate passes, and how the run carries them out.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -52,18 +52,18 @@ TEST(ControlGate, replayed_command_is_not_carried_out_again) {
   const Bytes first = command(ControlVerb::step, kNow, 1.0), second = command(ControlVerb::pause, kNow + 1);
   ASSERT_TRUE(gate.take(first, kNow, 0.0).command);
   gate.remember({{ControlVerb::step, 1.0, kNow, 5}, "done", "it was"});
-  // The same one again: its sender may have missed the answer.
+  // The same command again, because its sender may have missed the answer.
   const auto again = gate.take(first, kNow, 0.1);
   EXPECT_FALSE(again.command);
   ASSERT_TRUE(again.answer);
   EXPECT_EQ(again.answer->result, "done");
-  // Also after another one, and however often it is sent.
+  // Also after another command, and for any number of repetitions.
   ASSERT_TRUE(gate.take(second, kNow, 0.2).command);
   EXPECT_EQ(gate.take(first, kNow, 0.3).answer->result, "done");
   EXPECT_FALSE(gate.take(first, kNow, 0.301).answer) << "a flood is not answered with a flood";
   EXPECT_EQ(gate.counts().replayed, 3);
   EXPECT_EQ(gate.counts().passed, 2);
-  // Remembered as long as its date passes; then its date shuts it out.
+  // The command is remembered while its date is valid; afterwards its date is refused.
   EXPECT_FALSE(gate.take(first, kNow + 9'900'000, 9.9).command);
   const auto late = gate.take(first, kNow + 10'100'000, 10.1);
   EXPECT_FALSE(late.command);
@@ -86,7 +86,7 @@ TEST(ControlGate, no_forged_number_or_sender_holds_up_a_good_command) {
   std::int64_t good = 0, clock = kNow;
   for (int i = 0; i < 600; ++i) {  // 60 s
     now += 0.1, clock += 100'000;
-    for (const double ahead : {59.0, 2.5, 1.99, 0.5, 0.0})  // under a name of its own, and under that of the good one
+    for (const double ahead : {59.0, 2.5, 1.99, 0.5, 0.0})  // under its own name, and under that of the good sender
       for (const std::int64_t sender : {std::int64_t{6}, std::int64_t{5}})
         if (sender != 5 || ahead > 1.0)
           (void)gate.take(
@@ -137,7 +137,7 @@ TEST(ControlGate, malformed_commands_are_dropped_and_do_not_count_against_good_o
     sent += 2;
   }
   EXPECT_EQ(gate.counts().malformed, sent);
-  // Under a right CRC: lengths and values that are not possible.
+  // Impossible lengths and values with a correct CRC.
   std::mt19937 random(7);
   for (int trial = 0; trial < 5000; ++trial) {
     Bytes bad = good;
@@ -174,14 +174,14 @@ TEST(ControlGate, who_is_answered_whatever_session_it_names) {
 
 // --- the server ---------------------------------------------------------------------------------------------------
 
-/// Steps as a driver takes them, in a thread of their own, until the control says stop.
+/// Steps like a driver, in its own thread, until the control requests a stop.
 struct Stepper {
   std::shared_ptr<LiveBus> bus = memory_bus();
   coupling::Control no_signals;
   std::atomic<std::int64_t> steps = 0, most = std::numeric_limits<std::int64_t>::max();
   std::mutex mutex;
   std::vector<ack_v1_t> answers;      // guarded
-  std::vector<std::string> happened;  // guarded: what the hooks were told
+  std::vector<std::string> happened;  // guarded: calls of the hooks
   std::int64_t number = 0;
   std::unique_ptr<ControlServer> server;
   std::thread thread;
@@ -215,7 +215,7 @@ struct Stepper {
       last.step = steps;
       server->end({}, last);
     });
-    // The memory queue keeps nothing for those who listen later.
+    // The memory queue stores nothing for later subscribers.
     for (int i = 0; i < 500 && !listening(); ++i) {
       bus->publish(channel_name("test", LiveKind::ctrl), command(ControlVerb::who, 1));
       std::this_thread::sleep_for(10ms);
@@ -246,7 +246,7 @@ struct Stepper {
     bus->publish(channel_name("test", LiveKind::ctrl), command(verb, number, value));
     return number;
   }
-  /// The last word on a command.
+  /// The final answer to a command.
   std::optional<ack_v1_t> end_of(std::int64_t sequence) {
     for (int i = 0; i < 500; ++i) {
       {
@@ -358,7 +358,7 @@ TEST(ControlServer, flood_of_malformed_commands_is_counted_and_the_run_still_lis
     bad.resize(1 + random() % bad.size());
     run.bus->publish(channel, bad);
   }
-  // The queue between the library and the server holds the newest; a good command is heard all the same.
+  // The queue between the library and the server keeps the newest messages: a good command is still received.
   const auto paused = run.end_of(run.ask(ControlVerb::pause));
   ASSERT_TRUE(paused);
   EXPECT_EQ(paused->result, "done");

@@ -1,4 +1,4 @@
-// Live streaming in pieces: what is lost or damaged is dropped and counted, and nothing else with it.
+// Live streaming in chunks: lost or damaged messages are dropped and counted, all others are kept.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -122,12 +122,12 @@ TEST(LiveDamage, forged_lengths_under_a_right_crc_are_dropped) {
       std::int64_t dropped = 0;
       const auto forge = [&](Bytes bad) {
         write_crc(bad);
-        // Each forgery meets a mesh; one that passes for a later session makes the assembly forget it.
+        // Every forgery needs a known mesh; one that is taken for a later session makes the assembly drop the mesh.
         if (!assembly.mesh() || assembly.frame()) {
           assembly = LiveAssembly{};
           assembly.take(mesh.first, mesh.second);
         }
-        if (assembly.take(channel, bad))  // it hit a number; must not crash (run under asan)
+        if (assembly.take(channel, bad))  // the change hit a number; must not crash (run under asan)
           taken.insert(*channel_kind(channel));
         else
           ++dropped;

@@ -1,4 +1,4 @@
-// MODEL and DETAIL: names, contacts, stress and bolts of a stream, whole and damaged.
+// MODEL and DETAIL messages: names, contacts, stress and bolts of a stream, intact and damaged.
 #include "io/live/live_detail.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(LiveDetail, a_stream_names_what_its_model_is_made_of) {
 }
 
 TEST(LiveDetail, contacts_stress_and_bolts_of_an_instant_arrive_whole) {
-  for (const std::size_t count : {std::size_t{4}, std::size_t{9000}}) {  // one message, and several
+  for (const std::size_t count : {std::size_t{4}, std::size_t{9000}}) {  // in one message, and in several
     Recorder recorder;
     Strip strip(9);
     strip.move(0.5);
@@ -150,7 +150,7 @@ TEST(LiveDetail, contacts_stress_and_bolts_of_an_instant_arrive_whole) {
 TEST(LiveDetail, many_contacts_come_less_often_than_frames) {
   Recorder recorder;
   Strip strip(9);
-  Points points(30000);  // 1.2 MB closed: two in three seconds
+  Points points(30000);  // 1.2 MB of closed contacts: two messages in three seconds
   strip.frame.contacts = points.view();
   LiveSink sink(plan_at(1000.0).live, {"large"}, {}, recorder.bus);
   sink.begin(named_model(), plan_at(1000.0));
@@ -179,7 +179,7 @@ TEST(LiveDetail, damaged_wholes_are_refused_and_end_nothing) {
   const Bytes model = seal(live_model(named_model())), detail = seal(live_detail(strip.frame, mesh.base));
   std::mt19937 random(5);
   int refused = 0;
-  const auto look = [&](const Bytes& bytes) {  // under asan: reads nothing that is not there
+  const auto look = [&](const Bytes& bytes) {  // run under asan: must not read out of bounds
     const auto m = unseal<model_v1_t>(bytes, LiveAssembly::kMaxMesh);
     const auto d = unseal<detail_v1_t>(bytes, LiveAssembly::kMaxMesh);
     if (!(m && holds_together(*m)) && !(d && holds_together(*d, mesh))) ++refused;

@@ -1,4 +1,4 @@
-// Live streaming of blocks: as affine maps where their motion is one, as displacements where not.
+// Live streaming of blocks: as affine maps if their motion is affine, else as displacements.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ namespace {
 using namespace std::chrono_literals;
 using namespace test;
 
-/// What comes out at the far end, and how many maps and loose points travelled.
+/// The frame received, and the numbers of maps and of loose points sent.
 struct Travelled {
   std::shared_ptr<const LiveFrame> frame;
   std::int32_t maps = 0, loose = 0;
@@ -59,7 +59,7 @@ TEST(LiveMaps, block_that_turns_far_travels_as_a_map_and_arrives_in_float32) {
   EXPECT_EQ(far.maps, 5);
   EXPECT_EQ(far.loose, 0);
   ASSERT_TRUE(far.frame);
-  // Displacements reach 70 m: a few units of 6e-8 each.
+  // Displacements reach 70 m: tolerance of a few relative round-offs of 6e-8.
   for (std::size_t i = 0; i < blocks.position.size(); ++i)
     EXPECT_NEAR(far.frame->position[i], blocks.position[i], 4.0 * 70.0 * 0x1p-24);
 }

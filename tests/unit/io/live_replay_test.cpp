@@ -1,4 +1,4 @@
-// A stored run on the stream again: viewers end where those of the run itself did.
+// Replay of a stored run on the stream: the last screen of a viewer equals that of a viewer of the run.
 #include "io/live/live_replay.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 using namespace test;
 
-/// What a viewer shows at the end of what `play` sends, without its foot, which counts messages.
+/// The last screen of a viewer of the messages of `play`, without the last line, which counts messages.
 template <class Play>
 std::vector<std::string> last_screen(Play&& play) {
   const std::shared_ptr<LiveBus> bus = memory_bus();
@@ -31,7 +31,7 @@ std::vector<std::string> last_screen(Play&& play) {
   EXPECT_EQ(seen.counts().malformed, 0);
   EXPECT_TRUE(seen.frame());
   EXPECT_TRUE(!seen.frame() || seen.frame()->header.time == 2.0);
-  end.rate = end.step_rate = std::nullopt;  // of whoever plays
+  end.rate = end.step_rate = std::nullopt;  // rates depend on the sender
   std::vector<std::string> lines = render(end, 100, 60);
   lines.pop_back();
   std::erase_if(lines, [](const std::string& line) { return line.starts_with("steps "); });  // play() ends with another
@@ -73,7 +73,7 @@ TEST(LiveReplay, at_its_own_speed_it_takes_its_time_and_can_be_stopped) {
   LiveReplay replay(folder, "memq://", "", memory_bus());
   EXPECT_EQ(replay.name(), "small");
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_TRUE(replay.run(10.0, {}, {}).complete);  // 2 s of the run
+  EXPECT_TRUE(replay.run(10.0, {}, {}).complete);  // 2 s of the run in 0.2 s
   EXPECT_GE(std::chrono::steady_clock::now() - start, 200ms);
   const auto again = std::chrono::steady_clock::now();
   const ReplayCounts stopped = replay.run(0.01, [&] { return std::chrono::steady_clock::now() - again > 400ms; }, {});

@@ -1,4 +1,4 @@
-// What a stream becomes for the page: messages of a run on the memory queue, read back by their described layout.
+// Messages for the page: a run sends on the memory queue; the slots are decoded by the documented layout.
 #include "io/serve/live_site.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ enum Place : std::size_t {
   detail_slot
 };
 
-/// Looks as a server does until something holds.
+/// Polls the site like a server until a condition holds.
 template <class Holds>
 bool refreshed(LiveSite& site, Holds&& holds) {
   for (int i = 0; i < 500; ++i) {
@@ -80,7 +80,7 @@ bool refreshed(LiveSite& site, Holds&& holds) {
   }
   return false;
 }
-/// The same; meanwhile the run shows a frame again and again, as a sink leaves some out where the machine is busy.
+/// Like refreshed(), while the run sends a frame repeatedly, because the sink skips frames on a busy machine.
 template <class Holds>
 bool refreshed_with(LiveSite& site, LiveSink& sink, const FrameView& frame, Holds&& holds) {
   return refreshed(site, [&](std::span<const Slot> slots) {
@@ -97,7 +97,7 @@ bool all_but_events_known(std::span<const Slot> slots) {
   return std::all_of(slots.begin(), slots.begin() + events_slot, [](const Slot& s) { return s.version > 0; });
 }
 
-/// A run that has begun, far from the zero of its coordinates, and the page that listens to it.
+/// A run that has begun, far from the origin of its coordinates, and the page that receives it.
 struct Trip {
   std::shared_ptr<LiveBus> bus = memory_bus();
   LiveSite site{bus, ""};
@@ -184,7 +184,7 @@ TEST(LiveSite, places_are_exact_where_the_page_was_open_before_the_first_frame) 
   Strip& strip = trip.strip;
   LiveSink& sink = trip.sink;
   const std::vector<double> at{5.0e5 + 3.0, 4.0e6 + 2.0}, u{1.0, 2.0}, v{0.1, 0.2};
-  ASSERT_TRUE(refreshed(site, [&](auto slots) {  // the run computes: it has said its name and no more
+  ASSERT_TRUE(refreshed(site, [&](auto slots) {  // the run computes: so far only its name is known
     sink.history({0.0, 0, at, u, v, {}, &strip.state.ledger, &strip.stats});
     return decoded(slots[status_slot]).head["status"] == "running";
   }));
@@ -222,7 +222,7 @@ TEST(LiveSite, names_and_what_is_drawn_over_blocks_come_with_the_frames) {
   EXPECT_EQ(named["materials"][0]["young"], 5e9);
   const Message detail = decoded(site.slots()[detail_slot]);
   EXPECT_EQ(detail.head["mesh"], decoded(site.slots()[mesh_slot]).head["mesh"]);
-  // A point has the mean stress of the cells around it: cell c has -1000 c.
+  // The stress at a point is the mean over the cells around it; cell c has -1000 c.
   const std::vector<double>& stress = detail.arrays.at("stress");
   ASSERT_EQ(stress.size(), 3 * strip.origin.size() / 2);
   EXPECT_EQ(stress[0], 0.0);
@@ -243,7 +243,7 @@ TEST(LiveSite, frames_name_the_field_that_they_carry_from_the_first_on) {
     ASSERT_TRUE(refreshed_with(site, sink, strip.frame, [&](auto slots) {
       return decoded(slots[frame_slot]).head["field"] == name(field);
     })) << name(field);
-    // Frames of that name have its numbers.
+    // Frames with that name contain the values of that field.
     RawFrame raw;
     raw.mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(strip.mesh));
     raw.field = field;
@@ -266,7 +266,7 @@ TEST(ControlBridge, takes_commands_with_the_token_alone) {
   EXPECT_EQ(token.size(), 32U);
   EXPECT_EQ(token.find_first_not_of("0123456789abcdef"), std::string::npos);
   EXPECT_NE(token, new_token());
-  ControlBridge bridge("memq://", token);  // never opened: nothing may leave this program
+  ControlBridge bridge("memq://", token);  // never opened: no message may leave this program
   const std::string other(32, '0');
   for (const std::string& text : {std::string(),        token,
                                   std::string("pause"), "pause " + token,

@@ -1,4 +1,4 @@
-// A strip of cells that moves, with the views a driver would give, and buses to send it on.
+// A moving strip of cells with the views that a driver provides, and buses for its messages.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace scree::io::test {
 using coupling::FrameView;
 using coupling::MeshView;
 
-/// A strip of n quadrilaterals that moves, with the views a driver would give.
+/// A moving strip of n quadrilaterals with the views that a driver provides.
 struct Strip {
   std::vector<double> origin, position, velocity, stress;
   std::vector<std::int32_t> offsets{0}, connectivity, block, material, method;
@@ -26,7 +26,7 @@ struct Strip {
 
   explicit Strip(std::int32_t cells, std::uint32_t id = 7) {
     for (std::int32_t i = 0; i <= cells; ++i)
-      for (int j = 0; j < 2; ++j) origin.insert(origin.end(), {5.0e5 + 0.1 * i, 4.0e6 + 0.1 * j});  // as in a survey
+      for (int j = 0; j < 2; ++j) origin.insert(origin.end(), {5.0e5 + 0.1 * i, 4.0e6 + 0.1 * j});  // from a survey
     for (std::int32_t c = 0; c < cells; ++c) {
       for (const std::int32_t p : {2 * c, 2 * c + 2, 2 * c + 3, 2 * c + 1}) connectivity.push_back(p);
       offsets.push_back(4 * (c + 1));
@@ -96,7 +96,7 @@ inline std::shared_ptr<LiveBus> memory_bus() {
   return LiveBus::open("memq://", LiveSide::sender, why);
 }
 
-/// Every message of a sink, recorded on a bus of its own.
+/// Records every message of a sink on a separate bus.
 struct Recorder {
   std::shared_ptr<LiveBus> bus = memory_bus();
   std::vector<std::pair<std::string, Bytes>> messages;
@@ -126,7 +126,7 @@ inline std::vector<std::pair<std::string, Bytes>> short_run(Strip& strip, double
   return recorder.messages;
 }
 
-/// Strip whose blocks have points of their own, as DDA and NMM bodies do: `blocks` of `cells` quadrilaterals each.
+/// Strip whose blocks share no points, like DDA and NMM bodies: `blocks` blocks of `cells` quadrilaterals each.
 struct Blocks {
   std::vector<double> origin, position, velocity, stress;
   std::vector<std::int32_t> offsets{0}, connectivity, block, zero;
@@ -141,7 +141,7 @@ struct Blocks {
       for (std::int32_t c = 0; c < cells; ++c) {
         for (const std::int32_t p : {2 * c, 2 * c + 2, 2 * c + 3, 2 * c + 1}) connectivity.push_back(first + p);
         offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
-        block.push_back(100 - b);  // in no order
+        block.push_back(100 - b);  // numbers not ascending
       }
     }
     zero.assign(block.size(), 0);

@@ -1,4 +1,4 @@
-// Live streaming: what a reader puts together is what the run had; anything damaged is dropped; nothing stops the run.
+// Live streaming: a reader restores the data of the run; damaged messages are dropped; nothing stops the run.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -122,7 +122,7 @@ TEST(LiveCellValues, fields_are_those_of_the_cell) {
   raw.source = strip.stress;
   raw.field = LiveField::mean_stress;
   EXPECT_EQ(cell_values(raw), (std::vector<float>{250.0F, -250.0F}));
-  // By hand: a circle of Mohr with its middle at -1 and a radius of 5.
+  // By hand: a Mohr circle with its centre at -1 and radius 5.
   raw.source = {2.0, -4.0, 4.0, 0.0, 0.0, 0.0};
   const auto first = [&](LiveField field) {
     raw.field = field;
@@ -137,7 +137,7 @@ TEST(LiveCellValues, fields_are_those_of_the_cell) {
 }
 
 TEST(LiveCellValues, joint_states_are_the_worst_of_a_blocks_closed_contacts) {
-  Strip strip(6);  // three cells a block
+  Strip strip(6);  // three cells per block
   RawFrame raw;
   raw.mesh = std::make_shared<const LiveMesh>(LiveMesh::copy(strip.mesh));
   raw.field = LiveField::joint;
@@ -198,7 +198,7 @@ TEST(LiveRoundTrip, frame_on_memory_queue_equals_the_runs_to_quantisation) {
 
   const auto frame = reader.frame();
   ASSERT_EQ(frame->position.size(), strip.position.size());
-  // Displacements span 0.5 to 1 m: a step is 1 m / 65534 at most, and the error half of it.
+  // Displacements span 0.5 to 1 m: the quantisation step is at most 1 m / 65534, the error half of that.
   for (std::size_t i = 0; i < strip.position.size(); ++i)
     EXPECT_NEAR(frame->position[i], strip.position[i], 0.51 / 65534.0);
   EXPECT_EQ(frame->header.time, 0.25);
@@ -260,7 +260,7 @@ TEST(LiveRoundTrip, mesh_of_another_stage_replaces_the_first) {
 }
 
 TEST(LiveKeyframes, viewer_that_comes_late_gets_everything_while_the_run_stands_still) {
-  Recorder recorder;  // keeps what passes; the viewer below sees only what came after its start
+  Recorder recorder;  // records the messages; the viewer below gets only those sent after its start
   Strip strip(10);
   const coupling::Plan plan = plan_at(1000.0);
   LiveSink sink(plan.live, {"late"}, {}, recorder.bus);
@@ -273,7 +273,7 @@ TEST(LiveKeyframes, viewer_that_comes_late_gets_everything_while_the_run_stands_
   std::this_thread::sleep_for(500ms);
   recorder.drain();
   recorder.messages.clear();
-  std::this_thread::sleep_for(2s);  // one step that takes long: nothing is handed over
+  std::this_thread::sleep_for(2s);  // a long step: the run passes nothing to the sink
   recorder.drain();
   LiveAssembly late;
   for (const auto& [channel, bytes] : recorder.messages) EXPECT_TRUE(late.take(channel, bytes)) << channel;
@@ -354,7 +354,7 @@ TEST(LiveRate, frames_are_taken_at_most_at_the_rate_of_the_plan) {
   }
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   sink.end({}, strip.frame);
-  EXPECT_LE(sink.frames_sent(), static_cast<std::int64_t>(20.0 * wall) + 2);  // + the first and the last
+  EXPECT_LE(sink.frames_sent(), static_cast<std::int64_t>(20.0 * wall) + 2);  // 2: the first and the last frame
   EXPECT_GE(sink.frames_sent(), 2);
   EXPECT_EQ(sink.frames_sent() + sink.frames_skipped(), offered + 1);
 }
@@ -371,7 +371,7 @@ TEST(LiveRate, sink_reads_nothing_after_the_call_and_does_not_wait) {
     const auto start = std::chrono::steady_clock::now();
     sink.frame(strip.frame);
     longest = std::max(longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    std::fill(strip.position.begin(), strip.position.end(), std::nan(""));  // poison what the sink may no longer see
+    std::fill(strip.position.begin(), strip.position.end(), std::nan(""));  // the sink must not read these any more
     std::fill(strip.velocity.begin(), strip.velocity.end(), std::nan(""));
   }
   strip.move(0.6);
@@ -411,7 +411,7 @@ TEST(LiveFile, log_that_cannot_be_made_gives_one_warning_and_the_run_goes_on) {
   plan.live.url = "file://" + (folder / "x.lcm").string();
   int warnings = 0;
   LiveSink sink(plan.live, {"gone"}, [&](const std::string&) { ++warnings; });
-  std::filesystem::remove_all(folder);  // between the check and the start
+  std::filesystem::remove_all(folder);  // removed between the check and the start
   sink.begin(model_with_monitors(0), plan);
   for (int i = 0; i < 20; ++i) {
     sink.frame(strip.frame);

@@ -1,4 +1,4 @@
-// Datagrams of LCM as they may come from anybody.
+// Decoding of LCM datagrams from untrusted senders.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -74,7 +74,7 @@ TEST(LiveDatagram, random_bytes_stay_inside_the_datagram) {
     const auto* const end = bytes.data() + bytes.size();
     EXPECT_LE(d.channel.size(), 63U);
     EXPECT_TRUE(d.kind != Kind::message || d.data.data() + d.data.size() == end);
-    // Every byte is read once: the address sanitizer sees what lies outside.
+    // Reads every byte once, so that the address sanitizer reports any byte out of bounds.
     EXPECT_GE(std::accumulate(d.data.begin(), d.data.end(), 0UL) + d.channel.size(), 0UL);
   }
 }

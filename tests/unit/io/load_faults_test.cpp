@@ -1,5 +1,5 @@
-// Cases with wrong loads, time functions, cracks and stage options: one error each, with place, value, what is allowed
-// and what to do.
+// Cases with wrong loads, time functions, cracks and stage options: one error each, with place, value, allowed values
+// and remedy.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace {
 struct WrongLoad {
   const char *name, *kind;
   int line, column;
-  const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
+  const char *key, *value, *problem, *allowed, *hint;  // the key is compared whole, the others in part
 };
 
 std::ostream& operator<<(std::ostream& out, const WrongLoad& wrong) { return out << wrong.name; }
@@ -160,10 +160,10 @@ TEST(WrongLoads, folder_holds_no_case_without_a_test) {
   EXPECT_EQ(count, std::size(kWrong));
 }
 
-/// Changes of a key of the full case, and what the reader says.
+/// Changes of a key of the full case, and the error expected for each.
 struct WrongSet {
   std::vector<std::string> set;
-  const char *key, *problem;  // key whole, problem in part
+  const char *key, *problem;  // the key is compared whole, the problem in part
 };
 std::ostream& operator<<(std::ostream& out, const WrongSet& wrong) { return out << wrong.set.front(); }
 class WrongLoadSet : public testing::TestWithParam<WrongSet> {};
@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongSet{{"point_load.1.point=[5.5, 0.5]"}, "point_load.1.point", "held whole"},
         WrongSet{{"point_load.1.point=[50, 50]"}, "point_load.1.point", "in no block"},
         WrongSet{{"crack.0.points=[[1.1, 1.1], [1.1, 1.1]]"}, "crack.0.points.1", "no length"},
-        WrongSet{{"crack.0.points=[[1.1, 1.5], [1.9, 1.5]]"}, "crack.0.points.1", "leaves block"},  // over the hole
+        WrongSet{{"crack.0.points=[[1.1, 1.5], [1.9, 1.5]]"}, "crack.0.points.1", "leaves block"},  // crosses the hole
         WrongSet{{"crack.0.joint=\"plain\""}, "crack.0.joint", "no joint of that name"},
         WrongSet{{"material.soil.initial_stress={xx=0, yy=0, level=1}"},
                  "material.soil.initial_stress.level",

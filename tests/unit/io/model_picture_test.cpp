@@ -1,4 +1,4 @@
-// The picture of a case: what is in the model is on the page, in its colour, and nothing else.
+// The picture of a case shows the objects of the model in their colours, and no others.
 #include "io/pictures/model_picture.h"
 
 #include <cairo.h>
@@ -89,7 +89,7 @@ TEST(ModelPicture, shows_laws_supports_loads_and_water_in_their_colours) {
   draw_model(read_text(kSlope).model, {}, file);
   {
     const Pixels bare(file);
-    EXPECT_GT(bare.count(distinct_colour(3)), 500);  // the laws, counted from the third colour on
+    EXPECT_GT(bare.count(distinct_colour(3)), 500);  // colours of laws begin with the third
     EXPECT_GT(bare.count(distinct_colour(4)), 500);
     EXPECT_LT(bare.count(support) + bare.count(load) + bare.count(water), 60);
   }

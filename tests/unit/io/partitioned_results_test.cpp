@@ -1,4 +1,4 @@
-// Results of a run in which some blocks take explicit steps and the others implicit ones.
+// Results of a run in which some blocks are integrated explicitly and the others implicitly.
 #include <gtest/gtest.h>
 
 #include "tests/support/scene.h"
@@ -44,7 +44,7 @@ TEST(PartitionedResults, cells_show_the_side_of_their_block_before_and_after_it_
   for (std::size_t k = 0; k < run.times().size(); ++k) {
     const StoredFrame f = run.frame(k);
     EXPECT_EQ(f.integrator, "partitioned");
-    // The speed of the step before the frame decides; frames where it is near a limit are left out.
+    // The speed in the step before the frame decides; frames with a speed near a limit are skipped.
     const double speed = std::abs(1.5 - 9.81 * f.time), near = 9.81 * 4e-3;
     const bool first = k == 0, falls = 1.5 - 9.81 * f.time < 0.0;
     const double limit = falls ? 0.8 : 0.4;

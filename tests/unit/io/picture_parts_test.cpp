@@ -1,4 +1,4 @@
-// What pictures are made of: colours, ranges, arrows, names of files.
+// Parts of pictures: colours, ranges, arrows, file names.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ double perceived(const Colour& c) {
 }
 
 TEST(ColourMap, sequential_colours_grow_lighter_evenly) {
-  // Equal steps of the value look equal: within a fifth of the mean step, as the table has whole bytes.
+  // Equal steps of the value give equal steps of lightness, within a fifth of the mean: the table has whole bytes.
   const int n = 16;
   const double mean = (perceived(sequential_colour(1.0)) - perceived(sequential_colour(0.0))) / n;
   EXPECT_GT(mean, 4.0);
@@ -102,7 +102,7 @@ TEST(Range, leaves_out_what_is_not_finite_and_is_never_without_length_once_widen
 
 // --- fields and marks ---------------------------------------------------------------------------------------------
 
-/// Block 0: a row of `n` unit squares from x = 0. Block 1: an L from x = 100. Points of their own each cell.
+/// Block 0: a row of `n` unit squares from x = 0. Block 1: an L from x = 100. Cells share no points.
 StoredFrame row_and_corner(int n) {
   StoredFrame f;
   f.offsets.push_back(0);

@@ -1,4 +1,4 @@
-// What may come from anywhere is shown without steering the terminal.
+// Untrusted text is printed without control sequences for the terminal.
 #include "io/text/printable.h"
 
 #include <gtest/gtest.h>

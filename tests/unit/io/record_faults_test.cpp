@@ -1,4 +1,4 @@
-// Cases with wrong records: one error each, with place, value, what is allowed and what to do.
+// Cases with wrong records: one error each, with place, value, allowed values and remedy.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace {
 struct WrongRecord {
   const char *name, *kind;
   int line, column;
-  const char *key, *value, *problem, *allowed, *hint;  // key whole, the others in part
+  const char *key, *value, *problem, *allowed, *hint;  // the key is compared whole, the others in part
 };
 
 std::ostream& operator<<(std::ostream& out, const WrongRecord& wrong) { return out << wrong.name; }
@@ -66,7 +66,7 @@ TEST(MotionKeys, gap_is_bridged_by_resampling) {
   const Case c = read_case(kFaults + "record_gap.toml", {"motion.shake.resample=\"5 ms\""}, kMethods);
   const GroundMotion& m = c.model.motions[0];
   ASSERT_EQ(m.times().size(), 39u);
-  // Across the gap, straight from 0.9854 at 0.07 s to 0.8085 at 0.11 s.
+  // The gap is interpolated linearly from 0.9854 at 0.07 s to 0.8085 at 0.11 s.
   EXPECT_NEAR(m.acceleration(0.09).x(), 0.5 * (0.9854 + 0.8085), 1e-12);
 }
 

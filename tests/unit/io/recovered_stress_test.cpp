@@ -1,4 +1,4 @@
-// Stress for pictures: planes are kept, what alternates from element to element goes, blocks do not mix.
+// Recovered stress for pictures: linear fields are kept, alternating element stresses vanish, blocks do not mix.
 #include "io/pictures/recovered_stress.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace scree::io::recovered_stress_test {
 namespace {
 
-/// n x n squares of side 1, each of two triangles, with points of their own a cell.
+/// n x n squares of side 1, each of two triangles; every cell has its own points.
 void add_grid(StoredFrame& f, int n, double x0, int block, const std::function<double(const Vec2&, int)>& stress) {
   if (f.offsets.empty()) f.offsets.push_back(0);
   for (int i = 0; i < n; ++i)
@@ -40,7 +40,7 @@ TEST(RecoveredStress, a_plane_is_kept_where_its_cells_surround_a_point) {
   for (std::size_t i = 0; i < f.connectivity.size(); ++i) {
     const Vec2 x(f.position[2 * i], f.position[2 * i + 1]);
     const bool inside = x.minCoeff() > 0.5 && x.maxCoeff() < 7.5;
-    // On the rim it is kept between the stresses of the cells around, whose middles are two thirds of a side away.
+    // Tolerance at the rim: the value stays between the stresses of the cells around, with centres 2/3 of a side away.
     EXPECT_NEAR(s[3 * i], plane(x), inside ? 1e-12 : 2.0);
     EXPECT_NEAR(s[3 * i + 1], 2.0, 1e-12);
     EXPECT_NEAR(s[3 * i + 2], -s[3 * i], 1e-12);

@@ -1,4 +1,4 @@
-// The page of a report: what its chunks hold when they are read back, and that nothing of a run becomes HTML.
+// The page of a report: its chunks are read back and compared, and no text of a run becomes HTML.
 #include "io/report/report.h"
 
 #include <zlib.h>
@@ -35,7 +35,7 @@ std::vector<std::uint8_t> from_base64(std::string_view text) {
   return out;
 }
 
-/// Arrays of a chunk as numbers, by an own reading of the layout that chunk.h describes.
+/// Arrays of a chunk as numbers, decoded independently from the layout that chunk.h describes.
 std::map<std::string, std::vector<double>> unpacked(std::string_view text) {
   const std::vector<std::uint8_t> packed = from_base64(text);
   std::vector<std::uint8_t> bytes(1U << 20U);
@@ -140,7 +140,7 @@ TEST_F(Results, report_frames_hold_positions_speeds_and_stresses) {
     ASSERT_EQ(mesh.at("origin").size(), f.position.size());
     ASSERT_EQ(mesh.at("cells").size(), f.connectivity.size());
     for (std::size_t k = 0; k < f.position.size(); ++k) {
-      // float32 of numbers up to 10 m; 17 significant bits of the displacement.
+      // Tolerance: float32 of numbers up to 10 m, and 17 significant bits of the displacement.
       EXPECT_NEAR(mesh.at("origin")[k] + frame.at("displacement")[k] + base[static_cast<Eigen::Index>(k % 2)],
                   f.position[k], 2e-6 + std::abs(f.displacement[k]) / 131072.0);
       EXPECT_NEAR(frame.at("velocity")[k], f.velocity[k], std::abs(f.velocity[k]) / 4096.0);
@@ -149,7 +149,7 @@ TEST_F(Results, report_frames_hold_positions_speeds_and_stresses) {
       EXPECT_EQ(mesh.at("block")[c], f.block[c]);
       EXPECT_EQ(mesh.at("method")[c], f.method[c]);
       EXPECT_EQ(frame.at("integrator")[c], f.cell_integrator[c]);
-      // One stress in the whole model: what is recovered at points is that of the cells.
+      // The stress is uniform in the model: the stress recovered at points equals that of the cells.
       const auto p = static_cast<std::size_t>(f.connectivity[static_cast<std::size_t>(f.offsets[c])]);
       for (std::size_t k = 0; k < 3; ++k)
         EXPECT_NEAR(frame.at("stress")[3 * p + k], f.stress[3 * c + k], std::abs(f.stress[3 * c + k]) / 4000.0);
@@ -176,7 +176,7 @@ TEST_F(Results, report_thins_to_its_size_and_says_so) {
   EXPECT_EQ(packed.stored, 5U);
   std::vector<std::size_t> kept;
   for (const ReportFrame& f : packed.frames) kept.push_back(f.index);
-  EXPECT_EQ(kept, (std::vector<std::size_t>{0, 2, 3, 4}));  // the ends of both meshes
+  EXPECT_EQ(kept, (std::vector<std::size_t>{0, 2, 3, 4}));  // first and last frame of each mesh
 }
 
 TEST_F(Results, report_is_one_page_with_everything) {
@@ -201,7 +201,7 @@ TEST_F(Results, report_is_one_page_with_everything) {
   EXPECT_NEAR(rows.at("m1.s").back(), 6e6, 1.0);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_FALSE(element(html, "frame-" + std::to_string(i)).empty());
   EXPECT_FALSE(element(html, "mesh-1").empty());
-  // Nothing from elsewhere: no address in an attribute of the page's elements, and a policy that forbids requests.
+  // No external content: no address in an attribute of an element, and a policy that forbids requests.
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
   const std::string body = html.substr(0, html.find("<script"));
   for (const char* word : {"src", "href"})

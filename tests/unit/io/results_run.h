@@ -1,4 +1,4 @@
-// A small synthetic run that goes through the results sink.
+// A small synthetic run that is written by the results sink.
 #pragma once
 
 #include <cairo/cairo.h>
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using coupling::Column;
 using coupling::Integrator;
 
-/// A folder of this test's own, removed at its end.
+/// A separate folder for each test, removed at its end.
 class Scratch {
  public:
   Scratch() {
@@ -36,7 +36,7 @@ class Scratch {
     path_ = ::mkdtemp(name.data());
   }
   ~Scratch() {
-    std::error_code ignored;  // a folder left behind is no failure of what is tested
+    std::error_code ignored;  // a folder that remains is not a failure of the test
     fs::remove_all(path_, ignored);
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
@@ -101,10 +101,10 @@ struct SmallRun {
     offsets = {0, 4, 8};
     connectivity = {0, 1, 2, 3, 4, 5, 6, 7};
     block = {0, 1}, material = {0, 0}, method = {0, 0};
-    mesh.methods = {"dda"};  // counted anew in each mesh
+    mesh.methods = {"dda"};  // numbered separately in each mesh
     use(2);
   }
-  /// The base in 40 cells with points of their own: more numbers than stand in run.xmf.
+  /// The base in 40 cells that share no points: too many numbers to be stored in the text of run.xmf.
   void use_many() {
     offsets = {0}, connectivity.clear(), block.clear();
     std::vector<double> points;
@@ -198,7 +198,7 @@ inline Provenance provenance() {
   return p;
 }
 
-/// The small run in a folder, made once.
+/// The small run in a folder, written once.
 class Results : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -1,4 +1,4 @@
-// Results: a small synthetic run goes through the sink and is read back.
+// Results: a small synthetic run is written by the sink and read back.
 #include <cairo/cairo.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -124,7 +124,7 @@ TEST(ContactResults, rows_of_a_frame_are_those_it_showed) {
     if (k + 1 < counts.size())
       sink.frame(frame);
     else
-      sink.end({}, frame);  // the last instant is a frame too
+      sink.end({}, frame);  // the end of the run is also a frame
   }
   const h5::File file = h5::File::open(scratch.path() / "run" / "run.vtkhdf");
   EXPECT_EQ(h5::read<std::int64_t>(file, "/contacts/frames/first"), (std::vector<std::int64_t>{0, 2, 2, 5}));
@@ -171,7 +171,7 @@ TEST_F(Results, monitors_of_one_name_are_both_kept) {
   EXPECT_EQ(monitors[1].name, "crest, left_2");
   EXPECT_EQ(monitors[1].time.size(), 5u);
   EXPECT_EQ(monitors[1].velocity[1], 1.0 / 3.0);
-  ASSERT_EQ(monitors[1].stress.size(), 15u);  // xx, yy, xy a time
+  ASSERT_EQ(monitors[1].stress.size(), 15u);  // xx, yy, xy per time
   EXPECT_EQ(monitors[0].stress[1], -2e6);
   EXPECT_EQ(monitors[1].stress[13], 5e6 * 2.0);
 }
@@ -234,7 +234,7 @@ TEST_F(Results, run_without_end_reads_back_as_of_its_last_frame) {
   small.history(sink, 0.0);
   sink.frame(small.frame(0.0, 0, 0.0, 0.0, 0.0));
   small.history(sink, 0.1);                     // buffered
-  fs::create_directory(other.path() / "copy");  // what a kill would leave
+  fs::create_directory(other.path() / "copy");  // files as after a kill
   fs::copy_file(folder / "run.vtkhdf", other.path() / "copy/run.vtkhdf");
   const RunReader reader(other.path() / "copy");
   EXPECT_EQ(reader.times().size(), 1u);
@@ -294,9 +294,9 @@ TEST_F(Results, xmf_has_every_frame_and_two_at_one_time_are_a_tick_apart) {
   EXPECT_EQ(times[4], 2.0);
 }
 
-/// An array of run.xmf: its numbers, wherever they are.
+/// An array of run.xmf: its numbers, from the text or from the file it refers to.
 struct XmfArray {
-  std::string dimensions, path;  // path: empty where the numbers stand in the text
+  std::string dimensions, path;  // path: empty if the numbers are in the text
   std::vector<double> numbers;
 };
 std::vector<XmfArray> xmf_arrays(const fs::path& run) {
@@ -438,7 +438,7 @@ TEST_F(Results, csv_has_units_and_reads_back_to_the_same_bits) {
 }
 
 TEST(Outcome, a_summary_with_a_number_that_is_not_finite_does_not_say_done) {
-  // Each of them planted where no step sees it; a run that ended otherwise keeps its own reason.
+  // Each non-finite number is set where no step checks it; a run that ended for another reason keeps that reason.
   enum class Planted { nothing, travel, ledger, position };
   for (const Planted planted : {Planted::nothing, Planted::travel, Planted::ledger, Planted::position})
     for (const auto status : {coupling::RunEnd::Status::done, coupling::RunEnd::Status::interrupted}) {

@@ -1,4 +1,4 @@
-// The run folder: summary, what may be replaced, what fails and how.
+// The run folder: summary, files that may be replaced, and failures.
 #include <cairo/cairo.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -48,7 +48,7 @@ TEST(Summary, numbers_and_texts_read_back_and_none_steers_a_terminal) {
   const double third = 0.1 + 0.2;
   const std::string texts = "a\"b\\c\nd\te\x01\x7f ä \u009b\u202e\u2028";
   Provenance provenance;
-  provenance.overrides = {texts, "\xff\xc0\xaf\xed\xa0\x80", ""};  // the second: no byte of it is UTF-8
+  provenance.overrides = {texts, "\xff\xc0\xaf\xed\xa0\x80", ""};  // the second is not UTF-8 in any byte
   Summary summary(small.model, provenance);
   summary.event({coupling::EventKind::warning, third, texts});
   summary.event({coupling::EventKind::warning, 4e300, ""});
@@ -68,7 +68,7 @@ TEST(Summary, numbers_and_texts_read_back_and_none_steers_a_terminal) {
 
 // --- SHA-256 ------------------------------------------------------------------------------------------------------
 
-TEST(Sha256, published_vectors_match) {  // FIPS 180-2, appendix B
+TEST(Sha256, published_vectors_match) {  // all but the first: FIPS 180-2, appendix B
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
@@ -132,12 +132,12 @@ TEST(ResultsSinkFailure, full_disk_gives_file_error_at_a_frame) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   SmallRun small;
   const RunFolder folder = RunFolder::create(scratch.path() / "run", false);
-  fs::create_symlink("/dev/full", folder.history());  // the table is opened there
+  fs::create_symlink("/dev/full", folder.history());  // path of the table
   ResultsSink sink(folder, provenance());
   EXPECT_THROW(small.play(sink), FileError);
 }
 
-/// Files may not grow beyond a size while this lives: what a full disk does to a write.
+/// Limits the size of files during its lifetime: writes fail as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {

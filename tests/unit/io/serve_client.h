@@ -1,4 +1,4 @@
-// A site of two paths, its server in a thread, and plain sockets that call it.
+// A site of two paths, its server in a thread, and clients with plain sockets.
 #pragma once
 
 #include <arpa/inet.h>
@@ -56,7 +56,7 @@ class SmallSite final : public Site {
   int shown_ = 0;
 };
 
-/// A server in a thread of its own.
+/// A server in a separate thread.
 class Served {
  public:
   explicit Served(Site& site, const ServerLimits& limits = {}) : server_(site, 0, limits) {
@@ -103,7 +103,7 @@ class Client {
   }
   void finish() const { ::shutdown(socket_, SHUT_WR); }
 
-  /// Takes bytes until `enough` of all that came, the end, or the time is up.
+  /// Receives until `enough` holds for all bytes received, the connection ends, or the time is up.
   template <class Enough>
   const std::string& take(Enough&& enough, std::chrono::milliseconds most = 5000ms) {
     const auto end = std::chrono::steady_clock::now() + most;
@@ -139,7 +139,7 @@ inline std::string get(std::uint16_t port, std::string_view path, std::string_vi
          "\r\nConnection: close\r\n" + std::string(more) + "\r\n";
 }
 
-/// What comes for a request on a connection of its own.
+/// The reply to a request on a new connection.
 inline std::string reply(std::uint16_t port, std::string_view request) {
   Client client(port);
   EXPECT_TRUE(client.connected());
@@ -171,7 +171,7 @@ inline std::string ws_frame(std::string_view text, int opcode = 1) {
   return out;
 }
 
-/// Payloads of the whole frames at the front of what came; those are taken away.
+/// Payloads of the complete frames at the front of the bytes received; removes these frames.
 inline std::vector<std::string> take_frames(std::string& got) {
   std::vector<std::string> out;
   for (;;) {
@@ -189,7 +189,7 @@ inline std::vector<std::string> take_frames(std::string& got) {
   }
 }
 
-/// A viewer whose handshake is done.
+/// A viewer that has completed its handshake.
 struct LiveClient {
   explicit LiveClient(std::uint16_t port, int receive_buffer = 0) : client(port, receive_buffer) {
     client.send(upgrade(port, own_origin(port)));

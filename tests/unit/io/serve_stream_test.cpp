@@ -1,4 +1,4 @@
-// The stream of the server to viewers: WebSocket, who may have it, and what a slow or wrong viewer gets.
+// The stream of the server to viewers: WebSocket, access, and the treatment of slow or faulty viewers.
 #include <algorithm>
 
 #include "tests/unit/io/serve_client.h"
@@ -66,7 +66,7 @@ TEST(Server, a_viewer_that_reads_nothing_holds_up_nobody) {
     ASSERT_EQ(got.size(), 1U);
     EXPECT_EQ(got[0].substr(0, got[0].find('x')), "a" + std::to_string(version));
   }
-  // What it finds when it reads again: the one that was on its way, then the newest.
+  // When the viewer reads again, it gets the message that was being sent, then the newest.
   const std::vector<std::string> late = stuck.next(2);
   ASSERT_EQ(late.size(), 2U);
   EXPECT_EQ(late[0].substr(0, 2), "a1");
@@ -87,7 +87,7 @@ TEST(Server, wrong_messages_of_a_viewer_end_its_connection) {
       ws_frame("n") + ws_frame("n") + ws_frame("n"),
       std::string("\x81\x01n", 3),  // not masked
       ws_frame("n", 3),
-      ws_frame("n", 11),                                                // codes that nothing has
+      ws_frame("n", 11),                                                // undefined codes
       std::string("\xF1\x81maskn", 7),                                  // reserved bits
       std::string("\x01\x80mask", 6) + ws_frame("n"),                   // a message within a message
       ws_frame(std::string(126 - 1, 'p'), 9).replace(0, 1, 1, '\x09'),  // a ping in pieces

@@ -1,5 +1,5 @@
-// The server of `scree view`: what it answers, what it refuses, and that it lives on whatever is sent to it. Requests
-// are written by hand over plain sockets, so that nothing of what is tested takes part in testing it.
+// The server of `scree view`: its answers, its refusals, and that no input ends it. Requests are written by hand over
+// plain sockets, so that the code under test has no part in the test.
 #include <fstream>
 #include <map>
 #include <random>
@@ -67,7 +67,7 @@ TEST(Server, one_connection_takes_many_requests) {
   Served served(site);
   Client client(served.port());
   const std::string request = "GET / HTTP/1.1\r\nHost: " + host(served.port()) + "\r\n\r\n";
-  client.send(request + request + request);  // at once, which is allowed
+  client.send(request + request + request);  // pipelined requests are allowed
   const auto count = [](const std::string& text) {
     std::size_t found = 0;
     for (std::size_t at = 0; (at = text.find(kWords, at)) != std::string::npos; ++at) ++found;
@@ -118,7 +118,7 @@ TEST(Server, slow_requests_and_too_many_connections_end) {
   Served served(site, limits);
   Client slow(served.port()), idle(served.port()), other(served.port());
   slow.send("GET / HTTP/1.1\r\nHost: ");
-  for (int i = 0; i < 5; ++i) {  // byte by byte does not help
+  for (int i = 0; i < 5; ++i) {  // single bytes do not extend the time limit
     std::this_thread::sleep_for(20ms);
     slow.send("1");
   }
@@ -129,7 +129,7 @@ TEST(Server, slow_requests_and_too_many_connections_end) {
   slow.take_all();
   idle.take_all();
   EXPECT_TRUE(slow.ended() && idle.ended());
-  // The server counts a connection until it has put it away, a moment after the other end has seen it close.
+  // The server counts a connection until it has released it, a moment after the client has received the close.
   int status = 0;
   for (int k = 0; k < 100 && status != 200; ++k) {
     if (k > 0) std::this_thread::sleep_for(20ms);
@@ -166,7 +166,7 @@ TEST(Server, listens_on_the_loopback_interface_alone_and_a_port_once) {
 
 // ------------------------------------------------------------------------------------------------- fuzz
 
-/// A request with some of its bytes changed, doubled, cut or put in.
+/// A request with some bytes changed, duplicated, removed or inserted.
 std::string mutated(std::string text, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % std::max<std::size_t>(1, n); };
   static const std::vector<std::string> kPieces{"\r\n",
@@ -230,7 +230,7 @@ TEST(Server, lives_on_after_ten_thousand_damaged_requests) {
     client.take([](const std::string& text) { return text.size() > 12; }, 2000ms);
     const int code = status_of(client.got());
     ++codes[code];
-    if (code == 200) {  // what it gives, it gives to those alone who say whom they mean
+    if (code == 200) {  // content is sent only if the request names this host
       EXPECT_NE(request.find(host(port)), std::string::npos) << i;
     }
   }

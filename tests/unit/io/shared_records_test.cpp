@@ -1,4 +1,4 @@
-// Recorded motions of SCREE_RECORDS, if that folder is there: what is printed of them is what their catalogue says.
+// Recorded motions of SCREE_RECORDS, if that folder exists: the computed facts agree with their catalogue.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST_P(SharedRecord, facts_are_those_of_the_catalogue) {
   const MotionFacts f = facts_of(s);
   EXPECT_EQ(s.time.size(), GetParam().points);
   EXPECT_NEAR(f.duration, static_cast<double>(GetParam().points - 1) * GetParam().dt, 1e-9);
-  EXPECT_NEAR(f.pga / kStandardGravity, GetParam().pga_g, 0.0005);  // half of the last decimal
+  EXPECT_NEAR(f.pga / kStandardGravity, GetParam().pga_g, 0.0005);  // half a unit of the last decimal
   EXPECT_NEAR(f.arias, GetParam().arias, 0.0005);
 }
 
@@ -60,7 +60,7 @@ TEST_P(SharedRecord, resampled_finer_is_the_same_motion) {
   const Samples s = samples(), fine = resample(s, GetParam().dt / 4.0, Between::linear);
   EXPECT_EQ(fine.time.size(), 4 * (s.time.size() - 1) + 1);
   const MotionFacts f = facts_of(s), g = facts_of(fine);
-  EXPECT_NEAR(g.pgv, f.pgv, 1e-9);  // times of three decimals, read as steps of 0.00499999999999989 s
+  EXPECT_NEAR(g.pgv, f.pgv, 1e-9);  // times of three decimals give steps of 0.00499999999999989 s
   EXPECT_NEAR(g.final_displacement, f.final_displacement, 1e-9);
 }
 

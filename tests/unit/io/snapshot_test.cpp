@@ -24,7 +24,7 @@
 #include "tests/unit/io/results_run.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-/// The font library keeps its cache until the process ends, and says so nowhere.
+/// The font library does not free its cache at the end of the process and does not document this.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 #endif
 
@@ -113,7 +113,7 @@ TEST_F(Results, ledger_plot_draws_a_line_a_column_that_is_not_zero) {
   EXPECT_EQ(picture.width, 1680);
   for (const std::array<int, 3>& colour : {std::array{0, 114, 178}, {230, 159, 0}, {0, 158, 115}})
     EXPECT_GT(picture.share(colour), 5e-4);
-  EXPECT_LT(picture.share({204, 121, 167}), 1e-5);  // a fourth column would have this one
+  EXPECT_LT(picture.share({204, 121, 167}), 1e-5);  // colour of a fourth column
 }
 
 TEST_F(Results, snapshot_as_pdf_and_svg_is_of_that_kind_and_keeps_the_letters) {
@@ -125,8 +125,8 @@ TEST_F(Results, snapshot_as_pdf_and_svg_is_of_that_kind_and_keeps_the_letters) {
   const std::string pdf = text_of(scratch->path() / "u.pdf"), svg = text_of(scratch->path() / "u.svg");
   EXPECT_TRUE(pdf.starts_with("%PDF-"));
   EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
-  EXPECT_NE(pdf.find("/FontFile"), std::string::npos);        // letters, not pictures of them
-  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);  // nothing turned to pixels
+  EXPECT_NE(pdf.find("/FontFile"), std::string::npos);        // text is stored as text
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);  // nothing is rasterised
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   EXPECT_NE(svg.find("width=\"504pt\""), std::string::npos);  // 7 inches
   EXPECT_EQ(svg.find("<image"), std::string::npos);
@@ -143,7 +143,7 @@ TEST_F(Results, snapshot_with_fixed_range_colours_by_it) {
   options.range = {-8e6, 8e6};
   snapshot(run, options, scratch->path() / "half.png");
   EXPECT_GT(Picture(scratch->path() / "half.png").share({106, 172, 208}), 0.005);  // half way to the blue end
-  options.range = {-4e6, 1e6};  // white is still zero: the block has the end colour
+  options.range = {-4e6, 1e6};  // white remains zero: the block has the end colour
   snapshot(run, options, scratch->path() / "end.png");
   EXPECT_GT(Picture(scratch->path() / "end.png").share({5, 48, 97}), 0.005);
   EXPECT_LT(Picture(scratch->path() / "end.png").share({103, 0, 31}), 1e-4);  // the red end is not reached

@@ -1,4 +1,4 @@
-// What the pages of a stored run are made of.
+// The parts of the pages of a stored run.
 #include "io/serve/stored_site.h"
 
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ TEST_F(Results, site_of_a_run_has_every_frame) {
   const std::string html = bytes("/");
   EXPECT_NE(html.find("data-source=\"stored\""), std::string::npos);
   EXPECT_NE(html.find("A &quot;small&quot; run"), std::string::npos);
-  // Scripts of the page come from the server; what stands in it is data.
+  // Scripts are loaded from the server; script elements in the page contain only data.
   for (std::size_t at = 0; (at = html.find("<script", at)) != std::string::npos; ++at) {
     const std::string tag = html.substr(at, html.find('>', at) - at);
     EXPECT_TRUE(tag == "<script src=\"viewer.js\"" || tag.find("type=\"text/plain\"") != std::string::npos) << tag;

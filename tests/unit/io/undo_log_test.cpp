@@ -1,4 +1,4 @@
-// Files that are brought back to what they were, at any instant of what is written on.
+// The undo log restores the content of a file, whenever the later writes were interrupted.
 #include "io/results/undo_log.h"
 
 #include <fcntl.h>
@@ -62,7 +62,7 @@ TEST_F(OverwrittenFile, stretch_that_was_not_stored_whole_was_not_overwritten) {
   overwrite(undo, fd, 100, 50);
   const std::string now = io::test::text_of(file_);
   const auto size = fs::file_size(log_);
-  undo.save(9'000, 10);  // and killed within
+  undo.save(9'000, 10);  // killed during this write
   const std::string logged = io::test::text_of(log_);
   for (std::size_t n = size; n < logged.size(); n += 97) {
     put(file_, now), put(log_, logged.substr(0, n));
@@ -95,7 +95,7 @@ TEST_F(OverwrittenFile, log_that_says_nothing_is_not_followed) {
   }
 }
 
-/// Results whose file is killed anywhere: the copies are what a killed program leaves.
+/// Results of a run killed at any instant: the copies equal the files of a killed program.
 TEST(KeptResults, rows_up_to_the_instant_are_there_whatever_was_written_since) {
   const io::test::Scratch folder;
   const fs::path path = folder.path() / "run.vtkhdf", copy = folder.path() / "copy.vtkhdf";
@@ -122,7 +122,7 @@ TEST(KeptResults, rows_up_to_the_instant_are_there_whatever_was_written_since) {
     ASSERT_NE(io::test::text_of(copy), kept);
     ASSERT_TRUE(UndoLog::roll_back(copy));
     ASSERT_EQ(io::test::text_of(copy), kept);
-    // What is brought back is whole, and holds the rows.
+    // The restored file is valid and contains the rows.
     io::h5::File other = io::h5::File::create(folder.path() / "other.vtkhdf");
     io::h5::Series<double> taken(other, "/group/numbers", 3, {"m", "numbers"});
     io::h5::TextSeries taken_texts(other, "/group/texts", {"none", "texts"});

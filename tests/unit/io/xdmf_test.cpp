@@ -1,4 +1,4 @@
-// run.xmf: its words, the windows it refers to, the series behind them, and point values brought to the cells.
+// run.xmf: its text, the windows it refers to, the series behind them, and point values averaged over cells.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -67,7 +67,7 @@ TEST(XdmfText, closing_closes_what_the_opening_opens_around_the_grids) {
 }
 
 TEST(XdmfText, times_told_apart_rise_and_keep_the_last_of_equal_ones) {
-  for (const double t : {0.0, 1.0, 6.0, 3600.0, 1e7}) {  // 1e7: a double tells apart no less than 2e-9 there
+  for (const double t : {0.0, 1.0, 6.0, 3600.0, 1e7}) {  // 1e7: doubles are 2e-9 apart there
     const std::vector<double> apart = xdmf::told_apart({t - 0.5, t, t, t});
     EXPECT_EQ(apart[0], t - 0.5);
     EXPECT_EQ(apart[3], t);
@@ -82,7 +82,7 @@ TEST(XdmfText, times_told_apart_rise_and_keep_the_last_of_equal_ones) {
 
 // --- windows ------------------------------------------------------------------------------------------------------
 
-/// A file of this test's own, removed at its end.
+/// A separate file for each test, removed at its end.
 class Window : public testing::Test {
  protected:
   void SetUp() override {
@@ -92,7 +92,7 @@ class Window : public testing::Test {
   }
   void TearDown() override {
     file_.close();
-    std::error_code ignored;  // a folder left behind is no failure of what is tested
+    std::error_code ignored;  // a folder that remains is not a failure of the test
     fs::remove_all(folder_, ignored);
   }
   fs::path folder_;
@@ -148,7 +148,7 @@ TEST_F(Window, of_a_name_that_is_taken_gives_file_error) {
 struct Chunk {
   haddr_t address = 0;
   hsize_t bytes = 0;
-  unsigned skipped = 0;  // filters, a bit each
+  unsigned skipped = 0;  // filters, one bit each
 };
 Chunk chunk_of(const h5::File& file, const char* name, hsize_t number) {
   Chunk c;
@@ -165,7 +165,7 @@ TEST(Chunks, hold_a_quarter_of_what_is_expected_within_bounds) {
   EXPECT_EQ(h5::rows_of_chunk(1000.0, 8), 256u);   // 2 KiB of 8
   EXPECT_EQ(h5::rows_of_chunk(1e12, 8), 8192u);    // 64 KiB
   EXPECT_EQ(h5::rows_of_chunk(1e12, 24), 4096u);   // 96 KiB: the first power of two rows that reaches 64
-  EXPECT_EQ(h5::rows_of_chunk(1.0, 1 << 20), 1u);  // a row is the least
+  EXPECT_EQ(h5::rows_of_chunk(1.0, 1 << 20), 1u);  // at least one row
 }
 
 TEST_F(Window, file_that_holds_its_tables_reads_as_of_its_flush) {
@@ -211,7 +211,7 @@ TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
     series.flush();
     file_.flush();
     EXPECT_EQ(series.rows(), static_cast<std::int64_t>(expected.size()));
-    // A copy is what another process sees, and what a kill would leave.
+    // The copy equals the file that another process reads, or that remains after a kill.
     fs::copy_file(folder_ / "a.h5", folder_ / "copy.h5", fs::copy_options::overwrite_existing);
     EXPECT_EQ(h5::read<double>(h5::File::open(folder_ / "copy.h5"), "/numbers"), expected);
   };
@@ -232,7 +232,7 @@ TEST_F(Window, series_keeps_its_last_chunk_in_place_until_it_is_full) {
 }
 
 TEST_F(Window, rows_that_do_not_deflate_are_those_that_were_written) {
-  // Flushed first as they are: a chunk that is replaced by one of its length must not get other filters.
+  // Rows are first flushed unfiltered: a chunk replaced by one of equal length must not get other filters.
   h5::Series<std::uint64_t> series(file_, "/noise", 1, {"1", "noise"});
   std::vector<std::uint64_t> rows;
   std::uint64_t x = 88172645463325252ULL;
@@ -261,7 +261,7 @@ TEST_F(Window, series_never_flushed_is_whole_after_close) {
 // --- cell means ---------------------------------------------------------------------------------------------------
 
 TEST(CellMean, affine_field_gives_its_value_at_the_centroid_of_any_shape) {
-  // An L of unit squares, far from the origin: centroid (5/6, 5/6) from its corner, which no mean of vertices gives.
+  // An L of unit squares, far from the origin: centroid (5/6, 5/6) from its corner, unlike the mean of the vertices.
   const double x0 = 1e4, y0 = -3e4;
   std::vector<double> place, value;
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}}) {
@@ -271,7 +271,7 @@ TEST(CellMean, affine_field_gives_its_value_at_the_centroid_of_any_shape) {
   const std::vector<std::int32_t> offsets{0, 6}, connectivity{0, 1, 2, 3, 4, 5};
   const std::vector<double> mean = cell_mean(place, value, offsets, connectivity);
   ASSERT_EQ(mean.size(), 2u);
-  EXPECT_NEAR(mean[0], 3.0 + 5.0 / 6.0, 1e-11);  // 1e-16 of the coordinates, times a few operations
+  EXPECT_NEAR(mean[0], 3.0 + 5.0 / 6.0, 1e-11);  // 1e-16 of the coordinates times a few operations
   EXPECT_NEAR(mean[1], 4.5 * 5.0 / 6.0, 1e-11);
 }
 

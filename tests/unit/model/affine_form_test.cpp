@@ -1,3 +1,4 @@
+// Force, stiffness and mass of an affine block, compared with central differences of the energy and with definitions.
 #include "model/affine_form.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST_P(Form, force_and_stiffness_are_derivatives_of_the_energy) {
     std::array<double, 6> after{}, before{};
     const double up = form_.linearise(gradient_ + dF, Stiffness::exact, {}, after),
                  down = form_.linearise(gradient_ - dF, Stiffness::exact, {}, before);
-    EXPECT_NEAR(force[k], -(up - down) / (2.0 * h), 1e-7 * 1e8) << k;  // round-off of an energy of 1e7 J over h
+    EXPECT_NEAR(force[k], -(up - down) / (2.0 * h), 1e-7 * 1e8) << k;  // round-off of an energy of 1e7 J, divided by h
     for (std::size_t i = 0; i < 6; ++i)
       EXPECT_NEAR(K(static_cast<int>(i), static_cast<int>(k)), -(after[i] - before[i]) / (2.0 * h), 1e-7 * K.norm())
           << i << " " << k;
@@ -62,7 +63,7 @@ TEST_P(Form, unknowns_and_motion_are_inverse_and_the_mass_gives_the_kinetic_ener
   const Eigen::Map<const Eigen::Matrix<double, 6, 1>> rate(d.data());
   const double kinetic = 0.5 * shape().mass * vc.squaredNorm() + 0.5 * (G * shape().second * G.transpose()).trace();
   EXPECT_NEAR(0.5 * rate.dot(from_lower(lower) * rate), kinetic, 1e-13 * kinetic);
-  // A point's row is its velocity, vc + G X.
+  // The row of a point applied to the unknowns gives its velocity, vc + G X.
   const Vec2 X(0.7, -0.4);
   const ChartRow row = form_.chart_row(1.0, X);
   Vec2 v = Vec2::Zero();

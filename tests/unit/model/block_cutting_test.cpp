@@ -1,3 +1,4 @@
+// Cutting of a domain into blocks: cases with known areas and laws, and random networks that must fill the domain.
 #include "model/block_cutting.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ double total_area(const Cutting& c) {
   return area;
 }
 
-/// Law of the edge of a block whose middle is at a point.
+/// Law of the edge of a block that has its middle at a point.
 JointId law_at(const Block& b, const Vec2& middle) {
   for (std::size_t r = 0; r < b.polygon.rings(); ++r) {
     const Ring& ring = b.polygon.ring(r);
@@ -59,7 +60,7 @@ JointId law_at(const Block& b, const Vec2& middle) {
   return {};
 }
 
-/// Every bit of the blocks and cracks.
+/// All blocks and cracks as text, for comparisons bit for bit.
 std::string bits_of(const Cutting& c) {
   std::string out;
   const auto put = [&](const Vec2& p) {
@@ -101,7 +102,7 @@ TEST(CutBlocks, one_line_gives_two_blocks_from_the_bottom_up) {
 TEST(CutBlocks, cross_gives_four_blocks_with_the_law_of_each_arm) {
   Domain d = square();
   add_trace(d, {{0, 4}, {10, 4}}, kClay);
-  add_trace(d, {{7, -1}, {7, 11}}, kRough);  // what stands out of the domain does not count
+  add_trace(d, {{7, -1}, {7, 11}}, kRough);  // the parts outside the domain are ignored
   const Cutting c = cut_blocks(d);
   ASSERT_EQ(c.blocks.size(), 4U);
   const double areas[] = {28.0, 12.0, 42.0, 18.0};
@@ -119,7 +120,7 @@ TEST(CutBlocks, parallel_set_gives_strips_of_known_area) {
   const Cutting c = cut_blocks(d);
   ASSERT_EQ(c.blocks.size(), 5U);
   const double areas[] = {10.0, 25.0, 25.0, 25.0, 15.0};
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(area_of(c.blocks[i]), areas[i], 1e-12);  // roundings of 10 m
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(area_of(c.blocks[i]), areas[i], 1e-12);  // round-off at 10 m
 }
 
 TEST(CutBlocks, oblique_set_gives_corners_and_strips_of_known_area) {
@@ -138,7 +139,7 @@ TEST(CutBlocks, oblique_set_gives_corners_and_strips_of_known_area) {
 }
 
 TEST(CutBlocks, very_many_parallel_lines_are_cut_as_few_are) {
-  // From 500 lines on the grid lies along them. A trace crosses some; a region has a law of its own.
+  // From 500 lines on, the grid is aligned with them. A trace crosses some.
   Domain d = square();
   d.least_area = 0.0;
   d.least_width = 0.0;
@@ -224,7 +225,7 @@ TEST(CutBlocks, loop_inside_a_block_makes_a_hole_and_a_block_in_it) {
 TEST(CutBlocks, dead_end_is_kept_as_a_crack_of_its_length_in_its_block) {
   Domain d = square();
   add_trace(d, {{0, 4}, {10, 4}}, kClay);
-  add_trace(d, {{3, 4}, {3, 7.5}}, kRough);       // from the line, dead at its end
+  add_trace(d, {{3, 4}, {3, 7.5}}, kRough);       // begins on the line, ends within the rock
   add_trace(d, {{5, 1}, {8, 1}, {8, 2}}, kWeak);  // free at both ends: one crack of two pieces
   const Cutting c = cut_blocks(d);
   ASSERT_EQ(c.blocks.size(), 2U);
@@ -237,7 +238,7 @@ TEST(CutBlocks, dead_end_is_kept_as_a_crack_of_its_length_in_its_block) {
   EXPECT_EQ(rough->from, Vec2(3, 4));
   EXPECT_EQ(rough->to, Vec2(3, 7.5));
   EXPECT_EQ(rough->block, BlockId{1});
-  // The block knows nothing of the crack: four corners.
+  // The crack does not change the outline of the block: four corners.
   EXPECT_EQ(c.blocks[1].polygon.outer.size(), 4U);
 }
 
@@ -245,7 +246,7 @@ TEST(CutBlocks, dead_end_shorter_than_the_least_width_is_trimmed) {
   Domain d = square();
   d.least_width = 0.1;
   add_trace(d, {{5, 0}, {5, 10}});
-  add_trace(d, {{0, 4}, {5.05, 4}});  // stands out beyond the other by 0.05 m
+  add_trace(d, {{0, 4}, {5.05, 4}});  // ends 0.05 m beyond the other line
   const Cutting c = cut_blocks(d);
   EXPECT_EQ(c.blocks.size(), 3U);
   EXPECT_TRUE(c.cracks.empty());
@@ -326,10 +327,10 @@ TEST(CutBlocks, region_that_joints_do_not_cut_is_one_block_without_their_nodes) 
     EXPECT_EQ(b.edges[0].back(), kClay)
         << b.name;  // it stands on the region's outline, which ends in its lowest corner
   }
-  // From the lowest corner up: the region's surface falls to the right.
+  // Blocks are numbered from the lowest corner up: the surface of the region falls to the right.
   EXPECT_EQ(c.blocks[1].name, "block-1");
   EXPECT_DOUBLE_EQ(c.blocks[1].polygon.outer[0].x(), 10.0);
-  EXPECT_TRUE(c.cracks.empty());  // where lines end at the region nothing stands out
+  EXPECT_TRUE(c.cracks.empty());  // lines that end at the region leave no dead ends
 }
 
 TEST(CutBlocks, region_that_joints_cut_has_as_many_blocks_as_the_rest) {
@@ -345,8 +346,8 @@ TEST(CutBlocks, sliver_goes_to_the_neighbour_with_the_longest_shared_edge) {
   Domain d = square();
   add_trace(d, {{0, 4}, {10, 4}});
   add_trace(d, {{4, 4}, {4, 10}});
-  add_trace(d, {{4.01, 4}, {4.01, 10}}, kClay);  // 0.01 m by 6 m between: touches the block below by 0.01 m only
-  add_trace(d, {{4, 7}, {0, 7}});                // halves the left neighbour: the right one shares more
+  add_trace(d, {{4.01, 4}, {4.01, 10}}, kClay);  // sliver of 0.01 m by 6 m: shares only 0.01 m with the block below
+  add_trace(d, {{4, 7}, {0, 7}});                // halves the left neighbour: the right one shares a longer edge
   const Cutting all = cut_blocks(d);
   EXPECT_EQ(all.blocks.size(), 5U);
   EXPECT_EQ(all.report.slivers_joined, 0);
@@ -378,7 +379,7 @@ TEST(CutBlocks, sliver_prefers_a_neighbour_of_its_region) {
   base.material = MaterialId{1};
   base.cut = false;
   d.regions.push_back(base);
-  add_trace(d, {{0, 3.02}, {10, 3.02}});  // 0.02 m above the base: shares 10 m with it and with the rock above
+  add_trace(d, {{0, 3.02}, {10, 3.02}});  // a sliver of 0.02 m: shares 10 m with the base and 10 m with the rock above
   const Cutting c = cut_blocks(d);
   ASSERT_EQ(c.blocks.size(), 2U);
   EXPECT_NEAR(area_of(c.blocks[0]), 30.0, 1e-12);
@@ -471,14 +472,14 @@ TEST(CutBlocks, fifty_random_networks_tile_the_domain_and_repeat_bit_for_bit) {
     double whole = 0.0, of_region = 0.0;
     for (std::size_t r = 0; r < d.outline.rings(); ++r) whole += signed_area(d.outline.ring(r));
     EXPECT_NEAR(total_area(c), whole, 1e-10 * whole) << seed;
-    if (!d.regions.empty()) {  // the region and nothing else, slivers included
+    if (!d.regions.empty()) {  // blocks of the region fill exactly the region, slivers included
       for (const Block& b : c.blocks)
         if (b.name.starts_with("base-")) of_region += area_of(b);
       EXPECT_NEAR(of_region, overlap_area({d.regions[0].outline, {}}, d.outline), 1e-9 * whole) << seed;
     }
     EXPECT_EQ(bits_of(cut_blocks(d)), bits_of(c)) << seed;
 
-    // Order of the sets, and of the points of a trace, changes no bit.
+    // The order of the sets and of the points of a trace does not change a bit.
     Domain other = d;
     std::swap(other.network.sets[0], other.network.sets[1]);
     std::reverse(other.network.traces[0].points.begin(), other.network.traces[0].points.end());
@@ -489,11 +490,11 @@ TEST(CutBlocks, fifty_random_networks_tile_the_domain_and_repeat_bit_for_bit) {
     const std::vector<GeometryFault> faults = check_geometry(model);
     EXPECT_TRUE(faults.empty()) << seed << ": " << faults.front().what;
   }
-  EXPECT_GT(blocks, 5000U);  // that the networks are no trifles
+  EXPECT_GT(blocks, 5000U);  // the networks are not trivial
 }
 
 TEST(CutBlocks, cracks_and_edges_of_blocks_use_up_the_lines) {
-  // Every piece of a line within the domain is an edge between two blocks, or a crack, or joined away.
+  // Every piece of a line within the domain is an edge between two blocks, a crack, or lost by joining slivers.
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Domain d = random_network(seed);
     d.least_width = 0.0;  // nothing is joined or trimmed
@@ -512,7 +513,7 @@ TEST(CutBlocks, cracks_and_edges_of_blocks_use_up_the_lines) {
     for (std::size_t i = 0; i < o.size(); ++i) outline += (o[(i + 1) % o.size()] - o[i]).norm();
     double cracks = 0.0;
     for (const Crack& k : c.cracks) cracks += (k.to - k.from).norm();
-    EXPECT_NEAR(0.5 * (edges - outline) + cracks, lines, 1e-6 * lines) << seed;  // lines run on by 4 grid widths
+    EXPECT_NEAR(0.5 * (edges - outline) + cracks, lines, 1e-6 * lines) << seed;  // lines are extended by 4 grid widths
   }
 }
 
@@ -550,7 +551,7 @@ TEST(CheckGeometry, five_thousand_blocks_are_checked_in_well_under_a_second) {
   RecordProperty("cutting_ms", static_cast<int>(1e3 * cutting));
   RecordProperty("checking_ms", static_cast<int>(1e3 * checking));
   std::printf("%zu blocks: cutting %.3f s, checking %.3f s\n", c.blocks.size(), cutting, checking);
-  EXPECT_LT(cutting, 10.0);  // 0.2 s alone on a core of 2024; sanitizers and a busy machine take far longer
+  EXPECT_LT(cutting, 10.0);  // measured: 0.2 s on an idle core of 2024; far longer with sanitizers or on a busy machine
   EXPECT_LT(checking, 10.0);
 }
 

@@ -71,7 +71,7 @@ TEST(Outline, interior_angles_of_a_polygon_sum_up) {
   double outer = 0.0, hole = 0.0;
   for (const Boundary::Corner& c : b.corners) (c.ring == 0 ? outer : hole) += c.angle;
   EXPECT_NEAR(outer, 2.0 * kPi, 1e-13);       // (n - 2) pi
-  EXPECT_NEAR(hole, 4.0 * 1.5 * kPi, 1e-13);  // (n + 2) pi seen from the solid
+  EXPECT_NEAR(hole, 4.0 * 1.5 * kPi, 1e-13);  // (n + 2) pi, angles measured in the solid
   for (const Boundary::Segment& s : b.segments) EXPECT_EQ(s.cell, 3);
   EXPECT_EQ(b.segments[3].b, 0);  // rings close
   EXPECT_EQ(b.segments[7].b, 4);

@@ -1,4 +1,4 @@
-// Cells find every segment that is near a point, and long segments cost no more than what lies within the extent.
+// A cell lists every segment near its points; the cost of a segment depends only on its length within the extent.
 #include "model/cell_grid.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(CellGrid, a_segment_stays_in_the_cells_that_it_crosses) {
     for (int j = 0; j < 100; ++j)
       for (const std::int32_t item : grid.at(Vec2(0.1 * i + 0.05, 0.1 * j + 0.05))) ++holds[item];
   EXPECT_GE(holds[0], 100);
-  EXPECT_LE(holds[0], 450);  // about three a column
+  EXPECT_LE(holds[0], 450);  // about three per column
   EXPECT_LE(holds[1], 101);  // the upper row
 }
 
@@ -53,7 +53,7 @@ TEST(CellGrid, time_of_a_segment_does_not_grow_with_its_length_outside) {
   const auto begin = std::chrono::steady_clock::now();
   for (std::int32_t i = 0; i < 100; ++i) grid.insert(Vec2(-1e12, 0.3), Vec2(1e12, 0.6), 0.0, i);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(took.count(), 5.0);  // in pieces of a cell it would be days
+  EXPECT_LT(took.count(), 5.0);  // stepping along the whole segment cell by cell would take days
 }
 
 }  // namespace

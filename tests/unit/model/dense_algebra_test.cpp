@@ -1,4 +1,4 @@
-// Decompositions against their definitions, on matrices of which no transposition or order could be taken for another.
+// Decompositions compared with their definitions, on matrices for which a wrong transposition or order gives an error.
 #include "model/dense_algebra.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(DenseAlgebra, symmetric_modes_are_orthonormal_and_ascend) {
 }
 
 TEST(DenseAlgebra, symmetric_eigenvalues_of_a_fixed_size_and_of_the_lower_triangle) {
-  const Eigen::Matrix2d A = (Eigen::Matrix2d() << 2.0, 1e9, 1.0, 2.0).finished();  // 1e9 is not read
+  const Eigen::Matrix2d A = (Eigen::Matrix2d() << 2.0, 1e9, 1.0, 2.0).finished();  // the upper triangle is not used
   EXPECT_LT(apart(symmetric_eigenvalues(A), Eigen::Vector2d(1.0, 3.0)), 1e-15);
 }
 
@@ -76,12 +76,12 @@ TEST(DenseAlgebra, generalized_modes_are_orthonormal_in_the_second_matrix) {
 }
 
 TEST(DenseAlgebra, eigenvalues_of_a_general_matrix_may_be_complex) {
-  // Blocks [a b; -b a] with eigenvalues a +- i b, and a number beside them, in other axes.
+  // Blocks [a b; -b a] with eigenvalues a +- i b and one real eigenvalue, after a change of basis.
   MatrixXd D = MatrixXd::Zero(5, 5);
   D.topLeftCorner<2, 2>() << 1.0, 2.0, -2.0, 1.0;
   D.block<2, 2>(2, 2) << -3.0, 0.5, -0.5, -3.0;
   D(4, 4) = 0.25;
-  D(0, 4) = 7.0;  // no normal matrix
+  D(0, 4) = 7.0;  // makes the matrix non-normal
   const MatrixXd T = drawn(5, 5, 4) + 4.0 * MatrixXd::Identity(5, 5);
   const Eigen::VectorXcd found = eigenvalues(T * D * inverse_of(T));
   ASSERT_EQ(found.size(), 5);
@@ -124,7 +124,7 @@ TEST(DenseAlgebra, solutions_leave_no_residual) {
     EXPECT_LT(apart(G * solve_general(G, B), B), 1e-10) << n;
     EXPECT_LT(apart(G * inverse_of(G), I), 1e-10) << n;
     EXPECT_LT(apart(G * least_squares(G, B), B), 1e-10) << n;
-    const VectorXd x = solve_general(G, B.col(0));  // of one side
+    const VectorXd x = solve_general(G, B.col(0));  // one right-hand side
     EXPECT_LT(apart(G * x, B.col(0)), 1e-10) << n;
   }
 }

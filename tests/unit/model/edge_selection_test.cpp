@@ -1,4 +1,4 @@
-// Stretches of outlines on a line: known cases, and random turned rectangles with holes against sampling.
+// Parts of outlines on a line: known cases, and random rotated rectangles with holes compared with sampled points.
 #include "model/edge_selection.h"
 
 #include <gtest/gtest.h>
@@ -109,9 +109,10 @@ TEST(OutwardNormal, points_out_of_the_solid) {
   }
 }
 
-// Rectangles with a hole, of any size, turned and shifted. The line is a random stretch of a random edge, in either
-// direction, drawn out beyond its corners in half the trials: found must be that stretch, cut off at the corners, of
-// that edge and of no other. Points of the outline beside the middle of the stretch decide which points belong to it.
+// Rectangles with a hole, of random size, rotated and shifted. The line is a random part of a random edge, in either
+// direction; in half of the trials it extends beyond the corners of the edge. The result must be that part, cut off at
+// the corners, of that edge and of no other. Reference: the distance of sampled outline points from the line. Points
+// near an end of the line are left out, because they may differ by the tolerance.
 TEST(EdgesOnLine, random_stretches_of_turned_rectangles_come_back) {
   Random random(20261121);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -140,7 +141,7 @@ TEST(EdgesOnLine, random_stretches_of_turned_rectangles_come_back) {
     EXPECT_NEAR(spans[0].s1, std::min(1.0, s1), hair) << trial;
     EXPECT_LT(nearest_edge(p, a, b).distance, 0.06 * (to - from).norm());
 
-    // Every sampled point of the outline is in a span exactly if it is on the line, ends aside.
+    // Every sampled point of the outline is in a span if and only if it is on the line, except near the ends.
     for (std::int32_t r = 0; r < 2; ++r)
       for (std::int32_t e = 0; e < 4; ++e)
         for (double s = 0.005; s < 1.0; s += 0.01) {
@@ -151,7 +152,7 @@ TEST(EdgesOnLine, random_stretches_of_turned_rectangles_come_back) {
           EXPECT_TRUE(end || found == (distance_to_segment(x, a, b) <= tolerance)) << trial;
         }
 
-    // The same line moved away by more than the tolerance holds nothing; the message's distance is that move.
+    // The same line shifted by more than the tolerance selects nothing; the reported distance is the shift.
     const Vec2 shift = 5.0 * tolerance * outward_normal(p, wanted);
     EXPECT_TRUE(edges_on_line(kBlock, p, a + shift, b + shift, tolerance).empty()) << trial;
     const double strays = nearest_edge(p, a + shift, b + shift).distance;
@@ -187,7 +188,7 @@ TEST(FreeEdges, joints_are_passed_over_and_borders_are_found) {
 }
 
 TEST(FreeEdges, a_face_is_free_beside_a_shorter_block) {
-  // A block of 1 on one of 3: 2 of the upper face are free, in two parts.
+  // A block 1 m wide on a block 3 m wide: 2 m of the upper face are free, in two parts.
   Model m;
   Block low, high;
   low.polygon = {{{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {}};
@@ -196,7 +197,7 @@ TEST(FreeEdges, a_face_is_free_beside_a_shorter_block) {
   const auto spans = free_edges_on_line(m, {0, 1}, {3, 1}, 1e-6);
   ASSERT_EQ(spans.size(), 2u);
   EXPECT_NEAR(total(m, spans), 2.0, 1e-9);
-  // Edge 2 runs from (3, 1) to (0, 1). Parts of one edge come in the order of a -> b.
+  // Edge 2 runs from (3, 1) to (0, 1). Parts of one edge are sorted from a to b.
   EXPECT_NEAR(spans[0].s0 * 3.0, 1.8, 1e-9);
   EXPECT_NEAR(spans[0].s1 * 3.0, 3.0, 1e-9);
   EXPECT_NEAR(spans[1].s0 * 3.0, 0.0, 1e-9);
@@ -205,7 +206,7 @@ TEST(FreeEdges, a_face_is_free_beside_a_shorter_block) {
 
 TEST(FreeEdges, water_presses_on_what_looks_out) {
   Model m = bricks(3, 1);
-  Block step;  // on the left block, with an opening in it
+  Block step;  // stands on the left block and has an opening
   step.polygon = {{{0, 1}, {1, 1}, {1, 3}, {0, 3}}, {{{0.4, 1.5}, {0.4, 2.0}, {0.6, 2.0}, {0.6, 1.5}}}};
   m.blocks.push_back(step);
   // The top of the step 1, its right face 2, the tops of two bricks 2; not the opening, the sides and the bottom.

@@ -31,7 +31,7 @@ std::vector<Sample> samples() {
   return out;
 }
 
-constexpr double kStep = 1e-5;  // of F; central differences err by some 1e-10 of the modulus
+constexpr double kStep = 1e-5;  // change of F; the error of central differences is about 1e-10 of the modulus
 
 TEST(Tangent, corotational_one_is_the_derivative_of_P_and_symmetric) {
   const Elasticity law = Elasticity::from(1.0, 0.3, Plane::strain);
@@ -50,7 +50,7 @@ TEST(Tangent, corotational_one_is_the_derivative_of_P_and_symmetric) {
 
 TEST(Tangent, corotational_one_is_the_second_derivative_of_the_energy) {
   const Elasticity law = Elasticity::from(1.0, 0.2, Plane::stress);
-  const double h = 1e-3;  // errs by h^2 and by 1e-16/h^2
+  const double h = 1e-3;  // truncation error h^2, round-off 1e-16/h^2
   for (const Sample& s : samples()) {
     const Tangent D = elastic_tangent(law, s.F, s.s0);
     const auto energy = [&](const Mat2& F) { return elastic_response(law, F, s.s0).energy; };
@@ -86,7 +86,7 @@ TEST(Tangent, positive_part_has_no_negative_eigenvalue_and_keeps_definite_ones) 
     if (was[0] < -1e-3) ++indefinite;
     EXPECT_LT((was.cwiseMax(0.0) - is).norm(), 1e-14);
   }
-  EXPECT_GT(indefinite, 5);  // compression makes some so
+  EXPECT_GT(indefinite, 5);  // some samples are indefinite, because they are compressed
 }
 
 TEST(Tangent, material_one_is_semi_definite_and_knows_no_rotation) {
@@ -96,14 +96,14 @@ TEST(Tangent, material_one_is_semi_definite_and_knows_no_rotation) {
     EXPECT_LT((D * flat(quarter_turn() * s.F)).norm(), 1e-14);
     EXPECT_GT(symmetric_eigenvalues(D)(0), -1e-14);
     if ((s.F - Mat2::Identity()).norm() < 1e-9) continue;
-    // Without stress it is the whole tangent.
+    // Without stress the material tangent is the whole tangent.
     const Mat2 R = polar_rotation(s.F);
     EXPECT_LT((material_tangent(law, R) - elastic_tangent(law, R, Mat2::Zero())).norm(), 1e-14);
   }
 }
 
-/// A strip that is pulled along x and free across: in plane stress it answers with E and -nu, in plane strain with
-/// E/(1 - nu^2) and -nu/(1 - nu).
+/// A strip is pulled along x and free across: in plane stress its modulus and strain ratio are E and -nu, in plane
+/// strain E/(1 - nu^2) and -nu/(1 - nu).
 TEST(Elasticity, strip_that_is_free_across_answers_as_a_bar_or_as_a_plate) {
   const double E = 3e9, nu = 0.3, pull = 2e6;
   Mat2 stress = Mat2::Zero();

@@ -1,3 +1,4 @@
+// Moments of polygons, elastic response and overlap of blocks, compared with hand calculations and differences.
 #include "model/geometry.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST(ElasticResponse, piola_stress_is_the_gradient_of_the_energy) {
       minus.data()[i] -= h;
       const double slope =
           (elastic_response(law, plus, s0).energy - elastic_response(law, minus, s0).energy) / (2.0 * h);
-      EXPECT_NEAR(P.data()[i], slope, 1e-9);  // central difference: h^2 and round-off/h
+      EXPECT_NEAR(P.data()[i], slope, 1e-9);  // error of the central difference: h^2 and round-off/h
     }
     const Mat2 torque = P * F.transpose();
     EXPECT_NEAR(torque(0, 1), torque(1, 0), 1e-14);
@@ -77,7 +78,7 @@ TEST(ElasticResponse, strain_of_kirchhoff_inverts_the_law) {
   const Mat2 kirchhoff = law.stress(e) * (Mat2::Identity() + e);
   EXPECT_NEAR((strain_of_kirchhoff(law, kirchhoff, Mat2::Zero()) - e).norm(), 0.0, 1e-15);
   Mat2 s0;
-  s0 << -3e7, 1e7, 1e7, 2e7;  // with an initial stress: what the co-rotational response of U = I + e has
+  s0 << -3e7, 1e7, 1e7, 2e7;  // initial stress; the reference is the co-rotational response of U = I + e
   const Mat2 U = Mat2::Identity() + e, with = elastic_response(law, U, s0).P * U.transpose();
   EXPECT_NEAR((strain_of_kirchhoff(law, with, s0) - e).norm(), 0.0, 1e-14);
 }

@@ -1,4 +1,4 @@
-// A recorded acceleration as a motion: exact at any time, the same for any time step.
+// A recorded acceleration as a motion: exact at any time, independent of the time steps.
 #include "model/ground_motion.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(GroundMotion, linear_acceleration_is_integrated_exactly_at_any_time) {
   EXPECT_EQ(m.displacement(-1.0).x(), 0.0);
 }
 
-// Simpson's rule is exact for the quadratic velocity and for the cubic displacement, two Gauss points for the cubic.
+// Simpson's rule is exact for the quadratic velocity and for the cubic displacement.
 TEST(GroundMotion, velocity_and_displacement_are_the_integrals_within_every_step) {
   for (const Between between : {Between::linear, Between::constant}) {
     const Random r(7);
@@ -57,7 +57,7 @@ TEST(GroundMotion, velocity_and_displacement_are_the_integrals_within_every_step
 
 TEST(GroundMotion, constant_pieces_follow_the_thesis) {
   const GroundMotion m({0.0, 1.0, 3.0}, {1.0, -2.0, 50.0}, {1.0, 0.0}, {0.0, Between::constant, ""});
-  // v += a0 h, d += v h + a0 h^2/2; the last sample never acts.
+  // v += a0 h, d += v h + a0 h^2/2; the last sample has no effect.
   EXPECT_DOUBLE_EQ(m.velocity(1.0).x(), 1.0);
   EXPECT_DOUBLE_EQ(m.displacement(1.0).x(), 0.5);
   EXPECT_DOUBLE_EQ(m.velocity(2.0).x(), -1.0);
@@ -78,7 +78,7 @@ TEST(GroundMotion, start_moves_the_whole_motion_in_time) {
   }
 }
 
-// Whoever asks at other times in between gets the same: there is no state.
+// The result does not depend on earlier evaluations at other times: the motion has no state.
 TEST(GroundMotion, displacement_does_not_depend_on_the_time_steps) {
   const Random r(11);
   const GroundMotion m(r.time, r.acceleration, {1.0, 0.0}, {0.0, Between::linear, ""});

@@ -1,3 +1,4 @@
+// Typed indices and the vectors and spans that accept them.
 #include "model/indexed.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ static_assert(!takes<IndexedSpan<Fruit, const double>, std::size_t>);
 static_assert(!std::equality_comparable_with<Fruit, Tree>);
 static_assert(!std::convertible_to<IndexedVector<Fruit, double>, IndexedSpan<Tree, const double>>);
 static_assert(!std::convertible_to<int, Fruit>);
-// An index costs what a number does.
+// An index has the size of a plain number.
 static_assert(sizeof(Fruit) == sizeof(std::int32_t));
 
 TEST(Indexed, values_are_found_by_the_index_they_were_given) {

@@ -1,3 +1,4 @@
+// Lines of joint sets: known positions, and statistics of random sets compared with their input.
 #include "model/joint_network.h"
 
 #include <gtest/gtest.h>
@@ -84,11 +85,11 @@ TEST(JointSet, same_seed_gives_the_same_lines_and_another_gives_others) {
 TEST(JointSet, mean_spacing_of_many_lines_is_the_stated_one) {
   JointSet set = set_of(0.0, 0.01);
   set.spacing = {0.01, 0.0, Distribution::exponential};
-  // 1000 lines expected, a Poisson number: standard deviation 32.
+  // 1000 lines expected, Poisson distributed with a standard deviation of 32; tolerance about three of them.
   EXPECT_NEAR(static_cast<double>(lines_of(set).size()), 1000.0, 100.0);
 }
 
-/// Crossings of the drawn lines, pair by pair.
+/// Number of crossings of the drawn lines, counted pair by pair.
 int crossings_of(const JointSet& first, const JointSet& second, const Polygon& domain) {
   int count = 0;
   for (const JointLine& l : lines_of(first, domain))

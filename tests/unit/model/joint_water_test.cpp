@@ -1,4 +1,4 @@
-// Pressure under a piezometric line and its resultant on a stretch, against sums over many small pieces.
+// Pressure under a piezometric line and its resultant on a stretch, compared with sums over many small pieces.
 #include "model/joint_water.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(JointWater, force_is_the_weighted_integral_whatever_the_stretch_crosses) {
       sum += water_pressure(kKinked, from + r * way) * (1.0 - r);
     }
     sum *= length / kPieces;
-    // The midpoint rule errs by h^2/24 of the second derivative, and by less than u' h^2 at a kink.
+    // Error of the midpoint rule: h^2/24 times the second derivative, and less than u' h^2 at a kink.
     EXPECT_NEAR(water_force(kKinked, from, way), sum, 1e-7 * 9810.0 * length * length) << k;
     wet += sum > 0.0 ? 1 : 0;
   }

@@ -1,3 +1,4 @@
+// Layout of liners along outlines of blocks: nodes known by hand, and the errors of lines off the outlines.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +44,7 @@ TEST(Liner, nodes_lie_on_the_outlines_at_most_a_spacing_apart) {
     const double x = 0.1 + 0.225 * static_cast<double>(k);
     EXPECT_LT((b.nodes[k].place - Vec2(x, 1.0)).norm(), 1e-14) << k;
     EXPECT_NEAR(b.nodes[k].at, x - 0.1, 1e-14) << k;
-    EXPECT_EQ(b.nodes[k].block.value, x <= 1.0 ? 0 : 1) << k;  // that at x = 1, where both are, is of the first
+    EXPECT_EQ(b.nodes[k].block.value, x <= 1.0 ? 0 : 1) << k;  // the node at x = 1 touches both: the first has it
     EXPECT_EQ(b.nodes[k].length, 0.0);
   }
   EXPECT_EQ(b.turns(), 7U);

@@ -1,3 +1,4 @@
+// Shift of a model to a local origin: bit for bit, because the origin is chosen so that differences are exact.
 #include "model/local_origin.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace scree::local_origin_test {
 namespace {
 
-/// A model with at least one of everything, built at a place: every position has `at` added to it.
+/// A model with at least one object of every kind; `at` is added to every position.
 Model everything(const Vec2& at) {
   const auto p = [&](double x, double y) { return Vec2(at + Vec2(x, y)); };
   Model m;
@@ -53,7 +54,7 @@ Model everything(const Vec2& at) {
   return m;
 }
 
-/// The numbers of a model, told apart: what moves with it, and what does not.
+/// The numbers of a model in groups: positions and heights, which shift with the origin, and others, which do not.
 struct Numbers {
   std::vector<Vec2> places;
   std::vector<double> heights, others;
@@ -63,7 +64,7 @@ struct Numbers {
   void other(const EdgeSpan& s) { others.insert(others.end(), {s.s0, s.s1}); }
 };
 
-// The bindings name every member, so that a new one does not compile here before it is said to move or not to.
+// The bindings name every member: a new member does not compile here until it is assigned to one of the groups.
 Numbers numbers_of(const Model& model) {
   const auto& [title, plane, gravity, origin, materials, joints, default_joint, blocks, block_supports, point_supports,
                edge_supports, monitors, motions, initial_velocities, functions, point_loads, tractions,
@@ -96,7 +97,7 @@ Numbers numbers_of(const Model& model) {
   for (const auto& [span, traction, function] : tractions) n.other(span), n.other(traction);
   for (const auto& [of, acceleration, function] : body_accelerations) n.other(acceleration);
   for (const auto& [span, motion, upgoing] : viscous_edges) n.other(span), n.others.push_back(upgoing);
-  for (const Bolt& bolt : bolts) {  // nodes and crossings are distances along it
+  for (const Bolt& bolt : bolts) {  // nodes and crossings are stored as distances along the bolt
     n.places.insert(n.places.end(), {bolt.head, bolt.toe});
     n.others.push_back(bolt.stiffness);
   }
@@ -141,13 +142,13 @@ TEST(LocalOrigin, differences_are_exact) {
     ASSERT_NE(model.origin, Vec2(0.0, 0.0)) << far;
     EXPECT_EQ(std::fmod(model.origin.x(), 16.0), 0.0) << "the extent is 9 m";
     const Numbers a = numbers_of(before), b = numbers_of(model);
-    for (std::size_t i = 0; i < a.places.size(); ++i)  // what was there comes back to the last bit
+    for (std::size_t i = 0; i < a.places.size(); ++i)  // adding the origin restores every bit of the position
       EXPECT_EQ(b.places[i] + model.origin, a.places[i]) << far << ", place " << i;
   }
 }
 
 TEST(LocalOrigin, model_that_lies_near_stays_bit_for_bit) {
-  // The extent is 9 m: the box begins at 900 m, as far as is near, or ends there.
+  // The extent is 9 m: the box begins or ends at 900 m, the largest distance that counts as near.
   for (const Vec2& at :
        {Vec2(0.0, 0.0), Vec2(-4.0, -3.0), Vec2(0.1, 123.4), Vec2(900.0, -906.0), Vec2(-909.0, 900.0)}) {
     const Model before = everything(at);

@@ -1,4 +1,4 @@
-// The direction of most of the length of lines, against directions that are known.
+// The direction with the largest total length of lines, compared with known directions.
 #include "model/main_direction.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(MainDirection, is_that_of_the_longest_line_of_the_part_with_most_length) {
   MainDirection main;
   main.add(towards(10.0, 5.0));
   main.add(towards(70.0, 3.0));
-  main.add(towards(250.2, 3.5));  // the same way round, in the same part as 70 degrees
+  main.add(towards(250.2, 3.5));  // the same axis, in the same sector as 70 degrees
   EXPECT_LT((main.along() - towards(250.2, 1.0)).norm(), 1e-15);
   EXPECT_NEAR(main.share(), 6.5 / 11.5, 1e-15);
 }

@@ -1,4 +1,4 @@
-// Pairs of blocks that may touch, against brute force, and how many there are.
+// Pairs of blocks that may touch, compared with a test of all pairs, and a bound on their number.
 #include "model/near_pairs.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(NearPairs, none_that_overlaps_or_touches_is_left_out) {
     for (int i = 0; i < 60; ++i)
       blocks.push_back(block(transformed(box(0, 0, number(0.1, 20.0), number(0.1, 1.0)),
                                          Vec2(number(0, 20), number(0, 20)), rotation(0.3 + number(-0.1, 0.1)))));
-    for (int i = 0; i < 5; ++i) {  // a row that touches exactly
+    for (int i = 0; i < 5; ++i) {  // two rows of blocks that touch exactly
       blocks.push_back(block(box(i, -5, i + 1, -4)));
       blocks.push_back(block(box(i, -4, i + 1, -3)));
     }
@@ -48,7 +48,7 @@ TEST(NearPairs, none_that_overlaps_or_touches_is_left_out) {
                             cross(e, a[k] - b[l]) * cross(e, a[(k + 1) % 4] - b[l]) <= 0.0);
           }
         meet = meet || contains({a, {}}, b[0]) || contains({b, {}}, a[0]);
-        // Edges on one line may be far apart.
+        // Collinear edges may be far apart: the boxes must overlap too.
         const Box p = bounds({a, {}}), q = bounds({b, {}});
         meet = meet && (p.lo.array() <= q.hi.array()).all() && (q.lo.array() <= p.hi.array()).all();
         const bool found = std::binary_search(pairs.begin(), pairs.end(), std::pair(i, j));

@@ -1,3 +1,4 @@
+// The random generator and its distributions, compared with reference values and with the stated moments.
 #include "model/random.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,7 @@ namespace scree::random_test {
 namespace {
 
 TEST(Random, bits_equal_the_published_generator) {
-  // xoshiro256** seeded by splitmix64, from an independent implementation (the first of seed 0 is that of NumPy's docs
-  // and of Rust's rand_xoshiro).
+  // xoshiro256** seeded by splitmix64, from an independent implementation.
   Random zero(0), answer(42);
   EXPECT_EQ(zero.bits(), 0x99ec5f36cb75f2b4U);
   EXPECT_EQ(zero.bits(), 0xbf6e1f784956452aU);
@@ -22,7 +22,7 @@ TEST(Random, transforms_of_seed_seven_are_pinned) {
   Random u(7), n(7), e(7);
   EXPECT_EQ(u.uniform(), 0.7005764821796896);
   EXPECT_EQ(u.uniform(), 0.2787512294737843);
-  // The reference used the system's logarithm: the last bits may differ, ours are the same everywhere.
+  // The reference values use the system's logarithm: the last bits may differ. The logarithm tested is portable.
   EXPECT_DOUBLE_EQ(n.normal(), 0.9643618527255184);
   EXPECT_DOUBLE_EQ(n.normal(), -0.3039301238656567);
   EXPECT_DOUBLE_EQ(e.exponential(), 1.2058962602474497);
@@ -35,7 +35,7 @@ TEST(Random, own_logarithm_and_exponential_agree_with_the_library) {
     const double x = std::ldexp(random.uniform() + 1e-9, static_cast<int>(random.uniform() * 200.0) - 100);
     EXPECT_NEAR(portable_log(x), std::log(x), 4e-16 * std::max(1.0, std::abs(std::log(x)))) << x;
     const double y = 40.0 * (random.uniform() - 0.5);
-    EXPECT_NEAR(portable_exp(y), std::exp(y), 1e-14 * std::exp(y)) << y;  // |y| eps from the reduction
+    EXPECT_NEAR(portable_exp(y), std::exp(y), 1e-14 * std::exp(y)) << y;  // error |y| eps of the reduction
   }
 }
 
@@ -53,7 +53,7 @@ std::pair<double, double> moments_of(const Spread& spread, int n) {
 }
 
 TEST(Spread, draws_have_the_stated_mean_and_deviation) {
-  constexpr int kDraws = 200000;  // standard error of the mean 0.5/sqrt(n) = 1e-3; four of them
+  constexpr int kDraws = 200000;  // standard error of the mean 0.5/sqrt(n) = 1e-3; the tolerance is four of them
   const std::pair<Spread, double> cases[] = {{{2.0, 0.5, Distribution::normal}, 0.5},
                                              {{2.0, 0.5, Distribution::uniform}, 0.5 / std::sqrt(3.0)},
                                              {{2.0, 0.5, Distribution::lognormal}, 0.5},

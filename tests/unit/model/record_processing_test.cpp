@@ -1,4 +1,4 @@
-// What is done to records: exact where it can be, convergent where it cannot.
+// Processing of records (baseline, taper, resampling): exact results where they exist, else the order of convergence.
 #include "model/record_processing.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Samples sampled(const std::function<double(double)>& a, double from, double unti
   return out;
 }
 
-/// A shock of a second that leaves some velocity.
+/// A shock of 1 s with a nonzero final velocity.
 double shock(double t) { return 3.0 * std::sin(20.0 * t) * std::sin(std::numbers::pi * t) + 0.2; }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -57,7 +57,7 @@ TEST(Baseline, drift_of_its_degree_is_removed_to_round_off) {
       const Samples clean = sampled(shock, 5.0, 6.0, 200), drift_alone = sampled(drift, 5.0, 6.0, 200);
       Samples drifting = clean;
       for (std::size_t i = 0; i < clean.time.size(); ++i) drifting.acceleration[i] += drift_alone.acceleration[i];
-      // 1e-13: a few hundred roundings of numbers of the size of 3.
+      // 1e-13: a few hundred roundings of numbers of magnitude 3.
       EXPECT_LT(peak(correct_baseline(drift_alone, degree, between)), 1e-13);
       EXPECT_LT(largest_difference(correct_baseline(drifting, degree, between).acceleration,
                                    correct_baseline(clean, degree, between).acceleration),
@@ -88,7 +88,7 @@ TEST(Baseline, of_the_constant_is_the_final_velocity_over_the_duration) {
     EXPECT_NEAR(before.acceleration[i] - after.acceleration[i], expected, 1e-15);
 }
 
-// Any other polynomial of the degree that also ends at rest leaves more mean square velocity.
+// Any other polynomial of the same degree that also ends at rest gives a larger mean square velocity.
 TEST(Baseline, mean_square_of_the_velocity_is_least) {
   const auto irregular = [](const std::function<double(double)>& a) {
     Samples s = sampled(a, 0.0, 1.0, 200);
@@ -118,7 +118,7 @@ TEST(Baseline, works_on_irregular_and_far_away_times) {
     Samples drifting = s;
     for (std::size_t i = 0; i < s.time.size(); ++i)
       drifting.acceleration[i] += 0.1 * power(s.time[i] - 1001.0, static_cast<int>(degree) - 1);
-    // 1e-12: times near 1000 have steps known to 1e-13 of 0.01, and so has what is fitted.
+    // 1e-12: times near 1000 give the steps of 0.01 with an error of 1e-13, which the fit inherits.
     EXPECT_LT(largest_difference(correct_baseline(drifting, degree, Between::linear).acceleration,
                                  correct_baseline(s, degree, Between::linear).acceleration),
               1e-12);
@@ -173,7 +173,7 @@ TEST(Resample, finer_steps_keep_the_motion_exactly) {
 }
 
 TEST(Resample, converges_with_the_square_of_the_step) {
-  // Not the shock: it begins and ends alike, which makes the h^2 term of the final displacement vanish.
+  // The shock is not used: its equal beginning and end make the h^2 term of the final displacement vanish.
   const Samples fine = sampled([](double t) { return std::exp(t) * std::sin(20.0 * t); }, 0.0, 1.0, 100000);
   const double exact = facts_of(fine).final_displacement;
   double last = 0.0;
@@ -181,7 +181,7 @@ TEST(Resample, converges_with_the_square_of_the_step) {
     const double error = std::abs(facts_of(resample(fine, dt, Between::linear)).final_displacement - exact);
     if (last > 0.0) {
       EXPECT_NEAR(last / error, 4.0, 0.1);
-    }  // the next term is h^4
+    }  // ratio 4 for the h^2 term; the next term is h^4
     last = error;
   }
   EXPECT_LT(last, 1e-3 * std::abs(exact));

@@ -1,5 +1,5 @@
-// Rock bridges: random networks of every unpleasant kind lose no area, dead ends go where they are sent, and draws
-// match what was asked for.
+// Rock bridges: random networks of difficult kinds lose no area, dead ends are treated as the option states, and the
+// statistics of the draws match the input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,13 +105,13 @@ TEST(RockBridges, three_hundred_random_networks_lose_no_area_and_match_what_was_
   EXPECT_GT(kept, 1000);
   EXPECT_GT(extended, 1000);
   EXPECT_GT(means, 1500);
-  // A hundredth of them by chance; four standard deviations above that would be wrong draws.
+  // At 99 % a hundredth of the means is off by chance; the limit is four standard deviations above that.
   EXPECT_LT(off, 0.01 * means + 4.0 * std::sqrt(0.01 * means));
   EXPECT_NEAR(density, asked, 0.02 * asked);
 }
 
 TEST(RockBridges, extended_lines_cut_what_they_ended_in) {
-  // One line of two metres in a square of ten, a line across it: kept, it is a crack of 2 m; extended, three blocks.
+  // A line of 2 m in a square of 10 m that another line divides: kept, a crack of 2 m; extended, three blocks.
   Domain d;
   d.outline.outer = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   d.material = MaterialId{0};

@@ -1,3 +1,4 @@
+// Utilisation of rock strength, compared with hand calculations of the Mohr-Coulomb and Hoek-Brown criteria.
 #include "model/rock_strength.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ TEST(RockStrength, mohr_coulomb_has_the_strengths_of_the_book) {
   const double uniaxial = 2e6 * std::sqrt(3.0);
   EXPECT_NEAR(utilisation(m, 0.0, -uniaxial), 1.0, 1e-12);
   EXPECT_NEAR(utilisation(m, -1e6, -uniaxial - 3e6), 1.0, 1e-12);
-  // half of it: radius 0.8660 MPa about 0.8660 MPa, where the envelope is touched by 0.8660 + 0.4330 MPa
+  // half the strength: circle of radius 0.8660 MPa about 0.8660 MPa; the envelope there admits 0.8660 + 0.4330 MPa
   EXPECT_NEAR(utilisation(m, 0.0, -0.5 * uniaxial), 2.0 / 3.0, 1e-12);
   EXPECT_EQ(utilisation(m, -2e6, -2e6), 0.0);
 }
@@ -31,7 +32,7 @@ TEST(RockStrength, a_tension_cut_off_governs_where_it_is_low) {
 
 TEST(RockStrength, beyond_the_end_of_the_envelope_all_strength_is_taken) {
   const MohrCoulombStrength m{1e6, 45.0 * kDegree, 1e6};
-  EXPECT_EQ(utilisation(m, 3e6, 1e6), kMostUtilisation);  // the centre is where no circle fits
+  EXPECT_EQ(utilisation(m, 3e6, 1e6), kMostUtilisation);  // centre beyond the tip of the envelope: no circle fits
 }
 
 TEST(RockStrength, hoek_brown_of_intact_rock_has_its_uniaxial_and_confined_strengths) {
@@ -44,7 +45,7 @@ TEST(RockStrength, hoek_brown_of_intact_rock_has_its_uniaxial_and_confined_stren
   EXPECT_NEAR(utilisation(h, 2.5e6, 2.5e6), 0.5, 1e-12);                         // tension s ucs/m_b = 5 MPa
 }
 
-// GSI 45, m_i 10, D 0: m_b = 10 exp(-55/28) = 1.4027, s = exp(-55/9) = 0.002218, a = 0.5081 (the same to the digits of
+// GSI 45, m_i 10, D 0: m_b = 10 exp(-55/28) = 1.4027, s = exp(-55/9) = 0.002218, a = 0.5081 (equal to the digits of
 // Hoek's 2002 example).
 TEST(RockStrength, hoek_brown_of_a_rock_mass_has_the_constants_of_the_source) {
   const HoekBrownStrength h = HoekBrownStrength::of_rock_mass(50e6, 45.0, 10.0, 0.0);

@@ -115,8 +115,8 @@ TEST(TimeFunction, table_holds_its_points_exactly) {
   for (std::size_t i = 0; i < time.size(); ++i) EXPECT_EQ(f.value(time[i]), value[i]) << i;
 }
 
-// Simpson's rule is exact for straight lines whose kinks lie on its steps, and of fourth order for the sines: the error
-// of 1000 steps is below 1e-12 of the area.
+// Reference: formulas of the areas. Simpson's rule is exact for straight lines with kinks at its steps and of fourth
+// order for the sines: the error with 1000 steps is below 1e-12 of the area.
 TEST(TimeFunction, areas_are_those_of_the_formulas) {
   const double amplitude = 3.0, duration = 0.8, start = 0.2;
   const auto whole = [&](Shape shape, double frequency = 0.0) {

@@ -1,4 +1,4 @@
-// Which blocks touch, along what, by which law; and how far the nearest is that does not.
+// Pairs of touching blocks, the length and law of each contact, and the distance of the nearest block not touching.
 #include "model/touching.h"
 
 #include <gtest/gtest.h>

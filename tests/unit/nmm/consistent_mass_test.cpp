@@ -38,7 +38,7 @@ struct ConsistentBlock {
 };
 
 TEST(ConsistentMass, affine_part_is_the_blocks_to_round_off) {
-  for (const double stretch : {1.0, 1.001}) {  // and with moments that the outline does not have
+  for (const double stretch : {1.0, 1.001}) {  // 1.001: moments that differ from those of the outline
     const ConsistentBlock b(stretch);
     ASSERT_GT(b.pool.mesh(0).ties.size(), 3U);
     const std::vector<char> counted{1};
@@ -59,7 +59,7 @@ TEST(ConsistentMass, solve_undoes_apply_and_ties_follow) {
   const ConsistentBlock b;
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  // A velocity field of the free covers, carried to the tied ones by solving for it.
+  // A velocity field of the free covers; the mass solve sets the tied covers.
   std::vector<double> f(b.size), v(b.size), back(b.size);
   for (double& x : f) x = any(generator);
   b.pool.mass_solve(f, f, v);
@@ -116,7 +116,7 @@ TEST(ImplicitBody, stiffness_is_the_derivative_of_the_force_through_the_chart) {
         EXPECT_NEAR(matrix(i, k), -(f1[static_cast<std::size_t>(i)] - f0[static_cast<std::size_t>(i)]) / (2.0 * h),
                     1e-7);
     }
-    // The same force and energy as the explicit loop, gathered over the ties.
+    // Reference: force and energy of the explicit loop, gathered over the ties.
     std::vector<double> nodes(b.size, 0.0), of_dofs(static_cast<std::size_t>(n));
     EXPECT_NEAR(b.pool.internal_force(q, nodes) / U, 1.0, 1e-12);
     b.pool.fold_forces(nodes);
@@ -126,7 +126,7 @@ TEST(ImplicitBody, stiffness_is_the_derivative_of_the_force_through_the_chart) {
 }
 
 TEST(ImplicitBody, patch_of_constant_stress_has_force_on_the_outline_only) {
-  // Uniform strain, whatever the cuts and ties: the resultant on every row of the outline is that of the traction.
+  // Uniform strain, for any cuts and ties: the resultant at every row of the outline equals that of the traction.
   const ConsistentBlock b(1.0, Kinematics::linear);
   const Mat2 F = (Mat2() << 1.001, 0.0005, 0.0005, 0.998).finished();
   std::vector<double> q = b.affine({0, 0}, F), f(static_cast<std::size_t>(b.pool.dofs(0)));

@@ -1,3 +1,4 @@
+// Cover meshes of blocks: area, slots, and the certified step of narrow blocks.
 #include "nmm/cover_mesh.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ TEST(CoverMesh, elements_fill_the_block) {
 }
 
 TEST(CoverMesh, slot_separates_its_two_sides) {
-  // A U: the arms are nearer to each other than a cover, so stars there must be doubled.
+  // A U-shaped block: the distance of its arms is less than a cover, so stars there must be doubled.
   const Polygon u{{{0, 0}, {3, 0}, {3, 3}, {1.6, 3}, {1.6, 1}, {1.4, 1}, {1.4, 3}, {0, 3}}, {}};
   const CoverMesh mesh = make_cover_mesh(test::shape_of(u, 1.0).outline, 0.5);
   int doubled = 0;
@@ -51,7 +52,7 @@ TEST(CoverMesh, narrow_blocks_keep_a_quarter_of_the_step_or_take_a_onefold_cover
     One one(transformed(bar, {0.0, 0.0}, rotation(7.0 * u(generator))), 1.0);
     onefold += one.pool.mesh(0).onefold ? 1 : 0;
     const double uncut = 0.866 / std::sqrt(one.model.elasticity_of(BlockId{0}).p_modulus() / 2.0);
-    const double own = std::min(1.0, width);  // a onefold cover is as stiff as its block is small
+    const double own = std::min(1.0, width);  // the stiffness of a onefold cover follows from the size of its block
     EXPECT_GE(2.0 / std::sqrt(one.pool.mass_ratio(0) * one.pool.frequency_bound(0)),
               (one.pool.mesh(0).onefold ? 0.25 * own : 0.25) * uncut)
         << width << " x " << length;

@@ -92,7 +92,7 @@ TEST(EdgeHolds, force_is_the_gradient_of_the_energy_and_the_matrix_its_derivativ
       const double down = b.pool.internal_force(q, scratch);
       EXPECT_NEAR(f[i], -(up - down) / (2.0 * step), 1e-6 * 4e9 * 1e-3) << i;
     }
-    // Along a random direction of the unknowns: K exact where kinematics are linear, else to the size of strains.
+    // Change along a random direction of the unknowns: K is exact for linear kinematics, else up to the strains.
     const System s = system_of(b);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(s.K.rows());
     for (double& x : u) x = between(random, -1.0, 1.0);
@@ -115,7 +115,7 @@ TEST(EdgeHolds, energies_of_totals_and_of_forces_agree) {
 }
 
 TEST(EdgeHolds, patch_test_on_rollers_holds_on_any_cut) {
-  // Constant stress s1, s2 along the sides of a turned square that stands on rollers at its bottom and its left.
+  // Constant stress s1, s2 along the sides of a rotated square with rollers at its bottom and its left.
   Random random(17);
   double worst = 0.0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -141,7 +141,7 @@ TEST(EdgeHolds, patch_test_on_rollers_holds_on_any_cut) {
     }
     for (std::size_t e = 0; e < b.pool.elements().size(); ++e)
       worst = std::max(worst, (b.pool.elements().response(e, b.q).P - stress).norm() / stress.norm());
-    // The reaction of the bottom is the stress on it.
+    // The reaction at the bottom equals the traction of that stress.
     const Vec2 traction = b.pool.edge_reaction(0, 0, 0.37, b.q);
     worst = std::max(worst, (traction - stress * -R.col(1)).norm() / stress.norm());
   }
@@ -150,7 +150,7 @@ TEST(EdgeHolds, patch_test_on_rollers_holds_on_any_cut) {
 }
 
 TEST(EdgeHolds, patch_test_with_all_edges_held_on_an_affine_field) {
-  // Anchors moved by an affine displacement, shear and turn included: the field inside is that one.
+  // Anchors moved by an affine displacement with shear and rotation: the field inside must be the same affine field.
   Random random(23);
   double worst = 0.0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -191,7 +191,7 @@ TEST(EdgeHolds, matrix_is_positive_definite_wherever_the_mesh_cuts) {
                Plane::strain, {}, all);
     if (b.mesh().onefold) continue;
     const Eigen::VectorXd eigen = symmetric_eigenvalues(system_of(b).K);
-    EXPECT_GT(eigen[0], 1e-4 * 4e9) << angle << ' ' << h;  // of the order of E (h/a)^2: far from zero
+    EXPECT_GT(eigen[0], 1e-4 * 4e9) << angle << ' ' << h;  // coercive: of the order of E (h/a)^2, far from zero
   }
 }
 
@@ -301,7 +301,7 @@ TEST(EdgeHolds, frequency_bound_holds_with_held_edges) {
     const double exact = symmetric_eigenvalues(root.asDiagonal() * s.K * root.asDiagonal()).maxCoeff();
     const double bound = b.pool.mass_ratio(0) * b.pool.frequency_bound(0);
     EXPECT_GE(bound, exact);
-    EXPECT_LT(bound, 8.0 * exact);  // sharp enough to be of use
+    EXPECT_LT(bound, 8.0 * exact);  // the bound is also sharp enough to be useful
   }
 }
 

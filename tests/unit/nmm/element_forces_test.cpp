@@ -1,3 +1,4 @@
+// Element forces, compared with differences of the energy, patch tests and the law element by element.
 #include "nmm/element_forces.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(InternalForce, rigid_motion_gives_none) {
   const double energy = one.pool.internal_force(one.q, f);
   double largest = 0.0;
   for (double x : f) largest = std::max(largest, std::abs(x));
-  // Round-off: E times 1e-16 times the coordinates over the cover size.
+  // Tolerance: round-off, E times 1e-16 times the coordinates divided by the cover size.
   EXPECT_LT(largest, 1e9 * 1e-15 * 150.0 / 0.33);
   EXPECT_LT(energy, 1e-9);
 }
@@ -58,7 +59,7 @@ TEST(InternalForce, turned_inside_out_is_not_a_number) {
 }
 
 TEST(InternalForce, in_situ_stress_balances_weight_exactly) {
-  // s_yy = rho g (y - level), confined: -div s = rho b holds exactly, so with its tractions every cover is in balance.
+  // s_yy = rho g (y - level), confined: -div s = rho b holds exactly, so with the tractions of s every cover balances.
   InitialStress s;
   s.gradient << -2.0 * 9.81 / 3.0, 0.0, 0.0, -2.0 * 9.81;
   s.level = 0.7;
@@ -73,7 +74,7 @@ TEST(InternalForce, in_situ_stress_balances_weight_exactly) {
   for (const Boundary::Segment& g : pool.boundary(0).segments) {
     const Vec2 &A = ring[static_cast<std::size_t>(g.edge.edge)],
                &B = ring[(static_cast<std::size_t>(g.edge.edge) + 1) % ring.size()];
-    const Vec2 d = (g.s1 - g.s0) * (B - A), n = -quarter_turn() * d;  // times the length
+    const Vec2 d = (g.s1 - g.s0) * (B - A), n = -quarter_turn() * d;  // normal times length
     for (const double t : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
       const Vec2 x = A + g.s0 * (B - A) + t * d, force = 0.5 * s.at(x) * n;
       const Row row = pool.mesh(0).row(g.cell, x - block.centre());
@@ -87,7 +88,7 @@ TEST(InternalForce, in_situ_stress_balances_weight_exactly) {
   EXPECT_LT(largest, 1e-11 * 9.81);
 }
 
-/// Constant stress: with tractions s n on the outline the linear field must be in equilibrium on every free cover.
+/// Constant stress: with tractions s n on the outline, the linear field must be in equilibrium at every free cover.
 TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> u(-1.0, 1.0);
@@ -106,7 +107,7 @@ TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
     const Mat2 P = elastic_response(law, m.F, Mat2::Zero()).P;
     const Boundary& b = one.pool.boundary(0);
     for (const Boundary::Segment& s : b.segments) {
-      // Traction integrated with the weights at the middle: exact, the weights are linear along a segment.
+      // Traction integrated with the weights at the middle: exact, because the weights are linear along a segment.
       const CoverMesh& mesh = one.pool.mesh(0);
       const Ring& ring = one.shape.outline.ring(static_cast<std::size_t>(s.edge.ring));
       const Vec2 &A = ring[static_cast<std::size_t>(s.edge.edge)],
@@ -116,12 +117,12 @@ TEST(PatchTest, constant_stress_is_in_equilibrium_for_random_placements) {
       for (std::size_t i = 0; i < 3; ++i)
         for (int c = 0; c < 2; ++c) f[2 * std::size_t(row.node[i]) + std::size_t(c)] += row.w[i] * (P * n)[c];
     }
-    one.pool.mass_solve(one.q, f, a);                           // folds the ties
+    one.pool.mass_solve(one.q, f, a);                           // also gathers forces over the ties
     const double scale = law.p_modulus() * 1e-2 / (2.0 * 0.4);  // stress over density and cover size
     for (double x : a) worst = std::max(worst, std::abs(x) / scale);
   }
   std::printf("patch test, 100 placements: largest residual acceleration over stress/(rho h): %.1e\n", worst);
-  EXPECT_LT(worst, 1e-11);  // round-off of GEOS's cut points, 1e-16 over the strain of 1e-2, times the spread of masses
+  EXPECT_LT(worst, 1e-11);  // round-off of GEOS's cut points: 1e-16 over the strain of 1e-2, times the spread of masses
 }
 
 struct Variant {

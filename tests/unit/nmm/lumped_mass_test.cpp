@@ -1,3 +1,4 @@
+// The lumped mass: totals of a block, its inverse, and the bound of the row sums, up to round-off.
 #include "nmm/lumped_mass.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(LumpedMass, row_sums_add_to_the_block_and_are_bounded_by_the_mass_ratio) {
     One one(quadrilateral(), h);
     const std::span<const double> lumped = one.pool.mass().lumped();
     EXPECT_NEAR(std::accumulate(lumped.begin(), lumped.end(), 0.0), one.shape.mass, 1e-12);
-    // Affine motion is where the two masses differ: D <= theta M, and theta is no larger than it has to be.
+    // The two masses differ for affine motion: D <= theta M, and theta - 1 is less than twice the excess found.
     const double theta = one.pool.mass_ratio(0);
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> u(-1.0, 1.0);

@@ -1,3 +1,4 @@
+// Release, recovered stress and outline rows of NMM blocks: exact for linear fields, up to round-off.
 #include "nmm/nmm_pool.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ TEST(Release, affine_part_and_remainder_carry_everything) {
 }
 
 TEST(RecoveredStress, is_exact_for_linear_stress_at_points_of_the_block) {
-  // Element stresses set by an in-situ stress that grows with depth: the recovered field is that line.
+  // Element stresses are set by an in-situ stress that grows linearly with depth: the recovered field is the same.
   const InitialStress s = deviatoric();
   const test::NmmBlock block(quadrilateral(), {.cover_size = 0.2}, rock(1.0, s));
   std::vector<double> nodes(block.q.size() / 2 * 3);
@@ -65,7 +66,7 @@ TEST(ChartRow, of_an_outline_node_gives_linear_fields_exactly_over_ties_too) {
   test::NmmBlock block(quadrilateral(), {.mass = MassKind::consistent, .cover_size = 0.33}, rock());
   ASSERT_FALSE(block.mesh().ties.empty());
   std::vector<double> star(static_cast<std::size_t>(block.pool.dofs(0)));
-  block.pool.rates(0, block.q, block.q, star);  // positions in the unknowns
+  block.pool.rates(0, block.q, block.q, star);  // positions expressed in the unknowns
   for (const Row& row : block.pool.boundary(0).nodes) {
     const ChartRow chart = block.pool.chart_row(0, row, block.q);
     Vec2 x = Vec2::Zero(), expected = Vec2::Zero();

@@ -1,4 +1,4 @@
-// Blocks of the tests of the manifold method.
+// Blocks shared by the tests of the manifold method.
 #pragma once
 
 #include <optional>

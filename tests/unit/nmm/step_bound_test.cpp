@@ -1,3 +1,4 @@
+// The certified step bound, compared with the highest frequency of a power iteration.
 #include "nmm/step_bound.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace scree::nmm::step_bound_test {
 namespace {
 
 double true_highest(const One& one) {
-  // Power iteration on M~^-1 K by differences of the internal force about rest.
+  // Power iteration on M~^-1 K; K acts through differences of the internal force about the state at rest.
   std::vector<double> q = one.q, f(q.size()), a(q.size()), x(q.size());
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> u(-1.0, 1.0);
@@ -49,7 +50,7 @@ TEST(StepBound, is_certified_and_small_cuts_do_not_cost_the_step) {
     one.pool.place(0, m, one.q, one.v);
     const double bound = 2.0 / std::sqrt(one.pool.mass_ratio(0) * one.pool.frequency_bound(0));
     const double real = 2.0 / std::sqrt(true_highest(one));
-    EXPECT_LE(bound, real * (1.0 + 1e-3));  // the power iteration approaches from below
+    EXPECT_LE(bound, real * (1.0 + 1e-3));  // the power iteration approaches the frequency from below
     const Elasticity law = one.model.elasticity_of(BlockId{0});
     const double uncut = 0.866 * h / std::sqrt(law.p_modulus() / 2.0);
     least = std::min(least, bound / uncut);
