@@ -63,7 +63,7 @@ struct RuleMemory {
   std::vector<char> other_method;             // per block: 1 where a rule has changed it from the stage's method
   struct Energy {                             // at the beginning of a subcycled stage (energy_watch.h) [J]
     double held = 0.0, work = 0.0, made = 0.0;
-    std::int32_t told = 0;  // 1: a warning has been given
+    std::int32_t warned = 0;  // 1: a warning has been given
   };
   Energy energy;
   /// As State::visit().
@@ -155,7 +155,7 @@ void RuleMemory::visit(Visitor&& see) const {
   see("rules.energy_held", energy.held);
   see("rules.energy_work", energy.work);
   see("rules.energy_made", energy.made);
-  see("rules.energy_told", energy.told);
+  see("rules.energy_warned", energy.warned);
 }
 
 template <class Visitor>

@@ -16,16 +16,16 @@ void begin_energy_watch(State& state) {
   state.rules.energy.held = l.energy() - l[Column::reservoir] - l[Column::shadow];
   state.rules.energy.work = work(l);
   state.rules.energy.made = l[Column::elastic_trapezoid];
-  state.rules.energy.told = 0;
+  state.rules.energy.warned = 0;
 }
 
 std::optional<std::string> watch_energy(State& state) {
   RuleMemory::Energy& begin = state.rules.energy;
-  if (begin.told != 0) return std::nullopt;
+  if (begin.warned != 0) return std::nullopt;
   const double made = state.ledger[Column::elastic_trapezoid] - begin.made,
                there = begin.held + (work(state.ledger) - begin.work);
   if (!(made > kEnergyMade * there)) return std::nullopt;
-  begin.told = 1;
+  begin.warned = 1;
   return fmt::format(
       "the steps have created {:.3g} J of elastic energy, {:.2g} of the {:.3g} J present; internal forces "
       "evaluated once per dt may be in resonance with faster motion: choose another dt, or name the blocks in "
