@@ -370,12 +370,12 @@ int run(const RunOptions& options) {
                    {nullptr, begin ? &*begin : nullptr});
 }
 
-/// What a run folder states about the program, the case and the command that made it.
-static io::Provenance provenance_of(const io::Case& c, const RunOptions& options, int threads) {
+/// What a run folder states about the program, the case and the command that made it. Takes over the text of the case.
+static io::Provenance provenance_of(io::Case& c, const RunOptions& options, int threads) {
   io::Provenance provenance;
   provenance.version = SCREE_VERSION;
   provenance.commit = built_from();
-  provenance.case_text = c.text;
+  provenance.case_text = std::move(c.text);
   provenance.command_line = options.command_line;
   provenance.overrides = options.set;
   provenance.threads = threads;
@@ -399,7 +399,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   for (const coupling::Stage& s : c.plan.stages) end_time += seconds(s.duration);
   if (options.until) end_time = std::min(end_time, *options.until);
 
-  const io::Provenance provenance = provenance_of(c, options, threads);
+  io::Provenance provenance = provenance_of(c, options, threads);
+  const std::string case_hash = c.plan.live.enabled ? io::case_hash(provenance) : "";
   const coupling::Methods methods = coupling::methods_with(c.plan.constants);
   coupling::Driver driver(c.model, c.plan, methods);
   Signals signals(!options.quiet);
@@ -417,7 +418,7 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
              from->stored.checkpoint.warnings,
              place_of(from->stored.checkpoint.state),
              warn};
-  io::ResultsSink results(folder, provenance, std::move(go_on));
+  io::ResultsSink results(folder, std::move(provenance), std::move(go_on));
   io::Checkpoints checkpoints(folder, record, results, {c.plan.output.checkpoint_every, c.plan.output.checkpoint_steps},
                               from);
   driver.set_keeper(checkpoints);
@@ -437,8 +438,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
   if (c.plan.live.enabled) {
     live = std::make_unique<io::LiveSink>(
         c.plan.live,
-        io::LiveRun{name, SCREE_VERSION, io::case_hash(provenance),
-                    io::live_field(c.live_field).value_or(io::LiveField::speed), options.until},
+        io::LiveRun{name, SCREE_VERSION, case_hash, io::live_field(c.live_field).value_or(io::LiveField::speed),
+                    options.until},
         warn);
     driver.add_sink(*live);
   }

@@ -187,7 +187,7 @@ std::string status_name(coupling::RunEnd::Status status) {
   return "";
 }
 
-Summary::Summary(const Model& model, const Provenance& provenance) : model_(&model), provenance_(provenance) {}
+Summary::Summary(const Model& model, const Provenance& provenance) : model_(&model), provenance_(&provenance) {}
 
 void Summary::event(const coupling::Event& event) {
   if (event.transfer != nullptr) transfers_.push_back(*event.transfer);
@@ -236,9 +236,9 @@ coupling::RunEnd Summary::checked(const coupling::RunEnd& end, const coupling::F
 Summary::Document Summary::document(const coupling::RunEnd& end, const coupling::FrameView& last) const {
   SCREE_ASSERT(last.mesh != nullptr && last.state != nullptr && last.stats != nullptr);
   Json json;
-  json["version"] = provenance_.version;
-  json["commit"] = provenance_.commit;
-  json["case_sha256"] = case_hash(provenance_);
+  json["version"] = provenance_->version;
+  json["commit"] = provenance_->commit;
+  json["case_sha256"] = case_hash(*provenance_);
   json["title"] = model_->title;
   json["origin"] = {model_->origin.x(), model_->origin.y()};
   json["status"] = status_name(end.status);
@@ -247,9 +247,9 @@ Summary::Document Summary::document(const coupling::RunEnd& end, const coupling:
   json["end_time"] = last.end_time;
   json["stage"] = last.stage_name;
   json["state_hash"] = fmt::format("{:016x}", coupling::state_hash(*last.state));
-  json["threads"] = provenance_.threads;
-  json["command_line"] = provenance_.command_line;
-  json["set"] = provenance_.overrides;
+  json["threads"] = provenance_->threads;
+  json["command_line"] = provenance_->command_line;
+  json["set"] = provenance_->overrides;
   json["warnings"] = Json::array();
   for (const coupling::Warning& w : warnings_) json["warnings"].push_back(Json{{"time", w.time}, {"text", w.text}});
   add_run(json, *last.stats, wall_seconds(), cpu_seconds());

@@ -33,7 +33,7 @@ namespace scree::io {
 ///   blocks [{name, method, displacement = |mean displacement of the points of its cells|}]
 class Summary {
  public:
-  /// The clock of wall_seconds.total starts here.   @param model  must outlive the summary
+  /// The clock of wall_seconds.total starts here.   @param model,provenance  must outlive the summary
   Summary(const Model& model, const Provenance& provenance);
   void event(const coupling::Event& event);
   /// Wall time and processor time that the run has used so far [s].
@@ -53,7 +53,7 @@ class Summary {
   [[nodiscard]] Document document(const coupling::RunEnd& end, const coupling::FrameView& last) const;
 
   const Model* model_;
-  Provenance provenance_;
+  const Provenance* provenance_;
   std::vector<coupling::TransferRow> transfers_;
   std::vector<coupling::StageTravel> travels_;
   std::vector<coupling::Warning> warnings_;
