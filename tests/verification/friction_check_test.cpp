@@ -31,7 +31,7 @@ struct Found final : Sink {
   }
   [[nodiscard]] std::size_t of_friction() const {
     std::size_t count = 0;
-    for (const std::string& w : warnings) count += w.find("of the friction") != std::string::npos ? 1 : 0;
+    for (const std::string& w : warnings) count += w.find("sliding friction was") != std::string::npos ? 1 : 0;
     return count;
   }
 };

@@ -229,7 +229,7 @@ TEST(Subcycled, resonance_is_told_once) {
   run.add_sink(warnings);
   EXPECT_EQ(run.run().status, RunEnd::Status::done);
   int made = 0;
-  for (const std::string& text : warnings.told) made += text.find("have made") != std::string::npos ? 1 : 0;
+  for (const std::string& text : warnings.told) made += text.find("have created") != std::string::npos ? 1 : 0;
   EXPECT_EQ(made, 1);
   std::printf("growth %.4f a step; %s\n", growth, warnings.told.empty() ? "" : warnings.told.back().c_str());
   EXPECT_LT(run.state().ledger.relative_closure(), 1e-12);

@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"unknown_key.toml", 4, 1, "material.rock.densty", "2600.0", "unknown key \"densty\"",
               "\"density\", \"young\"", "did you mean \"density\"?"},
         Wrong{"wrong_type.toml", 27, 12, "stage.0.duration", "true", "wrong type", "number [s]",
-              "true or false stands here"},
+              "true or false was given here"},
         Wrong{"negative_density.toml", 4, 11, "material.rock.density", "-2600.0", "out of range", "number [kg/m3], > 0",
               "density"},
         Wrong{"nan.toml", 15, 32, "block.1.polygon.2.1", "nan", "not finite", "[m]", "finite"},

@@ -344,7 +344,7 @@ TEST(CaseErrors, overlap_names_each_block_once) {
 TEST(CaseErrors, wrong_type_and_unknown_table_read_as_sentences) {
   const std::string file = kFolder + "good_case.toml";
   EXPECT_EQ(error_of_file(kFaults + "wrong_type.toml").hint,
-            "true or false stands here. duration: Simulated time of the stage.");
+            "true or false was given here. duration: Simulated time of the stage.");
   EXPECT_EQ(error_of_file(file, {"materials.rock.young=1"}).problem,
             "unknown key \"materials\" at the top of the case file");
   EXPECT_EQ(error_of_file(file, {"block=[]"}).hint,
