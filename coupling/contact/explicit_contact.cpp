@@ -65,7 +65,10 @@ void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   list_ = &state.contacts;
   list_->reserve(2 * setup_->outlines().vertices.size());  // so that steps need not allocate
   finder_.restore(list_->memory, before_);
-  for (std::size_t i = 0; i < before_.memory.size() && !goes_on; ++i) before_.memory[i].impact = 0.0;
+  if (!goes_on) {
+    for (ContactMemory& m : before_.memory) m.impact = 0.0;
+    if (friction_evolution_.used()) FrictionEvolution::skip(before_.memory);
+  }
   finder_.find(state.q, before_, at_start, *list_);
   (void)finder_.adopt_kinds(*list_);  // its change is in the energy that enter() of the integrator returns
   // Forces of the present springs: a mesh, a share or a scheme may have changed since they were last computed.

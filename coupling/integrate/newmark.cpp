@@ -78,6 +78,7 @@ double Newmark::enter(State& state) {
   list_ = &state.contacts;
   finder_.restore(list_->memory, before_);
   for (ContactMemory& m : before_.memory) m.impact = 0.0;  // springs follow the joint from step to step
+  if (friction_evolution_.used()) FrictionEvolution::skip(before_.memory);
   finder_.find(state.q, before_, state.step == 0, *list_);
   list_->shrink_to_fit();
   before_ = {};                       // rarely needed in steps, and large

@@ -104,5 +104,29 @@ TEST(VelocityWeakeningSlide, stages_to_rest_leave_friction_as_it_is) {
   for (const coupling::ContactMemory& m : run.state().contacts) EXPECT_EQ(m.friction_change, 0.0);
 }
 
+/// Position of the block along the slope at the end [m].
+double end_of(const Scene& scene) {
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver run(scene.model, scene.plan, methods);
+  EXPECT_EQ(run.run().status, coupling::RunEnd::Status::done);
+  return centre_of(run, BlockId{1}).x();
+}
+
+TEST(VelocityWeakeningSlide, slip_in_a_stage_to_rest_is_no_speed_of_the_stage_after_it) {
+  // Static steps on a slope steeper than friction slip by some millimetres each second, 18 in all. The stage after them
+  // begins without speed, hence with the friction of a block at rest: its slide is that of a rigid block from rest.
+  const double rigid = rigid_way();
+  for (const auto& [method, integrator, dt] :
+       {std::tuple("dda", Integrator::explicit_, 0.0), std::tuple("dda", Integrator::implicit, 5e-4),
+        std::tuple("nmm", Integrator::explicit_, 0.0), std::tuple("nmm", Integrator::implicit, 5e-4)}) {
+    Scene scene = slide(true);
+    scene.stage("dda", Integrator::implicit, 2.0, 2e-2).rest = true;
+    const double begin = end_of(scene);
+    ASSERT_LT(begin, 1.0 - 0.2 * kSlip) << "the stage to rest does not slip enough";
+    scene.stage(method, integrator, kTime, dt > 0.0 ? std::optional(dt) : std::nullopt);
+    EXPECT_NEAR((begin - end_of(scene)) / rigid, 1.0, 5e-3) << method << (dt > 0.0 ? " implicit" : " explicit");
+  }
+}
+
 }  // namespace
 }  // namespace scree::test::velocity_weakening_test

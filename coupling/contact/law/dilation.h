@@ -14,7 +14,7 @@ struct Strength;
 /// Opening of a point that has slipped by `before` and slips further by `slip` [m].
 [[nodiscard]] double opened_in(const JointLaw& law, double before, double slip);
 
-/// Normal and tangential state of a dilating point whose spring is beyond Coulomb's limit.
+/// Normal and tangential state of a dilating point whose spring is beyond Coulomb's limit.   `pressed` may be negative.
 struct DilatingTrial {
   double kn = 0.0, kt = 0.0;  // springs [N/m]
   double pressed = 0.0;       // normal force without further opening, damping included [N]
@@ -38,7 +38,7 @@ struct DilatingForce {
 /// With |s| = -dir e - (c + tan phi f_n)/k_t the slip and k the normal stiffness, f_n = -k g + k tan psi |s| has f_n on
 /// both sides:  f_n (1 + k tan psi tan phi/k_t) = -k g - k tan psi (dir e + c/k_t).
 /// After the end of dilation `left` takes the place of |s|: f_n = -k g + k tan psi left.
-/// @param k  normal stiffness, the dashpot included [N/m]   @param direction  sign of the friction force
+/// @param k  normal stiffness, the dashpot included [N/m]   @param direction  `dir`, the sign of the friction force
 /// @param opens  true: all slip of the step dilates   @param left  slip that still dilates [m]
 [[nodiscard]] DilatingForce dilating_force(const JointLaw& law, const Strength& strength, double k, double kt,
                                            double direction, bool opens, double left);

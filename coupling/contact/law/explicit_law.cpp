@@ -46,7 +46,7 @@ void slide(const JointLaw& law, double tan_friction, const PointMotion& motion, 
 
 void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& motion, ContactMemory& m) {
   if (m.bonded != 0 && m.kn * m.gap > tension_limit(law, m)) mark_failed(law, m);
-  // A slide that opens the joint lifts the bodies before the spring follows.
+  // Where slip opens the joint, a point may have a gap up to the opening of this step's slip, and is closed after it.
   const double follows =
       law.dilation > 0.0 && m.status != ContactStatus::open ? opened_in(law, m.slip, std::abs(m.stretch)) : 0.0;
   if (motion.held_elsewhere || (m.gap >= follows && m.bonded == 0)) return open(m);
@@ -56,7 +56,7 @@ void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& m
     m.stretch = 0.0;
     m.status = ContactStatus::stick;
   }
-  // A bond fails by the force of the spring, not by that of the dashpot.
+  // An intact point does not fail because its dashpot lowers the normal force: then that of the spring counts.
   const double bearing = m.failed == 0 && can_fail(law) ? std::max(m.fn, m.fn - m.fd) : m.fn;
   const double limit = strength(law, tan_friction, m).friction_limit(bearing);
   if (m.kt * std::abs(m.stretch) > limit) {
@@ -68,7 +68,7 @@ void explicit_law(const JointLaw& law, double tan_friction, const PointMotion& m
     m.status = ContactStatus::stick;
   }
   if (m.gap >= 0.0 && m.bonded == 0) return open(m);  // it did not slip far enough to stay closed
-  // Damping only where the contact sticks, and never beyond Coulomb's limit.
+  // Damping only where the contact sticks, and in total never beyond the limit above.
   const double spring_t = -m.kt * m.stretch;
   m.ft = m.status == ContactStatus::stick ? std::clamp(spring_t - motion.ct * motion.shear, -limit, limit) : spring_t;
   m.fdt = m.ft - spring_t;

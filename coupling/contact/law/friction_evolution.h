@@ -21,6 +21,11 @@ class FrictionEvolution {
   /// Changes tan phi by the slip of a step.   @param step  that has been taken [s]
   /// @param contacts  with their slip at the end of the step
   void advance(double step, std::span<ContactMemory> contacts);
+  /// Leaves friction as it is after the slip so far. Called where a stage begins: the slip of a stage to rest has no
+  /// rate, and must not count as that of the first step after it.
+  static void skip(std::span<ContactMemory> contacts) {
+    for (ContactMemory& m : contacts) m.slip_known = m.slip;
+  }
 
  private:
   const std::vector<JointLaw>* joints_;

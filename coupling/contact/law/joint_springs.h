@@ -14,14 +14,17 @@ class JointSprings {
  public:
   explicit JointSprings(const Setup& setup);
 
-  /// Law between two edges: that of the edge that names one; if both do, the one with less friction.
+  /// Law between two edges: that of the edge that names one; if both do, the one with the smaller friction angle; if
+  /// neither does, the default joint of the model.
   [[nodiscard]] JointId law_of(EdgeIndex edge_a, EdgeIndex edge_b) const;
-  /// True if points carry shares of the overlap; false for a penalty per point.
+  /// True if the stiffness of a point is its tributary length times a stiffness per area; false if it is given per
+  /// point.
   [[nodiscard]] bool per_area(JointId id) const;
   /// Normal stiffness per area [Pa/m]; auto: (K + 4G/3)/d, the larger of both sides, d the width normal to the edge.
   /// @source [Qu2013] eq. 7.56 (there as an upper bound, ten times as stiff)
   [[nodiscard]] double normal_stiffness(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
-  /// Length that a corner against an edge stands for [m].
+  /// Length of joint that a corner against an edge stands for, in stiffness and strength: `contact_length` of the
+  /// joint, else a tenth of the square root of the smaller block's area [m].
   [[nodiscard]] double corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const;
   /// Extent of the edge's block in the model, normal to the edge [m].
   [[nodiscard]] double width(EdgeIndex edge) const { return width_[edge]; }

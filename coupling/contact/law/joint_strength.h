@@ -19,11 +19,12 @@ struct Strength {
   }
 };
 [[nodiscard]] Strength strength(const JointLaw& law, const ContactMemory& memory);
-/// The same with a known tangent of the law's friction angle, whose computation takes as long as all the rest.
+/// The same with the tangent of the law's friction angle, which takes as long to compute as all the rest.
 [[nodiscard]] Strength strength(const JointLaw& law, double tan_friction, const ContactMemory& memory);
 
 /// tan phi of a point: linear in its accumulated slip s from peak to residual over the weakening slip D,
 ///   tan phi = tan phi_p + (tan phi_r - tan phi_p) min(1, s/D);   D = 0: the residual after the first failure.
+/// Without a residual friction: tan phi_p plus the change by a law of friction (ContactMemory::friction_change).
 [[nodiscard]] double friction_coefficient(const JointLaw& law, const ContactMemory& memory);
 
 /// Coulomb's limit of the tangential force [N]: max(0, c * share + f_n tan phi), c the residual cohesion after the
@@ -34,10 +35,10 @@ struct Strength {
 /// The largest pull that the point bears [N]: tensile strength * share while it is bonded, else 0.
 [[nodiscard]] double tension_limit(const JointLaw& law, const ContactMemory& memory);
 
-/// True if failure reduces the strength of a joint of this law.
+/// True if a joint of this law has strength that failure may reduce.
 [[nodiscard]] bool can_fail(const JointLaw& law);
 
-/// The first failure: the residual strengths remain.
+/// Marks a point as failed, with the residual strengths from now on, and ends its bond.
 void mark_failed(const JointLaw& law, ContactMemory& memory);
 
 }  // namespace scree::coupling

@@ -5,8 +5,8 @@
 
 namespace scree::coupling {
 
-/// Penalty spring of stiffness k_n over the gap g (negative: pressed). A pressed spring pushes; one that is bonded also
-/// pulls. With the depth d = g where bonded, else min(g, 0):
+/// Penalty spring of stiffness k_n over the gap g, less gap0 (negative: pressed). Forces are per metre of thickness. A
+/// pressed spring pushes; one that is bonded also pulls. With the depth d = g where bonded, else min(g, 0):
 ///   U = 1/2 k_n d^2,   f_n = -dU/dg = -k_n d,   -df_n/dg = k_n where d = g, else 0
 struct NormalSpring {
   double k = 0.0;       // [N/m]

@@ -19,7 +19,7 @@ enum : std::size_t { kFastFriction, kVelocity, kSlip };
 double fast(FrictionLaw::Constants c) { return std::tan(c[kFastFriction] * std::numbers::pi / 180.0); }
 
 void evolve(double tan_peak, FrictionLaw::Constants c, double step, std::span<FrictionRow> rows) {
-  const double lost = fast(c) - tan_peak;  // in a slide of any speed
+  const double lost = fast(c) - tan_peak;  // change of tan phi as v grows without bound, at most 0
   for (FrictionRow& row : rows) {
     const double faster = row.slip / step / c[kVelocity];  // v / v_w
     const double steady = lost * faster / (1.0 + faster);
