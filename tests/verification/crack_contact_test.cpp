@@ -85,7 +85,8 @@ class CrackSliding : public testing::TestWithParam<Integrator> {};
 TEST_P(CrackSliding, upper_part_follows_coulomb) {
   const bool implicit = GetParam() == Integrator::implicit;
   const double phi = 10.0, slope = 25.0 * kDegree, g = 9.81;
-  // Drawn along the slope: a base, fixed from below, and on it, cut off by the crack along its whole length, the part that slides.
+  // Drawn along the slope: a base, fixed from below, and on it, cut off by the crack along its whole length, the part
+  // that slides.
   const Mat2 R = rotation(-slope);
   Cracked cracked(phi, transformed(rectangle(0.0, -0.5, 2.0, 0.5), Vec2(0, 0), R), {});
   cracked.scene.model.gravity = {0.0, -g};

@@ -28,7 +28,8 @@ class Dilation : public testing::TestWithParam<Scheme> {
     return scene_.stage(GetParam().method, GetParam().integrator, duration,
                         GetParam().implicit() ? std::optional<double>(dt) : std::nullopt, kHeight);
   }
-  /// A push along the joint, a fraction of gravity, that grows over `rise` from `start` on and is taken away again later.
+  /// A push along the joint, a fraction of gravity, that grows over `rise` from `start` on and is taken away again
+  /// later.
   void push(double part, double start, double rise) {
     TimeFunction f;
     f.shape = TimeFunction::Shape::table;

@@ -322,7 +322,7 @@ TEST(LiveContacts, worst_ones_are_named_in_info) {
   };
   using enum coupling::ContactStatus;
   strip.state.contacts.memory = {contact(0, 1, open, -9.0, 9e9), contact(1, 0, stick, -2e-6, 5.0),
-                          contact(0, 5, slip, -1e-6, 7.0)};
+                                 contact(0, 5, slip, -1e-6, 7.0)};
   Model model = model_with_monitors(0);
   model.blocks.resize(2);
   model.blocks[0].name = "toe";
