@@ -14,11 +14,12 @@
 namespace scree::coupling {
 namespace {
 
-/// Distance from a point to a segment.
-double distance_to(const Vec2& p, const Vec2& a, const Vec2& b) {
+/// Square of the distance from a point to a segment.
+inline double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
-  const double s = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (p - a - s * d).norm();
+  const double along = (p - a).dot(d), whole = d.squaredNorm();
+  const double s = along <= 0.0 ? 0.0 : (along >= whole ? 1.0 : along / whole);  // most points lie beyond an end
+  return (p - a - s * d).squaredNorm();
 }
 
 constexpr std::size_t kAhead = 12;       // pairs: edges on the other side are prefetched so far ahead
@@ -114,8 +115,8 @@ void ContactFinder::place_nodes(std::span<const double> q) {
 ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& e = o.edges[edge];
-  const auto distance = [&](const Outlines::Segment& s) { return distance_to(x, x_[s.a], x_[s.b]); };
-  if (e.segments == 1) return {e.first_segment, distance(o.segments[e.first_segment])};
+  const auto squared = [&](const Outlines::Segment& s) { return squared_distance(x, x_[s.a], x_[s.b]); };
+  if (e.segments == 1) return {e.first_segment, std::sqrt(squared(o.segments[e.first_segment]))};
   const Vec2& along = pairs_.direction(edge);
   const auto begin = o.segments.begin() + e.first_segment.value, end = begin + e.segments;
   const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
@@ -124,46 +125,64 @@ ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge)
   // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
   const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
   auto best = first;
-  double nearest = 0.0;
-  for (auto s = first; s != last; ++s) {
-    const double d = distance(*s);
-    if (s != first && d >= nearest) continue;
+  double nearest = squared(*first);
+  for (auto s = first + 1; s < last; ++s) {
+    const double d = squared(*s);
+    // Of segments at one distance, to the last bit, the first one.
+    if (d >= nearest || std::sqrt(d) >= std::sqrt(nearest)) continue;
     nearest = d;
     best = s;
   }
-  return {e.first_segment + static_cast<std::int32_t>(best - begin), nearest};
-}
-
-template <class See>
-void ContactFinder::for_next_pairs(EdgeIndex a, EdgeIndex b, See&& see) const {
-  for (const auto& [of, against] : {std::pair(a, b), std::pair(b, a)}) {
-    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
-    known_.for_vertices(of, next, see);
-    // Where vertices meet exactly, either may stand for both.
-    known_.for_against(of, [&](std::size_t i) {
-      if (next(pairs_.opposing_edge(known_.vertex(i), known_.edge(i)))) see(i);
-    });
-  }
+  return {e.first_segment + static_cast<std::int32_t>(best - begin), std::sqrt(nearest)};
 }
 
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
   if (!p.edge_edge || p.largest_tributary == 0.0) return -1;
   const Outlines& o = setup_->outlines();
   const EdgeIndex own = pairs_.opposing_edge(p.vertex, p.edge);
+  const Vec2& at = x_[p.node[0]];
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
-  const auto look = [&](std::size_t i, double within) {
-    if (!known_.closed(i) && (next_only || p.from >= 0)) return;
-    if (known_.vertex(i) == p.vertex && known_.edge(i) == p.edge) return;
-    if (!known_.edge_edge(i)) return;
-    const OutlineNode node = o.vertices[known_.vertex(i)].node;
-    const double d = (x_[node] - x_[p.node[0]]).norm();
-    if (d > within || d >= nearest) return;
+  const auto distance = [&](VertexIndex vertex) { return (x_[o.vertices[vertex].node] - at).norm(); };
+  const auto fits = [&](std::size_t i) {
+    return (known_.closed(i) || (!next_only && p.from < 0)) && known_.edge_edge(i) &&
+           (known_.vertex(i) != p.vertex || known_.edge(i) != p.edge);
+  };
+  const auto take = [&](std::size_t i, double d) {
     nearest = d;
     found = static_cast<std::int32_t>(i);
   };
-  if (!next_only) known_.for_pair(own, p.edge, [&](std::size_t i) { look(i, nearest); });
-  if (found < 0) for_next_pairs(own, p.edge, [&](std::size_t i) { look(i, detection_); });
+  if (!next_only)
+    known_.for_pair(own, p.edge, [&](std::size_t i) {
+      if (!fits(i)) return;
+      const double d = distance(known_.vertex(i));
+      if (!(d >= nearest)) take(i, d);
+    });
+  if (found >= 0) return found;
+  // Points of either edge with edges in line with the other, of any body. The distance is the cheapest condition that
+  // few points meet.
+  for (const auto& [of, against] : {std::pair(own, p.edge), std::pair(p.edge, own)}) {
+    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
+    const auto too_far = [&](double d) { return d > detection_ || d >= nearest; };
+    const Outlines::Edge& edge = o.edges[of];
+    for (std::int32_t k = 0; k <= edge.segments; ++k) {
+      const VertexIndex vertex = edge.vertex(k);
+      const double d = distance(vertex);
+      if (too_far(d)) continue;
+      known_.for_vertex(
+          vertex, [](EdgeIndex) { return true; },
+          [&](std::size_t i) {
+            if (!too_far(d) && fits(i) && next(known_.edge(i))) take(i, d);
+          });
+    }
+    // Where vertices meet exactly, either may stand for both.
+    known_.for_against(of, [&](std::size_t i) {
+      if (!fits(i)) return;
+      const VertexIndex vertex = known_.vertex(i);
+      const double d = distance(vertex);
+      if (!too_far(d) && next(pairs_.opposing_edge(vertex, known_.edge(i)))) take(i, d);
+    });
+  }
   return found;
 }
 

@@ -91,9 +91,6 @@ class ContactFinder {
   void begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const;
 
  private:
-  /// Calls see(i) for the known points between either edge and edges in line with the other, of any body.
-  template <class See>
-  void for_next_pairs(EdgeIndex a, EdgeIndex b, See&& see) const;
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint continues on another
   /// block; -1 if there is none. It may be open only for a new point.
   /// @param next_only  leave out the point's own contact
