@@ -8,9 +8,12 @@ namespace scree::coupling {
 namespace {
 
 /// B += u v^T + w z^T.
-void add_products(const double* u, const double* v, const double* w, const double* z, double* block) {
-  for (int c = 0; c < kBlockSide; ++c)
-    for (int r = 0; r < kBlockSide; ++r) block[kBlockSide * c + r] += u[r] * v[c] + w[r] * z[c];
+void add_products(const DoubleColumn& u, const double* v, const DoubleColumn& w, const double* z, double* block) {
+  for (int c = 0; c < kBlockSide; ++c, block += kBlockSide) {
+    DoubleColumn sum(block);
+    sum.add(v[c], u, z[c], w);
+    sum.store(block);
+  }
 }
 
 constexpr std::int64_t kFewBodies = 3000;  // below it loops over bodies run on one thread
@@ -19,10 +22,8 @@ constexpr std::int64_t kFewBodies = 3000;  // below it loops over bodies run on 
 bool couples_pair(const DofRow& row) {
   const std::size_t n = row.dof.size();
   if (n % kBlockSide != 0 || n > 2 * kBlockSide) return false;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto in_block = static_cast<std::int32_t>(i % kBlockSide);
-    if (row.dof[i] % kBlockSide != in_block || row.dof[i] != row.dof[i - i % kBlockSide] + in_block) return false;
-  }
+  for (std::size_t i = 0; i < n; i += kBlockSide)  // unknowns are in order, each once
+    if (row.dof[i] % kBlockSide != 0 || row.dof[i + kBlockSide - 1] != row.dof[i] + kBlockSide - 1) return false;
   return true;
 }
 
@@ -53,7 +54,8 @@ void BlockSystem::find_incidences() {
   pairs_.clear();
   for (const BlockMatrix::Pair& p : bodies_)
     if (p[1] >= 0 && (pairs_.empty() || p != pairs_.back())) pairs_.push_back(p);
-  matrix_.set_pattern(n, pairs_);
+  // Points of vertices that coincide alternate by round-off: most lists that differ have the same pairs.
+  if (!matrix_.has_pattern(n, pairs_)) matrix_.set_pattern(n, pairs_);
   first_.assign(static_cast<std::size_t>(n) + 1, 0);
   for (const BlockMatrix::Pair& p : bodies_)
     for (const std::int32_t b : p)
@@ -131,13 +133,16 @@ void BlockSystem::add_point(const Incidence& at, std::int32_t body) {
   const PointTangent& k = tangent_[point];
   const double *n = &rows_->h()[static_cast<std::size_t>(rows_->start()[row])],
                *t = &rows_->h()[static_cast<std::size_t>(rows_->start()[row + 1])];
+  const DoubleColumn own_n(n + at.own), own_t(t + at.own);
   const auto add = [&](int of, double* block) {
     double normal[kBlockSide], tangential[kBlockSide];
-    for (int c = 0; c < kBlockSide; ++c) {
-      normal[c] = k.nn * n[of + c] + k.nt * t[of + c];
-      tangential[c] = k.tn * n[of + c] + k.tt * t[of + c];
-    }
-    add_products(n + at.own, normal, t + at.own, tangential, block);
+    const DoubleColumn of_n(n + of), of_t(t + of);
+    DoubleColumn sum;
+    sum.set(k.nn, of_n, k.nt, of_t);
+    sum.store(normal);
+    sum.set(k.tn, of_n, k.tt, of_t);
+    sum.store(tangential);
+    add_products(own_n, normal, own_t, tangential, block);
   };
   add(at.own, matrix_.block(matrix_.diagonal(body)));
   if (at.other >= 0) add(at.other, matrix_.block(at.place));
@@ -185,16 +190,17 @@ void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
   };
   const auto of_body = [&](std::int64_t at) {
     const auto b = static_cast<std::size_t>(at);
-    double sum[kBlockSide] = {};
-    subtract_own(static_cast<std::int32_t>(at), x, sum);
-    for (double& s : sum) s = -s;
+    double of_A[kBlockSide] = {};
+    subtract_own(static_cast<std::int32_t>(at), x, of_A);
+    DoubleColumn sum(of_A);
+    sum.scale(-1.0);
     for (const Incidence& i : incidences(static_cast<std::int32_t>(at))) {
       const auto unit = static_cast<std::size_t>(i.unit);
       const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
-      if (force_[row] != 0.0) add_force(row, i.own, force_[row], sum);
-      if (unit >= springs_ && force_[row + 1] != 0.0) add_force(row + 1, i.own, force_[row + 1], sum);
+      if (force_[row] != 0.0) sum.add(force_[row], coefficients(row, i.own));
+      if (unit >= springs_ && force_[row + 1] != 0.0) sum.add(force_[row + 1], coefficients(row + 1, i.own));
     }
-    std::copy(std::begin(sum), std::end(sum), &y[kBlockSide * b]);
+    sum.store(&y[kBlockSide * b]);
   };
   parallel_for(static_cast<std::int64_t>(bodies_.size()), of_unit, kFewPoints);
   parallel_for(matrix_.rows(), of_body, kFewBodies);

@@ -65,13 +65,18 @@ class BlockSystem {
   void subtract_own(std::int32_t body, std::span<const double> x, double* sum) const;
   /// Adds a force along a row to one of its bodies.   @param own  Incidence::own
   void add_force(std::size_t row, std::int32_t own, double force, double* sum) const {
-    const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row]) + static_cast<std::size_t>(own)];
-    for (int k = 0; k < kBlockSide; ++k) sum[k] += force * h[k];
+    DoubleColumn all(sum);
+    all.add(force, coefficients(row, own));
+    all.store(sum);
   }
 
  private:
   void find_incidences();
   void sum_row(std::int32_t body);
+  /// Coefficients of one of the bodies of a row.   @param own  Incidence::own
+  [[nodiscard]] DoubleColumn coefficients(std::size_t row, std::int32_t own) const {
+    return DoubleColumn(&rows_->h()[static_cast<std::size_t>(rows_->start()[row]) + static_cast<std::size_t>(own)]);
+  }
   /// h.x of a row.
   [[nodiscard]] double elongation(std::size_t row, std::size_t unit, std::span<const double> x) const;
   void add_point(const Incidence& at, std::int32_t body);

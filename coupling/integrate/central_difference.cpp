@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <utility>
 
 #include "coupling/integrate/lost_state.h"
@@ -574,9 +575,10 @@ bool CentralDifference::step_still_stable() const {
   // A contact that has ended leaves the bound safe; one that is new or has grown stiffer is not covered.
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.points.size(); ++i) {
-    while (at < bound_.size() && bound_[at].key < list.points[i].key) ++at;
-    if (at == bound_.size() || bound_[at].key != list.points[i].key) return false;
-    if (std::max(list.memory[i].kn, list.memory[i].kt) > bound_[at].stiffness) return false;
+    auto order = std::strong_ordering::less;
+    while (at < bound_.size() && (order = bound_[at].key <=> list.points[i].key) < 0) ++at;
+    if (order != 0) return false;
+    if (std::max(list.memory[i].kn, list.memory[i].kt) > bound_[at++].stiffness) return false;
   }
   return true;
 }

@@ -153,7 +153,6 @@ class OpenClose {
   struct AffineChart {
     std::int32_t first = -1;  // unknown
     std::array<double, 6> tx{}, ty{};
-    [[nodiscard]] double along(const Vec2& c, std::size_t k) const { return c.x() * tx[k] + c.y() * ty[k]; }
   };
   std::vector<AffineChart> affine_charts_;
   std::vector<OutlineNode> charted_;                        // nodes with an affine chart

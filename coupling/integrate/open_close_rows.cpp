@@ -114,11 +114,17 @@ void OpenClose::fill_affine_rows(std::size_t point, std::span<const Vec2> driven
       // Unknowns are in ascending order: those of the other body are first, or last.
       const std::size_t place = both && chart[i]->first > std::min(chart[0]->first, chart[1]->first) ? 1 : 0;
       const std::size_t first = kUnknowns * place;
-      for (std::size_t k = 0; k < kUnknowns; ++k) {
-        const double h = chart[i]->along(along[i], k);
-        out.dof[first + k] = chart[i]->first + static_cast<std::int32_t>(k);
-        out.h[first + k] = begun[place] ? out.h[first + k] + h : h;
+      const DoubleColumn tx(chart[i]->tx.data()), ty(chart[i]->ty.data());
+      DoubleColumn h;
+      h.set(along[i].x(), tx, along[i].y(), ty);
+      if (begun[place]) {
+        DoubleColumn sum(&out.h[first]);
+        sum.add(1.0, h);
+        sum.store(&out.h[first]);
+        continue;
       }
+      h.store(&out.h[first]);
+      for (std::size_t k = 0; k < kUnknowns; ++k) out.dof[first + k] = chart[i]->first + static_cast<std::int32_t>(k);
       begun[place] = true;
     }
     *out.known = known;

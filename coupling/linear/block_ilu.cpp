@@ -1,8 +1,9 @@
 #include "coupling/linear/block_ilu.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "model/parallel.h"
 
@@ -10,29 +11,79 @@ namespace scree::coupling {
 namespace {
 
 void round_to(const double* block, FloatBlock& out) {
-  for (int j = 0; j < kBlockSide; ++j) {
-    out.column[j] = FloatColumn{};
-    for (int i = 0; i < kBlockSide; ++i) out.column[j][i] = static_cast<float>(block[kBlockSide * j + i]);
+  for (int j = 0; j < kBlockSide; ++j) DoubleColumn(block + kBlockSide * j).round_to(out.column[j]);
+}
+
+using Rows = double[kBlockSide][kBlockSide];
+
+/// Sum and largest of the absolute values.   @return not finite if one of them is not
+std::pair<double, double> size_of(const Rows& m) {
+  double sum = 0.0, largest = 0.0;
+  for (const auto& row : m)
+    for (const double x : row) {
+      sum += std::abs(x);
+      largest = std::max(largest, std::abs(x));
+    }
+  return {sum, largest};
+}
+
+/// Inverse by Gauss-Jordan elimination with exchanges of rows, in place.
+/// @return the smallest absolute pivot; if it is zero the matrix is singular, and m has no meaning
+double invert_in_place(Rows& m) {
+  double smallest = std::numeric_limits<double>::infinity();
+  int from[kBlockSide];
+  for (int k = 0; k < kBlockSide; ++k) {
+    int p = k;
+    for (int i = k + 1; i < kBlockSide; ++i)
+      if (std::abs(m[i][k]) > std::abs(m[p][k])) p = i;
+    from[k] = p;
+    if (p != k) std::swap(m[p], m[k]);
+    const double pivot = m[k][k];
+    smallest = std::min(smallest, std::abs(pivot));
+    if (smallest == 0.0) return 0.0;
+    m[k][k] = 1.0;
+    DoubleColumn row(m[k]);
+    row.scale(1.0 / pivot);
+    row.store(m[k]);
+    for (int i = 0; i < kBlockSide; ++i) {
+      if (i == k) continue;
+      const double factor = std::exchange(m[i][k], 0.0);
+      DoubleColumn other(m[i]);
+      other.add(-factor, row);
+      other.store(m[i]);
+    }
   }
+  for (int k = kBlockSide; k-- > 0;)
+    if (from[k] != k)
+      for (auto& row : m) std::swap(row[k], row[from[k]]);
+  return smallest;
 }
 
 /// Inverse of a pivot.   @return false: it is singular, or not distinct from a singular one in single precision
 bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
-  using Matrix = Eigen::Matrix<double, kBlockSide, kBlockSide>;
-  using Scale = Eigen::Matrix<double, kBlockSide, 1>;
-  Matrix m;
-  for (int j = 0; j < kBlockSide; ++j)
-    for (int i = 0; i < kBlockSide; ++i) m(i, j) = static_cast<double>(pivot.column[j][i]);
-  if (!m.allFinite()) return false;
   // Divided by their units, numbers can be compared. None has to be positive: friction allows any sign of the diagonal.
-  const Scale scale = Eigen::Map<const Scale>(unit).cwiseInverse();
-  m = scale.asDiagonal() * m * scale.asDiagonal();
-  const Eigen::PartialPivLU<Matrix> lu(m);
+  double scale[kBlockSide];
+  for (int i = 0; i < kBlockSide; ++i) scale[i] = 1.0 / unit[i];
+  const DoubleColumn all(scale);
+  // The transpose, whose rows are the columns: its inverse is the transpose of the inverse.
+  Rows m;
+  for (int j = 0; j < kBlockSide; ++j) {
+    DoubleColumn column(pivot.column[j]);
+    column.scale(all);
+    column.scale(scale[j]);
+    column.store(m[j]);
+  }
+  const auto [sum, largest] = size_of(m);
   constexpr double kSingular = 1e-7;
-  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular * m.cwiseAbs().maxCoeff())) return false;
-  m = scale.asDiagonal() * lu.inverse() * scale.asDiagonal();
-  round_to(m.data(), inverse);
-  return m.allFinite();
+  if (!std::isfinite(sum) || !(invert_in_place(m) > kSingular * largest)) return false;
+  for (int j = 0; j < kBlockSide; ++j) {
+    DoubleColumn column(m[j]);
+    column.scale(all);
+    column.scale(scale[j]);
+    column.store(m[j]);
+    column.round_to(inverse.column[j]);
+  }
+  return std::isfinite(size_of(m).first);
 }
 
 constexpr std::int32_t kWhole = 3000;   // rows that stay one part
@@ -51,11 +102,6 @@ void for_parts(std::size_t count, Of&& of) {
   if (count == 1) return of(std::size_t{0});
 #pragma omp parallel for schedule(static)
   for (std::int64_t p = 0; p < static_cast<std::int64_t>(count); ++p) of(static_cast<std::size_t>(p));
-}
-
-void round_to(const double* x, FloatColumn& out) {
-  out = FloatColumn{};
-  for (int i = 0; i < kBlockSide; ++i) out[i] = static_cast<float>(x[i]);
 }
 
 }  // namespace
@@ -127,7 +173,7 @@ void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<floa
   const auto begin = static_cast<std::size_t>(part.begin), end = static_cast<std::size_t>(part.end);
   for (std::size_t i = begin; i < end; ++i) {
     FloatColumn sum;
-    round_to(&r[kBlockSide * i], sum);
+    DoubleColumn(&r[kBlockSide * i]).round_to(sum);
     for (auto k = static_cast<std::size_t>(first_[i]); k < static_cast<std::size_t>(diagonal_[i]); ++k)
       factor_[k].subtract_from(sum, y_[static_cast<std::size_t>(column_[k])]);
     y_[i] = sum;

@@ -33,7 +33,23 @@ void BlockMatrix::set_pattern(std::int32_t n, std::span<const Pair> pairs) {
     column_.insert(column_.end(), begin, end);
     start_.push_back(static_cast<std::int32_t>(column_.size()));
   }
-  value_.assign(kBlockSize * column_.size(), 0.0);
+  value_.resize(kBlockSize * column_.size());
+}
+
+bool BlockMatrix::has_pattern(std::int32_t n, std::span<const Pair> pairs) {
+  if (rows() != n) return false;
+  seen_.assign(blocks(), 0);
+  auto found = static_cast<std::size_t>(n);
+  for (const Pair& p : pairs) {
+    const auto [i, j] = std::minmax(p[0], p[1]);
+    const std::int32_t k = find(i, j);
+    if (k < 0) return false;
+    if (char& seen = seen_[static_cast<std::size_t>(k)]; seen == 0 && i != j) {
+      seen = 1;
+      found += 2;
+    }
+  }
+  return found == blocks();
 }
 
 std::int32_t BlockMatrix::find(std::int32_t i, std::int32_t j) const {
@@ -53,9 +69,11 @@ void BlockMatrix::multiply(std::span<const double> x, std::span<double> y) const
       rows(),
       [&](std::int64_t at) {
         const auto i = static_cast<std::int32_t>(at);
-        BlockSum sum;
-        for (std::int32_t k = row_begin(i); k < row_begin(i + 1); ++k)
-          sum.add(block(k), &x[kBlockSide * static_cast<std::size_t>(column(k))]);
+        DoubleColumn sum;
+        for (std::int32_t k = row_begin(i); k < row_begin(i + 1); ++k) {
+          const double *of_block = block(k), *of_body = &x[kBlockSide * static_cast<std::size_t>(column(k))];
+          for (int j = 0; j < kBlockSide; ++j) sum.add(of_body[j], DoubleColumn(of_block + kBlockSide * j));
+        }
         sum.store(&y[kBlockSide * static_cast<std::size_t>(i)]);
       },
       kFewRows);

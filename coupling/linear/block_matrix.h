@@ -18,9 +18,12 @@ class BlockMatrix {
   /// Two bodies that are coupled, in either order; the diagonal is always there.
   using Pair = std::array<std::int32_t, 2>;
 
-  /// Makes the pattern of n block rows with the blocks of all pairs, each of which may occur repeatedly. Numbers are
-  /// zero.   @pre 0 <= pair < n
+  /// Makes the pattern of n block rows with the blocks of all pairs, each of which may occur repeatedly. The numbers
+  /// have no meaning before they are set.   @pre 0 <= pair < n
   void set_pattern(std::int32_t n, std::span<const Pair> pairs);
+
+  /// True if the pattern is that of n block rows and these pairs.
+  [[nodiscard]] bool has_pattern(std::int32_t n, std::span<const Pair> pairs);
 
   [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(diagonal_.size()); }
   /// Number of blocks in the pattern.
@@ -42,6 +45,7 @@ class BlockMatrix {
  private:
   std::vector<std::int32_t> start_{0}, column_, diagonal_;
   std::vector<double> value_;
+  std::vector<char> seen_;  // per block, scratch
 };
 
 }  // namespace scree::coupling

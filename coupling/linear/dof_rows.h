@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "coupling/linear/small_block.h"
+
 namespace scree::coupling {
 
 /// change = h.d + known.
@@ -31,7 +33,9 @@ struct DofRow {
     if (whole_bodies()) {
       for (std::size_t b = 0; b < dof.size(); b += kBody) {
         double* of_body = &out[static_cast<std::size_t>(dof[b])];
-        for (std::size_t i = 0; i < kBody; ++i) of_body[i] += force * h[b + i];
+        DoubleColumn sum(of_body);
+        sum.add(force, DoubleColumn(&h[b]));
+        sum.store(of_body);
       }
       return;
     }
@@ -39,7 +43,7 @@ struct DofRow {
   }
 
  private:
-  static constexpr std::size_t kBody = 6;  // unknowns of an affine body
+  static constexpr std::size_t kBody = kBlockSide;
   /// True if the unknowns are one or two runs of six.
   [[nodiscard]] bool whole_bodies() const {
     const std::size_t n = dof.size();

@@ -10,24 +10,57 @@ inline constexpr int kBlockSide = 6;
 /// Numbers in a block, column after column.
 inline constexpr int kBlockSize = kBlockSide * kBlockSide;
 
-/// y += B x in double precision.
-class BlockSum {
+/// A column of six numbers in single precision, and two zeros: a length that processors have registers for.
+using FloatColumn = float __attribute__((vector_size(32)));
+
+/// A column of six numbers in double precision. Columns are passed by reference: how vectors are passed by value
+/// depends on the processor.
+class DoubleColumn {
  public:
-  /// @param block  36 numbers, column after column   @param x  6 numbers
-  void add(const double* block, const double* x) {
-    for (int j = 0; j < kBlockSide; ++j) {
-      Four head;
-      Two tail;
-      std::memcpy(&head, block + kBlockSide * j, sizeof head);
-      std::memcpy(&tail, block + kBlockSide * j + 4, sizeof tail);
-      head_ += head * x[j];
-      tail_ += tail * x[j];
-    }
+  DoubleColumn() = default;  // zeros
+  /// @param x  6 numbers
+  explicit DoubleColumn(const double* x) {
+    std::memcpy(&head_, x, sizeof head_);
+    std::memcpy(&tail_, x + 4, sizeof tail_);
   }
-  /// @param y  6 numbers
-  void store(double* y) const {
-    std::memcpy(y, &head_, sizeof head_);
-    std::memcpy(y + 4, &tail_, sizeof tail_);
+  explicit DoubleColumn(const FloatColumn& x) {
+    for (int i = 0; i < 4; ++i) head_[i] = static_cast<double>(x[i]);
+    for (int i = 0; i < 2; ++i) tail_[i] = static_cast<double>(x[4 + i]);
+  }
+  /// @param x  6 numbers
+  void store(double* x) const {
+    std::memcpy(x, &head_, sizeof head_);
+    std::memcpy(x + 4, &tail_, sizeof tail_);
+  }
+  void round_to(FloatColumn& x) const {
+    using FourFloats = float __attribute__((vector_size(16)));
+    const auto head = __builtin_convertvector(head_, FourFloats);
+    const FourFloats tail = {static_cast<float>(tail_[0]), static_cast<float>(tail_[1])};
+    x = __builtin_shufflevector(head, tail, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  /// *this += a x.
+  void add(double a, const DoubleColumn& x) {
+    head_ += a * x.head_;
+    tail_ += a * x.tail_;
+  }
+  /// *this += a x + b y.
+  void add(double a, const DoubleColumn& x, double b, const DoubleColumn& y) {
+    head_ += a * x.head_ + b * y.head_;
+    tail_ += a * x.tail_ + b * y.tail_;
+  }
+  /// *this = a x + b y.
+  void set(double a, const DoubleColumn& x, double b, const DoubleColumn& y) {
+    head_ = a * x.head_ + b * y.head_;
+    tail_ = a * x.tail_ + b * y.tail_;
+  }
+  /// Multiplies the numbers by those of x, each by its own.
+  void scale(const DoubleColumn& x) {
+    head_ *= x.head_;
+    tail_ *= x.tail_;
+  }
+  void scale(double a) {
+    head_ *= a;
+    tail_ *= a;
   }
 
  private:
@@ -37,11 +70,7 @@ class BlockSum {
   Two tail_ = {};
 };
 
-/// A column of six numbers in single precision, and two zeros: a length that processors have registers for.
-using FloatColumn = float __attribute__((vector_size(32)));
-
-/// A block in single precision. Columns are passed by reference: how vectors are passed by value depends on the
-/// processor.
+/// A block in single precision.
 struct FloatBlock {
   FloatColumn column[kBlockSide];
 

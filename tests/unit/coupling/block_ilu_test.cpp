@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -119,6 +122,37 @@ TEST(BlockMatrix, has_a_place_for_every_pair_in_both_orders_and_for_no_other) {
   EXPECT_EQ(m.block(m.find(0, 2))[7], 4.0);
   m.set_pattern(0, {});
   EXPECT_EQ(m.rows(), 0);
+}
+
+TEST(BlockMatrix, recognises_the_pairs_of_its_pattern_in_any_order) {
+  BlockMatrix m;
+  const Pairs pairs{{2, 0}, {3, 2}, {1, 4}};
+  m.set_pattern(5, pairs);
+  EXPECT_TRUE(m.has_pattern(5, pairs));
+  EXPECT_TRUE(m.has_pattern(5, Pairs{{4, 1}, {0, 2}, {4, 1}, {2, 3}, {2, 2}, {1, 4}}));
+  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}}));                  // one is missing
+  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}, {0, 2}}));          // the same, one listed twice
+  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}, {1, 4}, {1, 0}}));  // one more
+  EXPECT_FALSE(m.has_pattern(6, pairs));
+  m.set_pattern(2, {});
+  EXPECT_TRUE(m.has_pattern(2, {}));
+}
+
+TEST(BlockIlu, exchanges_rows_where_a_pivot_is_zero) {
+  // Columns of the unit matrix in another order, with factors: every pivot but the last is zero where rows stay.
+  const std::array<int, 6> order{3, 0, 5, 1, 2, 4};
+  BlockMatrix m;
+  m.set_pattern(1, {});
+  std::fill_n(m.block(0), kBlockSize, 0.0);
+  for (int c = 0; c < 6; ++c) m.block(0)[6 * c + order[static_cast<std::size_t>(c)]] = std::ldexp(1.0, c);
+  BlockIlu ilu;
+  ASSERT_TRUE(ilu.factorise(m, std::vector<double>(6, 1.0)));
+  Eigen::VectorXd b(6), x(6);
+  for (int c = 0; c < 6; ++c) {
+    x(c) = c + 1.0;
+    b(order[static_cast<std::size_t>(c)]) = std::ldexp(x(c), c);
+  }
+  EXPECT_EQ(preconditioned(ilu, b), x);
 }
 
 TEST(BlockIlu, is_the_inverse_where_elimination_fills_nothing) {
